@@ -1,6 +1,6 @@
 #include "base/element_names.h"
 
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

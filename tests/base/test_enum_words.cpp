@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 namespace rasterwalk {
 

@@ -1,8 +1,7 @@
 #include "base/image.h"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
+#include "tests/support/catch.h"
 #include "tests/support/limited_memory.h"
 #include "tests/support/made_images.h"
 #include "tests/support/random.h"

@@ -1,11 +1,10 @@
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <random>
 
 #include "base/numbers.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -1,6 +1,6 @@
 #include "base/quoted.h"
 
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

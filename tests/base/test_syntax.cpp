@@ -2,9 +2,8 @@
 
 #include <array>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
+#include "tests/support/catch.h"
 
 namespace rasterwalk {
 

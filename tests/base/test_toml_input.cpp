@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "base/toml_nesting.h"
 #include "laboratory/bug.h"
@@ -12,6 +10,7 @@
 #include "scene/read_scene.h"
 #include "session/glossary.h"
 #include "settings/preset.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "view/state_file.h"
 

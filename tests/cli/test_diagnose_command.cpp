@@ -1,12 +1,11 @@
-#include <catch2/catch.hpp>
-
 #include "session/content.h"
 #include "tests/cli/run.h"
+#include "tests/support/catch.h"
 #include "tests/support/made_images.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 using test::CliRun;
 using test::run;
 
@@ -25,9 +24,10 @@ TEST_CASE("diagnose says of the reference that there is no difference, exit code
     REQUIRE(render(path, {}).exit_code == 0);
     const CliRun result = run({"diagnose", path, "--json"});
     CHECK(result.exit_code == 0);
-    CHECK_THAT(result.out, Contains("\"verdict\" : \"no difference\""));
-    CHECK_THAT(result.out, Contains("\"candidates\" : []"));
-    CHECK_THAT(result.err, Contains("100 x 90 pixels; the reference is drawn in that size"));
+    CHECK_THAT(result.out, ContainsSubstring("\"verdict\" : \"no difference\""));
+    CHECK_THAT(result.out, ContainsSubstring("\"candidates\" : []"));
+    CHECK_THAT(result.err,
+               ContainsSubstring("100 x 90 pixels; the reference is drawn in that size"));
 }
 
 TEST_CASE("diagnose names the mistake, exit code 1") {
@@ -38,12 +38,12 @@ TEST_CASE("diagnose names the mistake, exit code 1") {
     const CliRun result = run({"diagnose", path, "--set", "light.power=14", "--size", "100x90"});
     CHECK(result.exit_code == 1);
     CHECK(result.err.empty());
-    CHECK_THAT(result.out, Contains(": B3 "));
-    CHECK_THAT(result.out, Contains("makes this very picture."));
+    CHECK_THAT(result.out, ContainsSubstring(": B3 "));
+    CHECK_THAT(result.out, ContainsSubstring("makes this very picture."));
     const CliRun json = run({"diagnose", path, "--json"});
     CHECK(json.exit_code == 1);
-    CHECK_THAT(json.out, Contains("\"kind\" : \"picture\""));
-    CHECK_THAT(json.out, Contains("\"B3\""));
+    CHECK_THAT(json.out, ContainsSubstring("\"kind\" : \"picture\""));
+    CHECK_THAT(json.out, ContainsSubstring("\"B3\""));
 }
 
 TEST_CASE("A picture in the place of a scene is told what it is for, exit code 2") {
@@ -61,8 +61,8 @@ TEST_CASE("A picture in the place of a scene is told what it is for, exit code 2
         CHECK(result.exit_code == 2);
         CHECK(result.out.empty());
         CHECK_FALSE(result.request.open_window);
-        CHECK_THAT(result.err, Contains("mine.png' is a picture, not a scene"));
-        CHECK_THAT(result.err, Contains("'rasterwalk diagnose FILE'"));
+        CHECK_THAT(result.err, ContainsSubstring("mine.png' is a picture, not a scene"));
+        CHECK_THAT(result.err, ContainsSubstring("'rasterwalk diagnose FILE'"));
     }
     CHECK(run({folder.file("none.png")}).exit_code == 4);
 }
@@ -93,7 +93,7 @@ TEST_CASE("diagnose reads a printed row table") {
     const CliRun result =
         run({"diagnose", path, "--polygon", "2,3", "--polygon", "30,8", "--polygon", "11,19"});
     CHECK(result.exit_code == 1);
-    CHECK_THAT(result.out, Contains("the polygon (2,3) (30,8) (11,19): B5 "));
+    CHECK_THAT(result.out, ContainsSubstring("the polygon (2,3) (30,8) (11,19): B5 "));
     CHECK(run({"diagnose", path, "--polygon", "2;3"}).exit_code == 2);
 }
 
@@ -123,13 +123,13 @@ TEST_CASE("diagnose and check say on a terminal how far they are, and leave noth
     const CliRun plain = run({"diagnose", path});
     CHECK(watched.out == plain.out);
     CHECK(watched.err == plain.err);
-    CHECK_THAT(terminal.str(), Contains("\rTrying each mistake: "));
-    CHECK_THAT(terminal.str(), Contains(" pictures\x1b[K"));
+    CHECK_THAT(terminal.str(), ContainsSubstring("\rTrying each mistake: "));
+    CHECK_THAT(terminal.str(), ContainsSubstring(" pictures\x1b[K"));
     CHECK_THAT(terminal.str(), Catch::EndsWith("\r\x1b[K"));
 
     terminal.str("");
     const std::string lesson = lessons_folder() + "/14-arrows.md";
     CHECK(run({"check", lesson}, {}, &terminal).out == run({"check", lesson}).out);
-    CHECK_THAT(terminal.str(), Contains("\rChecking 14-arrows.md: question 2 of "));
+    CHECK_THAT(terminal.str(), ContainsSubstring("\rChecking 14-arrows.md: question 2 of "));
     CHECK_THAT(terminal.str(), Catch::EndsWith("\r\x1b[K"));
 }

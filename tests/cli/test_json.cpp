@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "tests/cli/run.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;
@@ -75,7 +74,8 @@ triangles = ["A B C"]
 )");
     const CliRun result = run({"triangle", "0", "--scene", path, "--json"});
     CHECK(result.exit_code == 0);
-    CHECK_THAT(result.out, Catch::Contains("    \"name\" : "
-                                           R"("a\u001B\u000B\"\\\u007F\u0085\u2028é\t\n\b\f\r𝄞")"
-                                           ",\n"));
+    CHECK_THAT(result.out, Catch::Matchers::ContainsSubstring(
+                               "    \"name\" : "
+                               R"("a\u001B\u000B\"\\\u007F\u0085\u2028é\t\n\b\f\r𝄞")"
+                               ",\n"));
 }

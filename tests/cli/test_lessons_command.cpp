@@ -2,11 +2,10 @@
 #include <filesystem>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "lessons/progress.h"
 #include "session/content.h"
 #include "tests/cli/run.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;

@@ -2,17 +2,17 @@
 
 #include <string>
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "cli/run.h"
 #include "opening/opened_view.h"
 #include "support/temporary_folder.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
-using Catch::Contains;
+using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -26,11 +26,12 @@ TEST_CASE("stats counts what a model file holds, and tells what is left out") {
     const std::string path = folder.write("m.obj", model_text);
     const CliRun text = run({"stats", path});
     CHECK(text.exit_code == 0);
-    CHECK_THAT(text.out, Contains("\nmodel.positions         4\n"));
-    CHECK_THAT(text.out, Contains("\nmodel.faces             1\n"));
-    CHECK_THAT(text.out, Contains("\nmodel.triangles         2\n"));
-    CHECK_THAT(text.err, Contains("rasterwalk: " + path + wrong_face + "\n"));
-    CHECK_THAT(text.err, Contains("rasterwalk: " + path + ":1: 1 statement 's' is skipped: "));
+    CHECK_THAT(text.out, ContainsSubstring("\nmodel.positions         4\n"));
+    CHECK_THAT(text.out, ContainsSubstring("\nmodel.faces             1\n"));
+    CHECK_THAT(text.out, ContainsSubstring("\nmodel.triangles         2\n"));
+    CHECK_THAT(text.err, ContainsSubstring("rasterwalk: " + path + wrong_face + "\n"));
+    CHECK_THAT(text.err,
+               ContainsSubstring("rasterwalk: " + path + ":1: 1 statement 's' is skipped: "));
     const nlohmann::json json = nlohmann::json::parse(run({"stats", "--json", path}).out);
     CHECK(json["triangles"] == 2);
     CHECK(json["model"]["counts"]["corners"] == 4);
@@ -58,7 +59,8 @@ TEST_CASE("check and stats end with the documented exit codes for models") {
     const std::string junk = folder.write("junk.obj", "no model\n");
     const CliRun refused = run({"stats", junk});
     CHECK(refused.exit_code == static_cast<int>(ExitCode::bad_input));
-    CHECK_THAT(refused.err, Contains(junk + ":1: there is no face in it that can be drawn."));
+    CHECK_THAT(refused.err,
+               ContainsSubstring(junk + ":1: there is no face in it that can be drawn."));
     CHECK(run({"stats", folder.file("none.obj")}).exit_code ==
           static_cast<int>(ExitCode::no_access));
 }

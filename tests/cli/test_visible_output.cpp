@@ -9,10 +9,9 @@
 
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
-
 #include "session/content.h"
 #include "tests/cli/run.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;

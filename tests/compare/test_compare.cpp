@@ -5,10 +5,9 @@
 
 #include <cmath>
 
-#include <catch2/catch.hpp>
-
 #include "settings/setting_table.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

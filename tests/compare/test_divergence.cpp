@@ -4,8 +4,6 @@
 #include <map>
 #include <set>
 
-#include <catch2/catch.hpp>
-
 #include "compare/compare.h"
 #include "picture/view_image.h"
 #include "settings/setting_table.h"
@@ -15,6 +13,7 @@
 #include "support/frames.h"
 #include "support/recorder.h"
 #include "support/walks.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

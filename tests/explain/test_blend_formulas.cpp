@@ -2,12 +2,11 @@
 
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "explain/fragment_report.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "settings/setting_table.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -1,7 +1,5 @@
 #include "explain/bump_formulas.h"
 
-#include <catch2/catch.hpp>
-
 #include <set>
 
 #include <fmt/format.h>
@@ -15,6 +13,7 @@
 #include "support/bits.h"
 #include "support/random.h"
 #include "support/recorder.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "explain/cull_formulas.h"
 #include "explain/vertex_report.h"
 #include "support/clipped_room.h"
 #include "support/effort.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

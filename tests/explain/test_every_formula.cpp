@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
 
 #include "explain/fragment_report.h"
@@ -17,6 +16,7 @@
 #include "support/effort.h"
 #include "support/formula_checks.h"
 #include "support/recorder.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
@@ -16,6 +15,7 @@
 #include "support/random.h"
 #include "support/samples.h"
 #include "support/walks.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using rasterwalk::test::same_bits;

@@ -3,9 +3,8 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "settings/choose_stages.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

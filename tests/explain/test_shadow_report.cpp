@@ -1,7 +1,5 @@
 #include "explain/shadow_formulas.h"
 
-#include <catch2/catch.hpp>
-
 #include "explain/fragment_report.h"
 #include "explain/vertex_report.h"
 #include "pipeline/draw.h"
@@ -11,6 +9,7 @@
 #include "settings/setting_table.h"
 #include "support/bits.h"
 #include "support/recorder.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -1,5 +1,3 @@
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +9,7 @@
 #include "support/formula_checks.h"
 #include "support/recorder.h"
 #include "support/small_cylinder.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using test::same_bits;

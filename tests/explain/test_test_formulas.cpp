@@ -2,11 +2,10 @@
 
 #include <cmath>
 
-#include <catch2/catch.hpp>
-
 #include "settings/choose_stages.h"
 #include "support/effort.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

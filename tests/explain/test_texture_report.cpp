@@ -1,7 +1,5 @@
 #include "explain/texture_report.h"
 
-#include <catch2/catch.hpp>
-
 #include <set>
 #include <string>
 
@@ -14,6 +12,7 @@
 #include "support/effort.h"
 #include "support/recorder.h"
 #include "support/textured_scene.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

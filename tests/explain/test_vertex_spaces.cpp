@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "explain/conventions.h"
@@ -14,6 +13,7 @@
 #include "session/content.h"
 #include "settings/setting_table.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

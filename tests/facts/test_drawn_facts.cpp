@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <catch2/catch.hpp>
-
 #include "facts/facts.h"
 #include "pipeline/draw.h"
 #include "session/content.h"
@@ -13,6 +11,7 @@
 #include "support/choices.h"
 #include "support/effort.h"
 #include "support/recorder.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

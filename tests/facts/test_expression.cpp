@@ -2,9 +2,8 @@
 
 #include <map>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 
@@ -143,7 +142,7 @@ TEST_CASE("An expression that is not understood is answered by a sentence") {
     };
     for (const auto& [text, answer] : cases) {
         INFO(text.substr(0, 60));
-        CHECK_THAT(refusal(text), Catch::Contains(answer));
+        CHECK_THAT(refusal(text), Catch::Matchers::ContainsSubstring(answer));
     }
     CHECK_THROWS_AS(parse_expression("row > 3"), UsageError);
 }

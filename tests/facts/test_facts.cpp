@@ -4,13 +4,12 @@
 #include <cmath>
 #include <set>
 
-#include <catch2/catch.hpp>
-
 #include "explain/light_formulas.h"
 #include "picture/view_image.h"
 #include "session/content.h"
 #include "session/second_run.h"
 #include "session/tabs.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

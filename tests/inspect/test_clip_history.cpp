@@ -9,14 +9,13 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "inspect/event_list.h"
 #include "support/bits.h"
 #include "support/clip_oracle.h"
 #include "support/cut_frames.h"
 #include "support/effort.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

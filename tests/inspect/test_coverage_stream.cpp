@@ -5,8 +5,6 @@
 #include <map>
 #include <set>
 
-#include <catch2/catch.hpp>
-
 #include "explain/fragment_report.h"
 #include "inspect/event_list.h"
 #include "inspect/microscope.h"
@@ -23,6 +21,7 @@
 #include "support/moments.h"
 #include "support/recorder.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "support/clipped_room.h"
 #include "support/effort.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

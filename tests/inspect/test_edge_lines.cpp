@@ -6,11 +6,10 @@
 #include <cstdlib>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "session/content.h"
 #include "session/session.h"
 #include "support/oracle.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

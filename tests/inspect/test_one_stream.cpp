@@ -6,8 +6,6 @@
 #include <map>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "compare/divergence.h"
 #include "explain/fragment_report.h"
 #include "inspect/event_list.h"
@@ -27,6 +25,7 @@
 #include "support/bits.h"
 #include "support/recorder.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

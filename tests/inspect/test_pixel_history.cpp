@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
-#include <catch2/catch.hpp>
-
 #include "inspect/stats.h"
 #include "pipeline/draw.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "settings/setting_table.h"
 #include "tests/support/bits.h"
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/support/made_scene.h"
 #include "tests/support/random.h"
@@ -418,9 +417,9 @@ TEST_CASE("Where a stage has no fragments, or the scene no triangles, nothing co
         const PixelHistory history = pixel_history(frame, {0, 250});
         CHECK(history.entries.empty());
         CHECK(history.nearest.empty());
-        CHECK_THAT(
-            uncovered_text(frame, {1, 1}),
-            Catch::StartsWith("Stage " + std::string(stage_info(frame.settings).name) + " draws"));
+        CHECK_THAT(uncovered_text(frame, {1, 1}),
+                   Catch::Matchers::StartsWith(
+                       "Stage " + std::string(stage_info(frame.settings).name) + " draws"));
     }
     const Scene empty = test::pixel_scene({}, {8, 8});
     const Frame frame = prepare_frame(empty, default_settings(empty));

@@ -11,13 +11,12 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "support/effort.h"
 #include "support/moved_point.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

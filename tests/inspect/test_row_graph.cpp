@@ -2,14 +2,13 @@
 
 #include <cmath>
 
-#include <catch2/catch.hpp>
-
 #include "pipeline/draw.h"
 #include "support/bits.h"
 #include "support/random.h"
 #include "support/recorder.h"
 #include "support/samples.h"
 #include "support/walks.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using rasterwalk::test::same_bits;

@@ -1,13 +1,12 @@
 #include "inspect/shadow_count.h"
 
-#include <catch2/catch.hpp>
-
 #include "facts/facts.h"
 #include "pipeline/draw.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "session/results.h"
 #include "settings/setting_table.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -1,10 +1,9 @@
 #include "inspect/stats.h"
 
-#include <catch2/catch.hpp>
-
 #include "pipeline/draw.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "inspect/pixel_history.h"
 #include "pipeline/draw.h"
 #include "settings/setting_table.h"
 #include "support/effort.h"
 #include "support/random.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -1,11 +1,10 @@
 #include <cmath>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "laboratory/candidate.h"
 #include "support/effort.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 namespace rasterwalk {
 

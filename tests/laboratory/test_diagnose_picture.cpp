@@ -1,7 +1,5 @@
 #include <algorithm>
 
-#include <catch2/catch.hpp>
-
 #include "laboratory/bug_rule.h"
 #include "laboratory/diagnose.h"
 #include "picture/view_image.h"
@@ -11,10 +9,11 @@
 #include "settings/setting_table.h"
 #include "support/effort.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::StartsWith;
 
 namespace {
@@ -151,13 +150,13 @@ TEST_CASE("What is no bug is told too") {
     };
     const Bug& affine = find_bug(bugs, "B3");
     CHECK_THAT(verdict(picture_of(scene, wrong_run(affine, reference))),
-               Contains("B3 “" + affine.name + "”"));
+               ContainsSubstring("B3 “" + affine.name + "”"));
     CHECK(verdict(flipped(right, false, true)) == "Upside down makes this very picture.");
     CHECK(verdict(flipped(right, true, true)) == "Turned by half a turn makes this very picture.");
     Image shifted = right;
     std::rotate(shifted.rgba.begin(), shifted.rgba.begin() + 4L * shifted.width,
                 shifted.rgba.end());
-    CHECK_THAT(verdict(shifted), Contains("Shifted by a pixel up"));
+    CHECK_THAT(verdict(shifted), ContainsSubstring("Shifted by a pixel up"));
     Settings other = reference;
     other.stage = Stage::depth;
     CHECK(verdict(picture_of(scene, other)) == "Drawn at stage depth makes this very picture.");
@@ -167,10 +166,11 @@ TEST_CASE("What is no bug is told too") {
           "Another light power (with light.power=9.25) makes this very picture.");
     other = reference;
     other.line_walk = LineWalk::multiply;
-    CHECK_THAT(verdict(picture_of(scene, other)), Contains("line_walk=multiply"));
+    CHECK_THAT(verdict(picture_of(scene, other)), ContainsSubstring("line_walk=multiply"));
     other = reference;
     other.vertex_rounding = VertexRounding::truncate_sum;
-    CHECK_THAT(verdict(picture_of(scene, other)), Contains("vertex_rounding=truncate_sum"));
+    CHECK_THAT(verdict(picture_of(scene, other)),
+               ContainsSubstring("vertex_rounding=truncate_sum"));
     Image noise = right;
     Random random(3);
     for (std::uint8_t& byte : noise.rgba)
@@ -370,6 +370,7 @@ TEST_CASE("A scene of too many triangles for all the pictures is refused after t
     Image picture{16, 16, {}};
     picture.rgba.resize(4 * 16 * 16);
     DiagnosisWork work(picture, "mine.png", scene, reference, bugs);
-    CHECK_THROWS_WITH(work.advance(), StartsWith("mine.png: ") && Contains("500000 triangles"));
+    CHECK_THROWS_WITH(work.advance(),
+                      StartsWith("mine.png: ") && ContainsSubstring("500000 triangles"));
     CHECK(work.pictures().all == 1);
 }

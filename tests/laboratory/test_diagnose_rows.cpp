@@ -1,17 +1,16 @@
 #include <algorithm>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "inspect/row_history.h"
 #include "laboratory/diagnose.h"
 #include "pipeline/frame.h"
 #include "support/samples.h"
 #include "support/walks.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -55,10 +54,10 @@ TEST_CASE("Printed rows are read in the lab's form, with blanks and other lines 
 
 TEST_CASE("What is no row is told with its line") {
     CHECK_THROWS_WITH(parse_printed_rows("Start: (1,2). End: (1,2).\nStart: 1,2\n", "rows.txt"),
-                      Catch::StartsWith("rows.txt:2: a row is printed as"));
+                      Catch::Matchers::StartsWith("rows.txt:2: a row is printed as"));
     CHECK_THROWS_WITH(parse_printed_rows("Start: (1,2). End: (99999999999,2).", "rows.txt"),
-                      Catch::StartsWith("rows.txt:1: "));
-    CHECK_THROWS_WITH(parse_printed_rows("hello", "rows.txt"), Contains("no line like"));
+                      Catch::Matchers::StartsWith("rows.txt:1: "));
+    CHECK_THROWS_WITH(parse_printed_rows("hello", "rows.txt"), ContainsSubstring("no line like"));
     CHECK_THROWS_AS(parse_printed_rows("", "rows.txt"), InputError);
 }
 
@@ -89,7 +88,7 @@ TEST_CASE("The table of every bug is told, if the bug changes it") {
         REQUIRE_FALSE(diagnosis.candidates.empty());
         const std::vector<std::string>& ids = diagnosis.candidates.front().ids;
         CHECK(std::find(ids.begin(), ids.end(), bug.id) != ids.end());
-        CHECK_THAT(diagnosis.verdict, Contains("this very table"));
+        CHECK_THAT(diagnosis.verdict, ContainsSubstring("this very table"));
     }
     CHECK(changed >= 3);
 }

@@ -1,11 +1,10 @@
 // The scene that is made to show why the depth buffer holds 1/z.
 
-#include <catch2/catch.hpp>
-
 #include "pipeline/draw.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "support/ray_caster.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

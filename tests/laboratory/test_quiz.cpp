@@ -2,8 +2,6 @@
 
 #include <set>
 
-#include <catch2/catch.hpp>
-
 #include "laboratory/bug.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
@@ -11,6 +9,7 @@
 #include "session/scene_file.h"
 #include "session/session.h"
 #include "settings/setting_table.h"
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 
 using namespace rasterwalk;

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "explain/fragment_report.h"
@@ -12,6 +11,7 @@
 #include "mistakes/shadow.h"
 #include "pipeline/draw.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

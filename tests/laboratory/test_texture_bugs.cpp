@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include <catch2/catch.hpp>
 #include <glm/common.hpp>
 
 #include "explain/texture_report.h"
@@ -14,6 +13,7 @@
 #include "pipeline/draw.h"
 #include "session/content.h"
 #include "support/texture_oracle.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

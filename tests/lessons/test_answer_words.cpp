@@ -1,8 +1,7 @@
 // An answer as it is told back, and the answer in it.
 
-#include <catch2/catch.hpp>
-
 #include "lessons/lesson_run.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

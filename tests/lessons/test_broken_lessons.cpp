@@ -6,12 +6,11 @@
 #include <map>
 #include <sstream>
 
-#include <catch2/catch.hpp>
-
 #include "base/files.h"
 #include "lessons/lesson_check.h"
 #include "support/project_root.h"
 #include "tests/cli/run.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -6,10 +6,9 @@
 
 #include <sys/stat.h>
 
-#include <catch2/catch.hpp>
-
 #include "lessons/lesson_check.h"
 #include "tests/cli/run.h"
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/support/hostile_lessons.h"
 #include "tests/support/temporary_folder.h"

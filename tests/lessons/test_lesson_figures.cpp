@@ -9,8 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "inspect/stats.h"
 #include "picture/pixel_facts.h"
 #include "pipeline/draw.h"
@@ -20,6 +18,7 @@
 #include "support/oracle.h"
 #include "support/random.h"
 #include "support/said.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

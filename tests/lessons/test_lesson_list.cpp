@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/support/hostile_lessons.h"
 #include "tests/support/temporary_folder.h"
 

@@ -12,14 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "lessons/lesson.h"
 #include "lessons/lesson_run.h"
 #include "session/content.h"
 #include "session/session.h"
 #include "support/oracle.h"
 #include "support/prediction_checks.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -9,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "lessons/lesson_run.h"
 #include "pipeline/draw.h"
 #include "scene/read_scene.h"
@@ -18,6 +16,7 @@
 #include "settings/setting_table.h"
 #include "support/prediction_checks.h"
 #include "support/ray_caster.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

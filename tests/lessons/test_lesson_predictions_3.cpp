@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -22,6 +21,7 @@
 #include "support/oracle.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

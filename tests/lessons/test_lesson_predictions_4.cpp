@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -18,6 +17,7 @@
 #include "stages/matrices.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

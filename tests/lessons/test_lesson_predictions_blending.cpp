@@ -2,12 +2,11 @@
 
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "base/files.h"
 #include "session/content.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

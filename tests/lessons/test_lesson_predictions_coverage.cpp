@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <glm/vec2.hpp>
 
 #include "pipeline/draw.h"
@@ -24,6 +23,7 @@
 #include "support/prediction_checks.h"
 #include "support/questions.h"
 #include "support/said.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -7,13 +7,12 @@
 #include <span>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "lessons/lesson.h"
 #include "lessons/lesson_run.h"
 #include "session/content.h"
 #include "support/oracle.h"
 #include "support/prediction_checks.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -7,13 +7,12 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "base/files.h"
 #include "scene/read_obj.h"
 #include "session/content.h"
 #include "session/scene_file.h"
 #include "support/questions.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -16,6 +14,7 @@
 #include "support/prediction_checks.h"
 #include "support/questions.h"
 #include "support/said.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

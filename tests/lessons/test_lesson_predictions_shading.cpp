@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include <glm/geometric.hpp>
 
 #include "compare/compare.h"
@@ -19,6 +17,7 @@
 #include "support/prediction_checks.h"
 #include "support/questions.h"
 #include "support/said.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

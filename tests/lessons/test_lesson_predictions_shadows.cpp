@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "inspect/shadow_count.h"
@@ -18,6 +17,7 @@
 #include "session/content.h"
 #include "settings/setting_table.h"
 #include "support/questions.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

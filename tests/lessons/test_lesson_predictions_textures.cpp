@@ -4,12 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "session/content.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
 #include "support/said.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "base/files.h"
 #include "pipeline/draw.h"
 #include "pipeline/observer.h"
@@ -16,6 +14,7 @@
 #include "settings/setting_table.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

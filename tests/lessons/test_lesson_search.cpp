@@ -1,6 +1,6 @@
 #include "lessons/lesson_search.h"
 
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

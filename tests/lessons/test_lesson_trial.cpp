@@ -1,9 +1,8 @@
-#include <catch2/catch.hpp>
-
 #include <fmt/format.h>
 
 #include "lessons/lesson_check.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/support/hostile_lessons.h"
 
 using namespace rasterwalk;

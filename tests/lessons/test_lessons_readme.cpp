@@ -2,12 +2,11 @@
 
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "base/files.h"
 #include "lessons/lesson.h"
 #include "lessons/lesson_check.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

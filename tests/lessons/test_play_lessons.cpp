@@ -5,8 +5,6 @@
 #include <map>
 #include <set>
 
-#include <catch2/catch.hpp>
-
 #include "base/files.h"
 #include "base/numbers.h"
 #include "facts/facts.h"
@@ -18,6 +16,7 @@
 #include "session/content.h"
 #include "support/effort.h"
 #include "support/project_root.h"
+#include "tests/support/catch.h"
 #include "tests/support/prediction_checks.h"
 #include "view/view_table.h"
 

@@ -2,8 +2,6 @@
 
 #include <filesystem>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "facts/facts.h"
 #include "lessons/lesson_link.h"
@@ -11,6 +9,7 @@
 #include "session/content.h"
 #include "session/results.h"
 #include "settings/setting_table.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;
@@ -91,9 +90,12 @@ TEST_CASE("A note that is missing, a folder or too large has a fault in its plac
     const std::string path = folder.file("");
     const StageNote missing = read_stage_note(path, "points");
     CHECK(missing.text.empty());
-    CHECK_THAT(missing.fault, Catch::Contains("points.md") && Catch::Contains("No such file"));
-    CHECK_THAT(read_stage_note(path, "edges").fault, Catch::Contains("Is a directory"));
-    CHECK_THAT(read_stage_note(path, "rows").fault, Catch::Contains("larger than 1 MB"));
+    CHECK_THAT(missing.fault, Catch::Matchers::ContainsSubstring("points.md") &&
+                                  Catch::Matchers::ContainsSubstring("No such file"));
+    CHECK_THAT(read_stage_note(path, "edges").fault,
+               Catch::Matchers::ContainsSubstring("Is a directory"));
+    CHECK_THAT(read_stage_note(path, "rows").fault,
+               Catch::Matchers::ContainsSubstring("larger than 1 MB"));
 }
 
 TEST_CASE("A note that is changed while the program runs is read again") {
@@ -168,7 +170,7 @@ TEST_CASE("A link that cannot be followed is answered by a sentence and changes 
     for (const auto& [target, answer] : cases) {
         INFO(target.substr(0, 80));
         const std::string sentence = refusal(session, target);
-        CHECK_THAT(sentence, Catch::Contains(answer));
+        CHECK_THAT(sentence, Catch::Matchers::ContainsSubstring(answer));
         CHECK(sentence.ends_with(answer.ends_with('?') ? '?' : '.'));
         CHECK(sentence.find('\n') == std::string::npos);
         CHECK(sentence.size() < 300);

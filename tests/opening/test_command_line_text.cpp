@@ -2,8 +2,6 @@
 #include <cstdio>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "laboratory/bug.h"
 #include "laboratory/quiz.h"
@@ -13,6 +11,7 @@
 #include "session/content.h"
 #include "settings/setting_table.h"
 #include "tests/cli/run.h"
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/support/random_session.h"
 #include "tests/support/temporary_folder.h"

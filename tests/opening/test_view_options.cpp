@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "laboratory/bug.h"
 #include "lessons/lesson.h"
 #include "lessons/lesson_run.h"
@@ -14,6 +12,7 @@
 #include "session/second_run.h"
 #include "settings/setting_table.h"
 #include "tests/cli/run.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <string>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "lessons/lesson_run.h"
@@ -18,6 +17,7 @@
 #include "settings/setting_table.h"
 #include "stages/matrices.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

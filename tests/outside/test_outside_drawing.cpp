@@ -9,7 +9,6 @@
 #include <set>
 #include <string>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "pipeline/timeline.h"
@@ -17,6 +16,7 @@
 #include "support/made_scene.h"
 #include "support/outside_subject.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -7,7 +7,6 @@
 #include <limits>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "pipeline/frame.h"
@@ -16,6 +15,7 @@
 #include "stages/stage_table.h"
 #include "support/effort.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -6,13 +6,13 @@
 #include <limits>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "outside/flat_raster.h"
 #include "outside/outline.h"
 #include "support/effort.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -3,9 +3,8 @@
 #include <limits>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

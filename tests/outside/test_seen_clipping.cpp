@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "outside/outside_marks.h"
@@ -14,6 +13,7 @@
 #include "support/clipped_room.h"
 #include "support/effort.h"
 #include "support/outside_subject.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

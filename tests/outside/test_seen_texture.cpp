@@ -4,12 +4,12 @@
 #include <map>
 #include <tuple>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "support/outside_subject.h"
 #include "support/texture_oracle.h"
 #include "support/textured_scene.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

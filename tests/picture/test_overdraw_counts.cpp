@@ -1,11 +1,10 @@
 #include <array>
 #include <map>
 
-#include <catch2/catch.hpp>
-
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

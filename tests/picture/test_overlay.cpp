@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "picture/colour_map.h"
 #include "picture/view_image.h"
 #include "session/content.h"
 #include "session/results.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

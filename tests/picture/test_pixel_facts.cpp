@@ -5,8 +5,6 @@
 #include <map>
 #include <set>
 
-#include <catch2/catch.hpp>
-
 #include <glm/geometric.hpp>
 
 #include "pipeline/draw.h"
@@ -17,6 +15,7 @@
 #include "support/recorder.h"
 #include "support/samples.h"
 #include "support/walks.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -1,13 +1,12 @@
 #include <array>
 #include <random>
 
-#include <catch2/catch.hpp>
-
 #include "picture/resample.h"
 #include "picture/thumbnail.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 namespace rasterwalk {
 

@@ -9,8 +9,6 @@
 // rays find in the square of two pixels around it. 1/z and light per vertex are extreme at the
 // corners of any square; light per pixel is sampled within it too.
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,6 +20,7 @@
 #include "support/effort.h"
 #include "support/ray_caster.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "mistakes/blend.h"
 #include "pipeline/draw.h"
 #include "pipeline/replay.h"
@@ -14,6 +12,7 @@
 #include "session/content.h"
 #include "settings/setting_table.h"
 #include "stages/blend.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

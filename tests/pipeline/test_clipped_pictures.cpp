@@ -1,8 +1,6 @@
 // Pictures of clipped scenes against a ray caster: with the view volume clipped, no camera makes a
 // hole, however many triangles it cuts, and nothing is drawn that a ray does not find.
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -20,6 +18,7 @@
 #include "support/random.h"
 #include "support/ray_picture.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -1,9 +1,8 @@
-#include <catch2/catch.hpp>
-
 #include <string>
 
 #include "pipeline/cursor.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using test::Random;

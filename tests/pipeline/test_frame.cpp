@@ -1,10 +1,9 @@
-#include <catch2/catch.hpp>
-
 #include <limits>
 
 #include "pipeline/draw.h"
 #include "support/bits.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -1,13 +1,12 @@
 #include "pipeline/frame_preparation.h"
 
-#include <catch2/catch.hpp>
-
 #include "settings/setting_table.h"
 #include "support/bits.h"
 #include "support/effort.h"
 #include "support/made_scene.h"
 #include "support/random.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -1,5 +1,3 @@
-#include <catch2/catch.hpp>
-
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include "picture/colour_map.h"
 #include "picture/view_image.h"
 #include "pipeline/framebuffer.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -1,8 +1,6 @@
 // The room's pictures, every bit of them. The goldens are in tests/golden/room.txt, a line a
 // picture; with RASTERWALK_BLESS=1 in the environment this test writes them instead.
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -16,6 +14,7 @@
 #include "support/frames.h"
 #include "support/project_root.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -1,8 +1,6 @@
 // The room from everywhere: inside walls, on vertices, in planes, through lenses of every length.
 // Nothing may crash, hang or be left out for another reason than its place.
 
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <string>
 #include <vector>
@@ -16,6 +14,7 @@
 #include "support/effort.h"
 #include "support/recorder.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

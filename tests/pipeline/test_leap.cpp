@@ -5,12 +5,11 @@
 #include <span>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "support/cut_frames.h"
 #include "support/frames.h"
 #include "support/moments.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -1,7 +1,5 @@
 // Normal maps in whole pictures.
 
-#include <catch2/catch.hpp>
-
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
@@ -15,6 +13,7 @@
 #include "support/recorder.h"
 #include "support/samples.h"
 #include "support/textured_scene.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

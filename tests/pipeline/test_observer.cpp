@@ -1,5 +1,3 @@
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <map>
 #include <string>
@@ -14,6 +12,7 @@
 #include "support/recorder.h"
 #include "support/samples.h"
 #include "support/walks.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

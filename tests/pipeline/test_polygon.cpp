@@ -1,5 +1,3 @@
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <map>
 #include <vector>
@@ -13,6 +11,7 @@
 #include "support/moments.h"
 #include "support/oracle.h"
 #include "support/recorder.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -1,8 +1,6 @@
 // Replay where its marks lie within triangles and only a part of the picture is drawn again: in the
 // lab's room, and in a frame of much work.
 
-#include <catch2/catch.hpp>
-
 #include <climits>
 #include <string>
 
@@ -12,6 +10,7 @@
 #include "support/effort.h"
 #include "support/made_scene.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

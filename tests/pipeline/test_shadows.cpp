@@ -1,8 +1,6 @@
 // Shadows against a second way in double precision: each pixel's own ray from the eye, and from
 // where it ends another one to the lamp, by planes and sides instead of Cramer's rule.
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,6 +19,7 @@
 #include "support/effort.h"
 #include "support/frames.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -1,5 +1,3 @@
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -13,6 +11,7 @@
 #include "stages/surface_shader.h"
 #include "support/bits.h"
 #include "support/small_cylinder.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -8,8 +8,6 @@
 #include <tuple>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include <glm/geometric.hpp>
 
 #include "compare/compare.h"
@@ -17,6 +15,7 @@
 #include "pipeline/draw.h"
 #include "scene/tessellation.h"
 #include "stages/vertex_shader.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

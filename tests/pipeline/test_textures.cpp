@@ -1,7 +1,5 @@
 // Textures in whole pictures.
 
-#include <catch2/catch.hpp>
-
 #include <map>
 #include <string>
 
@@ -15,6 +13,7 @@
 #include "support/samples.h"
 #include "support/texture_oracle.h"
 #include "support/textured_scene.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

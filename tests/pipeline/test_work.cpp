@@ -1,10 +1,9 @@
 #include "pipeline/work.h"
 
-#include <catch2/catch.hpp>
-
 #include "pipeline/draw.h"
 #include "support/made_scene.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

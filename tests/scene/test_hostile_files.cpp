@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -20,6 +19,7 @@
 #include "support/random.h"
 #include "support/temporary_folder.h"
 #include "support/textured_scene.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using test::megabyte;

@@ -6,13 +6,12 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "base/faults.h"
 #include "base/limits.h"
 #include "scene/model_scene.h"
 #include "scene/read_obj.h"
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/support/random.h"
 

@@ -9,13 +9,13 @@
 #include <string>
 #include <tuple>
 
-#include <catch2/catch.hpp>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/image.h"
 #include "scene/read_obj.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/support/made_models.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"

@@ -2,8 +2,6 @@
 // RASTERWALK_BLESS=1 in the environment this test writes them into lessons/scenes/textures instead
 // of comparing.
 
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +12,7 @@
 #include "scene/height_map.h"
 #include "session/content.h"
 #include "support/painted.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using test::painted;

@@ -4,8 +4,6 @@
 #include <set>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "pipeline/draw.h"
 #include "scene/read_scene.h"
@@ -13,6 +11,7 @@
 #include "support/bits.h"
 #include "support/made_scene.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -16,10 +15,11 @@
 #include "session/content.h"
 #include "support/effort.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -210,45 +210,46 @@ TEST_CASE("A broken model is refused with its file, line and what is wrong") {
           "s.toml:10: there is no step 'turn'; the steps are: translate, scale, rotate_x, "
           "rotate_y, rotate_z.");
     CHECK_THAT(refusal_of_model("[{ rotate_y = 1, scale = [1, 1, 1] }]"),
-               Contains("s.toml:10: ") && Contains("says one thing"));
+               ContainsSubstring("s.toml:10: ") && ContainsSubstring("says one thing"));
     CHECK_THAT(refusal_of_model("[{ scale = [1, 0, 1] }]"),
-               Contains("s.toml:10: ") && Contains("leaves nothing of the object"));
+               ContainsSubstring("s.toml:10: ") &&
+                   ContainsSubstring("leaves nothing of the object"));
     CHECK_THAT(refusal_of_model("[{ translate = [1e6, 0, 0] }, { translate = [1e6, 0, 0] }]"),
-               Contains("s.toml:9: ") && Contains("lies too far out"));
+               ContainsSubstring("s.toml:9: ") && ContainsSubstring("lies too far out"));
     std::string many = "[";
     for (int i = 0; i < 70; ++i)
         many += "{ scale = [1e6, 1e6, 1e6] },";
-    CHECK_THAT(refusal_of_model(many + "]"), Contains("more than 64 steps"));
+    CHECK_THAT(refusal_of_model(many + "]"), ContainsSubstring("more than 64 steps"));
     many = "[";
     for (int i = 0; i < 60; ++i)
         many += "{ scale = [1e6, 1e6, 1e6] },";
-    CHECK_THAT(refusal_of_model(many + "]"), Contains("enlarge too much"));
+    CHECK_THAT(refusal_of_model(many + "]"), ContainsSubstring("enlarge too much"));
     many = "[";
     for (int i = 0; i < 60; ++i)
         many += "{ scale = [1e-6, 1e-6, 1e-6] },";
-    CHECK_THAT(refusal_of_model(many + "]"), Contains("leave nothing of the object"));
+    CHECK_THAT(refusal_of_model(many + "]"), ContainsSubstring("leave nothing of the object"));
     // Too small for floats, and too small for where it stands.
     many = "[";
     for (int i = 0; i < 8; ++i)
         many += "{ scale = [1e-6, 1e-6, 1e-6] },";
     CHECK_THAT(refusal_of_model(many + "]"),
-               Contains("s.toml:9: ") && Contains("shrinks to nothing"));
+               ContainsSubstring("s.toml:9: ") && ContainsSubstring("shrinks to nothing"));
     CHECK_THAT(
         refusal_of_model("[{ scale = [1e-6, 1e-6, 1e-6] }, { translate = [900, 900, 900] }]"),
-        Contains("s.toml:9: ") && Contains("shrinks to nothing"));
+        ContainsSubstring("s.toml:9: ") && ContainsSubstring("shrinks to nothing"));
     CHECK(refusal_of_model("[{ scale = [1e-6, 1e-6, 1e-6] }, { scale = [1e6, 1e6, 1e6] }, "
                            "{ translate = [900, 900, 900] }]") == "accepted");
     for (const char* model : {"3", "[3]", "[{}]", "[{ rotate_x = [1] }]", "[{ rotate_x = nan }]",
                               "[{ rotate_x = 1e9 }]", "[{ translate = [1, 2] }]",
                               "[{ translate = [inf, 0, 0] }]", "[{ scale = 2 }]", "{}"}) {
         INFO(model);
-        CHECK_THAT(refusal_of_model(model), Contains("s.toml:"));
+        CHECK_THAT(refusal_of_model(model), ContainsSubstring("s.toml:"));
     }
     const std::string pixels = "name = \"s\"\nspace = \"pixels\"\n[points.p]\nA = [1, 2]\n"
                                "B = [5, 2]\nC = [3, 9]\n[[part]]\nname = \"q\"\npoints = \"p\"\n"
                                "triangles = [\"A B C\"]\nmodel = [{ rotate_z = 1 }]\n";
     CHECK_THROWS_WITH(parse_scene(pixels, "s.toml"),
-                      Contains("s.toml:11: points in pixels take no model."));
+                      ContainsSubstring("s.toml:11: points in pixels take no model."));
 }
 
 TEST_CASE("A camera of a scene looks at a target, or is turned, not both") {
@@ -258,7 +259,7 @@ TEST_CASE("A camera of a scene looks at a target, or is turned, not both") {
     CHECK(scene.camera.aim == CameraAim::look_at);
     CHECK(scene.camera.target == glm::vec3(0.0f, 0.5f, 1.0f));
     CHECK_THROWS_WITH(parse_scene(looks + "yaw = 1\n", "s.toml"),
-                      Contains("s.toml:") && Contains("not both"));
+                      ContainsSubstring("s.toml:") && ContainsSubstring("not both"));
 }
 
 TEST_CASE("A camera of a scene that has no direction is refused with its file and line") {

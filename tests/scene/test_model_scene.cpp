@@ -7,7 +7,6 @@
 #include <cmath>
 #include <string>
 
-#include <catch2/catch.hpp>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -16,6 +15,7 @@
 #include "scene/read_obj.h"
 #include "session/content.h"
 #include "session/scene_file.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

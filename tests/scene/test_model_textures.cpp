@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <sys/stat.h>
@@ -21,6 +20,7 @@
 #include "scene/read_obj.h"
 #include "support/ray_caster.h"
 #include "support/textured_scene.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;

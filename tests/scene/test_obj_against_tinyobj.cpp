@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <tiny_obj_loader.h>
 
 #include "scene/read_obj.h"
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/support/made_models.h"
 #include "tests/support/random.h"

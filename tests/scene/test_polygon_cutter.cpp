@@ -7,10 +7,10 @@
 #include <cmath>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/limits.h"
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/support/random.h"
 

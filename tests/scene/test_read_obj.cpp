@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
 #include "base/faults.h"
 #include "base/image.h"
 #include "base/limits.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;
-using Catch::Contains;
+using Catch::Matchers::ContainsSubstring;
 
 namespace {
 

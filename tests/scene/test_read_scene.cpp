@@ -4,11 +4,10 @@
 #include <array>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "pipeline/draw.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

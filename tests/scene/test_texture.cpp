@@ -1,7 +1,5 @@
 #include "scene/texture.h"
 
-#include <catch2/catch.hpp>
-
 #include <glm/common.hpp>
 #include <sys/stat.h>
 
@@ -14,6 +12,7 @@
 #include "support/temporary_folder.h"
 #include "support/texture_oracle.h"
 #include "support/textured_scene.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using test::many_colours;

@@ -7,8 +7,6 @@
 #include <sstream>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "picture/colour_map.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
@@ -16,6 +14,7 @@
 #include "session/content.h"
 #include "session/results.h"
 #include "settings/setting_table.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

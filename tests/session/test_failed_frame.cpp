@@ -6,12 +6,11 @@
 #include <memory>
 #include <new>
 
-#include <catch2/catch.hpp>
-
 #include "pipeline/draw.h"
 #include "session/results.h"
 #include "support/bits.h"
 #include "support/made_scene.h"
+#include "tests/support/catch.h"
 
 namespace {
 

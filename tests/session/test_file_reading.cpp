@@ -4,11 +4,10 @@
 
 #include <future>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "session/content.h"
 #include "session/scene_file.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rasterwalk {

@@ -1,8 +1,7 @@
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "session/content.h"
 #include "session/glossary.h"
+#include "tests/support/catch.h"
 
 namespace rasterwalk {
 

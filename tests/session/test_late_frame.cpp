@@ -1,9 +1,8 @@
 // A frame of many triangles is prepared over several updates; until then the one before is on show.
 
-#include <catch2/catch.hpp>
-
 #include "session/results.h"
 #include "support/made_scene.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

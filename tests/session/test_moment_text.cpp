@@ -3,13 +3,12 @@
 #include <regex>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "base/element_names.h"
 #include "pipeline/timeline.h"
 #include "session/content.h"
 #include "session/scene_file.h"
 #include "support/effort.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

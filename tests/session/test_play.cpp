@@ -6,13 +6,12 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "session/content.h"
 #include "session/results.h"
 #include "session/walk.h"
 #include "support/moments.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include <catch2/catch.hpp>
-
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "session/content.h"
@@ -12,6 +10,7 @@
 #include "settings/setting_table.h"
 #include "support/effort.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 #include "tests/support/frames.h"
 
 using namespace rasterwalk;

@@ -1,13 +1,12 @@
 #include "session/second_run.h"
 
-#include <catch2/catch.hpp>
-
 #include "laboratory/bug.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "session/scene_file.h"
 #include "session/session.h"
 #include "settings/setting_table.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -2,11 +2,10 @@
 
 #include <cstdlib>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;

@@ -2,13 +2,12 @@
 
 #include <set>
 
-#include <catch2/catch.hpp>
-
 #include "lessons/lesson.h"
 #include "lessons/lesson_run.h"
 #include "session/content.h"
 #include "session/session.h"
 #include "settings/setting_table.h"
+#include "tests/support/catch.h"
 #include "view/view_state.h"
 
 using namespace rasterwalk;
@@ -246,7 +245,7 @@ TEST_CASE("A panel that is none is refused with the line where it stands") {
     REQUIRE(lesson.faults.size() == 2);
     for (const Fault& fault : lesson.faults) {
         CHECK(fault.line == 7);
-        CHECK_THAT(fault.sentence, Catch::Contains("panel"));
+        CHECK_THAT(fault.sentence, Catch::Matchers::ContainsSubstring("panel"));
     }
 }
 

@@ -1,9 +1,8 @@
 #include "session/undo.h"
 
-#include <catch2/catch.hpp>
-
 #include "scene/scene_bytes.h"
 #include "session/session.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -1,9 +1,8 @@
 #include "session/walk.h"
 
-#include <catch2/catch.hpp>
-
 #include "session/content.h"
 #include "session/results.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

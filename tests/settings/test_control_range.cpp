@@ -4,9 +4,9 @@
 
 #include <cstdlib>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include "tests/support/catch.h"
 namespace rasterwalk {
 
 TEST_CASE("Every stop of a slider is the float that its decimal digits name") {

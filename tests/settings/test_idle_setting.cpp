@@ -3,11 +3,10 @@
 #include <set>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "pipeline/draw.h"
 #include "settings/choose_stages.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -1,10 +1,9 @@
 #include "settings/preset.h"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "session/content.h"
 #include "settings/setting_table.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

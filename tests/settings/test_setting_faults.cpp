@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "settings/setting_faults.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -5,12 +5,11 @@
 #include <random>
 #include <set>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -299,7 +298,7 @@ TEST_CASE("A value that a setting does not take is refused with what it does tak
                                    "tessellation=99999999999",
                                    "tessellation="}) {
         INFO(assignment);
-        CHECK_THAT(assignment_refusal(assignment), Contains(" cannot be "));
+        CHECK_THAT(assignment_refusal(assignment), ContainsSubstring(" cannot be "));
     }
 }
 

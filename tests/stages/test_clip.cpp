@@ -10,12 +10,12 @@
 #include <cmath>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "stages/reject.h"
 #include "support/effort.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -1,6 +1,5 @@
 #include "stages/cull.h"
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "inspect/stats.h"
@@ -8,6 +7,7 @@
 #include "settings/setting_table.h"
 #include "support/random.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

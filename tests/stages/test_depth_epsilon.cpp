@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "pipeline/draw.h"
 #include "pipeline/observer.h"
 #include "scene/read_scene.h"
@@ -16,6 +14,7 @@
 #include "settings/setting_table.h"
 #include "support/effort.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

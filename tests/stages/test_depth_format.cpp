@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "pipeline/draw.h"
 #include "session/content.h"
 #include "settings/choose_stages.h"
@@ -17,6 +15,7 @@
 #include "support/frames.h"
 #include "support/random.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

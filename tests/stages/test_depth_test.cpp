@@ -1,9 +1,8 @@
-#include <catch2/catch.hpp>
-
 #include <limits>
 
 #include "mistakes/depth_test.h"
 #include "stages/depth_test.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -9,8 +9,6 @@
 #include <numeric>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "settings/choose_stages.h"
 #include "stages/active_edges.h"
 #include "stages/edge_functions.h"
@@ -18,6 +16,7 @@
 #include "support/effort.h"
 #include "support/moved_point.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -1,9 +1,8 @@
-#include <catch2/catch.hpp>
-
 #include <cstdlib>
 
 #include "support/random.h"
 #include "support/walks.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

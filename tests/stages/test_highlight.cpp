@@ -1,5 +1,3 @@
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <limits>
 
@@ -9,6 +7,7 @@
 #include "mistakes/light.h"
 #include "stages/highlight.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using test::Random;

@@ -1,8 +1,6 @@
 // Lines by Bresenham, midpoint and DDA, against a reference by fractions: which pixels are nearest,
 // which of two at a tie, and what f is at the middle between two pixels.
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,6 +14,7 @@
 #include "support/bits.h"
 #include "support/effort.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

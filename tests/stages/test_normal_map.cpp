@@ -1,13 +1,12 @@
 #include "stages/normal_map.h"
 
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <limits>
 
 #include "mistakes/normal_map.h"
 #include "scene/height_map.h"
 #include "support/painted.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

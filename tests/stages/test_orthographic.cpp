@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "inspect/stats.h"
@@ -17,6 +16,7 @@
 #include "support/frames.h"
 #include "support/random.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -1,5 +1,3 @@
-#include <catch2/catch.hpp>
-
 #include <glm/geometric.hpp>
 
 #include "stages/light.h"
@@ -7,6 +5,7 @@
 #include "support/bits.h"
 #include "support/random.h"
 #include "support/walks.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using test::same_bits;

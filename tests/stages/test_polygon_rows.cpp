@@ -1,11 +1,10 @@
-#include <catch2/catch.hpp>
-
 #include <vector>
 
 #include "support/bits.h"
 #include "support/oracle.h"
 #include "support/random.h"
 #include "support/walks.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

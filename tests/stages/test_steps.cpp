@@ -2,9 +2,8 @@
 
 #include <type_traits>
 
-#include <catch2/catch.hpp>
-
 #include "stages/stage_table.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -1,7 +1,5 @@
 #include "stages/texture_lookup.h"
 
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <limits>
 
@@ -10,6 +8,7 @@
 #include "settings/choose_stages.h"
 #include "support/texture_oracle.h"
 #include "support/textured_scene.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

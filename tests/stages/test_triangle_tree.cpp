@@ -3,11 +3,11 @@
 #include <cmath>
 #include <limits>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "support/effort.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -1,5 +1,3 @@
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <limits>
 
@@ -13,6 +11,7 @@
 #include "support/oracle.h"
 #include "support/random.h"
 #include "support/walks.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

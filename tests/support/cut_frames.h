@@ -4,11 +4,10 @@
 
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "pipeline/frame.h"
 #include "support/random.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 namespace rasterwalk::test {
 

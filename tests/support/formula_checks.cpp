@@ -2,10 +2,9 @@
 
 #include <cmath>
 
-#include <catch2/catch.hpp>
-
 #include "explain/vertex_report.h"
 #include "support/bits.h"
+#include "tests/support/catch.h"
 
 namespace rasterwalk::test {
 

@@ -2,11 +2,10 @@
 
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "pipeline/draw.h"
 #include "support/bits.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 
 namespace rasterwalk::test {
 

@@ -82,7 +82,7 @@ std::vector<HostileLesson> hostile_lessons() {
          first + 2 + 99, "a lesson has at most 99 footnotes."},
         {"ten thousand columns", times(10'000, "|a") + "|\n" + times(10'000, "|-") + "|", first,
          "the line is longer than 4000 letters."},
-        {"nine hundred columns", times(900, "|a") + "|\n" + times(900, "|---") + "|", first,
+        {"ninety columns", times(90, "|a") + "|\n" + times(90, "|---") + "|", first,
          "a table has at most 40 columns."},
         {"bytes that are no text", "\xff\xfe\xfd", first,
          "the line is not plain text in UTF-8, or holds control characters."},

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 namespace rasterwalk::test {
 

@@ -4,11 +4,10 @@
 
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "lessons/lesson_run.h"
 #include "session/content.h"
 #include "support/prediction_checks.h"
+#include "tests/support/catch.h"
 
 namespace rasterwalk::test {
 

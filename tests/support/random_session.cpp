@@ -2,8 +2,6 @@
 
 #include <filesystem>
 
-#include <catch2/catch.hpp>
-
 #include "facts/facts.h"
 #include "lessons/lesson_run.h"
 #include "picture/view_image.h"
@@ -13,6 +11,7 @@
 #include "session/second_run.h"
 #include "session/tabs.h"
 #include "settings/setting_table.h"
+#include "tests/support/catch.h"
 
 namespace rasterwalk::test {
 

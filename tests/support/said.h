@@ -4,10 +4,9 @@
 
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "base/files.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 
 namespace rasterwalk::test {
 

@@ -1,6 +1,6 @@
 #include "tests/support/compare_images.h"
 
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 

@@ -3,8 +3,7 @@
 #include <cstdlib>
 #include <string>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 
 using namespace rasterwalk;

@@ -5,12 +5,11 @@
 #include <iterator>
 #include <sstream>
 
-#include <catch2/catch.hpp>
-
 #include "base/files.h"
 #include "lessons/lesson.h"
 #include "session/content.h"
 #include "support/random.h"
+#include "tests/support/catch.h"
 #include "text/markdown.h"
 #include "text/markdown_notes.h"
 

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include <catch2/catch.hpp>
-
 #include "lessons/lesson_list.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "text/markdown.h"
 
 namespace rasterwalk {

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "session/content.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_tab.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

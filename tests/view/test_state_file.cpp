@@ -1,14 +1,13 @@
 #include <filesystem>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "laboratory/bug.h"
 #include "laboratory/quiz.h"
 #include "opening/opened_view.h"
 #include "session/content.h"
 #include "session/tabs.h"
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/support/random_session.h"
 #include "tests/support/temporary_folder.h"
@@ -126,10 +125,10 @@ TEST_CASE("Scene and lesson of a view are found beside it") {
 
     SECTION("elsewhere it cannot be saved") {
         CHECK_THROWS_WITH(view_text(session, folder.file("below/v.walk.toml")),
-                          Catch::Contains("beside its lesson"));
+                          Catch::Matchers::ContainsSubstring("beside its lesson"));
         const TemporaryFolder other;
         CHECK_THROWS_WITH(view_text(session, other.file("v.walk.toml")),
-                          Catch::Contains("beside its scene"));
+                          Catch::Matchers::ContainsSubstring("beside its scene"));
     }
     SECTION("without its lesson it opens all the same, and says so") {
         fs::remove(folder.file("07-mine.md"));

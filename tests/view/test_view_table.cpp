@@ -5,8 +5,6 @@
 #include <map>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "lessons/lesson_link.h"
 #include "opening/command_line_text.h"
 #include "opening/opened_view.h"
@@ -15,6 +13,7 @@
 #include "support/random_session.h"
 #include "support/temporary_folder.h"
 #include "tests/cli/run.h"
+#include "tests/support/catch.h"
 #include "view/state_file.h"
 
 using namespace rasterwalk;

@@ -3,12 +3,11 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "session/content.h"
 #include "support/temporary_folder.h"
 #include "tests/cli/run.h"
+#include "tests/support/catch.h"
 
 using namespace rasterwalk;
 using namespace rasterwalk::test;

@@ -4,8 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/window/virtual_display.h"
 

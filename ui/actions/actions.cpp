@@ -8,10 +8,11 @@
 #include "base/error.h"
 #include "ui/actions/focus_keys.h"
 #include "ui/actions/held_keys.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/reading.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -27,7 +28,7 @@ bool is_pressed(const Chord& chord) {
     const bool turns = chord.shift && chord.key >= key::right && chord.key <= key::up;
     const bool repeats = turns || chord.key == key::period || chord.key == key::comma ||
                          chord.key == key::left_bracket || chord.key == key::right_bracket;
-    return ImGui::IsKeyPressed(chord.key, repeats);
+    return is_key_pressed(chord.key, repeats);
 }
 
 std::string key_name(int code) {

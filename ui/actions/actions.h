@@ -12,7 +12,7 @@ struct Ui;
 
 /// A key with the keys held beside it.
 struct Chord {
-    int key = 0; ///< see ui/actions/keys.h; 0: none
+    int key = 0; ///< see ui/widgets/keys.h; 0: none
     bool ctrl = false;
     bool shift = false;
     bool alt = false;

@@ -1,7 +1,7 @@
 #include "ui/actions/action_menus.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/view_files.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

@@ -10,9 +10,10 @@
 
 #include "ui/actions/actions.h"
 #include "ui/actions/focus_stops.h"
-#include "ui/actions/keys.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -144,7 +145,7 @@ void move_by_arrows(Ui& ui, const Arrows& arrows) {
 
 Arrows pressed_arrows() {
     Arrows arrows;
-    const auto pressed = [](int code) { return ImGui::IsKeyPressed(code, true) ? 1 : 0; };
+    const auto pressed = [](int code) { return is_key_pressed(code, true) ? 1 : 0; };
     arrows.right = pressed(key::right) - pressed(key::left);
     arrows.up = pressed(key::up) - pressed(key::down);
     return arrows;
@@ -155,7 +156,7 @@ bool can_be_pressed(const WidgetPlace& place) {
 }
 
 void press(const WidgetPlace& place) {
-    ImGui::ActivateItem(place.id);
+    GImGui->NavNextActivateId = place.id;
     GImGui->NavNextActivateFlags =
         place.is_input ? ImGuiActivateFlags_PreferInput : ImGuiActivateFlags_None;
 }
@@ -172,8 +173,8 @@ void show_where_it_is(Ui& ui) {
 bool take_moving_keys(Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     const int distance = io.KeyShift ? -1 : 1;
-    const bool is_tab = ImGui::IsKeyPressed(key::tab, true);
-    const bool is_part = ImGui::IsKeyPressed(key::f1 + 5, false);
+    const bool is_tab = is_key_pressed(key::tab, true);
+    const bool is_part = is_key_pressed(key::f1 + 5, false);
     if (!is_tab && !is_part) return false;
     const bool was_typing = io.WantTextInput;
     if (was_typing) ImGui::ClearActiveID();
@@ -229,9 +230,9 @@ void take_widget_keys(Ui& ui) {
     } else if (is_arrow) {
         move_by_arrows(ui, arrows);
     }
-    const bool is_press = ImGui::IsKeyPressed(key::enter, false) ||
-                          ImGui::IsKeyPressed(key::keypad_enter, false) ||
-                          ImGui::IsKeyPressed(key::space, false);
+    const bool is_press = is_key_pressed(key::enter, false) ||
+                          is_key_pressed(key::keypad_enter, false) ||
+                          is_key_pressed(key::space, false);
     if (is_press && can_be_pressed(stop->second)) press(stop->second);
 }
 
@@ -293,8 +294,8 @@ bool is_moving_by_arrows(const Ui& ui) {
     if (!ui.focus.is_shown || io.KeyCtrl || io.KeyAlt || io.KeyShift) return false;
     const Stop* const stop = stop_with_keyboard(ui);
     if (stop == nullptr || !stop->second.takes_arrows) return false;
-    return ImGui::IsKeyDown(key::right) || ImGui::IsKeyDown(key::left) ||
-           ImGui::IsKeyDown(key::up) || ImGui::IsKeyDown(key::down);
+    return is_key_down(key::right) || is_key_down(key::left) || is_key_down(key::up) ||
+           is_key_down(key::down);
 }
 
 bool belongs_to_focus(const Ui& ui, const Chord& chord) {

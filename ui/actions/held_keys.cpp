@@ -9,8 +9,9 @@
 #include "settings/setting_table.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/focus_keys.h"
-#include "ui/actions/keys.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -65,9 +66,9 @@ void move_by_held_keys(Ui& ui) {
     if (!modifiers_are_up()) return;
     for (const HeldKey& held : held_keys) {
         if (!is_free(ui, held)) continue;
-        if (ImGui::IsKeyPressed(held.key, false)) {
+        if (is_key_pressed(held.key, false)) {
             held.move(ui.session.a.settings, touch_distance);
-        } else if (ImGui::IsKeyDown(held.key)) {
+        } else if (is_key_down(held.key)) {
             held.move(ui.session.a.settings, held_speed * std::min(ImGui::GetIO().DeltaTime, 0.1f));
         } else {
             continue;
@@ -79,7 +80,7 @@ void move_by_held_keys(Ui& ui) {
 bool is_moving_by_key(const Ui& ui) {
     if (ImGui::GetIO().WantTextInput || !modifiers_are_up()) return false;
     return std::any_of(std::begin(held_keys), std::end(held_keys), [&](const HeldKey& held) {
-        return is_free(ui, held) && ImGui::IsKeyDown(held.key);
+        return is_free(ui, held) && is_key_down(held.key);
     });
 }
 

@@ -1,11 +1,11 @@
 #include "ui/actions/action_menus.h"
 #include "ui/actions/close_topmost.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lecture.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

@@ -1,16 +1,16 @@
 #include "ui/actions/lesson_links.h"
 
 #include <algorithm>
-#include <span>
 
 #include "base/error.h"
 #include "lessons/lesson_link.h"
 #include "ui/actions/focus_stops.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/layout.h"
 
 namespace rasterwalk {
@@ -104,18 +104,14 @@ bool leads_on(const Ui& ui) {
     if (lesson.pointed_at == lesson.meant) return false;
     if (way_to(ui, lesson.meant) != lesson.pointed_at) return true;
     const bool is_framed = ui.focus.is_shown && ui.focus.name == lesson.pointed_at;
-    const bool is_entered = ImGui::IsKeyPressed(key::enter, false) ||
-                            ImGui::IsKeyPressed(key::keypad_enter, false) ||
-                            ImGui::IsKeyPressed(key::space, false);
+    const bool is_entered = is_key_pressed(key::enter, false) ||
+                            is_key_pressed(key::keypad_enter, false) ||
+                            is_key_pressed(key::space, false);
     return (is_framed && is_entered) || is_clicked(ui, lesson.pointed_at);
 }
 
 bool is_pressed() {
-    const std::span<const float> keys = ImGui::GetIO().KeysDownDuration;
-    // Ctrl and its like are held for another key.
-    const std::span<const float> held = keys.first(key::first_modifier);
-    return ImGui::IsMouseClicked(0) ||
-           std::any_of(held.begin(), held.end(), [](float seconds) { return seconds == 0.0f; });
+    return ImGui::IsMouseClicked(0) || is_any_key_pressed();
 }
 
 /// Is a widget, or a part of it, clicked in this frame, or given a key of its own?
@@ -126,7 +122,7 @@ bool is_used(const Ui& ui, const std::string& widget) {
     const bool has_keyboard = ui.focus.is_shown && place != ui.widgets.end() &&
                               (focus == widget || focus.starts_with(widget + "."));
     if (!has_keyboard) return false;
-    const auto is_down = [](int key) { return ImGui::IsKeyPressed(key, false); };
+    const auto is_down = [](int key) { return is_key_pressed(key, false); };
     // Other arrows have only led here.
     const bool is_moved =
         place->second.takes_arrows &&

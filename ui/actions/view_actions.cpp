@@ -5,12 +5,12 @@
 #include "settings/setting_table.h"
 #include "ui/actions/action_menus.h"
 #include "ui/actions/compare.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lecture.h"
 #include "ui/actions/open_tab.h"
 #include "ui/actions/outside.h"
 #include "ui/actions/zoom.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {

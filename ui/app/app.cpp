@@ -8,7 +8,6 @@
 #include "ui/actions/compare.h"
 #include "ui/actions/focus_keys.h"
 #include "ui/actions/held_keys.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
@@ -29,6 +28,7 @@
 #include "ui/start/ways.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -39,34 +39,6 @@ namespace {
 
 /// ImGui divides by the time between two frames.
 constexpr float shortest_frame = 1e-5f;
-
-void map_keys() {
-    ImGuiIO& io = ImGui::GetIO();
-    // Tab is not among them: ImGui would only find fields, see ui/actions/focus_keys.h.
-    const std::pair<int, int> keys[] = {{ImGuiKey_LeftArrow, key::left},
-                                        {ImGuiKey_RightArrow, key::right},
-                                        {ImGuiKey_UpArrow, key::up},
-                                        {ImGuiKey_DownArrow, key::down},
-                                        {ImGuiKey_PageUp, key::page_up},
-                                        {ImGuiKey_PageDown, key::page_down},
-                                        {ImGuiKey_Home, key::home},
-                                        {ImGuiKey_End, key::end},
-                                        {ImGuiKey_Insert, key::insert},
-                                        {ImGuiKey_Delete, key::del},
-                                        {ImGuiKey_Backspace, key::backspace},
-                                        {ImGuiKey_Space, key::space},
-                                        {ImGuiKey_Enter, key::enter},
-                                        {ImGuiKey_Escape, key::escape},
-                                        {ImGuiKey_KeyPadEnter, key::keypad_enter},
-                                        {ImGuiKey_A, 'A'},
-                                        {ImGuiKey_C, 'C'},
-                                        {ImGuiKey_V, 'V'},
-                                        {ImGuiKey_X, 'X'},
-                                        {ImGuiKey_Y, 'Y'},
-                                        {ImGuiKey_Z, 'Z'}};
-    for (const auto& [index, code] : keys)
-        io.KeyMap[index] = code;
-}
 
 void renew_style(Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -228,6 +200,7 @@ void draw_notice_alone(const Ui& ui) {
 /// One pass: from the input to what is to be drawn. Returns true if a widget changed what is asked
 /// for, so that what was drawn is already old.
 bool build_pass(Ui& ui, float seconds) {
+    keep_tab();
     ImGui::NewFrame();
     guarded(ui, [&] { handle_keys(ui); }); // asks where widgets were in the frame that is seen
     ui.widgets.clear();
@@ -266,7 +239,7 @@ bool build_pass(Ui& ui, float seconds) {
 void open_ui(Ui& ui, TextureHost& textures) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
-    map_keys();
+    open_keys();
     ui.host.textures = &textures;
     take_up_lesson(ui);
     update(ui.session, ui.results, work_limit(ui));
@@ -297,8 +270,6 @@ void build_ui(Ui& ui) {
     // The same moment once more, with what is asked for now; no input is used twice.
     const float seconds = io.DeltaTime;
     io.DeltaTime = shortest_frame;
-    io.MouseWheel = io.MouseWheelH = 0.0f;
-    io.ClearInputCharacters();
     build_pass(ui, 0.0f);
     io.DeltaTime = seconds;
 }

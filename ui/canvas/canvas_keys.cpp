@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
-#include "ui/actions/keys.h"
 #include "ui/canvas/canvas_pointer.h"
 #include "ui/canvas/picture_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -26,7 +27,7 @@ void handle_canvas_keys(Ui& ui, const Pane& pane, const Pane& seen) {
     const Viewport& size = ui.results.a.frame.settings.viewport;
     const bool is_arrow = arrows.right != 0 || arrows.up != 0;
     const int zoom_steps =
-        (ImGui::IsKeyPressed(key::equal) ? 1 : 0) - (ImGui::IsKeyPressed(key::minus) ? 1 : 0);
+        (is_key_pressed(key::equal, true) ? 1 : 0) - (is_key_pressed(key::minus, true) ? 1 : 0);
     if (!is_arrow && (zoom_steps == 0 || ImGui::GetIO().KeyCtrl)) return;
     const std::optional<glm::ivec2> picked = ui.session.selection.pixel;
     glm::ivec2 pixel = picked.value_or(glm::ivec2(size.width / 2, size.height / 2));

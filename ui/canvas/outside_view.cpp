@@ -18,6 +18,7 @@
 #include "ui/canvas/outside_marks_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/picture_texture.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -209,9 +210,9 @@ void draw_outside(Ui& ui, const Pane& pane) {
     const Palette& p = palette(ui.options.theme);
     const ImVec2 room{std::max(pane.room().x, 1.0f), std::max(pane.room().y, 1.0f)};
     ImGui::SetCursorScreenPos(pane.low);
-    ImGui::InvisibleButton("outside", room,
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
-    ImGui::SetItemAllowOverlap(); // the caption's button lies on it
+    // The caption's button lies on it.
+    overlapped_button("outside", room,
+                      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     name_widget(ui, "canvas.outside");
     const Arrows arrows = take_arrows(ui, "canvas.outside");
     if (arrows.right != 0 || arrows.up != 0) {

@@ -10,6 +10,7 @@
 #include "ui/actions/picture_fit.h"
 #include "ui/canvas/marks.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/row_ends.h"
 #include "ui/widgets/style.h"
@@ -148,9 +149,8 @@ void draw_line(const Table& t, int index, std::optional<int> at_work, bool is_ov
 
     ImGui::SetCursorScreenPos({t.left, low_y});
     const std::string name = "canvas.rows." + std::to_string(row);
-    if (ImGui::InvisibleButton(name.c_str(), {t.layout.width, high_y - low_y}))
+    if (overlapped_button(name.c_str(), {t.layout.width, high_y - low_y}))
         t.ui.session.selection.row = row;
-    ImGui::SetItemAllowOverlap();
     name_widget(t.ui, name,
                 "Row " + whole_text(row) + " of the picture: " + element_name(entry_form, index) +
                     " of leftPixels and rightPixels.");

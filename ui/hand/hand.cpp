@@ -11,8 +11,9 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "ui/actions/keys.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -22,10 +23,7 @@ const ImVec2 nowhere{-FLT_MAX, -FLT_MAX};
 constexpr int largest_list = 12;
 
 void set_held(Held held) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.KeyCtrl = held.ctrl;
-    io.KeyShift = held.shift;
-    io.KeyAlt = held.alt;
+    play_modifiers(held.ctrl, held.shift, held.alt);
 }
 
 /// What a key writes into a field; nothing if it is no letter, digit or sign, or held with others.
@@ -89,7 +87,6 @@ void Hand::frames(int count, float seconds) {
     for (int i = 0; i < count; ++i) {
         ImGui::GetIO().DeltaTime = seconds;
         build_frame_();
-        ImGui::GetIO().MouseWheel = 0.0f;
     }
 }
 
@@ -102,20 +99,19 @@ void Hand::rest() {
 }
 
 void Hand::move_to(ImVec2 place) {
-    ImGui::GetIO().MousePos = place;
+    play_pointer(place);
     // ImGui finds the window under the pointer in one frame and the widget in the next.
     frames(2);
 }
 
 void Hand::press_mouse(int mouse_button, Held held, int times) {
-    ImGuiIO& io = ImGui::GetIO();
     set_held(held);
     // The last click, whenever it was, does not make this one a double click.
-    io.MouseClickedTime[mouse_button] = -DBL_MAX;
+    ImGui::GetIO().MouseClickedTime[mouse_button] = -DBL_MAX;
     for (int i = 0; i < times; ++i) {
-        io.MouseDown[mouse_button] = true;
+        play_mouse_button(mouse_button, true);
         frames(1);
-        io.MouseDown[mouse_button] = false;
+        play_mouse_button(mouse_button, false);
         frames(1);
     }
     set_held({});
@@ -123,19 +119,18 @@ void Hand::press_mouse(int mouse_button, Held held, int times) {
 }
 
 void Hand::drag_to(ImVec2 from, ImVec2 to, Held held, int mouse_button) {
-    ImGuiIO& io = ImGui::GetIO();
     move_to(from);
     set_held(held);
-    io.MouseClickedTime[mouse_button] = -DBL_MAX;
-    io.MouseDown[mouse_button] = true;
+    ImGui::GetIO().MouseClickedTime[mouse_button] = -DBL_MAX;
+    play_mouse_button(mouse_button, true);
     frames(1);
     constexpr int steps = 4;
     for (int i = 1; i <= steps; ++i) {
         const float t = static_cast<float>(i) / steps;
-        io.MousePos = {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+        play_pointer({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
         frames(1);
     }
-    io.MouseDown[mouse_button] = false;
+    play_mouse_button(mouse_button, false);
     frames(1);
     set_held({});
     frames(frames_to_rest);
@@ -164,14 +159,14 @@ void Hand::drag(std::string_view name, float dx, float dy, Held held, int mouse_
 void Hand::wheel(std::string_view name, float steps, Held held) {
     move_to(middle_of(name));
     set_held(held);
-    ImGui::GetIO().MouseWheel = steps;
+    play_wheel(steps);
     frames(1);
     set_held({});
     rest();
 }
 
 void Hand::leave() {
-    ImGui::GetIO().MousePos = nowhere;
+    play_pointer(nowhere);
     rest();
 }
 
@@ -180,13 +175,11 @@ void Hand::press(int key, Held held) {
 }
 
 void Hand::hold(int key, int count, Held held) {
-    ImGuiIO& io = ImGui::GetIO();
-    IM_ASSERT(key >= 0 && key < IM_ARRAYSIZE(io.KeysDown));
     set_held(held);
-    io.KeysDown[key] = true;
-    io.AddInputCharactersUTF8(written_by(key, held).c_str());
+    play_key(key, true);
+    ImGui::GetIO().AddInputCharactersUTF8(written_by(key, held).c_str());
     frames(count);
-    io.KeysDown[key] = false;
+    play_key(key, false);
     set_held({});
     rest();
 }
@@ -247,7 +240,7 @@ void Hand::drag_picture(int column, int row, int to_column, int to_row, Held hel
 
 void Hand::wheel_picture(int column, int row, float steps) {
     move_to(pixel_middle(column, row));
-    ImGui::GetIO().MouseWheel = steps;
+    play_wheel(steps);
     frames(1);
     rest();
 }

@@ -48,7 +48,7 @@ class Hand {
     /// Moves the pointer off everything.
     void leave();
 
-    /// Presses and releases a key (see ui/actions/keys.h), which writes into an open field what it
+    /// Presses and releases a key (see ui/widgets/keys.h), which writes into an open field what it
     /// stands for.
     void press(int key, Held held = {});
     /// Holds a key down for a number of frames.

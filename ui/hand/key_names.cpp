@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "ui/actions/keys.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 /// A key with what is held beside it.
 struct KeyPress {
-    int key = 0; ///< see ui/actions/keys.h
+    int key = 0; ///< see ui/widgets/keys.h
     Held held;
 };
 

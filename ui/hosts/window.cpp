@@ -29,6 +29,7 @@
 #include "ui/hosts/gl2.h"
 #include "ui/start/ways.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {
@@ -123,31 +124,16 @@ void on_content_scale(GLFWwindow* handle, float scale, float) {
     window.content_scale = scale;
 }
 
-/// Every event wakes the window and goes on to ImGui where ImGui wants it.
+/// Every event wakes the window. To be called before ImGui takes its own callbacks, which call
+/// these.
 void install_callbacks(GLFWwindow* handle) {
-    glfwSetKeyCallback(handle, on_key);
     glfwSetDropCallback(handle, on_drop);
     glfwSetWindowContentScaleCallback(handle, on_content_scale);
-    glfwSetCharCallback(handle, [](GLFWwindow* w, unsigned int letter) {
-        wake(w);
-        ImGui_ImplGlfw_CharCallback(w, letter);
-    });
-    glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int mouse_button, int action, int mods) {
-        wake(w);
-        ImGui_ImplGlfw_MouseButtonCallback(w, mouse_button, action, mods);
-    });
-    glfwSetScrollCallback(handle, [](GLFWwindow* w, double x, double y) {
-        wake(w);
-        ImGui_ImplGlfw_ScrollCallback(w, x, y);
-    });
-    glfwSetCursorEnterCallback(handle, [](GLFWwindow* w, int entered) {
-        wake(w);
-        ImGui_ImplGlfw_CursorEnterCallback(w, entered);
-    });
-    glfwSetWindowFocusCallback(handle, [](GLFWwindow* w, int focused) {
-        wake(w);
-        ImGui_ImplGlfw_WindowFocusCallback(w, focused);
-    });
+    glfwSetCharCallback(handle, [](GLFWwindow* w, unsigned int) { wake(w); });
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int, int, int) { wake(w); });
+    glfwSetScrollCallback(handle, [](GLFWwindow* w, double, double) { wake(w); });
+    glfwSetCursorEnterCallback(handle, [](GLFWwindow* w, int) { wake(w); });
+    glfwSetWindowFocusCallback(handle, [](GLFWwindow* w, int) { wake(w); });
     glfwSetCursorPosCallback(handle, [](GLFWwindow* w, double, double) { wake(w); });
     glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* w, int, int) { wake(w); });
     glfwSetWindowRefreshCallback(handle, [](GLFWwindow* w) { wake(w); });
@@ -257,13 +243,13 @@ bool draw_frame(Window& window) {
 bool is_held() {
     const ImGuiIO& io = ImGui::GetIO();
     return std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), std::identity{}) ||
-           std::any_of(std::begin(io.KeysDown), std::end(io.KeysDown), std::identity{});
+           is_any_key_down();
 }
 
 void run(Window& window) {
     double last_frame = 0.0;
     while (glfwWindowShouldClose(window.handle) == GLFW_FALSE && !window.ui.host.wants_quit) {
-        const bool is_moving = is_animating(window.ui) || is_held();
+        const bool is_moving = is_animating(window.ui) || is_held() || is_input_waiting();
         const bool is_typing = ImGui::GetIO().WantTextInput;
         const double still = seconds_to_blink(window.ui);
         const double next_blink = last_frame + still;
@@ -298,9 +284,16 @@ void run(Window& window) {
 struct Glfw {
     Glfw() {
         glfwSetErrorCallback(note_complaint);
+#ifdef GLFW_PLATFORM
+        // There can be no Wayland then, and its library would complain on standard error.
+        if (std::getenv("XDG_RUNTIME_DIR") == nullptr)
+            glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
         if (glfwInit() != GLFW_TRUE) throw no_display();
     }
-    ~Glfw() { glfwTerminate(); }
+    ~Glfw() {
+        glfwTerminate();
+    }
     Glfw(const Glfw&) = delete;
     Glfw& operator=(const Glfw&) = delete;
 };
@@ -341,10 +334,10 @@ struct OpenWindow {
         ui.options.wished_text_scale =
             std::clamp(window.content_scale, smallest_text_scale, largest_text_scale);
         open_ui(ui, window.textures);
-        ImGui_ImplGlfw_InitForOpenGL(window.handle, false);
-        ImGui::GetIO().KeyMap[ImGuiKey_Tab] = -1; // see ui/actions/focus_keys.h
-        open_gl2();
         install_callbacks(window.handle);
+        ImGui_ImplGlfw_InitForOpenGL(window.handle, true);
+        glfwSetKeyCallback(window.handle, on_key);
+        open_gl2();
         take_up(ui, is_plain);
         if (const char* path = std::getenv("RASTERWALK_WIDGET_REPORT")) window.report_path = path;
     }

@@ -20,6 +20,12 @@ namespace rasterwalk {
 
 namespace {
 
+/// Is the last item, which lies on the button of its row, clicked?
+bool is_clicked_on_row() {
+    return ImGui::IsMouseClicked(0) &&
+           ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+}
+
 /// One end of a row: its column, in the colour of who wrote it; in a box if that was just now.
 void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const EndWriter& writer,
                    bool is_left, bool is_changed) {
@@ -35,7 +41,7 @@ void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const End
                          {low.x + width, low.y + ImGui::GetTextLineHeight()});
     }
     name_widget(ui, name, end_tooltip(ui, end, writer));
-    if (writer.is_set() && ImGui::IsItemClicked()) go_to_sample(ui, writer.edge, writer.sample);
+    if (writer.is_set() && is_clicked_on_row()) go_to_sample(ui, writer.edge, writer.sample);
 }
 
 /// Before the sign that tells how often an end was replaced, design pixels.
@@ -73,7 +79,7 @@ void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) 
     if (before > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + before);
     text_in(colour_of(edge_meaning(writer.edge), ui.options.theme), text);
     name_widget(ui, name, writer_tooltip(writer));
-    if (ImGui::IsItemClicked()) go_to_sample(ui, writer.edge, writer.sample);
+    if (is_clicked_on_row()) go_to_sample(ui, writer.edge, writer.sample);
     if (!has_sign || writer.replaced == 0 || writer.replaced > 9) return;
     ImGui::SameLine(0.0f, gap);
     ImGui::PushFont(ui.fonts.small);

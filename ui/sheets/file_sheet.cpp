@@ -6,11 +6,12 @@
 #include <imgui_stdlib.h>
 
 #include "session/content.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/view_files.h"
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -89,7 +90,7 @@ void draw_head(Ui& ui) {
 bool hand_over_typed(FileSheet& sheet) {
     if (!sheet.has_keyboard) {
         keep_letters(sheet.early_letters);
-        if (ImGui::IsKeyPressed(key::enter, false)) sheet.early_enter = true;
+        if (is_key_pressed(key::enter, false)) sheet.early_enter = true;
         return false;
     }
     hand_over_letters(sheet.early_letters);
@@ -166,7 +167,7 @@ void draw_list(Ui& ui, float height) {
     ImGui::PushStyleColor(ImGuiCol_ChildBg, p.ground);
     ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 4.0f * u);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8.0f * u, 6.0f * u));
-    ImGui::BeginChild("files", {0.0f, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    begin_padded_child("files", {0.0f, height});
     // Going to another folder replaces the list: what is clicked is noted, and done after it.
     const FileEntry* clicked = nullptr;
     bool is_double = false;
@@ -276,7 +277,7 @@ void draw_inside(Ui& ui) {
     }
     ImGui::Spacing();
     is_to_be_done = draw_buttons(ui) || is_to_be_done;
-    if (ImGui::IsKeyPressed(key::escape, false)) sheet.kind = FileSheet::Kind::closed;
+    if (is_key_pressed(key::escape, false)) sheet.kind = FileSheet::Kind::closed;
     if (is_to_be_done && sheet.kind != FileSheet::Kind::closed) {
         finish_sheet(ui);
         if (!sheet.asked.empty() || !sheet.fault.empty()) sheet.wants_focus = true;

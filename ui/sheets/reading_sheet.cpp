@@ -6,8 +6,9 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
-#include "ui/actions/keys.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -63,7 +64,7 @@ void draw_sheet_search(Ui& ui, const SheetLook& look, const char* hint, const ch
     // The field has the keyboard, and with it the key.
     const bool is_left = ImGui::IsItemDeactivated();
     name_widget(ui, std::string(look.widgets) + ".search", help);
-    if (is_left && ImGui::IsKeyPressed(key::escape, false)) ui.sheets.show(look.sheet, false);
+    if (is_left && is_key_pressed(key::escape, false)) ui.sheets.show(look.sheet, false);
 }
 
 } // namespace rasterwalk

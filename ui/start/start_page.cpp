@@ -8,12 +8,13 @@
 #include "base/numbers.h"
 #include "ui/actions/close_topmost.h"
 #include "ui/actions/compare.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/view_files.h"
 #include "ui/start/stage_pictures.h"
 #include "ui/start/start_cards.h"
 #include "ui/start/ways.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -123,18 +124,18 @@ void take_keys(Ui& ui) {
     const bool is_covered =
         sheets.topmost().has_value() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     if (is_covered) {
-        if (ImGui::IsKeyPressed(key::escape, false)) close_topmost(ui);
+        if (is_key_pressed(key::escape, false)) close_topmost(ui);
         return;
     }
     // A button that has the frame is pressed as everywhere.
     if (ui.focus.is_shown) {
-        if (ImGui::IsKeyPressed(key::escape, false)) ui.start.is_open = false;
+        if (is_key_pressed(key::escape, false)) ui.start.is_open = false;
         return;
     }
-    if (ImGui::IsKeyPressed(key::enter, false) || ImGui::IsKeyPressed(key::keypad_enter, false)) {
+    if (is_key_pressed(key::enter, false) || is_key_pressed(key::keypad_enter, false)) {
         take_way(ui, ui.start.chosen);
         if (ui.start.chosen == Way::picture) begin_choosing_result(ui);
-    } else if (ImGui::IsKeyPressed(key::escape, false)) {
+    } else if (is_key_pressed(key::escape, false)) {
         ui.start.is_open = false;
     }
 }

@@ -1,5 +1,3 @@
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <regex>
 #include <set>
@@ -10,13 +8,14 @@
 #include "session/tabs.h"
 #include "session/walk.h"
 #include "support/effort.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "ui/actions/open_tab.h"
 #include "ui/actions/zoom.h"
 #include "ui/ui.h"
 
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::VectorContains;
 
 namespace rasterwalk {

@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "support/project_root.h"
+#include "tests/support/catch.h"
 #include "tests/support/made_scene.h"
 #include "tests/ui/driver.h"
 #include "ui/ui.h"

@@ -1,12 +1,11 @@
 #include "tests/ui/driver.h"
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
-#include "ui/actions/keys.h"
+#include "tests/support/catch.h"
 #include "ui/hand/key_names.h"
 #include "ui/hand/report.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -20,9 +19,10 @@ TEST_CASE("A click reaches the widget of that name and no other") {
 
 TEST_CASE("A widget that is not there is answered with the nearest name") {
     Driver driver;
-    CHECK_THROWS_WITH(driver.hand.click("stage.point"),
-                      Catch::StartsWith("There is no widget 'stage.point' on the screen. Did you "
-                                        "mean 'stage.points'? There are: stage.points, "));
+    CHECK_THROWS_WITH(
+        driver.hand.click("stage.point"),
+        Catch::Matchers::StartsWith("There is no widget 'stage.point' on the screen. Did you "
+                                    "mean 'stage.points'? There are: stage.points, "));
 }
 
 TEST_CASE("Two clicks on one place are not a double click") {

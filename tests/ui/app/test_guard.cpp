@@ -5,15 +5,14 @@
 #include <new>
 #include <stdexcept>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -102,7 +101,7 @@ TEST_CASE("The folder of the lessons disappears: the window goes on, and nothing
     lessons.take_away();
 
     driver.hand.press('S', {.ctrl = true});
-    CHECK_THAT(driver.ui.session.notice, Catch::Contains("RASTERWALK_LESSONS"));
+    CHECK_THAT(driver.ui.session.notice, Catch::Matchers::ContainsSubstring("RASTERWALK_LESSONS"));
     const Settings settings = driver.ui.session.a.settings;
     for (const char letter : {'O', 'C', 'S'}) {
         driver.hand.press(letter, {.ctrl = true});

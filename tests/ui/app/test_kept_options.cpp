@@ -3,10 +3,9 @@
 #include <filesystem>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "base/error.h"
 #include "base/files.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/open_lesson.h"
@@ -56,7 +55,7 @@ TEST_CASE("A broken file of options is named with its line, and nothing is taken
     for (const auto& one : cases) {
         INFO(one.text);
         CHECK_THROWS_WITH(parse_options(one.text, "window.toml", {}),
-                          Catch::StartsWith(one.sentence));
+                          Catch::Matchers::StartsWith(one.sentence));
     }
 }
 
@@ -90,7 +89,7 @@ TEST_CASE("A broken file of options is left as it is, and said to be so") {
     write_file(path, "text_scale = 1.5\ntheme = \"pink\"\n");
     Driver driver;
     keep_options(driver.ui, path);
-    CHECK_THAT(driver.ui.session.notice, Catch::Contains("window.toml:2"));
+    CHECK_THAT(driver.ui.session.notice, Catch::Matchers::ContainsSubstring("window.toml:2"));
     driver.ui.options.theme = Theme::light;
     driver.hand.frames(3);
     CHECK(read_file(path) == "text_scale = 1.5\ntheme = \"pink\"\n");
@@ -132,13 +131,14 @@ TEST_CASE("After a moment in which nothing can be written, options and progress 
     driver.ui.options.theme = Theme::light;
     driver.ui.lesson.progress.note_step("01-pinhole-camera", 2);
     driver.hand.frames(2);
-    CHECK_THAT(driver.ui.session.notice, Catch::Contains("will not be kept until"));
+    CHECK_THAT(driver.ui.session.notice,
+               Catch::Matchers::ContainsSubstring("will not be kept until"));
     driver.ui.session.notice.clear();
     driver.hand.frames(20, 1.0f);
     CHECK(driver.ui.session.notice.empty()); // it is said once
     std::filesystem::remove(place);
     driver.hand.frames(10, 1.0f);
-    CHECK_THAT(driver.ui.session.notice, Catch::Contains("kept again"));
+    CHECK_THAT(driver.ui.session.notice, Catch::Matchers::ContainsSubstring("kept again"));
     CHECK(parse_options(read_file(place + "/window.toml"), "", {}).theme == Theme::light);
     CHECK(read_progress(place + "/progress.toml").is_step_seen("01-pinhole-camera", 2));
 }
@@ -166,10 +166,10 @@ TEST_CASE("Files that nest too deeply keep nobody from the window, and stay as t
     Driver driver;
     keep_options(driver.ui, options);
     CHECK_THAT(driver.ui.session.notice,
-               Catch::Contains(options + ":1: this is nested too deeply"));
+               Catch::Matchers::ContainsSubstring(options + ":1: this is nested too deeply"));
     keep_progress(driver.ui, progress);
     CHECK_THAT(driver.ui.session.notice,
-               Catch::Contains(progress + ":1: this is nested too deeply"));
+               Catch::Matchers::ContainsSubstring(progress + ":1: this is nested too deeply"));
     driver.ui.options.theme = Theme::light;
     driver.ui.lesson.progress.note_step("01-pinhole-camera", 2);
     driver.hand.frames(10, 1.0f);

@@ -4,17 +4,16 @@
 #include <utility>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include <imgui_internal.h>
 
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/start/ways.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

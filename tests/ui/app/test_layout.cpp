@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/ui.h"
 #include "ui/widgets/flow.h"

@@ -2,8 +2,7 @@
 
 #include <string>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/actions.h"
 #include "ui/ui.h"

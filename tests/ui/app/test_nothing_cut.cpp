@@ -5,19 +5,18 @@
 #include <utility>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include <imgui_internal.h>
 
 #include "session/second_run.h"
 #include "session/tabs.h"
 #include "support/effort.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lab.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

@@ -1,10 +1,9 @@
-#include <catch2/catch.hpp>
-
 #include <sstream>
 
 #include "base/image.h"
 #include "cli/cli.h"
 #include "support/temporary_folder.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/ui.h"
 

@@ -1,12 +1,11 @@
-#include <catch2/catch.hpp>
-
 #include <set>
 
 #include <imgui_internal.h>
 
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
-#include "ui/actions/keys.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

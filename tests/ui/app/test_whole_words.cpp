@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "session/second_run.h"
 #include "session/tabs.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
@@ -85,7 +84,8 @@ TEST_CASE("The Fragment tab names its columns and its pixel in whole words") {
                 driver.open("fragment"); // without a pixel: of the fragment drawn last
                 driver.hand.leave();
                 CHECK(shortened_lines({"inspector"}) == nothing);
-                CHECK_THAT(all_words("inspector"), Catch::Contains("ast: pixel ("));
+                CHECK_THAT(all_words("inspector"),
+                           Catch::Matchers::ContainsSubstring("ast: pixel ("));
                 CHECK(driver.hand.find("fragment.z_world").bottom_right.x <=
                       driver.hand.find("fragment.z_world.affine").top_left.x);
                 CHECK(driver.hand.find("fragment.z_world").is_whole);
@@ -99,7 +99,8 @@ TEST_CASE("The Fragment tab names its columns and its pixel in whole words") {
                 // At the usual size nothing need be short.
                 if (window.size.x / window.text_scale >= 1600.0f) {
                     CHECK(right.ends_with("perspective"));
-                    CHECK_THAT(all_words("inspector"), Catch::Contains("Drawn last: pixel ("));
+                    CHECK_THAT(all_words("inspector"),
+                               Catch::Matchers::ContainsSubstring("Drawn last: pixel ("));
                 }
             }
         }
@@ -119,7 +120,8 @@ TEST_CASE("While two runs are compared nothing that is said of them is shortened
             CHECK(shortened_lines({"canvas", "inspector", "transport"}) == nothing);
             // At 800x600 and large text only the tab has room for it.
             if (window.size.x / window.text_scale < 640.0f) continue;
-            CHECK_THAT(shown_text(driver, "compare.counts"), Catch::Contains("differ"));
+            CHECK_THAT(shown_text(driver, "compare.counts"),
+                       Catch::Matchers::ContainsSubstring("differ"));
         }
     }
 }

@@ -6,20 +6,19 @@
 #include <set>
 #include <sstream>
 
-#include <catch2/catch.hpp>
-
 #include "base/files.h"
 #include "facts/facts.h"
 #include "picture/overlay.h"
 #include "session/second_run.h"
 #include "session/tabs.h"
 #include "settings/setting_table.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/many_walls.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

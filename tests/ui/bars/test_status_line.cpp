@@ -1,22 +1,21 @@
 #include <algorithm>
 
-#include <catch2/catch.hpp>
-
 #include "session/content.h"
 #include "support/made_scene.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
 #include "ui/actions/compare.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
 
 using namespace rasterwalk;
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 
 TEST_CASE("Of row tables nothing is told before they are a subject") {
     Driver driver;
@@ -53,14 +52,14 @@ TEST_CASE("The status line names the lesson that tells of the trouble there is, 
         return all;
     };
     Settings& settings = driver.ui.session.a.settings;
-    CHECK_THAT(says(), Contains("lesson 12 tells"));
+    CHECK_THAT(says(), ContainsSubstring("lesson 12 tells"));
     settings.stage = Stage::edges;
     settings.camera.position.z = -0.5f;
-    CHECK_THAT(says(), Contains("lesson 17 tells"));
+    CHECK_THAT(says(), ContainsSubstring("lesson 17 tells"));
     settings = default_settings(*driver.ui.session.scene);
     settings.stage = Stage::edges;
     settings.far = 0.01f;
-    CHECK_THAT(says(), Contains("goes on.") && !Contains("tells why"));
+    CHECK_THAT(says(), ContainsSubstring("goes on.") && !ContainsSubstring("tells why"));
 }
 
 TEST_CASE("Samples outside their row table are shown by a click on the status line") {
@@ -146,7 +145,7 @@ TEST_CASE("What is too much work for one frame of the window goes on in the next
     REQUIRE_FALSE(a.is_drawn());
     CHECK(is_animating(driver.ui));
     CHECK_THAT(work_words(driver.ui.results),
-               Contains("drawn") && Contains("of 120 000 triangles"));
+               ContainsSubstring("drawn") && ContainsSubstring("of 120 000 triangles"));
     CHECK(driver.ui.widgets.contains("status.trouble"));
     int frames = 0;
     for (; !a.is_drawn(); ++frames) {

@@ -2,12 +2,11 @@
 
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "pipeline/timeline.h"
 #include "session/content.h"
 #include "session/scene_file.h"
 #include "settings/settings.h"
+#include "tests/support/catch.h"
 
 namespace rasterwalk {
 

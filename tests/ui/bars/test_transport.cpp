@@ -3,17 +3,16 @@
 #include <utility>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "session/moment_text.h"
 #include "session/second_run.h"
 #include "session/walk.h"
 #include "settings/setting_table.h"
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/ui/driver.h"
-#include "ui/actions/keys.h"
 #include "ui/bars/time_window.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

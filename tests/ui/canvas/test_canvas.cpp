@@ -1,12 +1,11 @@
-#include <catch2/catch.hpp>
-
 #include "picture/view_image.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/picture_fit.h"
 #include "ui/canvas/canvas.h"
 #include "ui/canvas/cell_key.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

@@ -1,7 +1,5 @@
 // The marks over the picture listen to the same stages as everything else.
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "inspect/row_history.h"
 #include "mistakes/interpolate.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/canvas/canvas_marks.h"
 #include "ui/ui.h"

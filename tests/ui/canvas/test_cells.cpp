@@ -7,17 +7,16 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "inspect/pixel_history.h"
 #include "pipeline/draw.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
-#include "ui/actions/keys.h"
 #include "ui/canvas/cells.h"
 #include "ui/canvas/marks.h"
 #include "ui/canvas/vertex_labels.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

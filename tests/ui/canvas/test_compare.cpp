@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <catch2/catch.hpp>
-
 #include <imgui_internal.h>
 
 #include "picture/view_image.h"
@@ -10,14 +8,16 @@
 #include "session/second_run.h"
 #include "settings/setting_table.h"
 #include "support/effort.h"
+#include "tests/support/catch.h"
 #include "tests/ui/lit_room.h"
 #include "tests/ui/shown_colours.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_tab.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {
@@ -33,7 +33,8 @@ TEST_CASE("One click compares the picture as it is with affine, and one ends it 
     CHECK(shown_text(driver, "compare.title_a") == "between the vertices: perspective");
     driver.hand.click("compare.run_b");
     CHECK(shown_text(driver, "compare.title_b") == "between the vertices: affine");
-    CHECK_THAT(shown_text(driver, "compare.counts"), Catch::Contains("pixels differ"));
+    CHECK_THAT(shown_text(driver, "compare.counts"),
+               Catch::Matchers::ContainsSubstring("pixels differ"));
     driver.hand.press('C');
     CHECK_FALSE(driver.ui.session.b);
     CHECK_FALSE(driver.ui.results.b);
@@ -271,15 +272,15 @@ TEST_CASE("Both pictures stand side by side with the same zoom, and each can be 
     const glm::vec2 pointer{std::floor(b.origin.x + b.scale * 300.5f),
                             std::floor(b.origin.y + b.scale * 200.5f)};
     const glm::ivec2 pixel((pointer.x - b.origin.x) / b.scale, (pointer.y - b.origin.y) / b.scale);
-    ImGui::GetIO().MousePos = {pointer.x, pointer.y};
+    play_pointer({pointer.x, pointer.y});
     driver.hand.frames(3);
     CHECK(driver.ui.canvas.hovered_pixel == pixel);
-    ImGui::GetIO().MouseDown[0] = true;
+    play_mouse_button(0, true);
     driver.hand.frames(1);
-    ImGui::GetIO().MouseDown[0] = false;
+    play_mouse_button(0, false);
     driver.hand.frames(2);
     CHECK(driver.ui.session.selection.pixel == pixel);
-    ImGui::GetIO().MouseWheel = 6.0f;
+    play_wheel(6.0f);
     driver.hand.frames(2);
     CHECK(driver.ui.compare.place_of_b->scale == driver.ui.canvas.place.scale);
     CHECK(driver.ui.canvas.place.scale > 4.0f);
@@ -373,8 +374,8 @@ TEST_CASE(
     REQUIRE(driver.ui.results.comparison.whole().divergences.first);
     driver.hand.find("compare.first");
     const std::string text = driver.ui.widgets.at("compare.first").text;
-    CHECK_THAT(text, Catch::StartsWith("other value, too small to see: "));
-    CHECK_THAT(text, Catch::Contains("differs by −"));
+    CHECK_THAT(text, Catch::Matchers::StartsWith("other value, too small to see: "));
+    CHECK_THAT(text, Catch::Matchers::ContainsSubstring("differs by −"));
     CHECK(text.find('-') == std::string::npos);
 }
 
@@ -391,7 +392,8 @@ TEST_CASE("The tab leads to the first divergence, to the next, and back; a click
     CHECK(driver.ui.results.comparison.here->cursor == list.first->cursor);
     driver.hand.click("compare.previous");
     CHECK(driver.ui.session.cursor == list.first->cursor);
-    CHECK_THAT(driver.ui.session.notice, Catch::Contains("do not differ before"));
+    CHECK_THAT(driver.ui.session.notice,
+               Catch::Matchers::ContainsSubstring("do not differ before"));
     driver.hand.click("compare.next");
     const Cursor second = driver.ui.session.cursor;
     CHECK(second > list.first->cursor);

@@ -5,19 +5,19 @@
 #include <map>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "session/second_run.h"
 #include "settings/setting_table.h"
 #include "support/effort.h"
 #include "support/project_root.h"
+#include "tests/support/catch.h"
 #include "tests/ui/shown_colours.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/canvas/compare_variants.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/small_pictures.h"
 #include "ui/widgets/style.h"
 
@@ -254,7 +254,7 @@ TEST_CASE("Two pictures stand above each other where that leaves them larger") {
     // Each can be pointed at.
     const ImVec2 pointer{std::floor(b.origin.x + b.scale * 300.5f),
                          std::floor(b.origin.y + b.scale * 100.5f)};
-    ImGui::GetIO().MousePos = pointer;
+    play_pointer(pointer);
     driver.hand.frames(3);
     REQUIRE(driver.ui.canvas.hovered_pixel);
     CHECK(driver.ui.canvas.hovered_pixel->x ==

@@ -1,8 +1,7 @@
 // A picture that fits is as large as the canvas has room for.
 
-#include <catch2/catch.hpp>
-
 #include "support/project_root.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/picture_fit.h"
 #include "ui/actions/row_table_layout.h"

@@ -1,7 +1,6 @@
 #include "ui/canvas/large_frame.h"
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/many_walls.h"
 #include "ui/actions/lesson_links.h"

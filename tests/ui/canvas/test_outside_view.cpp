@@ -3,20 +3,20 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "outside/outside_drawing.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/support/made_scene.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/app/app.h"
 #include "ui/canvas/outside_view.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -35,13 +35,12 @@ void click_at(Driver& driver, const glm::dvec3& world) {
     const auto at = driver.ui.canvas.outside_drawing->eye().pixel_of(world);
     REQUIRE(at);
     const ImVec2 low = driver.ui.widgets.at("canvas.outside").top_left;
-    ImGuiIO& io = ImGui::GetIO();
-    io.MousePos = {std::floor(low.x + static_cast<float>(at->x)),
-                   std::floor(low.y + static_cast<float>(at->y))};
+    play_pointer({std::floor(low.x + static_cast<float>(at->x)),
+                  std::floor(low.y + static_cast<float>(at->y))});
     driver.hand.frames(2);
-    io.MouseDown[0] = true;
+    play_mouse_button(0, true);
     driver.hand.frames(1);
-    io.MouseDown[0] = false;
+    play_mouse_button(0, false);
     driver.hand.rest();
 }
 

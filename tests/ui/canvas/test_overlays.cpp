@@ -1,14 +1,13 @@
 #include <algorithm>
 
-#include <catch2/catch.hpp>
-
 #include "picture/view_image.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <catch2/catch.hpp>
-
 #include "settings/setting_table.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/ui.h"
 

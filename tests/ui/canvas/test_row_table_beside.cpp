@@ -9,17 +9,17 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "session/tabs.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
 #include "tests/ui/shown_number.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/row_table_layout.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -269,13 +269,12 @@ TEST_CASE("A click on a line selects its row, one on an end leads to the sample 
     REQUIRE(is_shown(driver));
     // Beside the numbers: on the entry.
     const WidgetPlace line = driver.hand.find("canvas.rows.9");
-    ImGui::GetIO().MousePos = {line.top_left.x + 12.0f,
-                               0.5f * (line.top_left.y + line.bottom_right.y)};
+    play_pointer({line.top_left.x + 12.0f, 0.5f * (line.top_left.y + line.bottom_right.y)});
     driver.hand.frames(2);
     CHECK(driver.ui.canvas.hovered_row == 9);
-    ImGui::GetIO().MouseDown[0] = true;
+    play_mouse_button(0, true);
     driver.hand.frames(2);
-    ImGui::GetIO().MouseDown[0] = false;
+    play_mouse_button(0, false);
     driver.hand.frames(3);
     CHECK(driver.ui.session.selection.row == 9);
     CHECK(driver.ui.session.cursor == cursor_end);
@@ -422,7 +421,7 @@ TEST_CASE("A table that has no room beside the triangle is left out, and stands 
     for (const ScreenText& text : screen_text()) {
         if (text.window.find("Tooltip") != text.window.npos) tooltip += text.words + " ";
     }
-    CHECK_THAT(tooltip, Catch::Contains("Rows tab"));
+    CHECK_THAT(tooltip, Catch::Matchers::ContainsSubstring("Rows tab"));
     driver.hand.press(key::escape);
     driver.hand.press('F');
     driver.hand.leave();

@@ -5,14 +5,13 @@
 #include <set>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "support/samples.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
-#include "ui/actions/keys.h"
 #include "ui/canvas/cells.h"
 #include "ui/canvas/test_marks.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {

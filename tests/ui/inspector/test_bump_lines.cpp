@@ -1,8 +1,7 @@
-#include <catch2/catch.hpp>
-
 #include <string>
 
 #include "session/tabs.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/ui.h"

@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
 
 #include "inspect/clip_diagram.h"
+#include "tests/support/catch.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -119,8 +119,8 @@ TEST_CASE("A corner of the diagram tells its coordinates, and a click explains i
     driver.hand.rest();
     // -160, 160, 1, -2: behind the camera, 2.1 beyond the near plane.
     const std::string words = words_on_screen();
-    CHECK_THAT(words, Catch::Contains("w = −2.000"));
-    CHECK_THAT(words, Catch::Contains("d = −2.100"));
+    CHECK_THAT(words, Catch::Matchers::ContainsSubstring("w = −2.000"));
+    CHECK_THAT(words, Catch::Matchers::ContainsSubstring("d = −2.100"));
     driver.hand.leave();
     driver.hand.click("clip.diagram.new.0");
     CHECK(driver.ui.inspector.clip.number == "t.0.0");
@@ -152,8 +152,8 @@ TEST_CASE("The diagram follows the plane at work, with t at the edge that it has
             driver.hand.rest();
             CAPTURE(plane, step.from);
             CHECK(plane_above() == plane);
-            CHECK_THAT(words_on_screen(),
-                       Catch::Contains(fmt::format("t = {:.4f}", static_cast<double>(step.t))));
+            CHECK_THAT(words_on_screen(), Catch::Matchers::ContainsSubstring(fmt::format(
+                                              "t = {:.4f}", static_cast<double>(step.t))));
         }
     }
 }

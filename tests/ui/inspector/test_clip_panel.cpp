@@ -3,17 +3,17 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
 
 #include "explain/clip_report.h"
 #include "explain/cull_formulas.h"
 #include "inspect/stats.h"
+#include "tests/support/catch.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -55,7 +55,7 @@ TEST_CASE("The Clip tab is offered where there is a camera") {
         CHECK_FALSE(driver.hand.is_visible("tab.clip"));
         driver.ui.session.tab = "clip"; // as a file of the student's may say
         driver.hand.rest();
-        CHECK_THAT(inspector_words(), Catch::Contains("no camera"));
+        CHECK_THAT(inspector_words(), Catch::Matchers::ContainsSubstring("no camera"));
     }
     Driver driver;
     driver.hand.click("group.triangle");
@@ -66,7 +66,7 @@ TEST_CASE("Where nothing is cut the tab says so, and a button cuts by all planes
     Driver driver;
     driver.open("clip");
     REQUIRE(driver.ui.session.a.settings.clip == Clip::leave_out);
-    CHECK_THAT(inspector_words(), Catch::Contains("as in the lab"));
+    CHECK_THAT(inspector_words(), Catch::Matchers::ContainsSubstring("as in the lab"));
     CHECK_FALSE(driver.hand.is_visible("clip.plane.near"));
     CHECK_FALSE(driver.hand.is_visible("clip.behind"));
     driver.hand.click("clip.cut_all");
@@ -84,11 +84,11 @@ TEST_CASE("A triangle that reaches behind the camera is explained, whatever beco
         Corridor corridor(clip);
         CHECK(corridor.driver.hand.is_visible("clip.behind"));
         const std::string words = inspector_words();
-        CHECK_THAT(words, Catch::Contains("inside out"));
-        CHECK_THAT(words, Catch::Contains("w = −2"));
+        CHECK_THAT(words, Catch::Matchers::ContainsSubstring("inside out"));
+        CHECK_THAT(words, Catch::Matchers::ContainsSubstring("w = −2"));
         // -160 / -2 and 160 / -2 from the middle of 200 x 160 pixels.
-        CHECK_THAT(words, Catch::Contains("(180, 0)"));
-        CHECK_THAT(words, Catch::Contains(said));
+        CHECK_THAT(words, Catch::Matchers::ContainsSubstring("(180, 0)"));
+        CHECK_THAT(words, Catch::Matchers::ContainsSubstring(said));
     }
 }
 
@@ -216,8 +216,9 @@ TEST_CASE("The polygon that remains has the pixels that are drawn") {
     }
     driver.hand.click("clip.pixel.1.row");
     CHECK(number_in(shown_text(driver, "clip.formula.result")) == pixels[1].row);
-    CHECK_THAT(inspector_words(), Catch::Contains(fmt::format("{} corners make {} triangles",
-                                                              pixels.size(), pixels.size() - 2)));
+    CHECK_THAT(inspector_words(),
+               Catch::Matchers::ContainsSubstring(
+                   fmt::format("{} corners make {} triangles", pixels.size(), pixels.size() - 2)));
 }
 
 TEST_CASE("Each way of culling says what it takes the triangle for, and which is in force") {
@@ -237,8 +238,8 @@ TEST_CASE("Each way of culling says what it takes the triangle for, and which is
         const bool is_culled = driver.ui.results.a.frame.rejection(0) == Rejection::back_facing;
         CHECK(is_culled == answer->is_back);
         driver.hand.find("clip.culling");
-        CHECK_THAT(inspector_words(),
-                   Catch::Contains(is_culled ? "It is left out." : "It is drawn."));
+        CHECK_THAT(inspector_words(), Catch::Matchers::ContainsSubstring(
+                                          is_culled ? "It is left out." : "It is drawn."));
     }
 }
 
@@ -338,7 +339,7 @@ TEST_CASE("Cheap clipping cuts nothing, and the Clip tab says what it leaves out
     driver.hand.rest();
     CHECK(outside() == 0.0);
     driver.hand.find("clip.verdict");
-    CHECK_THAT(inspector_words(), Catch::Contains("cheap clipping"));
+    CHECK_THAT(inspector_words(), Catch::Matchers::ContainsSubstring("cheap clipping"));
 }
 
 TEST_CASE("In small windows the numbers of clipping are whole") {

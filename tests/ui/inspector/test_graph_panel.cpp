@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "inspect/row_graph.h"
+#include "tests/support/catch.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"

@@ -1,11 +1,10 @@
-#include <catch2/catch.hpp>
-
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

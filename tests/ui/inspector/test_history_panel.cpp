@@ -3,16 +3,15 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "session/results.h"
 #include "session/session.h"
 #include "support/project_root.h"
 #include "support/samples.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
-#include "ui/actions/keys.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -36,7 +35,8 @@ TEST_CASE("Without a picked pixel the history asks for one, and so do the keys f
     for (const int key : {'N', 'B'}) {
         driver.ui.session.notice.clear();
         driver.hand.press(key);
-        CHECK_THAT(driver.ui.session.notice, Catch::Contains("pick a pixel first"));
+        CHECK_THAT(driver.ui.session.notice,
+                   Catch::Matchers::ContainsSubstring("pick a pixel first"));
         CHECK(driver.ui.results.a.cursor == cursor_end);
     }
     driver.hand.click_picture(240, 300);
@@ -174,7 +174,7 @@ TEST_CASE("Before anything is drawn there is no pixel to begin with, and it says
     CHECK_FALSE(driver.hand.is_visible("history.pick_last"));
     driver.hand.click("history.pick_most");
     CHECK_FALSE(driver.ui.session.selection.pixel);
-    CHECK_THAT(driver.ui.session.notice, Catch::Contains("Nothing is drawn"));
+    CHECK_THAT(driver.ui.session.notice, Catch::Matchers::ContainsSubstring("Nothing is drawn"));
 }
 
 TEST_CASE("The place of a fragment stands below the names of what it counts") {
@@ -230,7 +230,7 @@ TEST_CASE("Every line names its triangle, however many there are and little room
         }
         CHECK(has_header);
         for (const char* name : {"t110000", "t110001"})
-            CHECK_THAT(words, Catch::Contains(name));
+            CHECK_THAT(words, Catch::Matchers::ContainsSubstring(name));
     }
 }
 

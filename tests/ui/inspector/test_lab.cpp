@@ -2,8 +2,6 @@
 #include <fstream>
 #include <map>
 
-#include <catch2/catch.hpp>
-
 #include "base/numbers.h"
 #include "laboratory/diagnose.h"
 #include "laboratory/image_variant.h"
@@ -14,17 +12,18 @@
 #include "pipeline/draw.h"
 #include "settings/setting_table.h"
 #include "support/effort.h"
+#include "tests/support/catch.h"
 #include "tests/support/handout_rows.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/lit_room.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/compare.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/view_files.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -252,7 +251,7 @@ TEST_CASE(
         CHECK(is_animating(driver.ui));
         // A frame's share of the work is about two of these pictures, of some hundred.
         CHECK(driver.ui.lab.work->pictures().done < 100);
-        CHECK_THAT(shown_text(driver, "lab.progress"), Catch::Contains(" pictures"));
+        CHECK_THAT(shown_text(driver, "lab.progress"), Catch::Matchers::ContainsSubstring(" pictures"));
         if (by_key) {
             driver.ui.focus.is_shown = false;
             driver.hand.press(key::escape);
@@ -286,7 +285,7 @@ TEST_CASE("A diagnosis shows the student's picture beside the one that the mista
     CHECK(own.bottom_right.x < beside.top_left.x);
     CHECK(shown_text(driver, "lab.picture.own") == "Your picture");
     CHECK_THAT(shown_text(driver, "lab.picture.beside"),
-               Catch::StartsWith("B9 ") && Catch::EndsWith("The very same."));
+               Catch::Matchers::StartsWith("B9 ") && Catch::Matchers::EndsWith("The very same."));
     const auto width = static_cast<float>(shown(0).width);
     CHECK(own.bottom_right.x - own.top_left.x == Approx(width));
     CHECK(width > 150.0f);
@@ -295,18 +294,19 @@ TEST_CASE("A diagnosis shows the student's picture beside the one that the mista
     // Another one takes its place: turned, which no setting does.
     const Image mirrored = oriented(drawn_by(driver, reference), Orientation::mirrored);
     check_image(driver, mirrored);
-    CHECK_THAT(shown_text(driver, "lab.picture.beside"), Catch::StartsWith("Mirrored"));
+    CHECK_THAT(shown_text(driver, "lab.picture.beside"), Catch::Matchers::StartsWith("Mirrored"));
     CHECK(shown(0) == resampled(mirrored, driver.ui.lab.pictures.small[0].scale));
     CHECK(shown(1) == shown(0));
     // Moved, too.
     check_image(driver, shifted(drawn_by(driver, reference), 1, 0));
-    CHECK_THAT(shown_text(driver, "lab.picture.beside"), Catch::StartsWith("Shifted"));
+    CHECK_THAT(shown_text(driver, "lab.picture.beside"), Catch::Matchers::StartsWith("Shifted"));
     CHECK(shown(1) == shown(0));
     // Without a likely mistake the reference, in which even one pixel is seen.
     Image scratched = drawn_by(driver, reference);
     std::fill_n(scratched.rgba.begin() + 4 * (side / 2 * side + side / 2), 3, std::uint8_t{255});
     check_image(driver, scratched);
-    CHECK_THAT(shown_text(driver, "lab.picture.beside"), Catch::StartsWith("The reference"));
+    CHECK_THAT(shown_text(driver, "lab.picture.beside"),
+               Catch::Matchers::StartsWith("The reference"));
     CHECK(marked_pixels(shown(1)) >= 1);
     CHECK(marked_pixels(shown(1)) <= 4);
     check_image(driver, drawn_by(driver, reference));
@@ -392,19 +392,20 @@ TEST_CASE("The diagnosis says sizes and settings in words") {
     check_picture(driver, reference);
     CHECK(shown_text(driver, "lab.diagnosis") == "Your picture is the reference, pixel for pixel.");
     CHECK_THAT(shown_text(driver, "lab.held_against"),
-               Catch::EndsWith("500 x 500 pixels like yours."));
+               Catch::Matchers::EndsWith("500 x 500 pixels like yours."));
     Settings small = reference;
     set_from_text(small, "viewport.size=100x100");
     set_from_text(small, "camera.focal_length=" + number_text(reference.camera.focal_length / 5));
     check_picture(driver, small);
     CHECK(driver.ui.lab.diagnosis->is_same());
     CHECK_THAT(shown_text(driver, "lab.held_against"),
-               Catch::EndsWith("100 x 100 pixels instead of 500 x 500."));
+               Catch::Matchers::EndsWith("100 x 100 pixels instead of 500 x 500."));
     set_from_text(small, "line_walk=exact");
     check_picture(driver, small);
     REQUIRE_FALSE(driver.ui.lab.diagnosis->is_same());
     CHECK_THAT(shown_text(driver, "lab.diagnosis"),
-               Catch::Contains("“Walking a line: without error”") && !Catch::Contains("="));
+               Catch::Matchers::ContainsSubstring("“Walking a line: without error”") &&
+                   !Catch::Matchers::ContainsSubstring("="));
 }
 
 TEST_CASE("What cannot be read is said in the laboratory, and rows of the lab are accepted") {
@@ -447,8 +448,9 @@ TEST_CASE("Below what is said of a picture the way to another one stays whole") 
         CHECK(driver.ui.widgets.at("lab.choose").is_whole);
         CHECK(driver.ui.widgets.at("lab.path").is_whole);
         CHECK(driver.ui.widgets.at("lab.diagnosis").is_whole);
-        CHECK_THAT(shown_text(driver, "lab.diagnosis"), Catch::StartsWith("B3 “"));
-        CHECK_THAT(shown_text(driver, "lab.diagnosis"), Catch::Contains("” makes"));
+        CHECK_THAT(shown_text(driver, "lab.diagnosis"), Catch::Matchers::StartsWith("B3 “"));
+        CHECK_THAT(shown_text(driver, "lab.diagnosis"),
+                   Catch::Matchers::ContainsSubstring("” makes"));
     }
 }
 
@@ -499,7 +501,7 @@ TEST_CASE("The Scene menu survives that the scenes are gone") {
     setenv("RASTERWALK_LESSONS", folder.file("nowhere").c_str(), 1);
     driver.hand.click("menu.Scene");
     unsetenv("RASTERWALK_LESSONS");
-    CHECK_THAT(driver.ui.session.notice, Catch::Contains("nowhere"));
+    CHECK_THAT(driver.ui.session.notice, Catch::Matchers::ContainsSubstring("nowhere"));
 }
 
 TEST_CASE("In a small window the laboratory's buttons can be reached") {

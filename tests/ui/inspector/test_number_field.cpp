@@ -1,12 +1,11 @@
 #include <string>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
-#include "ui/actions/keys.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {

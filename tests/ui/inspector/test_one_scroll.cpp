@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include <imgui_internal.h>
 
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/lab.h"

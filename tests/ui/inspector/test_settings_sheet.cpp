@@ -2,16 +2,15 @@
 #include <set>
 #include <utility>
 
-#include <catch2/catch.hpp>
-
 #include "settings/setting_table.h"
 #include "settings/value_words.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {

@@ -1,10 +1,9 @@
-#include <catch2/catch.hpp>
-
 #include <string>
 
 #include <fmt/format.h>
 
 #include "session/tabs.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/ui.h"

@@ -5,15 +5,15 @@
 #include <utility>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
 #include "base/element_names.h"
 #include "explain/vertex_report.h"
+#include "tests/support/catch.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -68,7 +68,7 @@ TEST_CASE("How a vertex becomes a pixel is said as it is set") {
         {VertexRounding::truncate_sum, "Moved to the middle of the picture and cut toward 0"}};
     for (const auto& [way, words] : ways) {
         driver.ui.session.a.settings.vertex_rounding = way;
-        CHECK_THAT(help(), Catch::Contains(words));
+        CHECK_THAT(help(), Catch::Matchers::ContainsSubstring(words));
     }
 }
 
@@ -214,13 +214,12 @@ TEST_CASE("A number that was clicked before another tab came does not scroll the
     driver.hand.click(cell("pixel.column", 1));
     // Another number of the same vertex: one frame is all that the click takes.
     const WidgetPlace number = driver.hand.find(cell("pixel.row", 1));
-    ImGuiIO& io = ImGui::GetIO();
-    io.MousePos = {0.5f * (number.top_left.x + number.bottom_right.x),
-                   0.5f * (number.top_left.y + number.bottom_right.y)};
+    play_pointer({0.5f * (number.top_left.x + number.bottom_right.x),
+                  0.5f * (number.top_left.y + number.bottom_right.y)});
     driver.hand.rest();
-    io.MouseDown[0] = true;
+    play_mouse_button(0, true);
     driver.hand.frames(1);
-    io.MouseDown[0] = false;
+    play_mouse_button(0, false);
     driver.hand.frames(1);
     REQUIRE(driver.ui.inspector.chosen.vertex_number == "pixel.row");
     driver.ui.session.tab = "rows";

@@ -3,8 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/support/hostile_lessons.h"
 #include "tests/support/temporary_folder.h"
@@ -89,6 +88,7 @@ TEST_CASE("A good lesson that is made hostile while it is open stays, with the f
         REQUIRE(lesson != nullptr);
         CHECK(lesson->steps.size() == 2);
         CHECK(room.ui.session.step == 1);
+        REQUIRE_FALSE(lesson->faults.empty());
         CHECK(lesson->faults.front().sentence == hostile.sentence);
         CHECK(room.shows_faults());
         room.folder.write("01-good.md", good_text);

@@ -3,20 +3,19 @@
 #include <map>
 #include <set>
 
-#include <catch2/catch.hpp>
-
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
 #include "tests/ui/shown_number.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {

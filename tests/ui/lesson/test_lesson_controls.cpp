@@ -3,14 +3,14 @@
 #include <cmath>
 #include <string>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/shown_number.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

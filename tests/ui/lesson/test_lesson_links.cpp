@@ -1,9 +1,8 @@
 #include "ui/actions/lesson_links.h"
 
-#include <catch2/catch.hpp>
-
 #include "laboratory/bug.h"
 #include "picture/view_image.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
@@ -85,7 +84,7 @@ TEST_CASE("A moment that a link names is looked for in what another link of the 
     CHECK(ui.results.a.cursor == Cursor{3, Phase::edges, 1, 5});
     // What was there before is refused.
     CHECK_THAT(sets_then_goes("set:coverage=edge_functions", "cursor:t3/e1/s6"),
-               Catch::Contains("walks no edges"));
+               Catch::Matchers::ContainsSubstring("walks no edges"));
 }
 
 TEST_CASE("A link that leads nowhere says so and changes nothing") {

@@ -5,14 +5,13 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "opening/opened_view.h"
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"

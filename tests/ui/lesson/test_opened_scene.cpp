@@ -1,14 +1,13 @@
 // What becomes of a lesson when a scene is opened in its place.
 
-#include <catch2/catch.hpp>
-
 #include "session/content.h"
 #include "session/scene_file.h"
+#include "tests/support/catch.h"
 #include "tests/ui/shown_number.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/view_files.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

@@ -2,20 +2,19 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include <catch2/catch.hpp>
-
 #include "lessons/lesson_link.h"
 #include "session/content.h"
 #include "settings/setting_table.h"
 #include "support/effort.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_tab.h"
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
 #include "view/widget_names.h"
 
@@ -232,13 +231,16 @@ TEST_CASE("A link that leads nowhere is answered in the status line") {
     const OwnNote note("rows", "[a](show:nothing.here) [b](foo:bar) [c](set:stage=row) [d](<>)\n");
     Driver driver(room_at({Stage::rows}));
     driver.hand.click("lesson.link.0");
-    CHECK_THAT(driver.ui.session.notice, Catch::Contains("has no widget 'nothing.here'"));
+    CHECK_THAT(driver.ui.session.notice,
+               Catch::Matchers::ContainsSubstring("has no widget 'nothing.here'"));
     driver.hand.click("lesson.link.1");
-    CHECK_THAT(driver.ui.session.notice, Catch::Contains("'foo:bar' leads nowhere"));
+    CHECK_THAT(driver.ui.session.notice,
+               Catch::Matchers::ContainsSubstring("'foo:bar' leads nowhere"));
     driver.hand.click("lesson.link.2");
-    CHECK_THAT(driver.ui.session.notice, Catch::Contains("stage cannot be 'row'"));
+    CHECK_THAT(driver.ui.session.notice,
+               Catch::Matchers::ContainsSubstring("stage cannot be 'row'"));
     driver.hand.click("lesson.link.3");
-    CHECK_THAT(driver.ui.session.notice, Catch::Contains("leads nowhere"));
+    CHECK_THAT(driver.ui.session.notice, Catch::Matchers::ContainsSubstring("leads nowhere"));
     CHECK(driver.ui.session.a.settings.stage == Stage::rows);
 }
 

@@ -7,16 +7,15 @@
 #include <string_view>
 #include <utility>
 
-#include <catch2/catch.hpp>
-
 #include <imgui_internal.h>
 
+#include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

@@ -4,10 +4,9 @@
 #include <cctype>
 #include <functional>
 
-#include <catch2/catch.hpp>
-
 #include "lessons/stage_note.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
@@ -184,7 +183,7 @@ TEST_CASE("A text that is too long, too deep or made to be slow is refused with 
     for (const auto& [text, answer] : cases) {
         INFO(text.substr(0, 40));
         const MarkdownDocument page = parse_markdown(text);
-        CHECK_THAT(page.fault, Catch::Contains(answer));
+        CHECK_THAT(page.fault, Catch::Matchers::ContainsSubstring(answer));
         CHECK(page.blocks.empty());
         CHECK(page.links.empty());
     }

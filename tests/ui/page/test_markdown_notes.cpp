@@ -1,6 +1,6 @@
 #include "text/markdown_notes.h"
 
-#include <catch2/catch.hpp>
+#include "tests/support/catch.h"
 
 namespace rasterwalk {
 

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/support/random.h"
 #include "tests/ui/driver.h"
 #include "text/math.h"

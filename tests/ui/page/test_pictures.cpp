@@ -3,8 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/support/hostile_lessons.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"

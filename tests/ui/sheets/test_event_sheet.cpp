@@ -1,12 +1,11 @@
 #include <algorithm>
 #include <string>
 
-#include <catch2/catch.hpp>
-
+#include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/actions.h"
-#include "ui/actions/keys.h"
 #include "ui/sheets/sheets.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 

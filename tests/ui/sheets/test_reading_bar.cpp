@@ -4,10 +4,9 @@
 #include <memory>
 #include <string>
 
-#include <catch2/catch.hpp>
-
 #include "session/content.h"
 #include "session/scene_file.h"
+#include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/open_lesson.h"

@@ -1,21 +1,21 @@
 #include <filesystem>
 
-#include <catch2/catch.hpp>
-
 #include "base/files.h"
 #include "base/image.h"
 #include "laboratory/bug.h"
 #include "laboratory/quiz.h"
 #include "opening/opened_view.h"
 #include "session/content.h"
+#include "tests/support/catch.h"
 #include "tests/support/random_session.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
-#include "ui/actions/keys.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/view_files.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
 #include "view/state_file.h"
 
 namespace rasterwalk {
@@ -135,16 +135,18 @@ TEST_CASE("A name that is typed at once after the keys arrives whole") {
         std::filesystem::remove(name + ".walk.toml");
         Driver driver;
         ImGuiIO& io = ImGui::GetIO();
-        io.KeyCtrl = io.KeysDown['S'] = true;
+        play_modifiers(true, false, false);
+        play_key('S', true);
         driver.hand.frames(1);
-        io.KeyCtrl = io.KeysDown['S'] = false;
+        play_modifiers(false, false, false);
+        play_key('S', false);
         for (std::size_t at = 0; at < name.size(); at += at_once) {
             io.AddInputCharactersUTF8(name.substr(at, at_once).c_str());
             driver.hand.frames(1);
         }
-        io.KeysDown[key::enter] = true;
+        play_key(key::enter, true);
         driver.hand.frames(1);
-        io.KeysDown[key::enter] = false;
+        play_key(key::enter, false);
         driver.hand.rest();
         CHECK_FALSE(is_up(driver));
         CHECK(driver.ui.session.notice == "Saved as " + name + ".walk.toml.");

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
 #include "stages/clip.h"
+#include "tests/support/catch.h"
 #include "ui/widgets/style.h"
 
 using namespace rasterwalk;

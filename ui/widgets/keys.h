@@ -2,8 +2,8 @@
 
 namespace rasterwalk {
 
-/// Keys by the numbers under which they arrive in ImGuiIO::KeysDown. Letters, digits and
-/// punctuation are their capital ASCII code; the rest are numbered as GLFW does.
+/// Keys by the numbers that GLFW gives them: letters, digits and punctuation have their capital
+/// ASCII code. See ui/widgets/imgui_versions.h for how ImGui is asked about them.
 namespace key {
 inline constexpr int space = 32;
 inline constexpr int comma = 44;

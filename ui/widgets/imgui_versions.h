@@ -1,0 +1,42 @@
+#pragma once
+
+// Where Dear ImGui 1.86 and later versions differ: the only file that asks which version it is.
+
+#include <imgui.h>
+
+namespace rasterwalk {
+
+/// Is the key down, or was it pressed in this frame? Keys as in ui/widgets/keys.h.
+/// @param repeats also true again and again while it is held
+bool is_key_down(int key);
+bool is_key_pressed(int key, bool repeats);
+
+/// Is any key down, Shift and its like too?
+bool is_any_key_down();
+/// Was any key pressed in this frame? Shift and its like, which are held for another, do not count.
+bool is_any_key_pressed();
+
+/// To be called once, when the context is made.
+void open_keys();
+/// Keeps Tab from ImGui, which would only find fields: see ui/actions/focus_keys.h. To be called
+/// before each frame.
+void keep_tab();
+
+/// Does input wait for a later frame, so that no two things that belong apart come in one?
+bool is_input_waiting();
+
+/// Input that is played, not that of a person: it takes effect in the next frame, all of it.
+void play_key(int key, bool is_down);
+void play_modifiers(bool ctrl, bool shift, bool alt);
+void play_pointer(ImVec2 place);
+void play_mouse_button(int mouse_button, bool is_down);
+/// @param steps up is positive
+void play_wheel(float steps);
+
+/// An invisible button on which others may lie. Returns true if it was pressed.
+bool overlapped_button(const char* id, ImVec2 size, ImGuiButtonFlags flags = 0);
+
+/// ImGui::BeginChild() with the padding of a window; ImGui::EndChild() ends it.
+bool begin_padded_child(const char* id, ImVec2 size);
+
+} // namespace rasterwalk
