@@ -80,7 +80,7 @@ TEST_CASE("A picture that cannot be diagnosed is named, exit code 3, before it i
     };
     // Nothing of these is there but their size.
     CHECK(said(test::png(8192, 8192, 8, "")) ==
-          "a picture of 8192 x 8192 pixels is too large: a side has at most 2048.\n");
+          "a picture of 8192 x 8192 pixels is too large: a side has at most 4096.\n");
     CHECK(said(test::bmp(0, 2)) == "a picture of 0 x 2 pixels is empty.\n");
     CHECK(said(test::png(2, 2, 8, "\x78\x01\x07")) ==
           "the picture cannot be read: its data are damaged.\n");
