@@ -21,7 +21,7 @@ inline constexpr std::string_view usual_scene = "scenes/lab-room.toml";
 /// there.
 std::string find_lesson_file(const std::string& folder, std::string_view relative);
 
-/// The version of the program: "0.1.0".
+/// The version of the program: "0.2.0".
 std::string version_text();
 
 } // namespace rasterwalk
