@@ -81,6 +81,9 @@ void write_png(const Image& image, const std::string& path) {
     if (image.width <= 0 || image.height <= 0 || image.rgba.size() != 4 * pixel_count(image)) {
         throw InputError(path + ": a picture without pixels cannot be written.");
     }
+    // Flat colours are packed quickly so, and an interface into fewer bytes.
+    stbi_write_force_png_filter = 0;
+    stbi_write_png_compression_level = 5;
     std::string bytes;
     if (stbi_write_png_to_func(append_bytes, &bytes, image.width, image.height, 4,
                                image.rgba.data(), 4 * image.width) == 0) {

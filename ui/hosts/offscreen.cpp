@@ -75,9 +75,12 @@ class Screen {
     void frame() {
         begin_gl2_frame();
         build_ui(ui);
-        draw_gl2(ui, width_, height_);
     }
-    Image picture() const { return read_gl2(width_, height_); }
+    /// Of the last frame: the only one that is drawn.
+    Image picture() {
+        draw_gl2(ui, width_, height_);
+        return read_gl2(width_, height_);
+    }
 
     Ui ui;
 
