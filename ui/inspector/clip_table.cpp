@@ -7,6 +7,7 @@
 #include "base/numbers.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
@@ -65,7 +66,7 @@ void draw_clip_title(const ClipPage& page, const std::string& title, const std::
     if (beside.empty()) return;
     ImGui::PushFont(page.ui.fonts.small);
     const float gap = 10.0f * page.ui.options.text_scale;
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float right = right_end();
     const float width = text_width(beside);
     if (ImGui::GetItemRectMax().x + gap + width <= right) {
         ImGui::SameLine(0.0f, 0.0f);
@@ -94,9 +95,8 @@ bool begin_clip_table(const ClipPage& page, const std::string& name,
     keep_beginning(page.ui, top,
                    top + page.ui.fonts.small->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
-    const bool is_open =
-        ImGui::BeginTable(name.c_str(), static_cast<int>(widths.size()),
-                          ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH);
+    const bool is_open = begin_lined_table(name.c_str(), static_cast<int>(widths.size()),
+                                           ImGuiTableFlags_SizingStretchProp);
     if (!is_open) {
         ImGui::PopStyleVar();
         return false;

@@ -344,6 +344,10 @@ std::string first_fitting(const std::vector<std::string>& forms, float width) {
     return forms.empty() ? std::string() : shortened(forms.back(), width);
 }
 
+float right_end() {
+    return ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+}
+
 float button_width(std::string_view label) {
     return ImGui::CalcTextSize(begin(label), end(label)).x +
            2.0f * ImGui::GetStyle().FramePadding.x;
