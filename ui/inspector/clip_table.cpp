@@ -1,5 +1,6 @@
 #include "ui/inspector/clip_table.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -68,13 +69,19 @@ void draw_clip_title(const ClipPage& page, const std::string& title, const std::
     const float gap = 10.0f * page.ui.options.text_scale;
     const float right = right_end();
     const float width = text_width(beside);
-    if (ImGui::GetItemRectMax().x + gap + width <= right) {
+    const bool is_beside = ImGui::GetItemRectMax().x + gap + width <= right;
+    const ImVec2 title_size = ImGui::GetItemRectSize(), below = ImGui::GetCursorScreenPos();
+    const float beside_top =
+        ImGui::GetItemRectMax().y - ImGui::GetTextLineHeight() - page.ui.options.text_scale;
+    if (is_beside) {
         ImGui::SameLine(0.0f, 0.0f);
-        ImGui::SetCursorScreenPos(
-            {right - width,
-             ImGui::GetItemRectMax().y - ImGui::GetTextLineHeight() - page.ui.options.text_scale});
+        ImGui::SetCursorScreenPos({right - width, beside_top});
     }
     put_text(page, page.palette().dim, beside);
+    // Versions of ImGui disagree on where a line ends in which the cursor was moved.
+    if (is_beside)
+        ImGui::SetCursorScreenPos(
+            {below.x, std::floor(beside_top + title_size.y + ImGui::GetStyle().ItemSpacing.y)});
     ImGui::PopFont();
 }
 

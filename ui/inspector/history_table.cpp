@@ -249,7 +249,7 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     const float bottom = ImGui::GetItemRectMax().y;
     name_widget(ui, "history." + std::to_string(index), tooltip(ui, history, index));
     ImGui::PopID();
-    if (ui.follow_cursor && is_now && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+    if (ui.follow_cursor && is_now && !ImGui::IsItemVisible()) scroll_here(0.5f);
     ImGui::SameLine(0.0f, 0.0f);
     if (columns.has(number_column)) {
         right_aligned(std::to_string(index), colour);

@@ -1,6 +1,7 @@
 #include "ui/widgets/imgui_versions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <span>
 #include <utility>
@@ -108,6 +109,10 @@ bool begin_lined_table(const char* id, int columns, ImGuiTableFlags flags, ImVec
 
 void keep_items(ImGuiListClipper& clipper, int first, int end) {
     clipper.ForceDisplayRangeByIndices(first, end);
+}
+
+void scroll_here(float share) {
+    ImGui::SetScrollHereY(share);
 }
 
 bool begin_padded_child(const char* id, ImVec2 size) {
@@ -244,6 +249,15 @@ bool begin_lined_table(const char* id, int columns, ImGuiTableFlags flags, ImVec
 
 void keep_items(ImGuiListClipper& clipper, int first, int end) {
     clipper.IncludeItemsByIndex(first, end);
+}
+
+void scroll_here(float share) {
+    ImGui::SetScrollHereY(share);
+    // It would go to the nearest pixel.
+    ImGuiWindow& window = *ImGui::GetCurrentWindow();
+    const float room = window.InnerRect.GetHeight() - window.DecoInnerSizeY1;
+    window.ScrollTarget.y = std::floor(window.ScrollTarget.y - share * room);
+    window.ScrollTargetCenterRatio.y = 0.0f;
 }
 
 bool begin_padded_child(const char* id, ImVec2 size) {

@@ -46,6 +46,9 @@ bool begin_lined_table(const char* id, int columns, ImGuiTableFlags flags = 0, I
 /// Items of the clipper from the first to before the end are gone through though they are not seen.
 void keep_items(ImGuiListClipper& clipper, int first, int end);
 
+/// Scrolls the last item to this share of the window's height, by whole pixels, rounded down.
+void scroll_here(float share);
+
 /// ImGui::BeginChild() with the padding of a window; ImGui::EndChild() ends it.
 bool begin_padded_child(const char* id, ImVec2 size);
 
