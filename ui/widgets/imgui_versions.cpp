@@ -1,7 +1,6 @@
 #include "ui/widgets/imgui_versions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <span>
 #include <utility>
@@ -253,11 +252,8 @@ void keep_items(ImGuiListClipper& clipper, int first, int end) {
 
 void scroll_here(float share) {
     ImGui::SetScrollHereY(share);
-    // It would go to the nearest pixel.
-    ImGuiWindow& window = *ImGui::GetCurrentWindow();
-    const float room = window.InnerRect.GetHeight() - window.DecoInnerSizeY1;
-    window.ScrollTarget.y = std::floor(window.ScrollTarget.y - share * room);
-    window.ScrollTargetCenterRatio.y = 0.0f;
+    // It is rounded to the nearest.
+    ImGui::GetCurrentWindow()->ScrollTarget.y -= 0.5f;
 }
 
 bool begin_padded_child(const char* id, ImVec2 size) {
