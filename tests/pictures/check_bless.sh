@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_bless.sh PICTURE_TESTS: where a shot cannot be taken, blessing ends with 1 and names it last; the shots
-# before and after it are taken all the same.
+# before and after it are taken all the same. What a version of Dear ImGui draws otherwise goes into its own folder.
 set -u
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -20,3 +20,22 @@ done
 output=$("$1" "--shots=$folder/shots.txt" --bless bless-before 2>&1)
 code=$?
 [ $code -eq 0 ] || fault "Where no shot failed, the exit code must be 0."
+
+# take CODE WHY ARGUMENTS...: the first picture, with another one of its name drawn here.
+program=$1
+take() {
+    output=$("$program" "--shots=$folder/shots.txt" "${@:3}" bless-before 2>&1)
+    code=$?
+    [ $code -eq "$1" ] || fault "$2"
+}
+cp "$folder/bless-before.png" "$folder/first.png"
+sed -i 's/320x240$/320x240 --theme light/' "$folder/shots.txt"
+take 1 "The other picture is not the first one." "--others=$folder/others"
+take 0 "The other picture can be blessed." "--others=$folder/others" --bless
+cmp -s "$folder/bless-before.png" "$folder/first.png" || fault "The first picture must be as it was."
+[ -s "$folder/others/bless-before.png" ] || fault "The other picture must have been written."
+take 0 "The other picture is as expected where it is drawn." "--others=$folder/others"
+take 1 "Elsewhere the first one is expected."
+sed -i 's/ --theme light$//' "$folder/shots.txt"
+take 0 "The first picture can be blessed again." "--others=$folder/others" --bless
+[ ! -e "$folder/others/bless-before.png" ] || fault "The first picture is drawn: the other one must be gone."

@@ -1,12 +1,13 @@
 // Draws the pictures of shots.txt, and one of each lesson, and compares them with the blessed ones,
 // or blesses them.
 //
-//     picture_tests [--bless] [--list] [--shots=FILE] [NAME...]
+//     picture_tests [--bless] [--list] [--shots=FILE] [--others=FOLDER] [NAME...]
 //
 // NAME is a picture's file name without folder and ".png"; without names all are meant. FILE stands
-// for shots.txt and the lessons. Exit codes: 0 all are as expected, 1 a picture differs, is missing
-// or could not be taken, 2 wrong usage, 4 could not read or write. The last line names those that
-// failed.
+// for shots.txt and the lessons. FOLDER holds the pictures that this version of Dear ImGui draws
+// otherwise than the first version, whose are all others. Exit codes: 0 all are as expected, 1 a
+// picture differs, is missing or could not be taken, 2 wrong usage, 4 could not read or write. The
+// last line names those that failed.
 
 #include <algorithm>
 #include <cctype>
@@ -41,6 +42,9 @@ struct Shot {
     std::string path; ///< of the blessed picture, from the root
     std::vector<std::string> arguments;
 };
+
+/// The folder, from the root, of the pictures that are drawn otherwise here; empty where none are.
+std::string others_folder = RASTERWALK_OTHERS;
 
 /// The words of a line, up to a # that begins a word.
 std::vector<std::string> words_of(const std::string& line) {
@@ -131,33 +135,52 @@ void remove_failed(const Shot& shot) {
         fs::remove(failed_path(shot, what), ignored);
 }
 
-/// Puts the picture into the place of the blessed one. One that differs by no more than the
-/// tolerance is left as it is, so that another machine does not rewrite all of them.
-void bless(const Shot& shot, const Image& actual) {
-    const fs::path blessed = root / shot.path;
+/// The picture among those that are drawn otherwise, if there are any, from the root.
+std::string other_path(const Shot& shot) {
+    return others_folder.empty() ? shot.path : others_folder + "/" + shot.name + ".png";
+}
+
+bool is_there(const std::string& path) {
     std::error_code ignored;
-    const bool is_new = !fs::exists(blessed, ignored);
-    if (!is_new && compare_images(actual, read_image(blessed.string()), interface_tolerance)
-                       .is_within_tolerance) {
+    return fs::exists(root / path, ignored);
+}
+
+/// Is there a picture, and does this one differ from it by no more than the tolerance?
+bool agrees(const Image& actual, const std::string& path) {
+    return is_there(path) &&
+           compare_images(actual, read_image((root / path).string()), interface_tolerance)
+               .is_within_tolerance;
+}
+
+/// Puts the picture into the place of the blessed one, or among those that are drawn otherwise.
+/// Where it agrees nothing is written, so that another machine does not rewrite all of them.
+void bless(const Shot& shot, const Image& actual) {
+    const std::string other = other_path(shot);
+    if (agrees(actual, shot.path)) {
+        std::error_code ignored;
+        if (other != shot.path) fs::remove(root / other, ignored);
         std::cout << "kept     " << shot.path << '\n';
         return;
     }
-    fs::create_directories(blessed.parent_path());
-    write_png(actual, blessed.string());
-    std::cout << (is_new ? "new      " : "changed  ") << shot.path << '\n';
+    if (agrees(actual, other)) {
+        std::cout << "kept     " << other << '\n';
+        return;
+    }
+    const std::string path = is_there(shot.path) ? other : shot.path;
+    std::cout << (is_there(path) ? "changed  " : "new      ") << path << '\n';
+    fs::create_directories((root / path).parent_path());
+    write_png(actual, (root / path).string());
 }
 
 /// Returns true if the picture is as expected.
 bool check(const Shot& shot, const Image& actual) {
-    const fs::path blessed = root / shot.path;
-    std::error_code ignored;
-    if (!fs::exists(blessed, ignored)) {
-        std::cout << shot.name << ": there is no picture " << shot.path
-                  << " yet. Look at tests/failed/" << shot.name
-                  << ".actual.png and bless it with ./test --bless.\n";
+    const std::string other = other_path(shot), path = is_there(other) ? other : shot.path;
+    if (!is_there(path)) {
+        std::cout << shot.name << ": there is no picture " << path << " yet. Look at tests/failed/"
+                  << shot.name << ".actual.png and bless it with ./test --bless.\n";
         return false;
     }
-    const Image expected = read_image(blessed.string());
+    const Image expected = read_image((root / path).string());
     if (compare_images(actual, expected, interface_tolerance).is_within_tolerance) {
         remove_failed(shot);
         std::cout << shot.name << ": as expected.\n";
@@ -166,7 +189,7 @@ bool check(const Shot& shot, const Image& actual) {
     write_png(expected, failed_path(shot, "expected").string());
     write_png(difference_image(actual, expected, interface_tolerance),
               failed_path(shot, "difference").string());
-    std::cout << shot.name << " differs from " << shot.path << ".\n"
+    std::cout << shot.name << " differs from " << path << ".\n"
               << describe_difference(actual, expected, interface_tolerance) << "  See tests/failed/"
               << shot.name
               << ".{actual,expected,difference}.png; ./test --bless accepts the new picture.\n";
@@ -203,7 +226,7 @@ bool succeeds(const Shot& shot, bool is_blessing) {
 
 int run(const std::vector<std::string>& words) {
     bool is_blessing = false, is_listing = false;
-    constexpr std::string_view shots_option = "--shots=";
+    constexpr std::string_view shots_option = "--shots=", others_option = "--others=";
     std::vector<Shot> shots;
     std::vector<std::string> names;
     for (const std::string& word : words) {
@@ -213,6 +236,8 @@ int run(const std::vector<std::string>& words) {
             is_listing = true;
         } else if (word.starts_with(shots_option)) {
             read_shots(word.substr(shots_option.size()), shots);
+        } else if (word.starts_with(others_option)) {
+            others_folder = word.substr(others_option.size());
         } else {
             names.push_back(word);
         }

@@ -16,8 +16,8 @@ ImTextureID KeptTextures::upload(ImTextureID old, const Image& image) {
     last = image;
     ++uploads;
     // Any name that is not null; every new texture has one of its own.
-    if (old != nullptr) return old;
-    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(uploads));
+    if (old != ImTextureID{}) return old;
+    return ImTextureID(static_cast<std::intptr_t>(uploads));
 }
 
 namespace {

@@ -262,7 +262,7 @@ void Hand::scroll_until_whole(std::string_view name) {
     const auto scroll_to = [&](ImGuiID id, float y) {
         ImGuiWindow* const window = ImGui::FindWindowByID(id);
         if (window == nullptr) return;
-        ImGui::SetScrollY(window, std::clamp(y, 0.0f, window->ScrollMax.y));
+        ImGui::SetScrollY(window, std::floor(std::clamp(y, 0.0f, window->ScrollMax.y)));
         frames(2);
     };
     const auto is_whole = [&] {
@@ -298,8 +298,8 @@ bool Hand::scroll_into_view(std::string_view name) {
             const ImVec2 page{0.75f * std::max(window->InnerRect.GetWidth(), 24.0f),
                               0.75f * std::max(window->InnerRect.GetHeight(), 24.0f)};
             const ImVec2 end = window->ScrollMax;
-            ImGui::SetScrollX(window, std::min(target.x, end.x));
-            ImGui::SetScrollY(window, std::min(target.y, end.y));
+            ImGui::SetScrollX(window, std::floor(std::min(target.x, end.x)));
+            ImGui::SetScrollY(window, std::floor(std::min(target.y, end.y)));
             frames(2);
             if (is_visible(name)) return true;
             if (target.y < end.y) {

@@ -15,11 +15,11 @@ namespace rasterwalk {
 namespace {
 
 ImTextureID as_id(GLuint name) {
-    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));
+    return ImTextureID(static_cast<std::intptr_t>(name));
 }
 
 GLuint as_name(ImTextureID id) {
-    return static_cast<GLuint>(reinterpret_cast<std::intptr_t>(id));
+    return static_cast<GLuint>(std::intptr_t(id));
 }
 
 /// Every n-th column and row, with the smallest n that makes the sides at most `largest`.
@@ -56,7 +56,7 @@ void set_pixels(int width, int height, const void* rgba) {
 /// New glyphs into the texture that the draw lists already name.
 void renew_font_texture() {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-    if (atlas.TexID == nullptr) {
+    if (atlas.TexID == ImTextureID{}) {
         ImGui_ImplOpenGL2_CreateFontsTexture();
         return;
     }
@@ -86,7 +86,7 @@ ImTextureID Gl2Textures::upload(ImTextureID old, const Image& image) {
     }
     auto found = std::find_if(textures_.begin(), textures_.end(),
                               [&](const Texture& t) { return t.name == as_name(old); });
-    if (old == nullptr || found == textures_.end()) {
+    if (old == ImTextureID{} || found == textures_.end()) {
         GLuint name = 0;
         glGenTextures(1, &name);
         textures_.push_back({name, 0, 0});

@@ -14,6 +14,7 @@
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
@@ -242,8 +243,7 @@ class ClipParts {
         is_drawn_ = true;
         draw_clip_card(page_);
         // The click has been in the frame before: there the formula stood elsewhere.
-        if (page_.ui.inspector.formula_frame + 1 == ImGui::GetFrameCount())
-            ImGui::SetScrollHereY(1.0f);
+        if (page_.ui.inspector.formula_frame + 1 == ImGui::GetFrameCount()) scroll_here(1.0f);
     }
 
     const ClipPage& page_;

@@ -12,6 +12,7 @@
 #include "ui/inspector/clip_parts.h"
 #include "ui/inspector/clip_table.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
@@ -88,7 +89,7 @@ void show_item(const Ui& ui) {
     const ShownLines seen = shown_lines(ui);
     const bool is_seen =
         ImGui::GetItemRectMin().y >= seen.top && ImGui::GetItemRectMax().y <= seen.bottom;
-    if (!is_seen) ImGui::SetScrollHereY(0.5f);
+    if (!is_seen) scroll_here(0.5f);
 }
 
 /// Scrolls to a plane's table and the diagram below it, which was just drawn, where both have room
@@ -97,7 +98,7 @@ void show_with_diagram(const Ui& ui, float top) {
     const ShownLines seen = shown_lines(ui);
     const float bottom = ImGui::GetItemRectMax().y;
     const bool is_seen = top >= seen.top && bottom <= seen.bottom;
-    if (!is_seen && bottom - top <= seen.bottom - seen.top) ImGui::SetScrollHereY(1.0f);
+    if (!is_seen && bottom - top <= seen.bottom - seen.top) scroll_here(1.0f);
 }
 
 void go_to_step(const ClipPage& page, ClipPlane plane, int step) {
@@ -241,7 +242,7 @@ ImVec4 cut_edge_colour(const ClipPage& page, const CutCorner& corner) {
 
 void draw_clip_plane_buttons(const ClipPage& page) {
     const float gap = 6.0f * page.ui.options.text_scale;
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float right = right_end();
     draw_clip_title(page, "Plane by plane", "open: those that have work");
     ImGui::PushFont(page.ui.fonts.small);
     for (std::size_t p = 0; p < page.history.codes.plane_count; ++p) {

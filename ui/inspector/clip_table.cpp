@@ -1,5 +1,6 @@
 #include "ui/inspector/clip_table.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "base/numbers.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
@@ -65,15 +67,21 @@ void draw_clip_title(const ClipPage& page, const std::string& title, const std::
     if (beside.empty()) return;
     ImGui::PushFont(page.ui.fonts.small);
     const float gap = 10.0f * page.ui.options.text_scale;
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float right = right_end();
     const float width = text_width(beside);
-    if (ImGui::GetItemRectMax().x + gap + width <= right) {
+    const bool is_beside = ImGui::GetItemRectMax().x + gap + width <= right;
+    const ImVec2 title_size = ImGui::GetItemRectSize(), below = ImGui::GetCursorScreenPos();
+    const float beside_top =
+        ImGui::GetItemRectMax().y - ImGui::GetTextLineHeight() - page.ui.options.text_scale;
+    if (is_beside) {
         ImGui::SameLine(0.0f, 0.0f);
-        ImGui::SetCursorScreenPos(
-            {right - width,
-             ImGui::GetItemRectMax().y - ImGui::GetTextLineHeight() - page.ui.options.text_scale});
+        ImGui::SetCursorScreenPos({right - width, beside_top});
     }
     put_text(page, page.palette().dim, beside);
+    // Versions of ImGui disagree on where a line ends in which the cursor was moved.
+    if (is_beside)
+        ImGui::SetCursorScreenPos(
+            {below.x, std::floor(beside_top + title_size.y + ImGui::GetStyle().ItemSpacing.y)});
     ImGui::PopFont();
 }
 
@@ -94,9 +102,8 @@ bool begin_clip_table(const ClipPage& page, const std::string& name,
     keep_beginning(page.ui, top,
                    top + page.ui.fonts.small->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
-    const bool is_open =
-        ImGui::BeginTable(name.c_str(), static_cast<int>(widths.size()),
-                          ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH);
+    const bool is_open = begin_lined_table(name.c_str(), static_cast<int>(widths.size()),
+                                           ImGuiTableFlags_SizingStretchProp);
     if (!is_open) {
         ImGui::PopStyleVar();
         return false;

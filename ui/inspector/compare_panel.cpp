@@ -13,6 +13,7 @@
 #include "ui/inspector/compare_parts.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/setting_field.h"
 #include "ui/widgets/style.h"
@@ -308,9 +309,7 @@ void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
     ImGui::PushID(index);
     const bool is_here = ui.results.a.triangle == group.triangle &&
                          ui.session.cursor >= group.first && ui.session.cursor <= group.last;
-    if (ImGui::Selectable("##group", is_here,
-                          ImGuiSelectableFlags_SpanAllColumns |
-                              ImGuiSelectableFlags_AllowItemOverlap)) {
+    if (selectable_row("##group", is_here)) {
         stand_at(ui, group.first);
     }
     ImGui::PopID();
@@ -342,9 +341,8 @@ void draw_groups(Ui& ui) {
     const auto all = static_cast<float>(groups.size());
     const float lines = std::min(all, std::max(whole, least_lines));
     const float height = head + lines * line;
-    if (!ImGui::BeginTable("compare.groups", 4,
-                           ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
-                               ImGuiTableFlags_SizingStretchProp,
+    if (!begin_lined_table("compare.groups", 4,
+                           ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp,
                            {0, height})) {
         return;
     }

@@ -11,6 +11,7 @@
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
@@ -255,7 +256,7 @@ void draw_as_one_page(Ui& ui) {
     ImGui::Spacing();
     const bool is_new = ui.inspector.chosen.fragment_number != chosen;
     draw_formula_card(ui);
-    if (is_new) ImGui::SetScrollHereY(1.0f);
+    if (is_new) scroll_here(1.0f);
     if (ui.inspector.is_low) draw_links_below(ui);
     draw_fragment_light(ui);
     draw_depth(ui);

@@ -6,6 +6,7 @@
 #include "ui/inspector/fragment_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
@@ -164,8 +165,7 @@ void draw_fragment_values(Ui& ui) {
     const float padding = ui.inspector.is_narrow ? narrow_padding * ui.options.text_scale
                                                  : ImGui::GetStyle().CellPadding.x;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
-    const bool is_open = ImGui::BeginTable(
-        "values", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH);
+    const bool is_open = begin_lined_table("values", 4, ImGuiTableFlags_SizingStretchProp);
     ImGui::PopStyleVar();
     if (!is_open) return;
     set_up_values(ui, columns, padding, room);

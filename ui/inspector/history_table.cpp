@@ -12,6 +12,7 @@
 #include "session/walk.h"
 #include "ui/inspector/history_parts.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -244,13 +245,11 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     ImGui::PushID(index);
     const float top = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().CellPadding.y;
     const float left = ImGui::GetWindowPos().x;
-    const bool pressed = ImGui::Selectable("##entry", is_now,
-                                           ImGuiSelectableFlags_SpanAllColumns |
-                                               ImGuiSelectableFlags_AllowItemOverlap);
+    const bool pressed = selectable_row("##entry", is_now);
     const float bottom = ImGui::GetItemRectMax().y;
     name_widget(ui, "history." + std::to_string(index), tooltip(ui, history, index));
     ImGui::PopID();
-    if (ui.follow_cursor && is_now && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+    if (ui.follow_cursor && is_now && !ImGui::IsItemVisible()) scroll_here(0.5f);
     ImGui::SameLine(0.0f, 0.0f);
     if (columns.has(number_column)) {
         right_aligned(std::to_string(index), colour);
@@ -378,11 +377,10 @@ void draw_history_table(Ui& ui, const PixelHistory& history, float height) {
                                             ImGui::GetContentRegionAvail().x -
                                                 (scrolls ? ImGui::GetStyle().ScrollbarSize : 0.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(columns.padding, 4.0f * u));
-    const bool open =
-        ImGui::BeginTable("history", columns.count(),
-                          ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
-                              ImGuiTableFlags_PadOuterX | ImGuiTableFlags_SizingFixedFit,
-                          {0, std::min(needed, whole_lines)});
+    const bool open = begin_lined_table("history", columns.count(),
+                                        ImGuiTableFlags_ScrollY | ImGuiTableFlags_PadOuterX |
+                                            ImGuiTableFlags_SizingFixedFit,
+                                        {0, std::min(needed, whole_lines)});
     if (open) {
         ImGui::TableSetupScrollFreeze(0, 1);
         for (const float width : columns.widths) {
@@ -394,7 +392,7 @@ void draw_history_table(Ui& ui, const PixelHistory& history, float height) {
         clipper.Begin(count);
         for (int i = 0; i < count && ui.follow_cursor; ++i) {
             if (ui.results.a.done == history.entries[i].cursor) {
-                clipper.ForceDisplayRangeByIndices(i, i + 1);
+                keep_items(clipper, i, i + 1);
                 break;
             }
         }

@@ -14,6 +14,7 @@
 #include "ui/inspector/rows_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
@@ -100,8 +101,7 @@ void draw_edges_of_test(Ui& ui, const PixelTest& test, const TestedTriangle& tri
     const std::array<float, 6> widths = widths_of_edges(ui);
     const float needed = std::accumulate(widths.begin(), widths.end(), 0.0f);
     const bool has_steps = needed <= ImGui::CalcItemWidth();
-    if (!ImGui::BeginTable("inside.edges", has_steps ? 6 : 4,
-                           ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp,
+    if (!begin_lined_table("inside.edges", has_steps ? 6 : 4, ImGuiTableFlags_SizingStretchProp,
                            {ImGui::CalcItemWidth(), 0.0f}))
         return;
     for (int i = 0; i < ImGui::TableGetColumnCount(); ++i)

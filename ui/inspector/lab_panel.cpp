@@ -10,6 +10,7 @@
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
@@ -213,7 +214,7 @@ void keep_in_sight(Ui& ui, const Bug& chosen, float below) {
         // Nothing of the line above is seen.
         ImGui::SetScrollFromPosY(ImGui::GetItemRectMin().y - top, 0.0f);
     } else {
-        ImGui::SetScrollHereY(0.8f);
+        scroll_here(0.8f);
     }
 }
 

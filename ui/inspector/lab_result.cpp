@@ -13,6 +13,7 @@
 #include "ui/inspector/lab_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
@@ -156,7 +157,7 @@ void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
 /// All that may be wrong, the likeliest first.
 void draw_candidates(Ui& ui, const Diagnosis& diagnosis) {
     if (diagnosis.candidates.empty()) return;
-    if (!ImGui::BeginTable("candidates", 3, ImGuiTableFlags_BordersInnerH)) return;
+    if (!begin_lined_table("candidates", 3)) return;
     const float u = ui.options.text_scale;
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 70.0f * u);
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.0f);

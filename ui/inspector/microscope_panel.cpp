@@ -62,7 +62,7 @@ void look_at_edge(Ui& ui) {
 
 /// Continues the line if a button with this label has room on it.
 void same_line_if_room(const std::string& label, float gap) {
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float right = right_end();
     if (ImGui::GetItemRectMax().x + gap + button_width(label) <= right) ImGui::SameLine(0, gap);
 }
 
@@ -80,7 +80,7 @@ void draw_axis_choice(Ui& ui, float gap) {
     const float between = 6.0f * u;
     const float width = (is_low ? 0.0f : ImGui::CalcTextSize(caption).x + between) +
                         button_width(x) + button_width(y) + between;
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float right = right_end();
     if (ImGui::GetItemRectMax().x + gap + width <= right) ImGui::SameLine(0.0f, gap);
     if (!is_low) {
         ImGui::AlignTextToFramePadding();

@@ -11,6 +11,7 @@
 #include "explain/line_rules.h"
 #include "ui/inspector/microscope_parts.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
@@ -100,9 +101,7 @@ void draw_sample(Ui& ui, const SampleColumns& columns, int index, int current, i
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(index);
-    if (ImGui::Selectable("##sample", index == current,
-                          ImGuiSelectableFlags_SpanAllColumns |
-                              ImGuiSelectableFlags_AllowItemOverlap)) {
+    if (selectable_row("##sample", index == current)) {
         go_to_sample(ui, index);
     }
     const bool hovered = ImGui::IsItemHovered();
@@ -228,11 +227,9 @@ SampleColumns fitting_columns(const Ui& ui, float room, float padding) {
 /// False if nothing of it is to be drawn.
 bool begin_samples(const char* name, const SampleColumns& columns, ImGuiTableFlags flags,
                    ImVec2 size) {
-    const bool is_open =
-        ImGui::BeginTable(name, static_cast<int>(columns.size()),
-                          flags | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX |
-                              ImGuiTableFlags_SizingStretchProp,
-                          size);
+    const bool is_open = begin_lined_table(
+        name, static_cast<int>(columns.size()),
+        flags | ImGuiTableFlags_PadOuterX | ImGuiTableFlags_SizingStretchProp, size);
     if (!is_open) return false;
     for (const SampleColumn& column : columns) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch,
@@ -249,7 +246,7 @@ void draw_samples(Ui& ui, const SampleColumns& columns, bool appears) {
     const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
     clipper.Begin(count, line);
     const bool follows = (ui.follow_cursor || appears) && current >= 0 && current < count;
-    if (follows) clipper.ForceDisplayRangeByIndices(current, current + 1);
+    if (follows) keep_items(clipper, current, current + 1);
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             draw_sample(ui, columns, i, current, walked);

@@ -10,6 +10,7 @@
 
 #include "base/element_names.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/row_ends.h"
 #include "ui/widgets/style.h"
@@ -165,9 +166,7 @@ void draw_row_line(Ui& ui, int index) {
     const bool lit = at_work == row || ui.session.selection.row == row ||
                      ui.canvas.hovered_row == row ||
                      (ui.canvas.hovered_pixel && ui.canvas.hovered_pixel->y == row);
-    if (ImGui::Selectable("##row", lit,
-                          ImGuiSelectableFlags_SpanAllColumns |
-                              ImGuiSelectableFlags_AllowItemOverlap)) {
+    if (selectable_row("##row", lit)) {
         ui.session.selection.row = row;
     }
     if (ImGui::IsItemHovered()) ui.inspector.hovered_row = row;
@@ -214,9 +213,7 @@ void draw_outside_line(Ui& ui, const OutsideSample& sample, int number) {
     ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, packed(red, 0.18f));
     ImGui::TableNextColumn();
     ImGui::PushID(-1 - number);
-    const bool pressed = ImGui::Selectable("##outside", false,
-                                           ImGuiSelectableFlags_SpanAllColumns |
-                                               ImGuiSelectableFlags_AllowItemOverlap);
+    const bool pressed = selectable_row("##outside", false);
     const std::string value = "y = " + nine_digits_shown(sample.y);
     const std::string tooltip = fmt::format(
         "{}: {} becomes row {}, which the table does not have. A program without a guard writes to "

@@ -2,6 +2,7 @@
 
 #include "ui/inspector/rows_parts.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/row_ends.h"
 #include "ui/widgets/widgets.h"
 
@@ -12,7 +13,7 @@ void bring_into_view(Ui& ui, int line, float height, bool is_last) {
     const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
     const bool is_seen = ImGui::GetItemRectMin().y > top && ImGui::GetItemRectMax().y < bottom;
     if (is_last && !is_seen) {
-        ImGui::SetScrollHereY(1.0f);
+        scroll_here(1.0f);
     } else if (is_seen || scroll_to_line(line, height)) {
         ui.inspector.scroll_to_row = false;
     }

@@ -8,6 +8,7 @@
 #include "ui/inspector/rows_lines.h"
 #include "ui/inspector/rows_parts.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/row_ends.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
@@ -84,12 +85,11 @@ bool begin_row_table(Ui& ui, const char* name, ImGuiTableFlags flags, ImVec2 siz
                         : counts           ? all_row_columns
                                            : all_row_columns - 1;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, cell_padding);
-    const bool open =
-        ImGui::BeginTable(name, columns,
-                          flags | ImGuiTableFlags_BordersInnerH |
-                              (has_values ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit
-                                          : ImGuiTableFlags_SizingStretchProp),
-                          size);
+    const bool open = begin_lined_table(
+        name, columns,
+        flags | (has_values ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit
+                            : ImGuiTableFlags_SizingStretchProp),
+        size);
     ImGui::PopStyleVar();
     if (!open) return false;
     static constexpr float narrow[] = {28, 42, 42, 90, 90};
@@ -120,13 +120,13 @@ void draw_all_rows(Ui& ui, std::optional<float> height) {
     const bool follows = ui.follow_cursor && height;
     if (follows && at_work && history.rows.size() > 0) {
         const int index = std::clamp(*at_work - history.rows.first_row, 0, history.rows.size() - 1);
-        clipper.ForceDisplayRangeByIndices(index, index + 1);
+        keep_items(clipper, index, index + 1);
     }
     const int wanted = height ? wanted_row(ui, *height) : -1;
     if (wanted < 0 || wanted >= history.rows.size()) {
         ui.inspector.scroll_to_row = false;
     } else {
-        clipper.ForceDisplayRangeByIndices(wanted, wanted + 1);
+        keep_items(clipper, wanted, wanted + 1);
     }
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {

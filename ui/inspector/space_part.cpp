@@ -36,7 +36,7 @@ void draw_order(Ui& ui) {
         const std::string label = said_word(setting, word);
         if (i > 0 &&
             ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + button_width(label) <=
-                ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x)
+                right_end())
             ImGui::SameLine();
         const bool is_chosen = ui.session.a.settings.matrix_order == order;
         if (button(ui, "vertices.matrix_order." + word, label,

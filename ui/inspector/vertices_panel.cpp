@@ -12,6 +12,7 @@
 #include "ui/inspector/vertices_table.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
@@ -106,7 +107,7 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
 void bring_into_sight(float top) {
     const float bottom = ImGui::GetItemRectMax().y;
     if (bottom - top <= ImGui::GetWindowHeight()) {
-        ImGui::SetScrollHereY(1.0f);
+        scroll_here(1.0f);
     } else {
         ImGui::SetScrollFromPosY(std::floor(top - 2.0f - ImGui::GetWindowPos().y), 0.0f);
     }

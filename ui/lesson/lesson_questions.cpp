@@ -13,6 +13,7 @@
 #include "ui/lesson/fitting_sentences.h"
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
@@ -238,7 +239,7 @@ void draw_again(Ui& ui, const LessonPrediction& prediction, const std::string& n
     }
     keep_item_whole(ui);
     if (!std::exchange(ui.lesson.predictions[prediction.id].is_fresh, false)) return;
-    ImGui::SetScrollHereY(1.0f);
+    scroll_here(1.0f);
     if (!ui.focus.is_shown) return;
     ui.focus.name = name + ".again";
     ui.focus.wants_sight = true;

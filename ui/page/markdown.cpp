@@ -177,7 +177,7 @@ void draw_pictures(Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sig
         ImTextureID texture = picture_texture(ui, {page.folder, std::string(picture.target)},
                                               static_cast<int>(size.x));
         const ImVec2 high{low.x + size.x, low.y + size.y};
-        if (texture != nullptr) list->AddImage(texture, low, high);
+        if (texture != ImTextureID{}) list->AddImage(texture, low, high);
         list->AddRect(low, high, packed(palette(ui.options.theme).line));
     }
 }

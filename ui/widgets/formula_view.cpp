@@ -167,8 +167,8 @@ std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::st
             is_done = true;
         }
     }
-    ImGui::SetCursorPosX(begin);
     if (has_result && !is_done) {
+        ImGui::SetCursorPosX(begin);
         FormulaLine line(ui, indent);
         draw_result(line);
     }

@@ -97,6 +97,23 @@ bool overlapped_button(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
     return is_pressed;
 }
 
+bool selectable_row(const char* id, bool is_chosen) {
+    return ImGui::Selectable(
+        id, is_chosen, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
+}
+
+bool begin_lined_table(const char* id, int columns, ImGuiTableFlags flags, ImVec2 size) {
+    return ImGui::BeginTable(id, columns, flags | ImGuiTableFlags_BordersInnerH, size);
+}
+
+void keep_items(ImGuiListClipper& clipper, int first, int end) {
+    clipper.ForceDisplayRangeByIndices(first, end);
+}
+
+void scroll_here(float share) {
+    ImGui::SetScrollHereY(share);
+}
+
 bool begin_padded_child(const char* id, ImVec2 size) {
     return ImGui::BeginChild(id, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
 }
@@ -214,6 +231,29 @@ void play_wheel(float steps) {
 bool overlapped_button(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
     ImGui::SetNextItemAllowOverlap();
     return ImGui::InvisibleButton(id, size, flags);
+}
+
+bool selectable_row(const char* id, bool is_chosen) {
+    return ImGui::Selectable(
+        id, is_chosen, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowOverlap);
+}
+
+bool begin_lined_table(const char* id, int columns, ImGuiTableFlags flags, ImVec2 size) {
+    if (!ImGui::BeginTable(id, columns, flags | ImGuiTableFlags_BordersInnerH, size)) return false;
+    ImGuiTable& table = *ImGui::GetCurrentTable();
+    // Only a second row has a line above it: let the first be one.
+    if (table.InnerWindow == table.OuterWindow) table.CurrentRow = 0;
+    return true;
+}
+
+void keep_items(ImGuiListClipper& clipper, int first, int end) {
+    clipper.IncludeItemsByIndex(first, end);
+}
+
+void scroll_here(float share) {
+    ImGui::SetScrollHereY(share);
+    // It is rounded to the nearest.
+    ImGui::GetCurrentWindow()->ScrollTarget.y -= 0.5f;
 }
 
 bool begin_padded_child(const char* id, ImVec2 size) {

@@ -36,6 +36,19 @@ void play_wheel(float steps);
 /// An invisible button on which others may lie. Returns true if it was pressed.
 bool overlapped_button(const char* id, ImVec2 size, ImGuiButtonFlags flags = 0);
 
+/// The line of a table, chosen or not, on which others may lie. Returns true if it was pressed.
+bool selectable_row(const char* id, bool is_chosen);
+
+/// ImGui::BeginTable() with a line above each row, also above the first where nothing scrolls;
+/// ImGui::EndTable() ends it.
+bool begin_lined_table(const char* id, int columns, ImGuiTableFlags flags = 0, ImVec2 size = {});
+
+/// Items of the clipper from the first to before the end are gone through though they are not seen.
+void keep_items(ImGuiListClipper& clipper, int first, int end);
+
+/// Scrolls the last item to this share of the window's height, by whole pixels, rounded down.
+void scroll_here(float share);
+
 /// ImGui::BeginChild() with the padding of a window; ImGui::EndChild() ends it.
 bool begin_padded_child(const char* id, ImVec2 size);
 

@@ -22,7 +22,7 @@ struct PicturePart {
 
 /// A picture that the graphics system knows.
 struct PictureTexture {
-    ImTextureID id = nullptr;
+    ImTextureID id{};
     std::uint64_t number = 0; ///< of the picture that it shows, see Results
     float scale = 0.0f;       ///< that it was resampled for; 1: as it is
     ImVec2 corner{0, 0};      ///< upper left, picture pixels

@@ -122,7 +122,7 @@ void show_texture(Ui& ui, PictureTexture& texture, const NumberedPicture& pictur
 }
 
 void draw_texture(ImDrawList* list, const PictureTexture& texture, const PicturePlace& place) {
-    if (texture.id == nullptr) return; // nothing of it was ever in view
+    if (texture.id == ImTextureID{}) return; // nothing of it was ever in view
     const ImVec2 low{place.origin.x + place.scale * texture.corner.x,
                      place.origin.y + place.scale * texture.corner.y};
     list->AddImage(texture.id, low,

@@ -79,7 +79,7 @@ ImVec2 picture_size(PictureShelf& shelf, const PictureName& name) {
 
 ImTextureID picture_texture(Ui& ui, const PictureName& name, int width) {
     ShownPicture& picture = find_picture(*ui.pictures, name);
-    if (picture.size.x < 1.0f || ui.host.textures == nullptr) return nullptr;
+    if (picture.size.x < 1.0f || ui.host.textures == nullptr) return {};
     if (picture.texture_width != width) {
         picture.texture = ui.host.textures->upload(picture.texture, shrink(picture.image, width));
         picture.texture_width = width;

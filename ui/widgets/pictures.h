@@ -15,8 +15,8 @@ struct Ui;
 
 /// A picture of a lesson that is on the screen.
 struct ShownPicture {
-    ImVec2 size{0, 0};             ///< its own, pixels; 0: it could not be read
-    ImTextureID texture = nullptr; ///< of the width that was asked for last
+    ImVec2 size{0, 0};     ///< its own, pixels; 0: it could not be read
+    ImTextureID texture{}; ///< of the width that was asked for last
     int texture_width = 0;
     Image image;
 };

@@ -11,6 +11,7 @@
 #include "base/numbers.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
+#include "ui/widgets/imgui_versions.h"
 
 namespace rasterwalk {
 
@@ -63,7 +64,7 @@ void outline_if_pointed_at(Ui& ui, std::string_view name, const ImRect& shown, b
     if (lesson.pointed_at.empty() || lesson.pointed_at != name) return;
     lesson.frames_unseen = 0;
     const bool is_scrolling = ImGui::GetIO().MouseWheel != 0.0f;
-    if (lesson.is_held && (!visible || is_cut) && !is_scrolling) ImGui::SetScrollHereY(0.5f);
+    if (lesson.is_held && (!visible || is_cut) && !is_scrolling) scroll_here(0.5f);
     if (!visible) return;
     const float u = ui.options.text_scale;
     const ImVec4& colour = palette(ui.options.theme).changed;
@@ -342,6 +343,10 @@ std::string first_fitting(const std::vector<std::string>& forms, float width) {
         if (form.empty() || text_width(form) <= width) return form;
     }
     return forms.empty() ? std::string() : shortened(forms.back(), width);
+}
+
+float right_end() {
+    return ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
 }
 
 float button_width(std::string_view label) {

@@ -108,6 +108,10 @@ float text_width(const ImFont* font, std::string_view text, float size = 0.0f);
 /// last one as fits. Where nothing may be said as well, the last one is empty: that always fits.
 std::string first_fitting(const std::vector<std::string>& forms, float width);
 
+/// Where the room for the next item ends at the right, in a window or in a cell of a table. Screen
+/// pixels.
+float right_end();
+
 /// The width that a label takes as a button.
 float button_width(std::string_view label);
 

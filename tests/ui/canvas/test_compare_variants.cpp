@@ -44,7 +44,7 @@ struct AllTextures : TextureHost {
 
     ImTextureID upload(ImTextureID old, const Image& image) override {
         ++uploads;
-        if (old == nullptr) old = reinterpret_cast<ImTextureID>(++next);
+        if (old == ImTextureID{}) old = ImTextureID(++next);
         images[old] = image;
         return old;
     }

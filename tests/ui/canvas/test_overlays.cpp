@@ -45,7 +45,7 @@ TEST_CASE("Overlays are one texture beside that of the picture, made anew only w
     switch_overlay(driver, "uncovered");
     CHECK(driver.textures.uploads == before + 2); // and the picture below it, in grey
     CHECK(driver.textures.last == driver.ui.results.overlay.image);
-    CHECK(driver.ui.canvas.overlay.id != nullptr);
+    CHECK(driver.ui.canvas.overlay.id != ImTextureID{});
     CHECK(driver.ui.canvas.overlay.id != driver.ui.canvas.picture.id);
     driver.hand.frames(5);
     CHECK(driver.textures.uploads == before + 2);

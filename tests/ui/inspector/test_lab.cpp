@@ -204,8 +204,7 @@ Image drawn_by(const Driver& driver, const Settings& settings) {
 /// Keeps all textures.
 struct AllTextures : TextureHost {
     ImTextureID upload(ImTextureID old, const Image& image) override {
-        const ImTextureID id =
-            old != nullptr ? old : reinterpret_cast<ImTextureID>(images.size() + 1000);
+        const ImTextureID id = old != ImTextureID{} ? old : ImTextureID(images.size() + 1000);
         images[id] = image;
         return id;
     }
@@ -251,7 +250,8 @@ TEST_CASE(
         CHECK(is_animating(driver.ui));
         // A frame's share of the work is about two of these pictures, of some hundred.
         CHECK(driver.ui.lab.work->pictures().done < 100);
-        CHECK_THAT(shown_text(driver, "lab.progress"), Catch::Matchers::ContainsSubstring(" pictures"));
+        CHECK_THAT(shown_text(driver, "lab.progress"),
+                   Catch::Matchers::ContainsSubstring(" pictures"));
         if (by_key) {
             driver.ui.focus.is_shown = false;
             driver.hand.press(key::escape);

@@ -176,7 +176,7 @@ TEST_CASE("A lesson of one's own shows the pictures beside it") {
     const PictureName name{driver.ui.session.lesson_folder, "images/own.png"};
     REQUIRE(driver.ui.pictures->pictures.count(name) == 1);
     CHECK(driver.ui.pictures->pictures[name].size.x == 33.0f);
-    CHECK(driver.ui.pictures->pictures[name].texture != nullptr);
+    CHECK(driver.ui.pictures->pictures[name].texture != ImTextureID{});
 }
 
 TEST_CASE("A picture is drawn as wide as the page, and made anew only when that changes") {
@@ -188,14 +188,14 @@ TEST_CASE("A picture is drawn as wide as the page, and made anew only when that 
     picture.size = {200, 100};
     const int before = driver.textures.uploads;
     const ImTextureID texture = picture_texture(ui, {"", "images/a.png"}, 50);
-    CHECK(texture != nullptr);
+    CHECK(texture != ImTextureID{});
     CHECK(driver.textures.last.width == 50);
     CHECK(driver.textures.last.height == 25);
     CHECK(picture_texture(ui, {"", "images/a.png"}, 50) == texture);
     CHECK(driver.textures.uploads == before + 1);
     CHECK(picture_texture(ui, {"", "images/a.png"}, 80) == texture);
     CHECK(driver.textures.uploads == before + 2);
-    CHECK(picture_texture(ui, {"", "images/none.png"}, 80) == nullptr);
+    CHECK(picture_texture(ui, {"", "images/none.png"}, 80) == ImTextureID{});
 }
 
 } // namespace rasterwalk
