@@ -31,12 +31,7 @@ class BareInterface {
     BareInterface& operator=(const BareInterface&) = delete;
 
     /// Builds the next frame.
-    void frame() {
-        const ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
-        if (ui.host.fonts_changed || !fonts.IsBuilt()) ImGui::GetIO().Fonts->Build();
-        ui.host.fonts_changed = false;
-        rasterwalk::build_ui(ui);
-    }
+    void frame() { rasterwalk::build_ui(ui); }
 
   private:
     NoTextures textures_; // outlives the interface

@@ -28,6 +28,7 @@
 #include "ui/start/ways.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
+#include "ui/widgets/fonts.h"
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/style.h"
@@ -237,7 +238,8 @@ bool build_pass(Ui& ui, float seconds) {
 } // namespace
 
 void open_ui(Ui& ui, TextureHost& textures) {
-    ImGui::CreateContext();
+    ui.fonts.atlas = std::make_shared<ImFontAtlas>(); // until the first frame
+    ImGui::CreateContext(ui.fonts.atlas.get());
     ImGui::GetIO().IniFilename = nullptr;
     open_keys();
     ui.host.textures = &textures;
@@ -249,11 +251,10 @@ void open_ui(Ui& ui, TextureHost& textures) {
     ui.lesson.drawer_is_open = ui.session.page == SidePage::list;
     ui.options.text_scale = ui.options.wished_text_scale;
     ImGui::GetIO().DisplaySize = {1600.0f, 1000.0f}; // until the host says better
-    renew_style(ui);
-    ui.host.fonts_changed = false;
 }
 
 void close_ui(Ui& ui) {
+    ImGui::GetIO().Fonts->Locked = false; // where a frame was not finished
     ImGui::DestroyContext();
     ui.host.textures = nullptr;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -67,16 +66,16 @@ std::vector<Scrollable> scrollable_windows() {
     return found;
 }
 
-/// Of all corners of the last frame: where, in which colour, with which piece of a texture.
-std::uint32_t hash_drawn() {
-    std::uint32_t hash = 0;
+/// All corners of the last frame: where, in which colour, with which piece of a texture.
+std::string drawn_corners() {
+    std::string bytes;
     const ImDrawData* const drawn = ImGui::GetDrawData();
-    if (drawn == nullptr) return hash;
-    for (int i = 0; i < drawn->CmdListsCount; ++i) {
+    for (int i = 0; drawn != nullptr && i < drawn->CmdListsCount; ++i) {
         const ImVector<ImDrawVert>& corners = drawn->CmdLists[i]->VtxBuffer;
-        hash = ImHashData(corners.Data, static_cast<std::size_t>(corners.size_in_bytes()), hash);
+        bytes.append(reinterpret_cast<const char*>(corners.Data),
+                     static_cast<std::size_t>(corners.size_in_bytes()));
     }
-    return hash;
+    return bytes;
 }
 
 } // namespace
@@ -93,9 +92,9 @@ void Hand::frames(int count, float seconds) {
 void Hand::rest() {
     constexpr int least = frames_to_rest - 1;
     frames(least - 1);
-    const std::uint32_t before = hash_drawn();
+    const std::string before = drawn_corners();
     frames(1);
-    if (hash_drawn() != before) frames(frames_to_rest - least);
+    if (drawn_corners() != before) frames(frames_to_rest - least);
 }
 
 void Hand::move_to(ImVec2 place) {

@@ -65,6 +65,9 @@ void renew_font_texture() {
     atlas.GetTexDataAsRGBA32(&rgba, &width, &height);
     glBindTexture(GL_TEXTURE_2D, as_name(atlas.TexID));
     set_pixels(width, height, rgba);
+    // The atlas may be kept: it makes them out of one byte a pixel when they are wanted again.
+    ImGui::MemFree(atlas.TexPixelsRGBA32);
+    atlas.TexPixelsRGBA32 = nullptr;
 }
 
 } // namespace

@@ -3,11 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-
-#include <imgui_freetype.h>
-
-#include "ui/ui.h"
 
 namespace rasterwalk {
 
@@ -50,27 +45,6 @@ const Palette light_palette{.ground = hex(0xFAFAF8),
                             .row_lit = hex(0xD9E9F5),
                             .chosen = hex(0xC9DDEE),
                             .changed = hex(0x8A5600)};
-
-const char* const font_folders[] = {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/TTF/",
-                                    "/usr/share/fonts/dejavu/",
-                                    "/usr/share/fonts/dejavu-sans-fonts/"};
-
-bool is_font_file(const std::string& path) {
-    std::error_code fault;
-    const auto size = std::filesystem::file_size(path, fault);
-    return !fault && size > 10'000;
-}
-
-/// The first folder that holds all the fonts; ImGui aborts on a file that is missing or no font.
-std::string find_font_folder() {
-    for (const char* folder : font_folders) {
-        bool complete = true;
-        for (const char* name : {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSansMono.ttf"})
-            complete = complete && is_font_file(std::string(folder) + name);
-        if (complete) return folder;
-    }
-    return {};
-}
 
 } // namespace
 
@@ -170,44 +144,6 @@ void apply_style(const UiOptions& options) {
     set(ImGuiCol_ModalWindowDimBg, ImVec4(0.0f, 0.0f, 0.0f, 0.45f));
     set(ImGuiCol_NavHighlight, p.link);
     ImGui::GetStyle() = style;
-}
-
-Fonts load_fonts(float text_scale, float least) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.Fonts->Clear();
-    io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
-    Fonts fonts;
-    const std::string folder = find_font_folder();
-    if (folder.empty()) {
-        fonts.text = fonts.mono = fonts.bold = fonts.italic = fonts.title = fonts.small =
-            fonts.headline = fonts.mono_small = io.Fonts->AddFontDefault();
-        fonts.notice = "The DejaVu fonts are not installed: text is shown in the built-in font, "
-                       "without mathematical signs.";
-        io.Fonts->Build();
-        return fonts;
-    }
-    // Latin, Greek, punctuation, super- and subscripts, arrows, mathematics, shapes, tick and
-    // cross.
-    static constexpr ImWchar ranges[] = {0x0020, 0x017F, 0x0302, 0x0302, 0x0391, 0x03C9, 0x2010,
-                                         0x2044, 0x2070, 0x209C, 0x2190, 0x21FF, 0x2200, 0x22FF,
-                                         0x25A0, 0x25FF, 0x2713, 0x2718, 0x27E8, 0x27E9, 0};
-    const auto load = [&](const char* name, float size) {
-        ImFontConfig config;
-        config.OversampleH = config.OversampleV = 1;
-        const float pixels = std::round(std::max(size * text_scale, least));
-        return io.Fonts->AddFontFromFileTTF((folder + name).c_str(), pixels, &config, ranges);
-    };
-    fonts.text = load("DejaVuSans.ttf", 16.0f);
-    fonts.mono = load("DejaVuSansMono.ttf", 15.0f);
-    fonts.bold = load("DejaVuSans-Bold.ttf", 16.0f);
-    const char* const slanted = "DejaVuSans-Oblique.ttf";
-    fonts.italic = is_font_file(folder + slanted) ? load(slanted, 16.0f) : fonts.text;
-    fonts.title = load("DejaVuSans-Bold.ttf", 21.0f);
-    fonts.small = load("DejaVuSans.ttf", 13.5f);
-    fonts.headline = load("DejaVuSans-Bold.ttf", 32.0f);
-    fonts.mono_small = load("DejaVuSansMono.ttf", 13.0f);
-    io.Fonts->Build();
-    return fonts;
 }
 
 } // namespace rasterwalk

@@ -72,11 +72,6 @@ bool has_dark_ink(const glm::vec<3, std::uint8_t>& ground);
 /// Sets ImGui's colours and spacing for the theme and text scale.
 void apply_style(const UiOptions& options);
 
-/// Loads DejaVu in the sizes of the text scale into ImGui's atlas, or the built-in font where it is
-/// not installed.
-/// @param least no letters are smaller, screen pixels
-Fonts load_fonts(float text_scale, float least = 0.0f);
-
 /// Text sizes: the smallest and largest scale, and the step of A+ and A-.
 inline constexpr float smallest_text_scale = 0.75f;
 inline constexpr float largest_text_scale = 2.5f;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -69,7 +70,8 @@ struct Fonts {
     ImFont* small = nullptr;
     ImFont* headline = nullptr; ///< of the start page
     ImFont* mono_small = nullptr;
-    std::string notice; ///< why the built-in font had to do; empty if it did not
+    std::shared_ptr<ImFontAtlas> atlas; ///< that all of them are in; ImGui uses it
+    std::string notice;                 ///< why the built-in font had to do; empty if it did not
 };
 
 } // namespace rasterwalk
