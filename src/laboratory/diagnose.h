@@ -87,7 +87,8 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
                         const Scene& scene, Settings reference, const std::vector<Bug>& bugs,
                         std::string& about);
 
-static_assert(largest_image_side <= largest_viewport, "a picture that is read is drawn in its size");
+static_assert(largest_image_side <= largest_viewport,
+              "a picture that is read is drawn in its size");
 
 /// About how many pictures are drawn before it is known that no mistake explains a picture.
 inline constexpr double pictures_tried = 600.0;
