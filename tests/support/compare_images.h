@@ -20,7 +20,7 @@ struct Tolerance {
 inline constexpr Tolerance interface_tolerance{.channel = 3, .mean = 0.02, .pixels_beyond = 4};
 
 /// A pixel that differs.
-struct PixelDifference {
+struct DifferingPixel {
     int column = 0;
     int row = 0;
     int difference = 0; ///< of the channel that differs most
@@ -29,10 +29,10 @@ struct PixelDifference {
 /// What two pictures differ in. Opacity counts as a channel.
 struct ImageDifference {
     bool same_size = true;
-    int largest = 0;                    ///< of all channels of all pixels
-    double mean = 0.0;                  ///< over all channels of all pixels
-    int pixels_beyond = 0;              ///< pixels with a channel beyond Tolerance::channel
-    std::vector<PixelDifference> worst; ///< the worst first, from the top among equals; a few
+    int largest = 0;                   ///< of all channels of all pixels
+    double mean = 0.0;                 ///< over all channels of all pixels
+    int pixels_beyond = 0;             ///< pixels with a channel beyond Tolerance::channel
+    std::vector<DifferingPixel> worst; ///< the worst first, from the top among equals; a few
     bool is_within_tolerance = false;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include <GL/gl.h>
 #include <backends/imgui_impl_opengl2.h>
@@ -145,19 +146,18 @@ Image read_gl2(int width, int height) {
     image.width = width;
     image.height = height;
     const std::size_t line = 4 * static_cast<std::size_t>(width);
-    image.rgba.resize(line * static_cast<std::size_t>(height));
+    const auto lines = static_cast<std::size_t>(height);
+    std::vector<std::uint8_t> read(line * lines);
     glPixelStorei(GL_PACK_ROW_LENGTH, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
+    image.rgba.resize(read.size());
+    std::uint8_t* const rgba = image.rgba.data();
     // OpenGL counts rows from below.
-    for (std::size_t top = 0, bottom = static_cast<std::size_t>(height); top + 1 < bottom; ++top) {
-        --bottom;
-        std::swap_ranges(image.rgba.begin() + static_cast<std::ptrdiff_t>(line * top),
-                         image.rgba.begin() + static_cast<std::ptrdiff_t>(line * (top + 1)),
-                         image.rgba.begin() + static_cast<std::ptrdiff_t>(line * bottom));
-    }
-    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
-        image.rgba[i] = 255;
+    for (std::size_t row = 0; row < lines; ++row)
+        std::copy_n(read.data() + line * (lines - 1 - row), line, rgba + line * row);
+    for (std::size_t i = 3; i < read.size(); i += 4)
+        rgba[i] = 255;
     return image;
 }
 
