@@ -133,6 +133,9 @@ glm::ivec2 png_size(std::string_view bytes, const std::string& path, int largest
         throw InputError(path + ": the picture cannot be read: it does not begin with its size.");
     }
     check_sides(path, header->size, largest_side);
+    if (header->channels == 0) refuse(path, header->size, "has a colour type that PNG has not.");
+    if (header->bits_per_channel > 16)
+        refuse(path, header->size, "has more than 16 bits per channel, as no PNG has.");
     std::int64_t size = 0;
     PngBlocks blocks(bytes);
     while (const std::optional<PngBlock> block = blocks.next()) {

@@ -225,7 +225,9 @@ bool parse(CommandLine& line, std::vector<std::string> arguments, std::ostream& 
 }
 
 void open_window_on(const ViewOptions& view, CliRequest& request) {
-    const std::string& name = view.file.empty() ? view.scene : view.file;
+    const std::string& name = !view.file.empty()     ? view.file
+                              : !view.lesson.empty() ? view.lesson
+                                                     : view.scene;
     std::error_code fault;
     // A pipe may be silent for long, and cannot be stopped.
     if (!std::filesystem::is_regular_file(name, fault)) {

@@ -72,6 +72,7 @@ class DiagnosisWork {
     std::unique_ptr<PictureTrial> trial_;
     PicturesDrawn pictures_;
     Image likely_;
+    bool is_affordable_ = false; ///< by the work that the reference is
     std::optional<Diagnosis> found_;
 };
 
@@ -93,7 +94,8 @@ static_assert(largest_image_side <= largest_viewport,
 /// About how many pictures are drawn before it is known that no mistake explains a picture.
 inline constexpr double pictures_tried = 600.0;
 
-/// The most work that all these pictures may be, in fragments (see FrameWork): some minutes.
-inline constexpr double most_diagnosis_work = 2e10;
+/// The most work that all these pictures may be, in fragments (see FrameWork): a simple scene in
+/// the largest picture, in some ten minutes.
+inline constexpr double most_diagnosis_work = 5e10;
 
 } // namespace rasterwalk

@@ -209,11 +209,12 @@ void DiagnosisWork::ask() {
     trial.begin_again();
     const ImageDistance apart = trial.drawn(reference_).distance;
     if (trial.is_waiting()) return;
-    refuse_too_much();
     Diagnosis found;
     found.distance = apart.mean;
     found.different = apart.different;
     if (!found.is_same()) {
+        if (!is_affordable_) refuse_too_much();
+        is_affordable_ = true;
         const std::vector<Base> bases = find_bases(trial, reference_);
         if (trial.is_waiting()) return;
         try_bases(trial, bases);

@@ -51,9 +51,10 @@ void begin(View view, bool is_little, const WorkLimit& limit, Results& results) 
                          value_work * pixels_of(changed) <= limit.slice;
     if (is_step) {
         update_signed_difference(a, b, view, changed, comparison.difference_values);
-        update_difference_image(comparison.difference_values, comparison.difference_limit, changed,
+        update_difference_image(comparison.difference_values, progress.limit, changed,
                                 comparison.difference);
-        comparison.difference_number = ++results.numbers;
+        // Half a picture is not shown: the rest of it follows.
+        if (progress.image_rows == a.size.height) comparison.difference_number = ++results.numbers;
     } else {
         progress.value_rows = progress.image_rows = 0;
         comparison.difference_values.resize(a.colour.size());
@@ -87,17 +88,20 @@ void advance(const WorkLimit& limit, Results& results) {
         progress.value_rows = rows.bottom;
     } else if (progress.image_rows < a.size.height) {
         const Rectangle rows = next(progress.image_rows, colour_work);
-        if (rows.top == 0) comparison.difference_limit = scale_limit(comparison, *progress.view);
-        update_difference_image(comparison.difference_values, comparison.difference_limit, rows,
+        if (rows.top == 0) progress.limit = scale_limit(comparison, *progress.view);
+        update_difference_image(comparison.difference_values, progress.limit, rows,
                                 comparison.difference);
         progress.image_rows = rows.bottom;
-        if (rows.bottom == a.size.height) comparison.difference_number = ++results.numbers;
+        if (rows.bottom == a.size.height) {
+            comparison.difference_limit = progress.limit;
+            comparison.difference_number = ++results.numbers;
+        }
     } else {
         progress.pixels.count_to(a, b, next(progress.pixels.rows(), count_pixel_work).bottom);
         if (progress.pixels.rows() < a.size.height) return;
         comparison.pixels = progress.pixels.found();
         // A step may have brought a larger difference, or taken it away.
-        progress.is_done = scale_limit(comparison, *progress.view) == comparison.difference_limit;
+        progress.is_done = scale_limit(comparison, *progress.view) == progress.limit;
         if (!progress.is_done) progress.image_rows = 0;
     }
 }

@@ -24,6 +24,7 @@ struct DifferenceProgress {
     PixelCount pixels;
     int value_rows = 0; ///< of the values that are worked out
     int image_rows = 0; ///< of the picture that have their colour
+    float limit = 1.0f; ///< of the scale by which they have it
     bool is_done = false;
 };
 

@@ -125,11 +125,11 @@ TEST_CASE("diagnose and check say on a terminal how far they are, and leave noth
     CHECK(watched.err == plain.err);
     CHECK_THAT(terminal.str(), ContainsSubstring("\rTrying each mistake: "));
     CHECK_THAT(terminal.str(), ContainsSubstring(" pictures\x1b[K"));
-    CHECK_THAT(terminal.str(), Catch::EndsWith("\r\x1b[K"));
+    CHECK_THAT(terminal.str(), Catch::Matchers::EndsWith("\r\x1b[K"));
 
     terminal.str("");
     const std::string lesson = lessons_folder() + "/14-arrows.md";
     CHECK(run({"check", lesson}, {}, &terminal).out == run({"check", lesson}).out);
     CHECK_THAT(terminal.str(), ContainsSubstring("\rChecking 14-arrows.md: question 2 of "));
-    CHECK_THAT(terminal.str(), Catch::EndsWith("\r\x1b[K"));
+    CHECK_THAT(terminal.str(), Catch::Matchers::EndsWith("\r\x1b[K"));
 }

@@ -307,6 +307,28 @@ TEST_CASE("The difference of large pictures is worked out some rows an update, a
     require_right(results);
 }
 
+TEST_CASE("Half a difference picture is not shown, though a step comes meanwhile") {
+    Session session = room_session();
+    compare_with(session, with(session.a.settings, "rounding=floor"));
+    session.cursor = {12, Phase::rows, 20, 0};
+    const WorkLimit limit{5'000.0, 3'000.0};
+    Results results;
+    const ComparisonResults& comparison = results.comparison;
+    const auto lead_to = [&](int DifferenceProgress::*rows) {
+        for (int parts = 0; comparison.progress.*rows < 100; ++parts) {
+            REQUIRE(parts < 2000);
+            REQUIRE(comparison.difference_number == 0);
+            update(session, results, limit);
+        }
+    };
+    lead_to(&DifferenceProgress::value_rows);
+    session.cursor = {12, Phase::rows, 21, 0};
+    lead_to(&DifferenceProgress::image_rows);
+    CHECK(comparison.difference_number > 0);
+    CHECK(comparison.difference ==
+          difference_image(comparison.difference_values, {120, 100}, comparison.difference_limit));
+}
+
 TEST_CASE("The room of the lab, and its comparison, take one update") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     compare_with(session, with(session.a.settings, "interpolation=affine"));

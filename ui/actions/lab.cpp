@@ -170,6 +170,9 @@ void carry_on_diagnosis(Ui& ui, const WorkLimit& limit) {
     } catch (const Error& fault) {
         lab.result_fault = fault.what();
         lab.work = nullptr;
+    } catch (...) { // what had no room cannot go on
+        lab.work = nullptr;
+        throw;
     }
 }
 
