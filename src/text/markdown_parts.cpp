@@ -160,7 +160,9 @@ bool PartFinder::leave_span(MD_SPANTYPE type) {
     case MD_SPAN_LATEXMATH_DISPLAY: {
         // Between the dollar and the first letter there is nothing but blanks.
         const std::size_t dollar = page_.rfind('$', formula_at_.value_or(end_));
-        add(PartKind::formula, std::move(formula_), line_at(std::min(dollar, page_.size())));
+        // Versions of md4c differ in the blanks that they make of line breaks.
+        add(PartKind::formula, std::string(trimmed(formula_)),
+            line_at(std::min(dollar, page_.size())));
         return true;
     }
     case MD_SPAN_A:

@@ -72,7 +72,7 @@ TEST_CASE("Every link, picture, formula and footnote is found, with its line") {
                                              "7 picture q.png (p)\n"
                                              "7 link r.md (p)\n"
                                              "7 formula c\n"
-                                             "9 formula \\frac{1}{z} \n"
+                                             "9 formula \\frac{1}{z}\n"
                                              "13 table 2\n"
                                              "13 link b (a)\n"
                                              "13 formula d\n"
