@@ -94,8 +94,8 @@ static_assert(largest_image_side <= largest_viewport,
 /// About how many pictures are drawn before it is known that no mistake explains a picture.
 inline constexpr double pictures_tried = 600.0;
 
-/// The most work that all these pictures may be, in fragments (see FrameWork): a simple scene in
-/// the largest picture, in some ten minutes.
+/// The most work that all these pictures may be, in fragments (see FrameWork): enough for the room
+/// in the largest picture.
 inline constexpr double most_diagnosis_work = 5e10;
 
 } // namespace rasterwalk

@@ -132,6 +132,10 @@ TEST_CASE("A short file that says it is a large picture is refused before memory
     CHECK(said(png(4096, 4096, 16, "x")) == ": a picture of 4096 x 4096 pixels is cut off.");
     CHECK(said(png(4096, 4096, '\xff', std::string(2'200'000, 'x'))) ==
           ": a picture of 4096 x 4096 pixels has more than 16 bits per channel, as no PNG has.");
+    std::string of_no_colours = png(4096, 4096, 8, "");
+    of_no_colours[25] = '\5';
+    CHECK(said(of_no_colours) ==
+          ": a picture of 4096 x 4096 pixels has a colour type that PNG has not.");
     CHECK(said(png(4097, 1, 8, "")) ==
           ": a picture of 4097 x 1 pixels is too large: a side has at most 4096.");
     CHECK(said(png(0xffffffff, 0xffffffff, 16, "")) ==
