@@ -76,6 +76,21 @@ void TomlBlock::for_each_text(const toml::node& node, std::size_t most,
         faults_.attempt(line_of(entry), [&] { use(text(entry)); });
 }
 
+void TomlBlock::for_each_table(const toml::node& node, std::size_t most, const std::string& what,
+                               const std::function<void(TomlBlock&, int line)>& use) const {
+    const toml::array* list = node.as_array();
+    if (list == nullptr) input_.fail(node, "a list of tables is needed here: [{ ... }].");
+    if (list->size() > most) {
+        input_.fail(node, fmt::format("the list has more than {} entries.", most));
+    }
+    for (const toml::node& entry : *list) {
+        faults_.attempt(line_of(entry), [&] {
+            TomlBlock block(table(entry), line_of(entry), what, faults_);
+            use(block, line_of(entry));
+        });
+    }
+}
+
 const toml::table& TomlBlock::table(const toml::node& node) const {
     const toml::table* table = node.as_table();
     if (table == nullptr) input_.fail(node, "a table is needed here: { ... }.");

@@ -48,6 +48,10 @@ class TomlBlock {
     void for_each_text(const toml::node& node, std::size_t most,
                        const std::function<void(const std::string&)>& use) const;
 
+    /// Every table of a list, each with its own faults. @param what how messages name each
+    void for_each_table(const toml::node& node, std::size_t most, const std::string& what,
+                        const std::function<void(TomlBlock&, int line)>& use) const;
+
     const toml::table& table(const toml::node& node) const;
 
     const TomlInput& input() const { return input_; }

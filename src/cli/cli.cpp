@@ -179,6 +179,8 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
                     "Folders, lessons (.md), scenes (.toml) and models (.obj)")
         ->type_name("")
         ->required();
+    check.add_flag("--luck", line.check.luck,
+                   "Also try each task of the lessons at random: how often is it solved by luck?");
 
     CLI::App& facts = add_command(line, "facts", "List the names that lessons can ask for",
                                   [&] { facts_command(line.facts, out); });

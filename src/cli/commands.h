@@ -72,6 +72,7 @@ void bugs_command(const BugsOptions& options, std::ostream& out);
 
 struct CheckOptions {
     std::vector<std::string> paths; ///< folders, lessons, scenes
+    bool luck = false;              ///< each task is tried at random as well
 };
 /// Prints every fault, file:line and a sentence. Returns ExitCode::difference if there is one.
 /// Throws AccessError for a file that is not there.

@@ -15,6 +15,7 @@
 #include "lessons/lesson.h"
 #include "lessons/lesson_check.h"
 #include "lessons/lesson_run.h"
+#include "lessons/task_luck.h"
 #include "scene/read_obj.h"
 #include "session/content.h"
 #include "session/scene_file.h"
@@ -78,7 +79,42 @@ struct FileCheck {
     LessonTrial trial{};
     std::ostream& out;
     ProgressLine& progress;
+    bool luck = false; ///< tasks are tried at random
 };
+
+/// Random tries at a task.
+constexpr int luck_tries = 300;
+
+/// Prints how often each task is solved by luck; returns how many faults that shows.
+int check_luck(const Lesson& lesson, FileCheck& check) {
+    int faults = 0;
+    const auto tell = [&](const LessonTask& task, const std::string& sentence) {
+        check.progress.clear();
+        check.out << fault_text(lesson, {task.done_line, sentence}) << '\n';
+    };
+    for (const LessonTask& task : lesson.tasks) {
+        if (!task.done || task.recipe.empty()) continue; // that was told
+        check.progress.say(fmt::format("Trying the task '{}'", task.id));
+        const TaskLuck luck = luck_of(lesson, task, luck_tries, check.session, check.trial);
+        if (luck.control.empty()) {
+            tell(task, fmt::format("the task '{}' asks for words of lists.", task.id));
+            continue;
+        }
+        tell(task, fmt::format("the task '{}' is solved by {:.1f} % of random tries of {}.",
+                               task.id, 100.0 * luck.passed / luck.tries, luck.control));
+        const auto refuse = [&](const std::string& sentence) {
+            tell(task, "fault: " + sentence);
+            ++faults;
+        };
+        if (is_luck(luck)) refuse("at most 10 % may be.");
+        if (luck.ends_pass) refuse("an end of the slider solves it.");
+        if (luck.unanswered > 0) {
+            refuse(fmt::format("nothing is said to {} of {} tries, as to {}.", luck.unanswered,
+                               luck.tries, luck.unanswered_by));
+        }
+    }
+    return faults;
+}
 
 /// Prints the faults of one file; returns how many there are.
 int check_file(const std::string& path, FileCheck& check) {
@@ -122,7 +158,8 @@ int check_file(const std::string& path, FileCheck& check) {
     check.progress.clear();
     for (const Fault& fault : faults)
         check.out << fault_text(lesson, fault) << '\n';
-    return static_cast<int>(faults.size());
+    const int unlucky = check.luck && is_readable(lesson) ? check_luck(lesson, check) : 0;
+    return static_cast<int>(faults.size()) + unlucky;
 }
 
 const char* type_name(ValueType type) {
@@ -143,7 +180,7 @@ const char* type_name(ValueType type) {
 
 ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostream& err,
                        ProgressLine& progress) {
-    FileCheck check{.out = out, .progress = progress};
+    FileCheck check{.out = out, .progress = progress, .luck = options.luck};
     const std::vector<std::string> files = files_to_check(options.paths);
     if (files.empty()) throw InputError("there is nothing to check: no lessons, no scenes.");
     int faults = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/dice.h"
 #include "laboratory/bug.h"
 #include "laboratory/bug_rule.h"
 #include "laboratory/image_variant.h"
@@ -19,24 +20,6 @@ constexpr float visible_power = 14.0f;
 
 /// The larger side of the picture in which it is tried which mistakes show, pixels.
 constexpr int largest_tried = 500;
-
-/// Random numbers that are the same everywhere (splitmix64).
-class Dice {
-  public:
-    explicit Dice(std::uint32_t seed) : state_(seed) {}
-
-    /// A number below `count`, which must not be 0.
-    std::size_t below(std::size_t count) {
-        state_ += 0x9e3779b97f4a7c15u;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return static_cast<std::size_t>((z ^ (z >> 31)) % count);
-    }
-
-  private:
-    std::uint64_t state_;
-};
 
 std::uint64_t print_of(const Scene& scene, const Settings& settings) {
     return fingerprint(view_image(draw_frame(prepare_frame(scene, settings)), View::colour));

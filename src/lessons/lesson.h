@@ -23,16 +23,35 @@ struct LinkPlace {
     bool is_picture = false; ///< ![words](target)
 };
 
-/// Something to do, ticked off when a condition holds.
+/// What is said to a try that does not solve a task.
+struct NotYet {
+    Expression when;  ///< holds for such tries, and not when the step opens
+    std::string says; ///< Markdown with {EXPRESSION}, see fill_in(): what is missing
+    int line = 0;
+};
+
+/// Something to do, ticked off when a condition holds at rest.
 struct LessonTask {
     std::string id;
     std::optional<Expression> done;  ///< none if it could not be read
     std::vector<std::string> recipe; ///< link targets that solve it, from what the step shows
     std::string hint;                ///< Markdown; may be empty
-    std::string text;                ///< Markdown that the student reads, without the quote's `>`
+    std::string because;         ///< why it is solved, likewise, with {EXPRESSION}, see fill_in()
+    std::vector<NotYet> not_yet; ///< the first that holds is said
+    std::string text;            ///< Markdown that the student reads, without the quote's `>`
     int step = 0;
     int line = 0; ///< of its comment
-    int done_line = 0, recipe_line = 0;
+    int done_line = 0, recipe_line = 0, because_line = 0;
+};
+
+/// A wrong answer that a misconception gives, and what is said to it before the second try.
+struct Misconception {
+    /// Of a number: that number. Of a pixel: a condition, with the student's pixel picked.
+    std::optional<Expression> answer;
+    std::optional<Expression> tolerance; ///< of a number; none: the prediction's
+    int choice = -1;                     ///< of a choice: which
+    std::string says; ///< Markdown with {EXPRESSION}, see fill_in(); not the right answer
+    int line = 0;
 };
 
 /// A question that is answered before the program shows.
@@ -48,9 +67,12 @@ struct LessonPrediction {
     // One of several:
     std::vector<std::string> choices;
     std::vector<Expression> right; ///< a condition for each choice; exactly one holds
+    std::vector<int> order;        ///< in which they are offered, see shuffled()
     // A pixel:
     std::optional<Expression> where;                    ///< with the student's pixel picked
     std::optional<glm::ivec2> right_pixel, wrong_pixel; ///< examples; both are tried by `check`
+
+    std::vector<Misconception> misconceptions; ///< the first that fits is the one
 
     ViewState at;                  ///< in which the answer is found; the step's is in it already
     std::optional<ViewState> then; ///< shown after the answer, likewise; none: nothing changes
@@ -112,10 +134,11 @@ struct Lesson {
     std::string title;
     std::string section; ///< of the lab
     int minutes = 0;
-    std::string about;             ///< one sentence for the list
-    std::string program;           ///< the part of the student's own program it speaks of
-    int picture = 0;               ///< step that its picture in screenshots/ shows
-    std::vector<LessonStep> steps; ///< step 0 is the opening; there is always one
+    std::string about;                ///< one sentence for the list
+    std::string program;              ///< the part of the student's own program it speaks of
+    int picture = 0;                  ///< step that its picture in screenshots/ shows
+    std::vector<std::string> sources; ///< Markdown of a line each: what it rests on
+    std::vector<LessonStep> steps;    ///< step 0 is the opening; there is always one
     std::vector<LessonTask> tasks;
     std::vector<LessonPrediction> predictions;
     std::vector<LessonControl> controls;
@@ -148,6 +171,9 @@ inline constexpr int most_step_controls = 3;
 inline constexpr int most_slider_steps = 1'000;
 inline constexpr std::size_t longest_read_out = 100; ///< bytes
 inline constexpr int most_choices = 8;
+inline constexpr int most_misconceptions = 12;
+inline constexpr int most_not_yet = 12; ///< sentences of a task
+inline constexpr int most_sources = 8;
 inline constexpr std::size_t most_lesson_footnotes = 99;
 inline constexpr int most_table_columns = 40;
 inline constexpr int deepest_lesson = 24; ///< quotes, lists, emphasis and brackets in one another

@@ -1,11 +1,16 @@
 #include "lessons/lesson_blocks.h"
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "base/limits.h"
 #include "base/numbers.h"
 #include "base/toml_block.h"
 #include "lessons/lesson_link.h"
+#include "lessons/lesson_run.h"
 #include "view/view_table.h"
 
 namespace rasterwalk {
@@ -39,6 +44,13 @@ std::string id(const TomlBlock& block, const toml::node& node) {
     return text;
 }
 
+/// Markdown with {EXPRESSION}; throws UsageError for one that is not understood.
+std::string told(const TomlBlock& block, const toml::node& node) {
+    std::string text = block.text(node);
+    fill_in(text, "", std::nullopt, [](std::string_view) { return Value(); });
+    return text;
+}
+
 using PredictionKind = LessonPrediction::Kind;
 
 /// Which keys each kind needs, and which belong to another kind.
@@ -66,6 +78,57 @@ void check_kind(TomlBlock& block, PredictionKind kind) {
     }
 }
 
+std::vector<NotYet> read_not_yet(const TomlBlock& task, const toml::node& node) {
+    std::vector<NotYet> read;
+    const auto read_one = [&](TomlBlock& block, int line) {
+        std::optional<Expression> when;
+        NotYet one;
+        one.line = line;
+        TomlKeys keys;
+        keys["when"] = [&](const toml::node& n) { when = condition(block, n); };
+        keys["says"] = [&](const toml::node& n) { one.says = told(block, n); };
+        block.read(keys);
+        for (const char* key : {"when", "says"})
+            block.require(key);
+        if (!when || one.says.empty()) return;
+        one.when = std::move(*when);
+        read.push_back(std::move(one));
+    };
+    task.for_each_table(node, most_not_yet, "an entry of 'not_yet'", read_one);
+    return read;
+}
+
+/// @param p with its kind and choices
+std::vector<Misconception> read_misconceptions(const TomlBlock& prediction, const toml::node& node,
+                                               const LessonPrediction& p) {
+    std::vector<Misconception> read;
+    const auto read_one = [&](TomlBlock& block, int line) {
+        Misconception one;
+        one.line = line;
+        TomlKeys keys;
+        keys["says"] = [&](const toml::node& n) { one.says = told(block, n); };
+        keys["answer"] = [&](const toml::node& n) {
+            if (p.kind == PredictionKind::number) one.answer = expression(block, n);
+            if (p.kind == PredictionKind::pixel) one.answer = condition(block, n);
+            if (p.kind != PredictionKind::choice) return;
+            const auto found = std::find(p.choices.begin(), p.choices.end(), block.text(n));
+            if (found == p.choices.end())
+                block.input().fail(n, "'answer' is one of the choices, word for word.");
+            one.choice = static_cast<int>(found - p.choices.begin());
+        };
+        if (p.kind == PredictionKind::number) {
+            keys["tolerance"] = [&](const toml::node& n) { one.tolerance = expression(block, n); };
+        }
+        block.read(keys);
+        for (const char* key : {"answer", "says"})
+            block.require(key);
+        const bool is_known = one.answer || one.choice >= 0;
+        if (is_known && !one.says.empty()) read.push_back(std::move(one));
+    };
+    prediction.for_each_table(node, most_misconceptions, "an entry of 'misconceptions'", read_one);
+    return read;
+}
+
 } // namespace
 
 ViewState read_lesson_block(const toml::table& table, int line, Lesson& lesson, FaultList& faults) {
@@ -77,6 +140,10 @@ ViewState read_lesson_block(const toml::table& table, int line, Lesson& lesson, 
     keys["section"] = [&](const toml::node& n) { lesson.section = block.text(n); };
     keys["about"] = [&](const toml::node& n) { lesson.about = block.text(n); };
     keys["program"] = [&](const toml::node& n) { lesson.program = block.text(n); };
+    keys["sources"] = [&](const toml::node& n) {
+        block.for_each_text(n, most_sources,
+                            [&](const std::string& text) { lesson.sources.push_back(text); });
+    };
     keys["minutes"] = [&](const toml::node& n) { lesson.minutes = block.whole(n, 1, 120); };
     keys["picture"] = [&](const toml::node& n) {
         state.lines["picture"] = line_of(n);
@@ -91,7 +158,7 @@ ViewState read_lesson_block(const toml::table& table, int line, Lesson& lesson, 
 LessonTask read_task(const toml::table& table, int line, FaultList& faults) {
     TomlBlock block(table, line, "the block 'task'", faults);
     LessonTask task;
-    task.line = task.done_line = task.recipe_line = line;
+    task.line = task.done_line = task.recipe_line = task.because_line = line;
     TomlKeys keys;
     keys["id"] = [&](const toml::node& n) { task.id = id(block, n); };
     keys["done"] = [&](const toml::node& n) {
@@ -111,6 +178,11 @@ LessonTask read_task(const toml::table& table, int line, FaultList& faults) {
         if (task.recipe.size() < links) task.recipe.clear();
     };
     keys["hint"] = [&](const toml::node& n) { task.hint = block.text(n); };
+    keys["because"] = [&](const toml::node& n) {
+        task.because_line = line_of(n);
+        task.because = told(block, n);
+    };
+    keys["not_yet"] = [&](const toml::node& n) { task.not_yet = read_not_yet(block, n); };
     block.read(keys);
     for (const char* key : {"id", "done", "recipe"})
         block.require(key);
@@ -165,9 +237,16 @@ LessonPrediction read_prediction(const toml::table& table, int line, const ViewS
         p.because_line = line_of(n);
         p.because = block.text(n);
     };
+    const toml::node* misconceptions = nullptr;
+    keys["misconceptions"] = [&](const toml::node& n) { misconceptions = &n; };
     block.read(keys);
     for (const char* key : {"id", "kind"})
         block.require(key);
+    // They are read by kind and choices, which may stand below them.
+    if (misconceptions != nullptr) {
+        faults.attempt(line_of(*misconceptions),
+                       [&] { p.misconceptions = read_misconceptions(block, *misconceptions, p); });
+    }
     check_kind(block, p.kind);
     const auto size_of = [&](std::string_view key) -> std::size_t {
         const toml::node* const node = block.input().find(key);

@@ -207,6 +207,15 @@ class Checker {
             add(task.done_line, "the task '" + task.id + "' is solved before it is begun.");
             return;
         }
+        const Facts opened = trial_.facts();
+        for (const NotYet& one : task.not_yet) {
+            for (const std::string& sentence : impossible_parts(one.when))
+                add(one.line, sentence);
+            if (holds(one.when, std::cref(opened))) {
+                add(one.line, fmt::format("of the task '{}' this is said before anything is tried.",
+                                          task.id));
+            }
+        }
         if (task.recipe.empty()) return; // that was told
         try {
             for (const std::string& target : task.recipe) {
@@ -221,6 +230,12 @@ class Checker {
         finish(session, trial_.results);
         if (!is_done(task, trial_.facts())) {
             add(task.recipe_line, "the recipe does not solve the task '" + task.id + "'.");
+            return;
+        }
+        const std::string missing = missing_in(task.because, trial_.facts());
+        if (!missing.empty()) {
+            add(task.because_line,
+                fmt::format("'{}' is not there when the task '{}' is solved.", missing, task.id));
         }
     }
 
@@ -235,6 +250,7 @@ class Checker {
             add_all(show_state(shown, *prediction.then, lesson_.folder));
         }
         if (!faults.empty() || !is_complete(prediction) || !check_because(prediction)) return;
+        check_misconceptions(prediction);
         if (prediction.kind == LessonPrediction::Kind::pixel) {
             check_pixel(prediction);
         } else {
@@ -245,6 +261,46 @@ class Checker {
             if (!judgement.fault.empty()) {
                 add(prediction.answer_line,
                     fmt::format("the prediction '{}': {}", prediction.id, judgement.fault));
+            }
+        }
+    }
+
+    /// What its misconceptions give is wrong, and whatever is said has its numbers.
+    void check_misconceptions(const LessonPrediction& prediction) {
+        for (const Misconception& one : prediction.misconceptions) {
+            ViewState at = prediction.at;
+            if (prediction.wrong_pixel) at.pixel = prediction.wrong_pixel;
+            trial_.open(at, lesson_.folder, like_);
+            const Facts facts = trial_.facts();
+            const std::string missing = missing_in(one.says, facts);
+            if (!missing.empty()) {
+                add(one.line,
+                    fmt::format("'{}' is not there in the situation of the prediction '{}'.",
+                                missing, prediction.id));
+            }
+            if (prediction.kind == LessonPrediction::Kind::pixel) {
+                for (const std::string& sentence : impossible_parts(*one.answer))
+                    add(one.line, sentence);
+                continue;
+            }
+            std::vector<GivenAnswer> given{{one.choice}};
+            if (prediction.kind == LessonPrediction::Kind::number) {
+                const auto number = number_of(*one.answer, std::cref(facts));
+                if (!number) {
+                    add(one.line, fmt::format("this answer to '{}' is no number.", prediction.id));
+                    continue;
+                }
+                const auto& own = one.tolerance ? one.tolerance : prediction.tolerance;
+                const double off = own ? number_of(*own, std::cref(facts)).value_or(0.0) : 0.0;
+                given = {{*number}, {*number - off}, {*number + off}};
+            }
+            for (const GivenAnswer& answer : given) {
+                const Judgement judgement = judge(lesson_, prediction, answer, like_, trial_);
+                if (!judgement.fault.empty() || !judgement.is_right) continue;
+                add(one.line, fmt::format("the prediction '{}' takes what this misconception gives "
+                                          "for right.",
+                                          prediction.id));
+                break;
             }
         }
     }

@@ -8,6 +8,7 @@
 #include "base/faults.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
+#include "lessons/choice_order.h"
 #include "lessons/lesson_blocks.h"
 #include "lessons/lesson_comment.h"
 #include "lessons/lesson_control.h"
@@ -291,6 +292,9 @@ class Reader {
         task.text = std::move(text);
         task.step = step_number();
         look_through(task.hint, task.line);
+        look_through(task.because, task.because_line);
+        for (const NotYet& one : task.not_yet)
+            look_through(one.says, one.line);
         step().parts.push_back(
             {LessonPart::Kind::task, {}, static_cast<int>(lesson_.tasks.size()), quote_line});
         lesson_.tasks.push_back(std::move(task));
@@ -300,9 +304,13 @@ class Reader {
         if (!is_new_id(prediction.id, prediction.line)) return;
         prediction.text = std::move(text);
         prediction.step = step_number();
+        prediction.order =
+            shuffled(static_cast<int>(prediction.choices.size()), lesson_.id + "/" + prediction.id);
         look_through(prediction.because, prediction.because_line);
         for (const std::string& choice : prediction.choices)
             look_through(choice, prediction.answer_line);
+        for (const Misconception& one : prediction.misconceptions)
+            look_through(one.says, one.line);
         step().parts.push_back({LessonPart::Kind::prediction,
                                 {},
                                 static_cast<int>(lesson_.predictions.size()),

@@ -29,6 +29,12 @@ double value_of(const Expression& expression, const FactReader& fact) {
     return number_of(expression, fact).value_or(std::nan(""));
 }
 
+bool is_within(double given, double number, double tolerance) {
+    // What was typed and what was computed may differ in the last bits.
+    const double slack = std::abs(tolerance) + 1e-6 * std::max(1.0, std::abs(number));
+    return std::abs(given - number) <= slack;
+}
+
 void judge_number(const LessonPrediction& prediction, const Facts& facts, double given,
                   Judgement& result) {
     const FactReader reader = std::cref(facts);
@@ -39,9 +45,7 @@ void judge_number(const LessonPrediction& prediction, const Facts& facts, double
         return;
     }
     result.number = number;
-    // What was typed and what was computed may differ in the last bits.
-    const double slack = std::abs(tolerance) + 1e-6 * std::max(1.0, std::abs(number));
-    result.is_right = std::abs(given - number) <= slack;
+    result.is_right = is_within(given, number, tolerance);
     result.answer = answer_text(number);
     if (!prediction.unit.empty()) {
         const std::string unit = unit_for(result.answer, prediction.unit);
@@ -66,6 +70,29 @@ void judge_choice(const LessonPrediction& prediction, const Facts& facts, int gi
     }
     result.is_right = given == result.choice;
     result.answer = prediction.choices[static_cast<std::size_t>(result.choice)];
+}
+
+/// Would whoever has this misconception give the answer?
+bool gives(const Misconception& one, const LessonPrediction& prediction, const GivenAnswer& given,
+           const FactReader& fact) {
+    if (const int* const choice = std::get_if<int>(&given.value)) return *choice == one.choice;
+    if (!one.answer) return false;
+    const double* const number = std::get_if<double>(&given.value);
+    if (number == nullptr) return holds(*one.answer, fact);
+    const std::optional<Expression>& own = one.tolerance ? one.tolerance : prediction.tolerance;
+    const double tolerance = own ? value_of(*own, fact) : 0.0;
+    return is_within(*number, value_of(*one.answer, fact), tolerance);
+}
+
+/// The text with all numbers filled in. What begins with a number and a full stop is a sentence,
+/// not the item of a list that Markdown would make of it.
+std::string filled(std::string_view text, std::string_view answer, std::optional<double> number,
+                   const FactReader& fact) {
+    std::string result = fill_in(text, answer, number, fact);
+    const std::size_t end = result.find_first_not_of("0123456789");
+    if (end != 0 && end != result.npos && (result[end] == '.' || result[end] == ')'))
+        result.insert(end, "\\");
+    return result;
 }
 
 } // namespace
@@ -93,6 +120,18 @@ std::vector<Fault> open_step(Session& session, const Lesson& lesson, int step) {
 
 bool is_done(const LessonTask& task, const Facts& facts) {
     return task.done && holds(*task.done, std::cref(facts));
+}
+
+std::string reason_of(const LessonTask& task, const Facts& facts) {
+    return filled(task.because, "", std::nullopt, std::cref(facts));
+}
+
+std::string not_yet(const LessonTask& task, const Facts& facts) {
+    const FactReader reader = std::cref(facts);
+    for (const NotYet& one : task.not_yet) {
+        if (holds(one.when, reader)) return filled(one.says, "", std::nullopt, reader);
+    }
+    return {};
 }
 
 std::vector<Fault> LessonTrial::open(const ViewState& state, const std::string& folder,
@@ -143,8 +182,14 @@ Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const 
     }
     try {
         const bool is_number = prediction.kind == PredictionKind::number && result.fault.empty();
-        result.because = fill_in(prediction.because, result.answer,
-                                 is_number ? std::optional(result.number) : std::nullopt, reader);
+        const auto own = is_number ? std::optional(result.number) : std::nullopt;
+        result.because = filled(prediction.because, result.answer, own, reader);
+        if (result.is_right) return result;
+        for (const Misconception& one : prediction.misconceptions) {
+            if (!gives(one, prediction, answer, reader)) continue;
+            result.says = filled(one.says, result.answer, own, reader);
+            break;
+        }
     } catch (const Error& fault) {
         if (result.fault.empty()) result.fault = fault.what();
     }

@@ -25,6 +25,13 @@ std::vector<Fault> open_step(Session& session, const Lesson& lesson, int step);
 /// Is the task solved as things stand?
 bool is_done(const LessonTask& task, const Facts& facts);
 
+/// Why it is solved, with all numbers filled in; empty if the lesson does not say.
+std::string reason_of(const LessonTask& task, const Facts& facts);
+
+/// What a try lacks that does not solve the task, with all numbers filled in; empty if nothing was
+/// tried, or the lesson does not say.
+std::string not_yet(const LessonTask& task, const Facts& facts);
+
 /// What the student answered: a number, a pixel, or which of the choices, from 0.
 struct GivenAnswer {
     std::variant<double, glm::ivec2, int> value;
@@ -38,6 +45,7 @@ struct Judgement {
     double number = 0.0; ///< the program's own, of a number
     int choice = -1;     ///< the right one, of a choice
     std::string because; ///< with all numbers filled in
+    std::string says;    ///< to the misconception that gave the answer; empty: none is known
 };
 
 /// A session of its own in which answers are found. Used for several questions, it draws nothing

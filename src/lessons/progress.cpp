@@ -39,11 +39,16 @@ LessonProgress parse_lesson_progress(const TomlInput& input) {
     const TomlInput table = input.table(*answers, "the answers");
     for (const auto& [id, node] : table.nodes()) {
         const TomlInput answer = table.table(node, "an answer");
-        answer.allow_only({"said", "right"});
-        const toml::node* const right = answer.find("right");
-        const auto is_right = right != nullptr ? right->value<bool>() : std::optional<bool>(false);
-        if (!is_right) answer.fail(*right, "'right' is true or false.");
-        lesson.answers[std::string(id.str())] = {answer.text_or_empty("said"), *is_right};
+        answer.allow_only({"said", "right", "second_try"});
+        const auto truth = [&](const char* key) {
+            const toml::node* const found = answer.find(key);
+            if (found == nullptr) return false;
+            const std::optional<bool> value = found->value<bool>();
+            if (!value) answer.fail(*found, std::string("'") + key + "' is true or false.");
+            return *value;
+        };
+        lesson.answers[std::string(id.str())] = {answer.text_or_empty("said"), truth("right"),
+                                                 truth("second_try")};
     }
     return lesson;
 }
@@ -74,6 +79,11 @@ LessonProgress merged(const LessonProgress& before, const LessonProgress& after,
     carry_over(before.steps, after.steps, theirs.steps);
     carry_over(before.tasks, after.tasks, theirs.tasks);
     carry_over(before.answers, after.answers, theirs.answers);
+    for (auto& [id, answer] : theirs.answers) {
+        const auto own = after.answers.find(id);
+        const bool is_shown = own != after.answers.end() && !own->second.has_second_try;
+        if (is_shown) answer.has_second_try = false;
+    }
     if (after.last_step != before.last_step) theirs.last_step = after.last_step;
     return theirs;
 }
@@ -112,6 +122,22 @@ void Progress::note_answer(const std::string& lesson, const std::string& predict
     touch();
 }
 
+bool Progress::has_second_try(const std::string& lesson, const std::string& prediction) const {
+    const auto& answers = of(lesson).answers;
+    const auto found = answers.find(prediction);
+    return found != answers.end() && found->second.has_second_try;
+}
+
+void Progress::end_second_try(const std::string& lesson, const std::string& prediction) {
+    if (!has_second_try(lesson, prediction)) return;
+    lessons[lesson].answers[prediction].has_second_try = false;
+    touch();
+}
+
+bool Progress::is_answered(const std::string& lesson, const std::string& prediction) const {
+    return of(lesson).answers.count(prediction) > 0 && !has_second_try(lesson, prediction);
+}
+
 void Progress::touch() {
     static std::uint64_t last = 0;
     number_ = ++last;
@@ -122,9 +148,13 @@ LessonScore score_of(const Progress& progress, const Lesson& lesson) {
     LessonScore score;
     score.all = static_cast<int>(lesson.tasks.size() + lesson.predictions.size());
     for (const LessonTask& task : lesson.tasks)
-        score.done += own.tasks.count(task.id) > 0 ? 1 : 0;
-    for (const LessonPrediction& prediction : lesson.predictions)
-        score.done += own.answers.count(prediction.id) > 0 ? 1 : 0;
+        score.solved += own.tasks.count(task.id) > 0 ? 1 : 0;
+    for (const LessonPrediction& prediction : lesson.predictions) {
+        if (!progress.is_answered(lesson.id, prediction.id)) continue;
+        ++score.answered;
+        score.right += own.answers.at(prediction.id).is_right ? 1 : 0;
+    }
+    score.done = score.solved + score.answered;
     const int last = static_cast<int>(lesson.steps.size()) - 1;
     score.last_step = std::clamp(own.last_step, 0, std::max(last, 0));
     bool all_seen = true;
@@ -157,8 +187,9 @@ std::string progress_text(const Progress& progress) {
             tasks.push_back(task);
         toml::table answers;
         for (const auto& [prediction, answer] : own.answers) {
-            answers.insert(prediction,
-                           toml::table{{"said", answer.said}, {"right", answer.is_right}});
+            toml::table one{{"said", answer.said}, {"right", answer.is_right}};
+            if (answer.has_second_try) one.insert("second_try", true);
+            answers.insert(prediction, std::move(one));
         }
         lessons.insert(id, toml::table{{"last_step", own.last_step},
                                        {"steps", std::move(steps)},

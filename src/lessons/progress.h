@@ -14,6 +14,7 @@ namespace rasterwalk {
 struct FirstAnswer {
     std::string said; ///< as the student gave it
     bool is_right = false;
+    bool has_second_try = false; ///< it was wrong, and the program has not shown its own yet
 
     friend bool operator==(const FirstAnswer&, const FirstAnswer&) = default;
 };
@@ -43,6 +44,11 @@ struct Progress {
     /// Only the first answer is kept.
     void note_answer(const std::string& lesson, const std::string& prediction,
                      const FirstAnswer& answer);
+    /// The first answer was wrong, and the program has not shown its own yet.
+    bool has_second_try(const std::string& lesson, const std::string& prediction) const;
+    void end_second_try(const std::string& lesson, const std::string& prediction);
+    /// The program has shown its own answer.
+    bool is_answered(const std::string& lesson, const std::string& prediction) const;
 
     /// To be called whenever one of the members above was set directly.
     void touch();
@@ -60,6 +66,9 @@ struct Progress {
 /// How far a lesson is done.
 struct LessonScore {
     int done = 0, all = 0; ///< tasks solved and predictions answered
+    int solved = 0;        ///< tasks of these
+    int answered = 0;      ///< predictions of these
+    int right = 0;         ///< predictions of these whose first answer was right
     int last_step = 0;     ///< where the student left it
     bool is_done = false;  ///< every step seen, every task and prediction done
 };

@@ -20,6 +20,7 @@ namespace {
 void forget_step(LessonView& view) {
     view.pages.clear();
     view.open_hints.clear();
+    view.task_words.clear();
     view.meant.clear();
     view.pointed_at.clear();
     view.of_step.clear();
@@ -161,25 +162,32 @@ const Lesson* open_lesson_of(Ui& ui) {
     return ui.session.lesson.empty() ? nullptr : ui.lesson.lessons.find(ui.session.lesson);
 }
 
-void tick_off_tasks(Ui& ui, const Lesson& lesson) {
-    for (const LessonTask& task : lesson.tasks) {
-        if (task.step != ui.session.step || ui.lesson.progress.is_task_done(lesson.id, task.id)) {
-            continue;
-        }
-        if (is_done(task, Facts(ui.session, ui.results, &ui.lesson.facts))) {
-            ui.lesson.progress.note_task(lesson.id, task.id);
+void tick_off_tasks(Ui& ui) {
+    const Lesson* const lesson = open_lesson_of(ui);
+    if (lesson == nullptr) return;
+    LessonView& view = ui.lesson;
+    const Facts facts(ui.session, ui.results, &view.facts);
+    for (const LessonTask& task : lesson->tasks) {
+        if (task.step != ui.session.step) continue;
+        std::string& words = view.task_words[task.id];
+        if (view.progress.is_task_done(lesson->id, task.id)) {
+            // The numbers of a reason are those of the moment in which it was solved.
+            const bool has_numbers = task.because.find('{') != task.because.npos;
+            if (words.empty() && !has_numbers) words = task.because;
+        } else if (is_done(task, facts)) {
+            view.progress.note_task(lesson->id, task.id);
+            view.strip.is_recut = true;
+            words = reason_of(task, facts);
+        } else {
+            words = not_yet(task, facts);
         }
     }
 }
 
-void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
-                       const GivenAnswer& answer, std::string said) {
-    PredictionView& view = ui.lesson.predictions[prediction.id];
-    view.judged = judge(lesson, prediction, answer, ui.session);
-    view.is_fresh = true;
-    view.because = nullptr;
-    ui.lesson.progress.note_answer(lesson.id, prediction.id, {said, view.judged->is_right});
-    view.said = std::move(said);
+namespace {
+
+/// Shows in the session what the step shows after the answer.
+void show_reveal(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction) {
     if (!prediction.then) return;
     Session& session = ui.session;
     const ViewState& step = lesson.steps[static_cast<std::size_t>(session.step)].state;
@@ -191,6 +199,51 @@ void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     if (keeps_tab) keep_own_tab(session, own_tab);
     session.tab_guide.shows_all = shows_all;
     if (!faults.empty()) session.notice = fault_text(lesson, faults.front());
+}
+
+} // namespace
+
+void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
+                       const GivenAnswer& answer, std::string said) {
+    PredictionView& view = ui.lesson.predictions[prediction.id];
+    Progress& progress = ui.lesson.progress;
+    view.judged = judge(lesson, prediction, answer, ui.session);
+    view.is_fresh = true;
+    view.because = nullptr;
+    view.typed.clear();
+    ui.lesson.strip.is_recut = true;
+    const bool is_first = progress.of(lesson.id).answers.count(prediction.id) == 0;
+    const bool may_try_again = is_first && !view.judged->is_right && view.judged->fault.empty();
+    progress.note_answer(lesson.id, prediction.id, {said, view.judged->is_right, may_try_again});
+    view.said = std::move(said);
+    if (may_try_again) return;
+    progress.end_second_try(lesson.id, prediction.id);
+    show_reveal(ui, lesson, prediction);
+}
+
+bool is_revealed(const Ui& ui, const Lesson& lesson, const LessonPrediction& prediction) {
+    const auto view = ui.lesson.predictions.find(prediction.id);
+    return view != ui.lesson.predictions.end() && view->second.judged &&
+           !ui.lesson.progress.has_second_try(lesson.id, prediction.id);
+}
+
+void reveal_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction) {
+    PredictionView& view = ui.lesson.predictions[prediction.id];
+    view.is_fresh = true;
+    view.because = nullptr;
+    ui.lesson.strip.is_recut = true;
+    ui.lesson.progress.end_second_try(lesson.id, prediction.id);
+    show_reveal(ui, lesson, prediction);
+}
+
+void ask_again(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction) {
+    PredictionView& view = ui.lesson.predictions[prediction.id];
+    view.judged.reset();
+    view.typed.clear();
+    ui.lesson.strip.is_recut = true;
+    if (!prediction.then) return;
+    const std::vector<Fault> faults = rasterwalk::open_step(ui.session, lesson, ui.session.step);
+    if (!faults.empty()) ui.session.notice = fault_text(lesson, faults.front());
 }
 
 bool take_up_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction) {

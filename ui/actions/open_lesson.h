@@ -44,14 +44,24 @@ bool lesson_was_edited(const Ui& ui);
 /// the next frame.
 const Lesson* open_lesson_of(Ui& ui);
 
-/// Notes in the progress which tasks of the step on show are solved now.
-void tick_off_tasks(Ui& ui, const Lesson& lesson);
+/// Notes in the progress which tasks of the step on show are solved now, and what is said to a try
+/// that missed. To be called when nothing moves: what a slider passes on its way solves nothing.
+void tick_off_tasks(Ui& ui);
 
-/// Answers a prediction: judges it, notes the first answer in the progress, and shows the state
-/// that belongs to the reveal.
+/// Answers a prediction: judges it and notes the first answer in the progress. A first one that is
+/// wrong may be followed by a second; after that the state is shown that belongs to the reveal.
 /// @param said the answer as it is told back to the student, see answer_words()
 void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
                        const GivenAnswer& answer, std::string said);
+
+/// Has it been answered, and is the program's own answer on show?
+bool is_revealed(const Ui& ui, const Lesson& lesson, const LessonPrediction& prediction);
+
+/// Shows the program's own answer without a second try.
+void reveal_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction);
+
+/// Asks once more what has been answered: what the answer showed is taken off the screen.
+void ask_again(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction);
 
 /// Shows the answer that the progress has of a prediction, judged anew, as if it had just been
 /// given; the picture stays as it is. Does nothing the second time, so that it can be answered

@@ -13,6 +13,7 @@
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/actions/reading.h"
+#include "ui/actions/row_table_layout.h"
 #include "ui/app/guard.h"
 #include "ui/app/kept_options.h"
 #include "ui/bars/bars.h"
@@ -138,6 +139,8 @@ Layout layout_of(const Ui& ui, ImVec2 window) {
                       .lesson_strip = lesson_strip_height(ui),
                       .has_drawer = ui.lesson.drawer_is_open,
                       .menu_end = menu_end_width(ui, window.x),
+                      // A row table that goes on from the picture's rows is as high as they are.
+                      .high_canvas = !has_row_table_for_inspector(ui) && !is_comparing(ui),
                       .has_stages = !ui.start.is_open,
                       .has_status = has_status_line(ui)};
     const Layout narrow = compute_layout(window, ui.options, needs);
@@ -150,6 +153,7 @@ void draw_everything(Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const Layout layout = layout_of(ui, window);
     ui.lesson.is_strip = layout.lesson_is_strip;
+    ui.lesson.strip.is_beside = layout.lesson_is_beside;
     ui.lesson.strip.most_height = layout.most_strip;
     // One that fails leaves the others on the screen.
     guarded(ui, [&] { draw_menu_bar(ui, layout); });
@@ -173,6 +177,12 @@ bool is_at_rest() {
     const bool button_is_down = std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown),
                                             [](bool down) { return down; });
     return !button_is_down && !ImGui::IsAnyItemActive();
+}
+
+/// Has all that the student does come to rest, and all that follows from it?
+bool is_still(const Ui& ui) {
+    return is_at_rest() && !is_any_key_down() && !ui.session.play.running &&
+           !is_moving_by_key(ui) && !is_moving_by_arrows(ui) && !is_working(ui.results);
 }
 
 /// Works out what follows from the session. If that fails, as for want of memory, the session goes
@@ -216,6 +226,7 @@ bool build_pass(Ui& ui, float seconds) {
     const Cursor before = ui.results.a.cursor;
     const bool is_known = update_or_go_back(ui);
     ui.follow_cursor = ui.results.a.cursor != before;
+    if (is_known && is_still(ui)) guarded(ui, [&] { tick_off_tasks(ui); });
     const SessionInputs& asked = ui.session;
     const SessionInputs drawn = asked;
     if (is_known) {

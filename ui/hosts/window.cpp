@@ -270,7 +270,8 @@ void run(Window& window) {
             if (lesson_was_edited(window.ui)) window.frames_due = frames_after_event;
         });
         if (window.frames_due <= 0 && !is_moving && !is_typing && !is_blink_due) continue;
-        --window.frames_due;
+        // What waits comes in the next frame, and needs as many after it.
+        if (!is_input_waiting()) --window.frames_due;
         last_frame = glfwGetTime();
         // A window that is minimized has nothing to be drawn on.
         bool is_drawn = false;

@@ -72,6 +72,10 @@ void add_table(Ui& ui, const CutTable& table, float width, float most,
 
 } // namespace
 
+int lines_of_strip(const Ui& ui) {
+    return ui.lesson.strip.is_beside ? 4 : 2;
+}
+
 std::string fitting_sentences(Ui& ui, const std::string& text, float width, int lines) {
     LessonStrip::Fitting& kept = ui.lesson.strip.fitting;
     const float text_size = ui.fonts.text->FontSize;

@@ -7,8 +7,8 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// The lines of text for which a strip has room.
-inline constexpr int lines_of_strip = 2;
+/// The lines of text for which the strip has room: a narrow one has more.
+int lines_of_strip(const Ui& ui);
 
 /// As many of the first sentences of a Markdown text as have room on so many lines, but at least
 /// one; empty where it does not begin with a paragraph.

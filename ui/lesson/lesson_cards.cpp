@@ -6,6 +6,8 @@
 
 #include "ui/actions/open_lesson.h"
 #include "ui/lesson/fitting_sentences.h"
+#include "ui/lesson/lesson_end.h"
+#include "ui/lesson/lesson_questions.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -25,7 +27,17 @@ struct PartWord {
     const char* help = "";
 };
 
-/// A card for each piece of a text, and one for whatever else stands in the step.
+/// What is long in a part: its text, or the reason for an answer that is on show.
+std::string words_to_cut(Ui& ui, const Lesson& lesson, const LessonPart& part) {
+    if (part.kind == LessonPart::Kind::text) return part.text;
+    if (part.kind != LessonPart::Kind::prediction) return {};
+    const LessonPrediction& prediction = lesson.predictions[static_cast<std::size_t>(part.index)];
+    take_up_answer(ui, lesson, prediction);
+    if (!is_revealed(ui, lesson, prediction)) return {};
+    return reason_on_show(ui.lesson.predictions[prediction.id]);
+}
+
+/// A card for each piece of a text or a reason, and one for whatever else stands in the step.
 std::vector<LessonCard> cut(Ui& ui, const Lesson& lesson, const LessonStep& step, float width,
                             float height) {
     std::vector<LessonCard> cards;
@@ -33,12 +45,16 @@ std::vector<LessonCard> cut(Ui& ui, const Lesson& lesson, const LessonStep& step
         const LessonPart& part = step.parts[i];
         const int index = static_cast<int>(i);
         if (part.kind == LessonPart::Kind::control) continue; // it stands on its neighbours' cards
-        if (part.kind != LessonPart::Kind::text) {
-            cards.push_back({index, {}});
-            continue;
-        }
-        for (const std::string& text : fitting_parts(ui, part.text, width, lines_of_strip, height))
+        const std::string words = words_to_cut(ui, lesson, part);
+        if (words.empty()) cards.push_back({index, {}});
+        for (const std::string& text : fitting_parts(ui, words, width, lines_of_strip(ui), height))
             cards.push_back({index, text});
+    }
+    if (is_last_step(ui, lesson)) {
+        const int end = static_cast<int>(step.parts.size());
+        for (const std::string& text :
+             fitting_parts(ui, end_of_lesson(ui, lesson), width, lines_of_strip(ui), height))
+            cards.push_back({end, text});
     }
     if (cards.empty()) cards.push_back({0, lesson.about});
     return cards;
@@ -57,7 +73,8 @@ std::string sign_of(Ui& ui, const Lesson& lesson, const LessonPart& part) {
     }
     take_up_answer(ui, lesson, lesson.predictions[index]);
     const PredictionView& view = ui.lesson.predictions[lesson.predictions[index].id];
-    return !view.judged ? "" : view.judged->is_right ? "✓ " : "✗ ";
+    if (!is_revealed(ui, lesson, lesson.predictions[index])) return "";
+    return view.judged->is_right ? "✓ " : "✗ ";
 }
 
 /// How long the text of a part's cards before this one is.
@@ -128,6 +145,11 @@ std::vector<PartWord> words_of(Ui& ui, const Lesson& lesson, const LessonStep& s
         }
         words.push_back(word);
     }
+    const int end = static_cast<int>(step.parts.size());
+    if (is_last_step(ui, lesson) && (strip.cards.empty() || has_card(strip, end))) {
+        words.push_back(
+            {end, "lesson.card.end", "end", "What was done, and where to go from here."});
+    }
     // One part in one piece is all there is to see.
     if (words.size() == 1 && strip.cards.size() <= 1) words.clear();
     return words;
@@ -139,7 +161,8 @@ void cut_cards(Ui& ui, const Lesson& lesson, const LessonStep& step, float width
     LessonStrip& strip = ui.lesson.strip;
     const float text_size = ui.fonts.text->FontSize;
     const bool is_known = strip.cards_width == width && strip.cards_text_size == text_size &&
-                          strip.cards_height == height;
+                          strip.cards_height == height && !strip.is_recut;
+    strip.is_recut = false;
     if (strip.cards.empty() || !is_known) {
         if (!strip.cards.empty() && !strip.read_to) strip.read_to = beginning_of(strip, strip.card);
         strip.cards = cut(ui, lesson, step, width, height);

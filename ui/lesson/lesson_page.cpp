@@ -10,6 +10,7 @@
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/lesson/lesson_controls.h"
+#include "ui/lesson/lesson_end.h"
 #include "ui/lesson/lesson_questions.h"
 #include "ui/lesson/page_footer.h"
 #include "ui/page/markdown.h"
@@ -94,10 +95,11 @@ bool is_open(const Ui& ui, const Lesson& lesson, const LessonPart& part) {
     case LessonPart::Kind::task:
         return !ui.lesson.progress.is_task_done(lesson.id, lesson.tasks[index].id);
     case LessonPart::Kind::prediction: {
-        const auto view = ui.lesson.predictions.find(lesson.predictions[index].id);
+        const LessonPrediction& prediction = lesson.predictions[index];
+        const auto view = ui.lesson.predictions.find(prediction.id);
         // Not there: a link has led elsewhere.
         return view != ui.lesson.predictions.end() && view->second.is_taken_up &&
-               !view->second.judged;
+               !is_revealed(ui, lesson, prediction);
     }
     }
     return false;
@@ -145,7 +147,6 @@ void draw_lesson_faults(Ui& ui, const Lesson& lesson) {
 }
 
 void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
-    tick_off_tasks(ui, lesson);
     const LessonStep& step = step_on_show(ui, lesson);
     // A drawer says it above its text, which has few lines.
     if (!is_drawer_open(ui)) draw_heading(ui, lesson);
@@ -187,6 +188,7 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
         if (ui.lesson.open_below || !is_open(ui, lesson, part) || !is_below(ui, area)) continue;
         ui.lesson.open_below = area.part;
     }
+    if (is_last_step(ui, lesson)) draw_lesson_end(ui, lesson, width);
     // What is drawn may have led to another step, which asks for a place of its own.
     std::optional<LessonPlace>& place = ui.lesson.place_to_show;
     const bool is_here = place && static_cast<std::size_t>(place->part) < areas.size();

@@ -10,7 +10,6 @@
 #include "base/numbers.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
-#include "ui/lesson/fitting_sentences.h"
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
@@ -130,7 +129,8 @@ std::vector<ChoicePlace> places_of_choices(const LessonPrediction& prediction, f
     const ImVec2 gap = ImGui::GetStyle().ItemSpacing;
     const float wrap = std::max(width - 2.0f * padding.x, 1.0f);
     float x = 0.0f, y = 0.0f, line = 0.0f;
-    for (const std::string& choice : prediction.choices) {
+    for (const int number : prediction.order) {
+        const std::string& choice = prediction.choices[static_cast<std::size_t>(number)];
         const ImVec2 text = ImGui::CalcTextSize(choice.c_str(), nullptr, false, wrap);
         const ImVec2 size{side_by_side ? text.x + 2.0f * padding.x : width,
                           text.y + 2.0f * padding.y};
@@ -145,6 +145,23 @@ std::vector<ChoicePlace> places_of_choices(const LessonPrediction& prediction, f
     return places;
 }
 
+/// Was it answered wrongly, and is it asked once more?
+bool is_second_try(Ui& ui, const LessonPrediction& prediction) {
+    return ui.lesson.progress.has_second_try(ui.session.lesson, prediction.id) &&
+           ui.lesson.predictions[prediction.id].judged.has_value();
+}
+
+/// What was chosen first, and is not to be chosen again.
+void draw_spent_choice(Ui& ui, const std::string& choice, const Area& area, ImVec2 padding,
+                       float wrap) {
+    ImGui::Dummy(area.size);
+    keep_item_whole(ui);
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(),
+                                        {area.position.x + padding.x, area.position.y + padding.y},
+                                        packed(palette(ui.options.theme).dim), choice.c_str(),
+                                        nullptr, wrap + 1.0f);
+}
+
 void draw_choices(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
                   const std::string& name, float width, bool side_by_side) {
     const Palette& p = palette(ui.options.theme);
@@ -155,15 +172,20 @@ void draw_choices(Ui& ui, const Lesson& lesson, const LessonPrediction& predicti
         places_of_choices(prediction, width, padding, side_by_side);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     for (std::size_t i = 0; i < prediction.choices.size(); ++i) {
-        const std::string& choice = prediction.choices[i];
+        const int number = prediction.order[i];
+        const std::string& choice = prediction.choices[static_cast<std::size_t>(number)];
         const ImVec2 low{start.x + places[i].at.x, start.y + places[i].at.y};
         const ImVec2 size = places[i].size;
         ImGui::SetCursorScreenPos(low);
-        ImGui::PushID(static_cast<int>(i));
+        if (choice == ui.lesson.predictions[prediction.id].said && is_second_try(ui, prediction)) {
+            draw_spent_choice(ui, choice, {low, size}, padding, places[i].wrap);
+            continue;
+        }
+        ImGui::PushID(number);
         const bool pressed = ImGui::InvisibleButton("choice", size);
         ImGui::PopID();
         const bool hovered = ImGui::IsItemHovered();
-        name_widget(ui, name + ".choice." + std::to_string(i), "Choose this answer.");
+        name_widget(ui, name + ".choice." + std::to_string(number), "Choose this answer.");
         keep_item_whole(ui);
         ImDrawList* const list = ImGui::GetWindowDrawList();
         list->AddRectFilled(low, {low.x + size.x, low.y + size.y},
@@ -172,7 +194,7 @@ void draw_choices(Ui& ui, const Lesson& lesson, const LessonPrediction& predicti
                       {low.x + padding.x, low.y + padding.y}, packed(p.text), choice.c_str(),
                       nullptr, places[i].wrap + 1.0f);
         if (pressed) {
-            const GivenAnswer given{static_cast<int>(i)};
+            const GivenAnswer given{number};
             answer_prediction(ui, lesson, prediction, given, answer_words(prediction, given));
         }
     }
@@ -203,12 +225,15 @@ std::string as_said(const LessonPrediction& prediction, const std::string& answe
     return "“" + answer + "”" + (answer.ends_with('.') ? "" : ".");
 }
 
-/// "You said: 12. The program says: 11 pixels."
-std::string verdict(const LessonPrediction& prediction, const PredictionView& view) {
+/// "You said: 12. The program says: 11 pixels." Of a first try that may be followed by a second:
+/// "You said: 12."
+std::string verdict(const LessonPrediction& prediction, const PredictionView& view,
+                    bool is_second_try) {
     const Judgement& judged = *view.judged;
     if (!judged.fault.empty()) return judged.fault;
     std::string text = judged.is_right ? "Right: " : "You said: ";
     text.append(as_said(prediction, view.said));
+    if (is_second_try) return text;
     using Kind = LessonPrediction::Kind;
     if (prediction.kind == Kind::pixel) return judged.is_right ? text : text + " That is not one.";
     const bool is_nearly = prediction.kind == Kind::number && judged.answer != view.said;
@@ -225,46 +250,57 @@ void draw_verdict(Ui& ui, const LessonPrediction& prediction, const std::string&
     const ImVec4 colour = colour_of(is_right ? Meaning::pass : Meaning::fail, ui.options.theme);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::PushFont(ui.fonts.bold);
-    wrapped_text((is_right ? "✓  " : "✗  ") + verdict(prediction, view));
+    wrapped_text((is_right ? "✓  " : "✗  ") +
+                 verdict(prediction, view, is_second_try(ui, prediction)));
     ImGui::PopFont();
     ImGui::PopStyleColor();
     name_widget(ui, name + ".verdict");
     keep_item_whole(ui);
 }
 
-void draw_again(Ui& ui, const LessonPrediction& prediction, const std::string& name) {
-    if (button(ui, name + ".again", "answer again", Look::link,
-               "The first answer is the one that is remembered.")) {
-        ui.lesson.predictions[prediction.id].judged.reset();
-    }
-    keep_item_whole(ui);
-    if (!std::exchange(ui.lesson.predictions[prediction.id].is_fresh, false)) return;
+/// What was just said is brought into sight, and the widget after it has the keyboard.
+void show_fresh(Ui& ui, const std::string& widget) {
     scroll_here(1.0f);
     if (!ui.focus.is_shown) return;
-    ui.focus.name = name + ".again";
+    ui.focus.name = widget;
     ui.focus.wants_sight = true;
 }
 
-void draw_reveal(Ui& ui, Box& box, const LessonPrediction& prediction, const std::string& name) {
+void draw_again(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
+                const std::string& name) {
+    const bool is_pressed = button(ui, name + ".again", "answer again", Look::link,
+                                   "The first answer is the one that is remembered.");
+    keep_item_whole(ui);
+    if (std::exchange(ui.lesson.predictions[prediction.id].is_fresh, false))
+        show_fresh(ui, name + ".again");
+    if (is_pressed) ask_again(ui, lesson, prediction);
+}
+
+void draw_reveal(Ui& ui, Box& box, const Lesson& lesson, const LessonPrediction& prediction,
+                 const std::string& name) {
     PredictionView& view = ui.lesson.predictions[prediction.id];
-    const std::string because = view.judged->because;
+    const std::string reason = reason_on_show(view);
     draw_verdict(ui, prediction, name);
-    if (!because.empty()) box.markdown(name, view.because, because);
-    draw_again(ui, prediction, name);
+    if (!reason.empty()) box.markdown(name, view.because, reason);
+    draw_again(ui, lesson, prediction, name);
+}
+
+/// What is said to a first answer that was wrong.
+std::string words_to_miss(const PredictionView& view) {
+    if (!view.judged->says.empty()) return view.judged->says;
+    return "That is not it. Think again: you have a second try.";
 }
 
 /// In a strip: the verdict, as much of the reason as has room, and the way to answer again.
-void draw_short_reveal(Ui& ui, const LessonPrediction& prediction, const std::string& name,
-                       float width) {
-    PredictionView& view = ui.lesson.predictions[prediction.id];
-    const std::string because = fitting_sentences(ui, view.judged->because, width, lines_of_strip);
+void draw_short_reveal(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
+                       const std::string& name, const std::string& because, float width) {
     const float left = ImGui::GetCursorScreenPos().x;
     draw_verdict(ui, prediction, name);
     const ImVec2 gap = ImGui::GetStyle().ItemSpacing;
     const bool is_one_line = ImGui::GetItemRectSize().y < 2.0f * ImGui::GetFontSize();
     const float end = ImGui::GetItemRectMax().x + gap.x + button_width("answer again");
     if (is_one_line && end <= left + width) ImGui::SameLine();
-    draw_again(ui, prediction, name);
+    draw_again(ui, lesson, prediction, name);
     if (!because.empty()) draw_marked(ui, name, ui.lesson.pages[name + ".because"], because, width);
 }
 
@@ -283,6 +319,51 @@ void draw_answers(Ui& ui, const Lesson& lesson, const LessonPrediction& predicti
     }
 }
 
+/// The widget that answers first.
+std::string first_answer(const LessonPrediction& prediction, const std::string& name) {
+    switch (prediction.kind) {
+    case LessonPrediction::Kind::number:
+        return name + ".number";
+    case LessonPrediction::Kind::choice:
+        return name + ".choice." + std::to_string(prediction.order.front());
+    case LessonPrediction::Kind::pixel:
+        break;
+    }
+    return name + ".answer";
+}
+
+/// The ways to answer; the second time with what is said to the first answer, and with a way out.
+void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
+                const std::string& name, float width, bool side_by_side) {
+    PredictionView& view = ui.lesson.predictions[prediction.id];
+    // What is answered below is said in the next frame.
+    const bool is_fresh = std::exchange(view.is_fresh, false);
+    const bool is_second = is_second_try(ui, prediction);
+    if (is_second) {
+        draw_verdict(ui, prediction, name);
+        draw_marked(ui, name, view.because, words_to_miss(view), width);
+        ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
+    }
+    draw_answers(ui, lesson, prediction, name, side_by_side ? width : ImGui::CalcItemWidth(),
+                 side_by_side);
+    if (!is_second) return;
+    const bool is_pressed =
+        button(ui, name + ".show", "show the answer", Look::link, "Without a second try.");
+    keep_item_whole(ui);
+    if (is_fresh) show_fresh(ui, first_answer(prediction, name));
+    if (is_pressed) reveal_answer(ui, lesson, prediction);
+}
+
+/// Why a task is solved, or what the last try missed.
+void draw_task_words(Ui& ui, const LessonTask& task, const std::string& name, bool done,
+                     float width) {
+    const auto words = ui.lesson.task_words.find(task.id);
+    if (words == ui.lesson.task_words.end() || words->second.empty()) return;
+    draw_marked(ui, name + ".words", ui.lesson.pages[name + ".words"],
+                done ? words->second : "**Not yet:** " + words->second, width);
+    name_widget(ui, name + ".words");
+}
+
 /// A hint as far as it was asked for.
 void draw_hint(Ui& ui, const LessonTask& task, const std::string& name, float width) {
     std::set<std::string>& hints = ui.lesson.open_hints;
@@ -298,6 +379,12 @@ void draw_hint(Ui& ui, const LessonTask& task, const std::string& name, float wi
 
 } // namespace
 
+std::string reason_on_show(const PredictionView& view) {
+    const Judgement& judged = *view.judged;
+    if (judged.says.empty()) return judged.because;
+    return judged.because.empty() ? judged.says : judged.says + "\n\n" + judged.because;
+}
+
 void draw_task(Ui& ui, const Lesson& lesson, const LessonTask& task, float width) {
     const Palette& p = palette(ui.options.theme);
     const bool done = ui.lesson.progress.is_task_done(lesson.id, task.id);
@@ -307,8 +394,10 @@ void draw_task(Ui& ui, const Lesson& lesson, const LessonTask& task, float width
     {
         Box box(ui, width, colour);
         box.heading(done ? "✓ DONE" : "TASK", colour);
-        name_widget(ui, name, done ? "You have solved this." : "Ticked off as soon as it is so.");
+        name_widget(ui, name,
+                    done ? "You have solved this." : "Ticked off when it is so and nothing moves.");
         box.markdown(name, ui.lesson.pages[name], without_label(task.text));
+        draw_task_words(ui, task, name, done, box.inner_width());
         if (!task.hint.empty() && !done) draw_hint(ui, task, name, box.inner_width());
     }
     ImGui::PopID();
@@ -320,6 +409,7 @@ void draw_task_lines(Ui& ui, const Lesson& lesson, const LessonTask& task, float
     ImGui::PushID(name.c_str());
     draw_marked(ui, name, ui.lesson.pages[name], without_label(task.text), width);
     name_widget(ui, name);
+    draw_task_words(ui, task, name, done, width);
     if (!task.hint.empty() && !done) draw_hint(ui, task, name, width);
     ImGui::PopID();
 }
@@ -337,27 +427,27 @@ void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& predi
         ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
         if (!take_up_answer(ui, lesson, prediction)) {
             text_in(palette(ui.options.theme).dim, "Your answer comes back …");
-        } else if (ui.lesson.predictions[prediction.id].judged) {
-            draw_reveal(ui, box, prediction, name);
+        } else if (is_revealed(ui, lesson, prediction)) {
+            draw_reveal(ui, box, lesson, prediction, name);
         } else {
-            draw_answers(ui, lesson, prediction, name, ImGui::CalcItemWidth(), false);
+            draw_tries(ui, lesson, prediction, name, box.inner_width(), false);
         }
     }
     ImGui::PopID();
 }
 
 void draw_prediction_lines(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
-                           float width) {
+                           const std::string& because, float width) {
     const std::string name = "lesson.prediction." + prediction.id;
     ImGui::PushID(name.c_str());
     take_up_answer(ui, lesson, prediction);
-    if (ui.lesson.predictions[prediction.id].judged) {
-        draw_short_reveal(ui, prediction, name, width);
+    if (is_revealed(ui, lesson, prediction)) {
+        draw_short_reveal(ui, lesson, prediction, name, because, width);
     } else {
         draw_marked(ui, name + ".text", ui.lesson.pages[name], without_label(prediction.text),
                     width);
         name_widget(ui, name);
-        draw_answers(ui, lesson, prediction, name, width, true);
+        draw_tries(ui, lesson, prediction, name, width, true);
     }
     ImGui::PopID();
 }

@@ -42,7 +42,7 @@ struct LessonSearch {
 /// What a strip shows of a step at a time: a few lines of its text, a question, or a task.
 struct LessonCard {
     int part = 0;     ///< index in LessonStep::parts
-    std::string text; ///< of a part that is text: as much of it as has room
+    std::string text; ///< as much of it as has room; of a question: of the reason for its answer
 };
 
 /// A place in a step's text.
@@ -57,10 +57,12 @@ struct LessonStrip {
     float cards_width = 0.0f;      ///< for which they were cut, screen pixels
     float cards_text_size = 0.0f;  ///< and of which font, screen pixels
     float cards_height = 0.0f;     ///< and for what room for a table, screen pixels
+    bool is_recut = false;         ///< they are cut anew: what they say is another
     int card = 0;                  ///< the one on show
     LessonPlace place;             ///< where the card on show begins
     std::optional<LessonPlace> read_to; ///< what the cards are to go on with, once they are cut
     int scrolled_card = 0;              ///< the one to which the scroll position belongs
+    bool is_beside = false;   ///< the canvas, and narrower than the window
     float height = 0.0f;      ///< that its text took when it was drawn last, screen pixels
     float most_height = 0.0f; ///< that it can have in this window, screen pixels
     /// The sentences that fit, and for what they were found.
@@ -95,6 +97,8 @@ struct LessonView {
     std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the step on show, by name
     std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
     std::set<std::string> open_hints;                           ///< ids of tasks
+    /// Why a task of the step on show is solved, or what the last try missed, by id: Markdown.
+    std::map<std::string, std::string> task_words;
     std::string shown;         ///< which page is on show; the scroll position belongs to it
     float scroll_share = 0.0f; ///< how far it is scrolled, 0 to 1
     unsigned place = 0;        ///< in which window of ImGui it stands

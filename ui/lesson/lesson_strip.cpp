@@ -26,15 +26,18 @@ namespace {
 /// Design pixels: between text and buttons, and of the first line.
 constexpr float middle_gap = 16.0f;
 constexpr float head_height = 25.0f;
+constexpr float narrow_head_height = 66.0f;
 constexpr float word_height = 21.0f;
 
 /// Of the bars in the first line, design pixels; narrower than the least they are left out.
 constexpr float bars_width = 120.0f;
 constexpr float least_bars = 50.0f;
 
-/// Of the first line, screen pixels; whole, so that the text below it begins at a pixel.
+/// Of the first line, or, in a narrow strip, of the buttons; screen pixels, whole, so that the text
+/// below it begins at a pixel.
 float head_room(const Ui& ui) {
-    return std::round(head_height * ui.options.text_scale);
+    const float height = ui.lesson.strip.is_beside ? narrow_head_height : head_height;
+    return std::round(height * ui.options.text_scale);
 }
 
 /// What the first line says.
@@ -120,8 +123,10 @@ void draw_card(Ui& ui, const Lesson& lesson, const LessonStep& step, const Lesso
     if (ui.lesson.strip.card == 0) draw_lesson_faults(ui, lesson);
     using Kind = LessonPart::Kind;
     const auto part = static_cast<std::size_t>(card.part);
+    const int first = card_of_part(ui.lesson.strip, card.part);
+    // A reason goes on from the question's own card.
     if (part >= step.parts.size() || step.parts[part].kind == Kind::text ||
-        step.parts[part].kind == Kind::control) {
+        step.parts[part].kind == Kind::control || ui.lesson.strip.card > first) {
         draw_text_card(ui, card.text, width);
         return;
     }
@@ -129,7 +134,7 @@ void draw_card(Ui& ui, const Lesson& lesson, const LessonStep& step, const Lesso
     if (step.parts[part].kind == Kind::task) {
         draw_task_lines(ui, lesson, lesson.tasks[index], width);
     } else {
-        draw_prediction_lines(ui, lesson, lesson.predictions[index], width);
+        draw_prediction_lines(ui, lesson, lesson.predictions[index], card.text, width);
     }
 }
 
@@ -145,8 +150,9 @@ void draw_controls(Ui& ui, const Lesson& lesson, const LessonStep& step, float w
 }
 
 /// Returns the page to which a bar leads, or -1.
-int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, float width) {
-    tick_off_tasks(ui, lesson);
+/// @param head_width without the buttons
+int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, float head_width,
+                     float width) {
     const LessonStep& step = step_on_show(ui, lesson);
     const Head head{plain_text(step.heading), place_in_lesson(ui, lesson), pages};
     LessonStrip& strip = ui.lesson.strip;
@@ -154,8 +160,12 @@ int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, floa
     cut_cards(ui, lesson, step, width, strip.most_height - margins - head_room(ui));
     const int part = strip.cards[static_cast<std::size_t>(strip.card)].part;
     Area words{{}, {part_words_width(ui, lesson, step, part), word_height * ui.options.text_scale}};
-    const int wanted = draw_head(ui, head, width, words);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    Area none;
+    const int wanted = draw_head(ui, head, head_width, strip.is_beside ? none : words);
     const ImVec2 below = ImGui::GetCursorScreenPos();
+    if (strip.is_beside)
+        words.position = {start.x, start.y + std::round(head_height * ui.options.text_scale)};
     const int pressed = draw_part_words(ui, lesson, step, part, words);
     if (pressed >= 0) strip.card = card_of_part(strip, pressed);
     ImGui::SetCursorScreenPos(below);
@@ -177,19 +187,22 @@ int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, floa
     return wanted;
 }
 
-int draw_stage(Ui& ui, const PageFooter& pages, float width) {
+int draw_stage(Ui& ui, const PageFooter& pages, float head_width, float width) {
     const StageInfo& info = stage_info(ui.session.a.settings);
     const Head head{
         std::string(info.title),
         "stage " + std::to_string(pages.current + 1) + " of " + std::to_string(stage_count), pages};
     Area words{};
-    const int wanted = draw_head(ui, head, width, words);
+    const int wanted = draw_head(ui, head, head_width, words);
     begin_card_window(ui, width);
     scroll_by_key(ui.lesson);
     const StageNote& note = ui.lesson.notes.find(note_name(ui.session));
     const std::string text =
         note.fault.empty() ? note_on_show(ui, note) : std::string(info.summary);
-    draw_text_card(ui, fitting_sentences(ui, text, width, lines_of_strip), width);
+    // The way on leads to the next stage: what has no room is left to the whole text.
+    std::string beginning = fitting_sentences(ui, text, width, lines_of_strip(ui));
+    if (beginning.size() < text.size()) beginning += " …";
+    draw_text_card(ui, beginning, width);
     end_card_window(ui);
     return wanted;
 }
@@ -199,7 +212,7 @@ int draw_stage(Ui& ui, const PageFooter& pages, float width) {
 float lesson_strip_height(const Ui& ui) {
     const float line = std::round(1.4f * ui.fonts.text->FontSize);
     const float u = ui.options.text_scale;
-    const float two_lines = head_room(ui) + static_cast<float>(lines_of_strip) * line;
+    const float two_lines = head_room(ui) + static_cast<float>(lines_of_strip(ui)) * line;
     return std::ceil(std::max(two_lines, ui.lesson.strip.height) + 2.0f * strip_margin_y * u);
 }
 
@@ -218,15 +231,16 @@ void draw_lesson_strip(Ui& ui, const Area& area) {
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float buttons = page_buttons_width(ui);
-    const float text = std::max(room.x - buttons - middle_gap * u, 1.0f);
+    const float head = std::max(room.x - buttons - middle_gap * u, 1.0f);
+    const float text = ui.lesson.strip.is_beside ? room.x : head;
 
     const Lesson* const open = open_lesson_of(ui);
     const Lesson* const lesson = ui.session.page != SidePage::stage ? open : nullptr;
     const PageFooter pages = lesson != nullptr ? pages_of_lesson(ui, *lesson) : pages_of_stages(ui);
 
     const float width = std::max(text - ImGui::GetStyle().ScrollbarSize, 1.0f);
-    const int bar = lesson != nullptr ? draw_lesson_text(ui, *lesson, pages, width)
-                                      : draw_stage(ui, pages, width);
+    const int bar = lesson != nullptr ? draw_lesson_text(ui, *lesson, pages, head, width)
+                                      : draw_stage(ui, pages, head, width);
     const int direction = draw_strip_buttons(ui, lesson, pages, {start.x + room.x, start.y});
     ImGui::End();
     ImGui::PopStyleVar();

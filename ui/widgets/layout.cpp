@@ -137,6 +137,14 @@ Layout compute_layout(ImVec2 window, const UiOptions& options, const LayoutNeeds
     const bool has_room = needs.lesson_strip <= layout.most_strip;
     const float lesson = needs.has_drawer ? 0.0f : std::round(has_room ? needs.lesson_strip : most);
     const float below = std::max(middle - lesson, 1.0f);
+    if (options.is_lecture && needs.high_canvas && !needs.has_drawer && !needs.wide_canvas) {
+        const float half = std::round(0.5f * width);
+        layout.lesson_is_beside = true;
+        layout.canvas = {{0, top}, {half, middle}};
+        layout.lesson = {{half, top}, {width - half, lesson}};
+        layout.inspector = {{half, top + lesson}, {width - half, below}};
+        return layout;
+    }
     const float inspector = inspector_width(window, options, needs, layout.is_narrow, below);
     const float canvas = std::max(width - inspector, 1.0f);
     // In a wide window the strip takes nothing from the inspector.

@@ -24,15 +24,17 @@ struct Area {
 struct Layout {
     Area menu;      ///< top line
     Area strip;     ///< the stages, the switches and the scene; in a narrow window in the top line
-    Area lesson;    ///< left column, or a strip above the canvas; no height where a drawer is open
+    Area lesson;    ///< left column, or a strip above canvas or inspector; no height where a drawer
+                    ///< is open
     Area canvas;    ///< middle
     Area inspector; ///< right column
     Area transport; ///< time
     Area status;    ///< last line; without height where there is none
     bool is_narrow = false; ///< the menus stand behind a button
     bool lesson_is_strip = false;
-    float most_strip = 0.0f; ///< the height that the strip can have at most
-    float unit = 1.0f;       ///< screen pixels per design pixel: the text scale
+    bool lesson_is_beside = false; ///< the strip stands above the inspector, beside the canvas
+    float most_strip = 0.0f;       ///< the height that the strip can have at most
+    float unit = 1.0f;             ///< screen pixels per design pixel: the text scale
 };
 
 /// What the parts of the window ask for, screen pixels.
@@ -41,6 +43,7 @@ struct LayoutNeeds {
     float lesson_strip = 0.0f; ///< the height of the lesson, where that is a strip
     bool has_drawer = false;   ///< the lesson's whole text stands instead of strip and inspector
     float menu_end = 0.0f;     ///< width of the right end of the top line, in a narrow window
+    bool high_canvas = false;  ///< in a lecture: it has half of the window, from bar to bar
     bool wide_canvas = false;  ///< the lesson makes room for the canvas, as in a narrow window
     bool has_stages = true;    ///< they stand in the window
     bool has_status = true;

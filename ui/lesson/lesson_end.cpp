@@ -1,0 +1,81 @@
+#include "ui/lesson/lesson_end.h"
+
+#include <fmt/format.h>
+
+#include "base/numbers.h"
+#include "lessons/progress.h"
+#include "ui/actions/lesson_links.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/page/markdown.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// "4 of 6 predictions right at the first try, 2 of 3 tasks done."
+std::string done_so_far(const Ui& ui, const Lesson& lesson) {
+    const LessonScore score = score_of(ui.lesson.progress, lesson);
+    const auto of = [](int part, std::size_t all, const char* one, const char* more) {
+        return fmt::format("{} of {}", part, counted(static_cast<std::int64_t>(all), one, more));
+    };
+    std::string text = score.is_done ? "**Lesson done.** " : "**The end of the lesson.** ";
+    if (!lesson.predictions.empty()) {
+        text += of(score.right, lesson.predictions.size(), "prediction", "predictions") +
+                " right at the first try";
+    }
+    if (!lesson.tasks.empty()) {
+        text += lesson.predictions.empty() ? "" : ", ";
+        text += of(score.solved, lesson.tasks.size(), "task", "tasks") + " done";
+    }
+    text += ".";
+    const int open = score.all - score.done;
+    if (open > 0)
+        text += fmt::format(" {} still open.",
+                            counted(open, "question or task is", "questions or tasks are"));
+    return text;
+}
+
+/// The lesson that comes next, with a link; a lesson that is not written yet is passed over.
+std::string way_on(Ui& ui, const Lesson& lesson) {
+    const std::string id = lesson_after(ui, lesson.id);
+    const Lesson* const next = id.empty() ? nullptr : ui.lesson.lessons.find(id);
+    if (next == nullptr)
+        return "This is the last lesson. What to do next: [your own program](show:tab.lab), with "
+               "all "
+               "of it.";
+    return fmt::format("Next: [lesson {}, {}]({}.md). {}", lesson_number(id), next->title, id,
+                       next->about);
+}
+
+} // namespace
+
+bool is_last_step(const Ui& ui, const Lesson& lesson) {
+    return ui.session.step + 1 == static_cast<int>(lesson.steps.size());
+}
+
+std::string end_of_lesson(Ui& ui, const Lesson& lesson) {
+    std::string text = done_so_far(ui, lesson) + "\n\n" + way_on(ui, lesson);
+    if (lesson.sources.empty()) return text;
+    text += "\n\n*Sources:*\n";
+    for (const std::string& source : lesson.sources)
+        text += "\n- " + source;
+    return text;
+}
+
+void draw_lesson_end(Ui& ui, const Lesson& lesson, float width) {
+    const float u = ui.options.text_scale;
+    ImGui::Dummy({0.0f, 8.0f * u});
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + 1.0f},
+                                              packed(palette(ui.options.theme).line));
+    ImGui::Dummy({0.0f, 6.0f * u});
+    std::shared_ptr<MarkdownPage>& page = ui.lesson.pages["end"];
+    const MarkdownEvents events = draw_markdown(ui, page, end_of_lesson(ui, lesson), width,
+                                                "lesson.end.link.", ui.session.lesson_folder);
+    answer_links(ui, document_of(*page), events);
+}
+
+} // namespace rasterwalk
