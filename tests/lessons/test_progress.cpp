@@ -79,6 +79,31 @@ TEST_CASE("Only the first answer counts, and the last step is remembered") {
     CHECK(progress.of("never opened") == LessonProgress{});
 }
 
+TEST_CASE("A wrong first answer counts once the program has shown its own") {
+    const Lesson lesson = small_lesson("01-a");
+    Progress progress;
+    const std::string id = lesson.predictions.at(0).id;
+    progress.note_answer("01-a", id, {"7", false, true});
+    CHECK(progress.has_second_try("01-a", id));
+    CHECK_FALSE(progress.is_answered("01-a", id));
+    CHECK(score_of(progress, lesson).done == 0);
+    // It is kept, and taken up where it was left.
+    const Progress kept = parse_progress(progress_text(progress), "p.toml");
+    CHECK(kept == progress);
+    CHECK(kept.has_second_try("01-a", id));
+    const Progress before = progress;
+    progress.end_second_try("01-a", id);
+    CHECK(progress.is_answered("01-a", id));
+    CHECK(score_of(progress, lesson).answered == 1);
+    CHECK(score_of(progress, lesson).right == 0);
+    // Another window that has kept the second try open takes over that it is not.
+    CHECK_FALSE(merged(before, progress, before).has_second_try("01-a", id));
+    Progress theirs = before;
+    theirs.note_step("02-b", 1);
+    CHECK_FALSE(merged(before, progress, theirs).has_second_try("01-a", id));
+    CHECK(progress_text(progress).find("second_try") == std::string::npos);
+}
+
 TEST_CASE("A lesson is done when all was seen, solved and answered, rightly or not") {
     const Lesson lesson = small_lesson("01-a");
     Progress progress;

@@ -73,8 +73,11 @@ void draw_lesson_end(Ui& ui, const Lesson& lesson, float width) {
                                               packed(palette(ui.options.theme).line));
     ImGui::Dummy({0.0f, 6.0f * u});
     std::shared_ptr<MarkdownPage>& page = ui.lesson.pages["end"];
-    const MarkdownEvents events = draw_markdown(ui, page, end_of_lesson(ui, lesson), width,
-                                                "lesson.end.link.", ui.session.lesson_folder);
+    const std::string text = end_of_lesson(ui, lesson);
+    const MarkdownEvents events =
+        draw_markdown(ui, page, text, width, "lesson.end.link.", ui.session.lesson_folder);
+    name_widget(ui, "lesson.end");
+    note_text(ui, "lesson.end", text);
     answer_links(ui, document_of(*page), events);
 }
 

@@ -255,6 +255,7 @@ void draw_verdict(Ui& ui, const LessonPrediction& prediction, const std::string&
     ImGui::PopFont();
     ImGui::PopStyleColor();
     name_widget(ui, name + ".verdict");
+    note_text(ui, name + ".verdict", verdict(prediction, view, is_second_try(ui, prediction)));
     keep_item_whole(ui);
 }
 
@@ -341,7 +342,10 @@ void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
     const bool is_second = is_second_try(ui, prediction);
     if (is_second) {
         draw_verdict(ui, prediction, name);
-        draw_marked(ui, name, view.because, words_to_miss(view), width);
+        const std::string words = words_to_miss(view);
+        draw_marked(ui, name, view.because, words, width);
+        name_widget(ui, name + ".says");
+        note_text(ui, name + ".says", words);
         ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
     }
     draw_answers(ui, lesson, prediction, name, side_by_side ? width : ImGui::CalcItemWidth(),
@@ -362,6 +366,7 @@ void draw_task_words(Ui& ui, const LessonTask& task, const std::string& name, bo
     draw_marked(ui, name + ".words", ui.lesson.pages[name + ".words"],
                 done ? words->second : "**Not yet:** " + words->second, width);
     name_widget(ui, name + ".words");
+    note_text(ui, name + ".words", words->second);
 }
 
 /// A hint as far as it was asked for.

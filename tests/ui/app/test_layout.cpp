@@ -24,9 +24,10 @@ const Window windows[] = {{1600, 1000, 1.0f}, {1600, 1000, 1.5f}, {1600, 1000, 2
 TEST_CASE("The parts of the window cover it without overlapping") {
     for (const Window& w : windows) {
         for (const bool is_lecture : {false, true}) {
-            for (const bool wide_canvas : {false, true}) {
+            for (const int canvas : {0, 1, 2}) {
+                const bool wide_canvas = canvas == 1, high_canvas = canvas == 2;
                 INFO(w.width << " x " << w.height << " at " << w.scale << ", lecture " << is_lecture
-                             << ", wide canvas " << wide_canvas);
+                             << ", wide canvas " << wide_canvas << ", high " << high_canvas);
                 UiOptions options;
                 options.is_lecture = is_lecture;
                 options.text_scale = fitting_text_scale({w.width, w.height}, w.scale);
@@ -35,7 +36,9 @@ TEST_CASE("The parts of the window cover it without overlapping") {
                                                      {.transport = 80.0f * u,
                                                       .lesson_strip = 86.0f * u,
                                                       .menu_end = 100.0f * u,
+                                                      .high_canvas = high_canvas,
                                                       .wide_canvas = wide_canvas});
+                CHECK(layout.lesson_is_beside == (is_lecture && high_canvas));
                 std::vector<Area> parts{layout.menu,      layout.lesson,    layout.canvas,
                                         layout.inspector, layout.transport, layout.status};
                 if (layout.is_narrow) {

@@ -71,6 +71,34 @@ TEST_CASE("In a lecture the picture is fitted, and enlarged to the triangle, by 
     CHECK(driver.ui.session.canvas.zoom == 0.0f);
 }
 
+TEST_CASE("In a lecture the picture has half of the window, from bar to bar") {
+    for (const ImVec2 window : {ImVec2(1024, 640), ImVec2(1280, 800), ImVec2(1920, 1080)}) {
+        INFO(window.x << " x " << window.y);
+        Driver driver("lab-room.toml", window);
+        open_lesson(driver.ui, "10-light-per-pixel", 2);
+        driver.hand.press(key::f5);
+        driver.hand.leave();
+        driver.hand.rest();
+        // The room is as high as it is wide: it is seen at this size.
+        const float height = driver.ui.canvas.frame_bottom - driver.ui.canvas.frame_top;
+        CHECK(height > 0.68f * window.y);
+        CHECK(driver.ui.canvas.place.scale * 500.0f > 0.6f * window.y);
+        // Nothing of the strip is cut, and its text can be read on.
+        CHECK(driver.ui.lesson.strip.is_beside);
+        CHECK(is_there(driver, "lesson.next"));
+        CHECK(driver.ui.widgets.at("lesson.next").is_whole);
+        CHECK(driver.ui.widgets.at("lesson.whole").is_whole);
+        CHECK(driver.ui.widgets.at("lesson.card.text").is_whole);
+    }
+    // A row table that goes on from the picture's rows is as high as the picture.
+    Driver rows("one-triangle.toml", {1280, 800});
+    open_lesson(rows.ui, "05-row-table", 3);
+    rows.hand.press(key::f5);
+    rows.hand.leave();
+    rows.hand.rest();
+    CHECK_FALSE(rows.ui.lesson.strip.is_beside);
+}
+
 TEST_CASE("In a lecture without a lesson Page down draws the next piece of the size on show") {
     Driver driver("one-triangle.toml", {1024, 640});
     driver.hand.press(key::page_down);

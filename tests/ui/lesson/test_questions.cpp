@@ -1,0 +1,293 @@
+// Questions that are asked twice, tasks that are judged at rest, and what stands at the end.
+
+#include <string>
+
+#include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/ui/shown_number.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/keys.h"
+
+namespace rasterwalk {
+
+namespace {
+
+constexpr const char* lesson_with_questions = R"(<!-- lesson
+title = "Questions"
+section = "Drawing points"
+minutes = 5
+about = "It is made for a test."
+program = "nothing"
+scene = "scenes/lab-room.toml"
+set = ["stage=edges"]
+tab = "vertices"
+sources = ["Somebody, *Something*, 1990"]
+-->
+# Questions
+
+It begins.
+
+## Asked
+
+<!-- prediction
+id = "count"
+kind = "number"
+answer = "triangle.count"
+unit = "triangles"
+then = { tab = "rows", set = ["stage=depth"] }
+because = "There are {answer}. Five walls have two each. Two blocks have ten each. None has a bottom. Nobody would see it. So it is left out. That saves four triangles, and the time to draw them. It saves no pixel."
+misconceptions = [{ answer = "15", says = "Those are the rectangles." }]
+-->
+> **Prediction.** How many triangles?
+
+<!-- prediction
+id = "colour"
+kind = "choice"
+choices = ["red", "green", "blue"]
+right = ["triangle.count == 1", "triangle.count == 30", "triangle.count == 2"]
+because = "It is green."
+misconceptions = [{ answer = "red", says = "That is the block." }, { answer = "blue", says = "That is the other block." }]
+-->
+> **Prediction.** Which colour has the floor?
+
+## Turned
+
+<!-- control
+setting = "camera.focal_length"
+from = 400
+to = 600
+step = 10
+-->
+
+<!-- task
+id = "turn"
+done = "camera.focal_length == 550"
+recipe = ["set:camera.focal_length=550"]
+because = "It is {camera.focal_length} now."
+not_yet = [{ when = "camera.focal_length != 500", says = "it is {camera.focal_length}." }]
+-->
+> **Task.** Make it 550.
+
+<!-- task
+id = "later"
+done = "cursor == t3"
+recipe = ["cursor:t3"]
+because = "It is there."
+not_yet = [{ when = "cursor != end", says = "not there." }]
+-->
+> **Task.** Go there.
+)";
+
+struct Questions {
+    test::TemporaryFolder folder;
+    Driver driver;
+    Ui& ui = driver.ui;
+
+    explicit Questions(int step, ImVec2 window = {1600, 1000}, float text_scale = 1.0f)
+        : driver("lab-room.toml", window, text_scale) {
+        folder.write("01-questions.md", lesson_with_questions);
+        folder.write("02-after.md", lesson_with_questions);
+        ui.lesson.lessons.read_folder(folder.file(""));
+        open_lesson(ui, "01-questions", step);
+        driver.hand.leave();
+        driver.hand.frames(2 * frames_to_rest);
+        REQUIRE(ui.session.notice.empty());
+    }
+    void answer(const std::string& number) {
+        driver.hand.enter("lesson.prediction.count.number", number);
+        driver.hand.leave();
+    }
+    bool is_there(const std::string& name) const { return ui.widgets.count(name) > 0; }
+    std::string said(const std::string& name) { return shown_text(driver, name); }
+    const FirstAnswer& kept(const std::string& id) const {
+        return ui.lesson.progress.of("01-questions").answers.at(id);
+    }
+    bool is_done(const std::string& task) const {
+        return ui.lesson.progress.is_task_done("01-questions", task);
+    }
+};
+
+constexpr const char* count = "lesson.prediction.count";
+
+} // namespace
+
+TEST_CASE("A wrong first answer is told what is wrong, and asked once more before the answer") {
+    for (const SmallWindow& window :
+         {SmallWindow{{1600, 1000}, 1.0f}, SmallWindow{{1024, 640}, 1.5f}}) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        Questions q(1, window.size, window.text_scale);
+        const std::string name = count;
+        q.answer("15");
+        CHECK(q.said(name + ".verdict") == "You said: 15 triangles.");
+        CHECK(q.said(name + ".says") == "Those are the rectangles.");
+        CHECK_FALSE(q.is_there(name + ".again"));
+        CHECK(q.is_there(name + ".show"));
+        CHECK(q.ui.session.a.settings.stage == Stage::edges); // the answer is not shown yet
+        CHECK(q.ui.lesson.predictions.at("count").typed.empty());
+        q.answer("30");
+        CHECK(q.said(name + ".verdict") == "Right: 30 triangles.");
+        CHECK(q.is_there(name + ".again"));
+        CHECK_FALSE(q.is_there(name + ".show"));
+        CHECK(q.ui.session.a.settings.stage == Stage::depth);
+        // The first answer is the one that is kept.
+        CHECK(q.kept("count") == FirstAnswer{"15 triangles", false, false});
+        // Asked again, the field is empty and the answer off the screen.
+        q.driver.hand.click(name + ".again");
+        CHECK(q.ui.lesson.predictions.at("count").typed.empty());
+        CHECK(q.ui.session.a.settings.stage == Stage::edges);
+        q.answer("12");
+        CHECK(q.said(name + ".verdict") ==
+              "You said: 12 triangles. The program says: 30 triangles.");
+    }
+}
+
+TEST_CASE("Two wrong answers, or the wish to see it, show the answer") {
+    Questions q(1);
+    const std::string name = count;
+    q.answer("15");
+    q.answer("16");
+    CHECK(q.said(name + ".verdict") == "You said: 16 triangles. The program says: 30 triangles.");
+    CHECK(q.kept("count") == FirstAnswer{"15 triangles", false, false});
+    const std::string colour = "lesson.prediction.colour";
+    q.driver.hand.click(colour + ".choice.0");
+    q.driver.hand.leave();
+    CHECK(q.said(colour + ".says") == "That is the block.");
+    // What was chosen cannot be chosen again.
+    CHECK_FALSE(q.is_there(colour + ".choice.0"));
+    CHECK(q.is_there(colour + ".choice.1"));
+    q.driver.hand.click(colour + ".show");
+    q.driver.hand.leave();
+    CHECK(q.said(colour + ".verdict") == "You said: “red”. The program says: “green”.");
+    CHECK_FALSE(q.kept("colour").has_second_try);
+    // Without a word for it there is a second try all the same.
+    Questions other(1);
+    other.answer("7");
+    CHECK_FALSE(other.said(name + ".says").empty());
+    CHECK(other.is_there(name + ".show"));
+}
+
+TEST_CASE("A second try that was left is there when the step is opened again") {
+    Questions q(1);
+    q.answer("15");
+    open_lesson(q.ui, "01-questions", 0);
+    q.driver.hand.rest();
+    open_lesson(q.ui, "02-after", 0);
+    q.driver.hand.rest();
+    open_lesson(q.ui, "01-questions", 1);
+    q.driver.hand.leave();
+    q.driver.hand.rest();
+    CHECK(q.said(std::string(count) + ".says") == "Those are the rectangles.");
+    CHECK(q.is_there(std::string(count) + ".number"));
+}
+
+TEST_CASE("A task is not solved by what a slider passes on its way, and says what a try misses") {
+    Questions q(2);
+    const std::string slider = "lesson.control.camera.focal_length";
+    const float& f = q.ui.session.a.settings.camera.focal_length;
+    const WidgetPlace place = q.driver.hand.find(slider);
+    const float middle = 0.5f * (place.top_left.y + place.bottom_right.y);
+    CHECK_FALSE(q.is_there("lesson.task.turn.words"));
+    q.driver.hand.hover(slider);
+    play_mouse_button(0, true);
+    q.driver.hand.frames(2);
+    bool was_there = false;
+    for (float x = place.top_left.x; x < place.bottom_right.x + 40.0f; x += 1.0f) {
+        play_pointer({x, middle});
+        q.driver.hand.frames(2);
+        was_there = was_there || f == 550.0f;
+        CHECK_FALSE(q.is_done("turn"));
+    }
+    CHECK(was_there);
+    REQUIRE(f == 600.0f);
+    play_mouse_button(0, false);
+    q.driver.hand.rest();
+    q.driver.hand.leave();
+    CHECK_FALSE(q.is_done("turn"));
+    CHECK(q.said("lesson.task.turn.words") == "it is 600.");
+    q.driver.hand.enter(slider, "550");
+    q.driver.hand.leave();
+    CHECK(q.is_done("turn"));
+    CHECK(q.said("lesson.task.turn.words") == "It is 550 now.");
+    // What it says stays true of the moment in which it was solved.
+    q.driver.hand.enter(slider, "420");
+    q.driver.hand.leave();
+    CHECK(q.is_done("turn"));
+    CHECK(q.said("lesson.task.turn.words") == "It is 550 now.");
+}
+
+TEST_CASE("A task is not solved by time that runs past its moment") {
+    Questions q(2);
+    q.driver.hand.press(key::home);
+    q.ui.session.play.granularity = Granularity::triangle;
+    q.driver.hand.press(key::space);
+    REQUIRE(q.ui.session.play.running);
+    const Cursor wanted{3, Phase::vertices, 0, 0};
+    bool was_there = false;
+    for (int i = 0; i < 4000 && q.ui.session.play.running; ++i) {
+        q.driver.hand.frames(1, 0.02f);
+        was_there = was_there || q.ui.results.a.cursor == wanted;
+    }
+    CHECK(was_there);
+    CHECK_FALSE(q.is_done("later"));
+    q.driver.hand.press(key::home);
+    for (int i = 0; i < 3; ++i)
+        q.driver.hand.press(key::right_bracket);
+    q.driver.hand.rest();
+    REQUIRE(q.ui.session.cursor == wanted);
+    CHECK(q.is_done("later"));
+}
+
+TEST_CASE("The last step says what was done, where to go next, and on what the lesson rests") {
+    Questions q(1);
+    q.answer("30");
+    q.driver.hand.click("lesson.prediction.colour.choice.0");
+    q.driver.hand.click("lesson.prediction.colour.choice.1");
+    open_lesson(q.ui, "01-questions", 2);
+    q.driver.hand.enter("lesson.control.camera.focal_length", "550");
+    q.driver.hand.leave();
+    const std::string end = q.said("lesson.end");
+    CHECK(end.find("1 of 2 predictions right at the first try, 1 of 2 tasks done.") != end.npos);
+    CHECK(end.find("Next: [lesson 2, Questions](02-after.md)") != end.npos);
+    CHECK(end.find("Somebody, *Something*, 1990") != end.npos);
+    q.driver.hand.click("lesson.end.link.0");
+    CHECK(q.ui.session.lesson == "02-after");
+    // Not on any other step.
+    q.driver.hand.leave();
+    CHECK_FALSE(q.is_there("lesson.end"));
+}
+
+TEST_CASE("In a strip a long reason is paged to its last sentence, and so is the end") {
+    Questions q(1, {1024, 640}, 1.5f);
+    REQUIRE(q.ui.lesson.is_strip);
+    q.answer("30");
+    const auto part_of_card = [&] {
+        const LessonStrip& strip = q.ui.lesson.strip;
+        return strip.cards.at(static_cast<std::size_t>(strip.card)).part;
+    };
+    const int part = part_of_card();
+    std::string read =
+        q.ui.lesson.strip.cards.at(static_cast<std::size_t>(q.ui.lesson.strip.card)).text;
+    int cards = 1;
+    for (; cards < 20; ++cards) {
+        q.driver.hand.press(key::page_down);
+        q.driver.hand.leave();
+        if (q.ui.session.step != 1 || part_of_card() != part) break;
+        read +=
+            " " + q.ui.lesson.strip.cards.at(static_cast<std::size_t>(q.ui.lesson.strip.card)).text;
+    }
+    CHECK(cards > 1);
+    CHECK(read == q.ui.lesson.predictions.at("count").judged->because);
+    open_lesson(q.ui, "01-questions", 2);
+    q.driver.hand.leave();
+    REQUIRE(q.is_there("lesson.card.end"));
+    q.driver.hand.click("lesson.card.end");
+    std::string end;
+    for (const LessonCard& card : q.ui.lesson.strip.cards) {
+        if (card.part == 5) end += card.text;
+    }
+    CHECK(end.find("1990") != end.npos);
+}
+
+} // namespace rasterwalk
