@@ -270,7 +270,8 @@ PREDICTIONS_TEST("Predictions of lesson 4: samples of edges", "04-edges", "shall
     REQUIRE(static_cast<int>(end) == 0);
     require_choice(lesson_4, "multiplied", 1, 3);
 
-    // Of the room's triangles these have a sample outside their rows, and one of them is the task's.
+    // Of the room's triangles these have a sample outside their rows, and one of them is the
+    // task's.
     const std::vector<Triangle3> triangles = handout();
     std::set<std::size_t> with_outside;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -329,6 +330,30 @@ PREDICTIONS_TEST("Predictions of lesson 6: rows become fragments", "06-filling",
     require_number(lesson_6, "diagonal", half + other - 249 * 249);
     require_number(lesson_6, "without-last",
                    pixel_count(printed) - static_cast<double>(printed.size()));
+    // What both halves of a wall draw, with the right ends of rows and without them.
+    const auto drawn_by_both = [](std::size_t first, bool has_last) {
+        std::set<std::array<int, 2>> of_first, of_both;
+        const std::vector<Triangle3> triangles = handout();
+        for (std::size_t t = first; t < first + 2; ++t) {
+            const Triangle3& corners = triangles[t];
+            for (const auto& [row, ends] :
+                 table_of({lab_pixel(corners[0]), lab_pixel(corners[1]), lab_pixel(corners[2])})) {
+                for (int column = ends.left; column < ends.right + (has_last ? 1 : 0); ++column) {
+                    if (t == first) {
+                        of_first.insert({column, row});
+                    } else if (of_first.count({column, row}) > 0) {
+                        of_both.insert({column, row});
+                    }
+                }
+            }
+        }
+        return of_both.size();
+    };
+    constexpr std::size_t floor = 0, back_wall = 8;
+    CHECK(drawn_by_both(floor, true) == 374); // as the lesson tells
+    CHECK(drawn_by_both(floor, false) == 248);
+    CHECK(drawn_by_both(back_wall, true) == 249);
+    CHECK(drawn_by_both(back_wall, false) == 0);
     const auto wrapped =
         static_cast<std::uint32_t>(-INT_MAX) - static_cast<std::uint32_t>(INT_MAX) + 1u;
     REQUIRE(wrapped == 3);
