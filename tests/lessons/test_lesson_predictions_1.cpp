@@ -354,6 +354,31 @@ PREDICTIONS_TEST("Predictions of lesson 6: rows become fragments", "06-filling",
     CHECK(drawn_by_both(floor, false) == 248);
     CHECK(drawn_by_both(back_wall, true) == 249);
     CHECK(drawn_by_both(back_wall, false) == 0);
+    // The pixel with most fragments: of the back wall, of five red triangles, of two blue ones.
+    std::map<std::array<int, 2>, std::vector<std::size_t>> fallen;
+    const std::vector<Triangle3> triangles = handout();
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const Triangle3& corners = triangles[t];
+        for (const auto& [row, ends] :
+             table_of({lab_pixel(corners[0]), lab_pixel(corners[1]), lab_pixel(corners[2])})) {
+            for (int column = ends.left; column <= ends.right; ++column)
+                fallen[{column, row}].push_back(t);
+        }
+    }
+    for (const auto& [pixel, from] : fallen) {
+        if (from.size() < 8) continue;
+        CHECK(pixel == std::array<int, 2>{241, 334});
+        CHECK(from == std::vector<std::size_t>{8, 10, 11, 16, 17, 18, 21, 22});
+    }
+    // Which triangle is the first to cover red.
+    const auto covers_red = [](const std::vector<std::size_t>& from, std::size_t blue) {
+        const auto is_red = [](std::size_t t) { return t >= 10 && t < 20; };
+        return std::any_of(from.begin(), from.end(), is_red) &&
+               std::find(from.begin(), from.end(), blue) != from.end();
+    };
+    CHECK(std::any_of(fallen.begin(), fallen.end(), [&](const auto& pixel) {
+        return covers_red(pixel.second, 20); // the first of all blue ones
+    }));
     const auto wrapped =
         static_cast<std::uint32_t>(-INT_MAX) - static_cast<std::uint32_t>(INT_MAX) + 1u;
     REQUIRE(wrapped == 3);
@@ -378,6 +403,15 @@ PREDICTIONS_TEST("Predictions of lesson 7: who is in front", "07-painters-order"
     const std::vector<Triangle3> triangles = handout();
     require_number(lesson_7, "middle-depth", middle(triangles[0]), 1e-4);
     CHECK(middle(triangles[20]) == Approx(2.95).margin(5e-3));
+
+    // The moments at which pixel (250, 400) becomes red and blue: row and column of the tables.
+    const auto place_in_table = [&](std::size_t t) {
+        const Table table = table_of(
+            {lab_pixel(triangles[t][0]), lab_pixel(triangles[t][1]), lab_pixel(triangles[t][2])});
+        return std::array<int, 2>{400 - table.begin()->first, 250 - table.at(400).left};
+    };
+    CHECK(place_in_table(10) == std::array<int, 2>{66, 9});
+    CHECK(place_in_table(20) == std::array<int, 2>{182, 90});
 
     // The crossing at the top is wrong, the other two are not, and neither is a plain base.
     CHECK(judged(lesson_7, "wrong-crossing", {glm::ivec2(97, 52)}).is_right);
