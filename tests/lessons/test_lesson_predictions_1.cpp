@@ -149,6 +149,16 @@ Table table_of(const Pixels& triangle, EdgeSamples samples = EdgeSamples::longes
     return row_table(vertices, rules, outside);
 }
 
+/// Samples of edges that fall in no row of the table.
+int outside_samples(const Pixels& triangle) {
+    const std::array<ScreenVertex, 3> vertices{at(triangle[0][0], triangle[0][1]),
+                                               at(triangle[1][0], triangle[1][1]),
+                                               at(triangle[2][0], triangle[2][1])};
+    int outside = 0;
+    row_table(vertices, rasterwalk::test::WalkRules(), outside);
+    return outside;
+}
+
 int pixel_count(const Table& table) {
     int count = 0;
     for (const auto& [row, ends] : table)
@@ -242,7 +252,7 @@ PREDICTIONS_TEST("Predictions of lesson 3: corners become pixels", "03-points", 
 
 PREDICTIONS_TEST("Predictions of lesson 4: samples of edges", "04-edges", "shallow-count",
                  "level-by-rows", "last-row", "multiplied") {
-    require_number(lesson_4, "shallow-count", std::max(13 - 1, 8 - 5) + 1);
+    require_number(lesson_4, "shallow-count", std::max(13 - 2, 9 - 4) + 1);
     require_number(lesson_4, "level-by-rows", (499 - 499) + 1);
     float y = 2.0f;
     for (int i = 0; i < 3; ++i) {
@@ -258,7 +268,18 @@ PREDICTIONS_TEST("Predictions of lesson 4: samples of edges", "04-edges", "shall
     volatile const float end = 8.0f + way;
     CHECK(end == Approx(0.9999995).margin(5e-8)); // as the lesson tells
     REQUIRE(static_cast<int>(end) == 0);
-    require_choice(lesson_4, "multiplied", 1, 2);
+    require_choice(lesson_4, "multiplied", 1, 3);
+
+    // Of the room's triangles these have a sample outside their rows, and one of them is the
+    // task's.
+    const std::vector<Triangle3> triangles = handout();
+    std::set<std::size_t> with_outside;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const Pixels pixels{lab_pixel(triangles[t][0]), lab_pixel(triangles[t][1]),
+                            lab_pixel(triangles[t][2])};
+        if (outside_samples(pixels) > 0) with_outside.insert(t);
+    }
+    CHECK(with_outside == std::set<std::size_t>{7, 15, 18, 19});
 }
 
 PREDICTIONS_TEST("Predictions of lesson 5: row tables", "05-row-table", "rows-of-it", "row-nine",
@@ -276,7 +297,7 @@ PREDICTIONS_TEST("Predictions of lesson 5: row tables", "05-row-table", "rows-of
     require_choice(lesson_5, "passes-the-test", 2, 3);
 
     // The better test: which row of the other triangle loses most, without drift as well.
-    const Pixels better{{{4, 3}, {12, 6}, {8, 11}}};
+    const Pixels better{{{4, 3}, {12, 6}, {4, 14}}};
     for (const LineWalk walk : {LineWalk::accumulate, LineWalk::exact}) {
         const auto right = table_of(better, EdgeSamples::longest_axis, walk);
         const auto wrong = table_of(better, EdgeSamples::rows, walk);
@@ -286,6 +307,7 @@ PREDICTIONS_TEST("Predictions of lesson 5: row tables", "05-row-table", "rows-of
             CHECK(wrong.at(row).left == ends.left); // only right ends are lost
         }
         CHECK(lost.at(4) == 3);
+        CHECK(right.at(4).right == 9); // as the lesson tells
         for (const auto& [row, pixels] : lost) {
             INFO("row " << row);
             if (row != 4) CHECK(pixels < 3);
@@ -308,6 +330,55 @@ PREDICTIONS_TEST("Predictions of lesson 6: rows become fragments", "06-filling",
     require_number(lesson_6, "diagonal", half + other - 249 * 249);
     require_number(lesson_6, "without-last",
                    pixel_count(printed) - static_cast<double>(printed.size()));
+    // What both halves of a wall draw, with the right ends of rows and without them.
+    const auto drawn_by_both = [](std::size_t first, bool has_last) {
+        std::set<std::array<int, 2>> of_first, of_both;
+        const std::vector<Triangle3> triangles = handout();
+        for (std::size_t t = first; t < first + 2; ++t) {
+            const Triangle3& corners = triangles[t];
+            for (const auto& [row, ends] :
+                 table_of({lab_pixel(corners[0]), lab_pixel(corners[1]), lab_pixel(corners[2])})) {
+                for (int column = ends.left; column < ends.right + (has_last ? 1 : 0); ++column) {
+                    if (t == first) {
+                        of_first.insert({column, row});
+                    } else if (of_first.count({column, row}) > 0) {
+                        of_both.insert({column, row});
+                    }
+                }
+            }
+        }
+        return of_both.size();
+    };
+    constexpr std::size_t floor = 0, back_wall = 8;
+    CHECK(drawn_by_both(floor, true) == 374); // as the lesson tells
+    CHECK(drawn_by_both(floor, false) == 248);
+    CHECK(drawn_by_both(back_wall, true) == 249);
+    CHECK(drawn_by_both(back_wall, false) == 0);
+    // The pixel with most fragments: of the back wall, of five red triangles, of two blue ones.
+    std::map<std::array<int, 2>, std::vector<std::size_t>> fallen;
+    const std::vector<Triangle3> triangles = handout();
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const Triangle3& corners = triangles[t];
+        for (const auto& [row, ends] :
+             table_of({lab_pixel(corners[0]), lab_pixel(corners[1]), lab_pixel(corners[2])})) {
+            for (int column = ends.left; column <= ends.right; ++column)
+                fallen[{column, row}].push_back(t);
+        }
+    }
+    for (const auto& [pixel, from] : fallen) {
+        if (from.size() < 8) continue;
+        CHECK(pixel == std::array<int, 2>{241, 334});
+        CHECK(from == std::vector<std::size_t>{8, 10, 11, 16, 17, 18, 21, 22});
+    }
+    // Which triangle is the first to cover red.
+    const auto covers_red = [](const std::vector<std::size_t>& from, std::size_t blue) {
+        const auto is_red = [](std::size_t t) { return t >= 10 && t < 20; };
+        return std::any_of(from.begin(), from.end(), is_red) &&
+               std::find(from.begin(), from.end(), blue) != from.end();
+    };
+    CHECK(std::any_of(fallen.begin(), fallen.end(), [&](const auto& pixel) {
+        return covers_red(pixel.second, 20); // the first of all blue ones
+    }));
     const auto wrapped =
         static_cast<std::uint32_t>(-INT_MAX) - static_cast<std::uint32_t>(INT_MAX) + 1u;
     REQUIRE(wrapped == 3);
@@ -332,6 +403,15 @@ PREDICTIONS_TEST("Predictions of lesson 7: who is in front", "07-painters-order"
     const std::vector<Triangle3> triangles = handout();
     require_number(lesson_7, "middle-depth", middle(triangles[0]), 1e-4);
     CHECK(middle(triangles[20]) == Approx(2.95).margin(5e-3));
+
+    // The moments at which pixel (250, 400) becomes red and blue: row and column of the tables.
+    const auto place_in_table = [&](std::size_t t) {
+        const Table table = table_of(
+            {lab_pixel(triangles[t][0]), lab_pixel(triangles[t][1]), lab_pixel(triangles[t][2])});
+        return std::array<int, 2>{400 - table.begin()->first, 250 - table.at(400).left};
+    };
+    CHECK(place_in_table(10) == std::array<int, 2>{66, 9});
+    CHECK(place_in_table(20) == std::array<int, 2>{182, 90});
 
     // The crossing at the top is wrong, the other two are not, and neither is a plain base.
     CHECK(judged(lesson_7, "wrong-crossing", {glm::ivec2(97, 52)}).is_right);
