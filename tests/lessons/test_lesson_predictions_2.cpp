@@ -138,12 +138,23 @@ PREDICTIONS_TEST("Lesson 8: the depth of the back wall, and of the middle of the
     const Asked asked("08-depth-buffer");
     CHECK(asked.number("back-wall") == Approx(1.0 / 4.001).epsilon(1e-5));
     CHECK(asked.accepts("back-wall", 0.25));
-    CHECK_FALSE(asked.accepts("back-wall", 4.001));
+    // z itself, z in the room, the middle of the room, and the camera's z with the wrong sign.
+    for (const double wrong : {4.001, 1.0, 1.0 / 3.001, 1.0 / 2.001})
+        CHECK_FALSE(asked.accepts("back-wall", wrong));
     // The gate runs from z = 2.5 to z = 30; half-way on the screen is the mean of 1/z.
     CHECK(asked.number("middle-of-the-gate") ==
           Approx(2.0 / (1.0 / 2.5 + 1.0 / 30.0)).margin(0.02));
     CHECK_FALSE(asked.accepts("middle-of-the-gate", (2.5 + 30.0) / 2));
     CHECK_FALSE(asked.accepts("middle-of-the-gate", 10.0));
+    // Where the task wants a click, z in a straight line has just passed the screen's 10, and the
+    // gate is about 3.4 away.
+    const auto along = [](double column) { return (column - 20.0) / (441.0 - 20.0); };
+    CHECK(2.5 + 27.5 * along(134.0) < 10.0);
+    CHECK(2.5 + 27.5 * along(135.0) > 10.0);
+    for (const double column : {134.0, 146.0}) {
+        const double zinv = 0.4 + (1.0 / 30.0 - 0.4) * along(column);
+        CHECK(1.0 / zinv == Approx(3.4).margin(0.1));
+    }
 }
 
 PREDICTIONS_TEST("Lesson 8: the depth test played by rays", "08-depth-buffer", "how-many-pass") {
@@ -163,16 +174,55 @@ PREDICTIONS_TEST("Lesson 8: the depth test played by rays", "08-depth-buffer", "
     }
     CHECK(asked.number("how-many-pass") == passed);
     CHECK(passed == 3);
+    // All but the first are nearer than the back wall: a plausible wrong answer.
+    CHECK(std::count_if(hits.begin(), hits.end(),
+                        [&](const RayHit& hit) { return hit.zinv > hits[0].zinv + 0.01; }) == 4);
+    CHECK_FALSE(asked.accepts("how-many-pass", 4));
+}
+
+TEST_CASE("Lesson 8: on the diagonal of a wall rounding decides which triangle stays") {
+    // Of two triangles of a wall, the first keeps these pixels on the floor and loses them on the
+    // left wall, although both have the same depth there.
+    struct Second : Observer {
+        std::array<int, 30> won{}, lost{};
+        void fragment(const FragmentEvent& event) override {
+            const auto t = static_cast<std::size_t>(event.cursor.triangle);
+            if (event.stored == 0.0f || std::abs(event.depth - event.stored) > 1e-5f) return;
+            ++(event.fate == Fate::written ? won : lost)[t];
+        }
+    } second;
+    const Scene room = read_scene(lessons_folder() + "/scenes/lab-room.toml");
+    Settings settings = default_settings(room);
+    set_from_text(settings, "stage=depth");
+    const Frame frame = prepare_frame(room, settings);
+    Framebuffer framebuffer;
+    clear(framebuffer, frame.settings.viewport);
+    draw(frame, {}, framebuffer, &second);
+    CHECK(second.lost[1] > 10 * second.won[1]);
+    CHECK(second.won[3] > second.lost[3]);
 }
 
 PREDICTIONS_TEST("Lesson 8: how well the room hides linear z", "08-depth-buffer",
                  "pixels-that-change") {
     const Asked asked("08-depth-buffer");
-    const int pixels =
-        difference(drawn_room({"stage=depth"}), drawn_room({"stage=depth", "depth_test=linear_z"}))
-            .pixels;
-    CHECK(pixels == 550);
+    const Framebuffer inverse = drawn_room({"stage=depth"});
+    const Framebuffer linear = drawn_room({"stage=depth", "depth_test=linear_z"});
+    CHECK(difference(inverse, linear).pixels == 550);
     CHECK(asked.choice("pixels-that-change") == 1);
+    // Floor and walls are pushed back, so they alone lose pixels, never a block.
+    for (std::size_t i = 0; i < inverse.colour.size(); ++i) {
+        if (inverse.colour[i] != linear.colour[i]) CHECK(inverse.owner[i] < 10);
+    }
+    // The chord of 1/z lies above it: between depths of 2 and 4 by about a third of a unit.
+    double largest = 0.0;
+    for (int i = 0; i <= 100; ++i) {
+        const double t = i / 100.0;
+        const double straight = 2.001 + 2.0 * t;
+        const double z = 1.0 / ((1.0 - t) / 2.001 + t / 4.001);
+        CHECK(straight >= z - 1e-12);
+        largest = std::max(largest, straight - z);
+    }
+    CHECK(largest == Approx(0.34).margin(0.01));
 }
 
 PREDICTIONS_TEST("Lesson 9: three walls in one corner", "09-light-per-vertex", "three-walls",
@@ -198,6 +248,9 @@ PREDICTIONS_TEST("Lesson 9: the handout's lamp hardly shows", "09-light-per-vert
                                       drawn_room({"stage=vertex_light", "light.power=0"}));
     CHECK(off.largest < 0.1);
     CHECK(off.largest > 0.05);
+    // What is said of the other choices: the lamp's share at one unit, and the same with 14.
+    CHECK(0.75 * 1.1 / (4.0 * pi) < 0.1);
+    CHECK(off.largest * 14.0 / 1.1 > 0.6);
     CHECK(asked.choice("the-lab-lamp") == 0);
 }
 
@@ -225,8 +278,12 @@ PREDICTIONS_TEST("Lesson 10: the spots of the lamp", "10-light-per-pixel", "wher
     CHECK_FALSE(asked.accepts_pixel("where-is-the-spot", {250, 110}));
 
     CHECK(asked.number("left-wall-spot") == Approx(0.75 * (14.0 / (4.0 * pi) + 0.5)).margin(0.002));
-    // As if the light fell with the distance: half of the ceiling's, not a quarter.
-    CHECK_FALSE(asked.accepts("left-wall-spot", 0.75 * (14.0 / (2.0 * pi) + 0.5)));
+    // As if the light fell with the distance, to half of the ceiling's and not to a quarter; a
+    // quarter of all; without the indirect light; without the reflectance; D alone.
+    const double ceiling = 14.0 / pi, wall = ceiling / 4.0;
+    for (const double wrong : {0.75 * (ceiling / 2.0 + 0.5), 0.75 * (ceiling + 0.5) / 4.0,
+                               0.75 * wall, wall + 0.5, wall})
+        CHECK_FALSE(asked.accepts("left-wall-spot", wrong));
 }
 
 PREDICTIONS_TEST(
@@ -239,6 +296,18 @@ PREDICTIONS_TEST(
     CHECK((pixel.owner[worst.worst] == 6 || pixel.owner[worst.worst] == 7));
     CHECK(worst.largest > 2.0);
     CHECK(asked.choice("worst-difference") == 0);
+    const Framebuffer vertex = drawn_room({"stage=vertex_light", "light.power=14"});
+    std::array<double, 30> apart{};
+    for (std::size_t i = 0; i < pixel.colour.size(); ++i) {
+        if (pixel.owner[i] < 0 || pixel.owner[i] != vertex.owner[i]) continue;
+        double& of_triangle = apart[static_cast<std::size_t>(pixel.owner[i])];
+        for (int c = 0; c < 3; ++c) {
+            const double d = static_cast<double>(pixel.colour[i][c]) - vertex.colour[i][c];
+            of_triangle = std::max(of_triangle, std::abs(d));
+        }
+    }
+    CHECK(std::max(apart[8], apart[9]) < 0.15); // as the lesson says: the back wall, the floor
+    CHECK(std::max(apart[0], apart[1]) < 0.2);
 
     struct Count : Observer {
         int passed = 0, failed = 0;
@@ -260,14 +329,38 @@ PREDICTIONS_TEST("Lesson 11: half-way on the screen", "11-perspective", "half-wa
     const double near = 2.001, far = 4.001;
     const double half_way = 2.0 / (1.0 / near + 1.0 / far);
     CHECK(asked.number("half-way") == Approx(half_way + eye_z).margin(0.01));
-    CHECK_FALSE(asked.accepts("half-way", 0.0));
+    // The plain blend, the depth, the other sign, 1/z.
+    for (const double wrong : {0.0, half_way, -(half_way + eye_z), 1.0 / half_way})
+        CHECK_FALSE(asked.accepts("half-way", wrong));
+    // What the graph shows of the plain blend in column 63 of 1 to 126.
+    CHECK(near + (far - near) * 62.0 / 125.0 == Approx(2.99).margin(0.005));
 
     // The lower edge of the left wall, from (-1, 1, -1) to (-1, 1, 1).
     const double front = 0.75 * (direct_light({-1, 1, -1}, {1, 0, 0}) + 0.5);
     const double back = 0.75 * (direct_light({-1, 1, 1}, {1, 0, 0}) + 0.5);
     const double colour = (front / near + back / far) / (1.0 / near + 1.0 / far);
     CHECK(asked.number("colour-half-way") == Approx(colour).margin(0.003));
-    CHECK_FALSE(asked.accepts("colour-half-way", (front + back) / 2));
+    // The plain mean, not divided by 1/z, and weighted the wrong way round.
+    for (const double wrong : {(front + back) / 2, (front / near + back / far) / 2,
+                               (front * near + back * far) / (near + far)})
+        CHECK_FALSE(asked.accepts("colour-half-way", wrong));
+}
+
+TEST_CASE("Lesson 11: only the back wall faces you squarely, and its brightest part is small") {
+    const Scene room = read_scene(lessons_folder() + "/scenes/lab-room.toml");
+    for (int t = 0; t < room.triangle_count(); ++t) {
+        const float z = room.corner(t, 0).position.z;
+        const bool is_square =
+            room.corner(t, 1).position.z == z && room.corner(t, 2).position.z == z;
+        CHECK(is_square == (t == 8 || t == 9));
+    }
+    // The task wants R above 0.63: the circle about the point nearest to the lamp where that is so.
+    const auto light = [](double aside) {
+        return 0.75 * (direct_light({aside, room_lamp_y, 1.0}, {0, 0, -1}) + 0.5);
+    };
+    CHECK(light(0.0) > 0.66);
+    CHECK(light(0.48) > 0.63);
+    CHECK(light(0.52) < 0.63);
 }
 
 PREDICTIONS_TEST("Lesson 11: the affine place from far away", "11-perspective", "from-far-away") {
@@ -304,6 +397,8 @@ PREDICTIONS_TEST("Lesson 12: without error one pixel more is uncovered", "12-flo
     const Asked asked("12-float-traps");
     // A row and a column, which share a pixel.
     CHECK(asked.number("uncovered-exact") == 500 + 500 - 1);
+    for (const double wrong : {998.0, 997.0, 1000.0, 0.0})
+        CHECK_FALSE(asked.accepts("uncovered-exact", wrong));
     const Framebuffer picture = drawn_room({"stage=fill", "line_walk=exact"});
     CHECK(std::count(picture.overdraw.begin(), picture.overdraw.end(), 0u) == 999);
     const Framebuffer handout = drawn_room({"stage=fill"});
@@ -377,7 +472,9 @@ PREDICTIONS_TEST("Lesson 13: the causes of four pictures", "13-reading-a-bug", "
     CHECK(asked.choice("why-black") == 1);
 
     CHECK(asked.number("too-few") == std::max(std::abs(1 - 126 + 1), std::abs(1 - 374 + 1)));
-    CHECK_FALSE(asked.accepts("too-few", 374));
+    // As it should be, its steps, the steps taken, and the shorter axis.
+    for (const double wrong : {374.0, 373.0, 371.0, std::abs(1.0 - 126.0 + 1.0)})
+        CHECK_FALSE(asked.accepts("too-few", wrong));
 
     // The side of the tall block at pixel (155, 300) faces away from the lamp.
     const RayHit side = RayCaster(room, room.camera, room.light).hits({155 - 250, 300 - 250})[0];
