@@ -17,6 +17,7 @@
 #include "stages/matrices.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
+#include "support/said.h"
 #include "tests/support/catch.h"
 
 using namespace rasterwalk;
@@ -129,7 +130,18 @@ PREDICTIONS_TEST("Lesson 15: matrices by hand", "15-matrices", "last-column", "n
     CHECK(elsewhere == 0);
     CHECK(draw_frame(lab).colour ==
           draw_frame(room_frame(room, {"stage=depth", "transform=matrices"})).colour);
-    lesson.require_number("same-pixels", elsewhere, 1e-9, 3.0);
+    lesson.require_choice("same-pixels", 0);
+    // Only the last digits differ, which a camera that is turned by 0.2 shows in two pixels.
+    const auto turned_picture = [&](const std::string& way) {
+        return draw_frame(room_frame(room, {"stage=depth", "camera.yaw=0.2", "transform=" + way}))
+            .colour;
+    };
+    const auto by_lines = turned_picture("lab"), by_matrices = turned_picture("matrices");
+    int different = 0;
+    for (std::size_t i = 0; i < by_lines.size(); ++i)
+        different += by_lines[i] != by_matrices[i] ? 1 : 0;
+    require_said("15-matrices.md", "2 of 250 000 pixels differ");
+    CHECK(different == 2);
 }
 
 TEST_CASE("Lesson 15: what its tasks ask for is what its hints say") {
@@ -190,8 +202,8 @@ PREDICTIONS_TEST("Lesson 16: parallel rays and ndc z by hand", "16-orthographic"
     int different = 0;
     for (std::size_t i = 0; i < affine.size(); ++i)
         different += affine[i] != perspective[i] ? 1 : 0;
-    lesson.require_number("affine", different, 1e-9, 229956.0);
     CHECK(different == 0);
+    lesson.require_choice("affine", 0);
 
     lesson.require_number("box-depth", (4.001 - 1.0) / (7.0 - 1.0), 1e-4, 4.0 / 7.0);
 
@@ -200,11 +212,14 @@ PREDICTIONS_TEST("Lesson 16: parallel rays and ndc z by hand", "16-orthographic"
         const double middle = 0.5 * (low + high);
         (ndc_z(middle, 0.1, 100.0) < 0.5 ? low : high) = middle;
     }
-    lesson.require_number("half-range", low, 1e-3, 50.0);
+    for (const double wrong : {50.0, 0.1, 0.29, 2.0})
+        lesson.require_number("half-range", low, 1e-3, wrong);
 
     // The camera of mix 0.5 stands 1 farther back, with the f that keeps the depth of the origin.
     const double half_way = 500.0 * 4.001 / 3.001 / 5.001;
     CHECK(half_way == Approx(133.3).margin(0.05));
+    // The same by the factor of x and by w, as the step writes them.
+    CHECK(half_way == Approx(scale * (0.5 * 3.001 + 0.5) / (0.5 * 4.001 + 0.5)));
     CHECK(half_way < 0.5 * (500.0 / 4.001 + scale) - 2.0);
     lesson.require_choice("half-way", 0);
 }
@@ -217,9 +232,10 @@ TEST_CASE("Lesson 16: what it says in figures") {
     const double slope = (ndc_z(4.002, 0.1, 100.0) - ndc_z(4.0, 0.1, 100.0)) / 0.002;
     CHECK(1.0 / 65535.0 / slope == Approx(0.0024).margin(0.00005));
     // Its task: far hardly matters, near does.
-    CHECK(ndc_z(4.001, 0.1, 50.0) > 0.95);
-    CHECK(ndc_z(4.001, 0.2, 100.0) > 0.95);
-    CHECK(ndc_z(4.001, 0.25, 100.0) < 0.95);
+    CHECK(ndc_z(4.001, 0.1, 50.0) > 0.97);
+    CHECK(ndc_z(4.001, 0.41, 100.0) == Approx(0.90).margin(0.006));
+    CHECK(ndc_z(4.001, 0.38, 100.0) > 0.906);
+    CHECK(ndc_z(4.001, 1.0, 100.0) < 0.8);
     const Scene room = read_room();
     const auto colours = [&](const std::string& way) {
         return draw_frame(room_frame(room, {"stage=pixel_light", "light.power=14",
