@@ -143,7 +143,8 @@ void add_test_facts(std::vector<Fact>& table) {
                          [](const Facts& f, int corner) {
                              const std::optional<PixelTest> test = f.pixel_test();
                              if (!test) return Value();
-                             return number(test->weights[static_cast<std::size_t>(corner)]);
+                             // All that the float holds: a lesson tells its ninth digit.
+                             return number(double{test->weights[static_cast<std::size_t>(corner)]});
                          },
                          i});
     }

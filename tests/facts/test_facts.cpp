@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/numbers.h"
 #include "explain/light_formulas.h"
 #include "picture/view_image.h"
 #include "session/content.h"
@@ -91,6 +92,20 @@ TEST_CASE("Settings are facts under their own names") {
     CHECK(room.number("viewport.width") == 500);
     CHECK(room.value("stage") == Value(std::string("pixel_light")));
     CHECK_FALSE(room.is_there("camera.position"));
+}
+
+TEST_CASE("The weights of a pixel are told with all that their floats hold") {
+    Asked triangle;
+    triangle.session = open_session(lessons_folder() + "/scenes/one-triangle.toml");
+    triangle.session.a.settings.coverage = Coverage::edge_functions;
+    triangle.session.cursor = {0, Phase::tests, 5, 5}; // its centre of gravity comes next
+    double sum = 0.0;
+    for (const char* name : {"test.weight0", "test.weight1", "test.weight2"}) {
+        CHECK(triangle.number(name) == static_cast<double>(1.0f / 3.0f));
+        CHECK(decimals(triangle.number(name), 9) == "0.333333343");
+        sum += triangle.number(name);
+    }
+    CHECK(decimals(sum, 9) == "1.000000030");
 }
 
 TEST_CASE("The frame's facts are the golden numbers of the room") {

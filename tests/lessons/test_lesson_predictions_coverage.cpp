@@ -192,15 +192,25 @@ RoomCount count_room(const Frame& frame, const std::vector<Pixels>& all) {
 }
 
 PREDICTIONS_TEST("Lesson 21: edge functions by determinants and a moved point", "21-edge-functions",
-                 "which-side", "asked", "both", "diagonal", "square", "one-right", "cracks",
-                 "drawn-twice") {
+                 "which-side", "asked", "both", "diagonal", "own-corner", "square", "one-right",
+                 "cracks", "fragments") {
     const Questions lesson("21-edge-functions");
     CHECK(hand_values({7, 5})[1] == 27.0); // as the lesson tells
     CHECK(hand_values({12, 6})[1] == -27.0);
     lesson.require_choice("which-side", 2);
     const double columns = 14 - 2 + 1, rows = 10 - 1 + 1;
     lesson.require_number("asked", columns * rows, 0.0, 108.0);
-    lesson.require_number("one-right", hand_values({8, 5})[1], 0.0, 36.0);
+    CHECK_FALSE(lesson.answered("asked", {twice_area(hand[0], hand[1], hand[2]) / 2.0}).is_right);
+    CHECK(hand_values({7, 5})[2] == 33.0); // as the lesson tells
+    lesson.require_number("one-right", hand_values({8, 5})[2], 0.0, 24.0);
+    CHECK_FALSE(lesson.answered("one-right", {hand_values({7, 6})[2]}).is_right);
+    // The task: where in the box the triangle's edge 2 has its smallest E.
+    for (int row = 1; row <= 10; ++row) {
+        for (int column = 2; column <= 14; ++column) {
+            const bool is_corner = column == 2 && row == 10;
+            CHECK((hand_values({column, row})[2] < -26.0) == is_corner);
+        }
+    }
 
     const Corners upper{centre(3, 1), centre(11, 1), centre(11, 9)};
     const Corners lower{centre(3, 1), centre(11, 9), centre(3, 9)};
@@ -233,6 +243,10 @@ PREDICTIONS_TEST("Lesson 21: edge functions by determinants and a moved point", 
     }
     CHECK(corners_drawn == 1);
     CHECK(is_covered(upper, upper[0], FillRule::top_left));
+    CHECK(upper[0] == centre(3, 1));
+    CHECK(lesson.answered("own-corner", {glm::ivec2(3, 1)}).is_right);
+    for (const glm::ivec2 other : {glm::ivec2(11, 1), glm::ivec2(3, 9), glm::ivec2(11, 9)})
+        CHECK_FALSE(lesson.answered("own-corner", {other}).is_right);
 
     const RoomOnScreen room({"stage=depth"});
     const RoomCount exclusive =
@@ -242,10 +256,9 @@ PREDICTIONS_TEST("Lesson 21: edge functions by determinants and a moved point", 
     lesson.require_choice("cracks", 2);
     const RoomCount owned_once =
         count_room(room.frame, room_pixels(room.frame, FillRule::top_left));
-    // Asked once: it draws the room several times.
-    const Judgement judgement = lesson.answered("drawn-twice", {750.0});
-    CHECK(judgement.number == static_cast<double>(owned_once.twice + owned_once.empty));
-    CHECK_FALSE(judgement.is_right);
+    CHECK(owned_once.twice + owned_once.empty == 0); // as the answer says
+    CHECK(owned_once.fragments == 323'561);          // of 328 789
+    lesson.require_choice("fragments", 2);
 }
 
 TEST_CASE("Lesson 21: what it says of the room in figures") {
@@ -311,15 +324,16 @@ int needle_at(const Frame& frame, int column, int row, bool own_edges) {
 }
 
 PREDICTIONS_TEST("Lesson 22: weights in double, polygons by counting", "22-weights", "outside-sum",
-                 "edge-middle", "wrong-weights", "thirds", "fan-count", "too-large", "table-rows",
-                 "in-the-dent") {
+                 "along-the-edge", "wrong-weights", "thirds", "fan-count", "too-large",
+                 "table-rows", "in-the-dent") {
     const Questions lesson("22-weights");
     const double whole = twice_area(hand[0], hand[1], hand[2]);
     CHECK(hand_values({7, 5}) == std::array{48.0, 27.0, 33.0}); // the lesson's table
     CHECK(hand_values({3, 7}) == std::array{72.0, 45.0, -9.0});
     lesson.require_number("outside-sum", whole, 0.0, 126.0);
-    // The part on the opposite edge, from corner 0 to corner 1.
-    lesson.require_number("edge-middle", twice_area(hand[0], hand[1], {8, 1}) / whole, 1e-9, 0.5);
+    // The part on the edge opposite to corner 0.
+    lesson.require_number("along-the-edge", twice_area(hand[1], hand[2], {5, 1}) / whole, 1e-9,
+                          0.25);
     CHECK(hand_values({7, 4}) == std::array{36.0, 36.0, 36.0});
     const double third = static_cast<double>(static_cast<float>(1.0 / 3.0));
     CHECK(third + third + third > 1.0);
@@ -366,7 +380,10 @@ PREDICTIONS_TEST("Lesson 22: weights in double, polygons by counting", "22-weigh
         filled += gap;
     }
     lesson.require_number("table-rows", wrong_rows, 0.0, 6.0);
+    CHECK_FALSE(lesson.answered("table-rows", {7.0}).is_right);
+    CHECK(filled == 40); // pixels that the task accepts, moved by the pentagon on the right
     lesson.require_number("in-the-dent", filled, 0.0, 96.0);
+    CHECK_FALSE(lesson.answered("in-the-dent", {48.0}).is_right); // the dent's area
 }
 
 } // namespace coverage_track

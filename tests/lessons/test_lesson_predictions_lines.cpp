@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <set>
 #include <span>
 #include <string>
 
@@ -55,20 +56,35 @@ int nearest_on_axis(int from, int to, int i, int n) {
 } // namespace
 
 PREDICTIONS_TEST("Lesson 20: lines in whole numbers", "20-bresenham", "which-side", "second-middle",
-                 "after-two-steps", "ties", "arriving", "missed", "same-pixels", "dda-missed") {
+                 "after-two-steps", "ties", "arriving", "missed", "same-pixels", "dda-differs") {
     REQUIRE(f_of(3, 2) == -4.0);
     REQUIRE(2.0 > 2.0 * 3.0 / 5.0); // y points down: the point is below the line
     CHECK(program_choice("which-side") == 2);
 
     CHECK(f_of(1, 0.5) == -0.5); // as the lesson tells: straight, to (1, 0)
     CHECK(program_number("second-middle") == f_of(2, 0.5));
-    CHECK(f_of(2, 1.5) == -3.5); // the wrong answer that is told
-    CHECK_FALSE(judged_line("second-middle", {-3.5}).is_right);
+    CHECK(f_of(2, 1.5) == -3.5); // the wrong answers that are told
+    CHECK(f_of(2, 1) == -1.0);
+    CHECK(f_of(2, 0) == 4.0);
+    for (const double wrong : {-3.5, -0.5, -1.0, 4.0})
+        CHECK_FALSE(judged_line("second-middle", {wrong}).is_right);
+
+    // The task: edge 1 goes from (6, 4) to (2, 10), and d is asked halfway to the next column.
+    const auto straight_from = [](int sample) { // f = 4 y − 6 x, x to the left
+        int x = 0;
+        for (int y = 0; y < sample; ++y)
+            x += 4.0 * (y + 1) - 6.0 * (x + 0.5) > 0.0 ? 1 : 0;
+        return 4.0 * (sample + 1) - 6.0 * (x + 0.5) <= 0.0;
+    };
+    for (int sample = 0; sample < 6; ++sample) {
+        INFO(sample);
+        CHECK(straight_from(sample) == (sample == 1 || sample == 4));
+    }
 
     // (1, 0) then, since f(2, 0.5) > 0, diagonally to (2, 1).
     CHECK(program_number("after-two-steps") == 2.0 * f_of(3, 1.5));
-    CHECK_FALSE(judged_line("after-two-steps", {-7.0}).is_right);
-    CHECK_FALSE(judged_line("after-two-steps", {7.0}).is_right);
+    for (const double wrong : {-7.0, 7.0, 3.0, -1.5})
+        CHECK_FALSE(judged_line("after-two-steps", {wrong}).is_right);
 
     int halves = 0; // of y = i / 2 on the way of 8 columns
     for (int i = 0; i <= 8; ++i)
@@ -80,14 +96,17 @@ PREDICTIONS_TEST("Lesson 20: lines in whole numbers", "20-bresenham", "which-sid
     int reached = 0;
     for (int e = 0; e < 3; ++e)
         reached += ends[e + 1][0] >= ends[e][0] && ends[e + 1][1] >= ends[e][1] ? 1 : 0;
-    CHECK(program_number("arriving") == reached);
-    CHECK_FALSE(judged_line("arriving", {1.0}).is_right);
+    CHECK(reached == 0);
+    CHECK(program_choice("arriving") == 0);
 
     const Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     const Frame lab = prepare_frame(*session.scene, session.a.settings);
     int missed = 0, dda_missed = 0, different = 0, samples = 0;
+    int dda_different = 0, dda_ties = 0;
+    std::set<int> same_triangles; // by Interpolate and Bresenham
     for (int t = 0; t < lab.triangle_count(); ++t) {
         const std::span<const ScreenVertex> v = lab.triangle_vertices(t);
+        const int different_before = different;
         for (std::size_t e = 0; e < 3; ++e) {
             const ScreenVertex &a = v[e], &b = v[(e + 1) % 3];
             const int n = std::max(std::abs(b.column - a.column), std::abs(b.row - a.row));
@@ -102,14 +121,27 @@ PREDICTIONS_TEST("Lesson 20: lines in whole numbers", "20-bresenham", "which-sid
             missed += nearest(n) == end ? 0 : 1;
             // The same sum as the DDA's along the shorter axis.
             dda_missed += rounded.back() == end ? 0 : 1;
-            for (int i = 0; i <= n; ++i)
+            for (int i = 0; i <= n; ++i) {
                 different += floats[static_cast<std::size_t>(i)] == nearest(i) ? 0 : 1;
+                if (rounded[static_cast<std::size_t>(i)] == nearest(i)) continue;
+                ++dda_different;
+                const auto is_tie = [&](int from, int to) {
+                    return 2 * std::abs(to - from) * i % (2 * n) == n;
+                };
+                dda_ties += is_tie(a.column, b.column) || is_tie(a.row, b.row) ? 1 : 0;
+            }
             samples += n + 1;
         }
+        if (different == different_before) same_triangles.insert(t);
     }
     CHECK(samples == 15'109); // as the lesson tells
-    CHECK(program_number("missed") == missed);
-    CHECK(program_number("dda-missed") == dda_missed);
+    CHECK(missed == 0);
+    CHECK(program_choice("missed") == 0);
+    CHECK(dda_missed == 0); // as the answer says
+    CHECK(dda_different == 119);
+    CHECK(dda_ties == dda_different); // "all of them are ties"
+    CHECK(program_choice("dda-differs") == 1);
+    CHECK(same_triangles == std::set<int>{8, 9}); // the task
     CHECK(different >= 1000);
     CHECK(program_choice("same-pixels") == 2);
 }

@@ -24,6 +24,8 @@ PREDICTIONS_TEST("Lesson 23: places in a texture from depths and corners", "23-t
     // and on the screen stands at x = f (1.2 z − 3.2) / z from the middle, which is 0 half-way.
     const double z = 3.2 / 1.2;
     lesson.require_number("half-way", (z - 2.0) / 2.0, 0.005, 0.5);
+    for (const double wrong : {0.125, 0.375, 0.667}) // u/z, 1/z, and from the other end
+        CHECK_FALSE(lesson.answered("half-way", {wrong}).is_right);
     // The upper triangle on the screen: (20, 20), (180, 50), (20, 140), with v = 1 at the last one.
     const double across = (100.0 - 20.0) / (180.0 - 20.0);
     const double affine_v = (80.0 - 20.0 - across * (50.0 - 20.0)) / (140.0 - 20.0);
@@ -47,6 +49,11 @@ PREDICTIONS_TEST("Lesson 23: places in a texture from depths and corners", "23-t
     const double place = 16.0 * (-1.0 + 3.0 * 20.0 / 127.0);
     CHECK(place == Approx(-8.44).margin(0.005));
     lesson.require_number("below-zero", std::floor(place) + 16.0, 0.0, 8.0);
+    // The task's rows: those whose place lies in row 5 of 16, with v as u.
+    for (int row = 0; row < 128; ++row) {
+        const double v = -1.0 + 3.0 * row / 127.0;
+        CHECK((std::floor(16.0 * v) == 5.0) == (row >= 56 && row <= 58));
+    }
 
     const double beyond = 8.0 / 3.0 - 2.5; // the centre of texel 2
     CHECK(beyond == Approx(0.17).margin(0.005));
@@ -76,7 +83,18 @@ PREDICTIONS_TEST("Lesson 24: footprints of a floor by its slope", "24-mipmaps", 
     require_said(file, "the footprint is 0.16 texels wide and 2.56 texels long");
     CHECK(floor_depth(86) == Approx(15.4).margin(0.05));
     CHECK(4.0 * floor_depth(86) / 200.0 == Approx(0.31).margin(0.005));
-    lesson.require_number("reach", floor_length(86), 0.2, 5.12);
+    lesson.require_number("reach", floor_length(86), 0.2, floor_length(92) * 15.4 / 8.0);
+    // The difference to the next row is not the rate at the pixel.
+    const double to_next_row = 4.0 * (floor_depth(86) - floor_depth(87));
+    CHECK(to_next_row == Approx(8.2).margin(0.05));
+    CHECK_FALSE(lesson.answered("reach", {to_next_row}).is_right);
+    // Dozens of texels at the horizon: the first row of the floor, which ends at depth 61.
+    CHECK(floor_depth(81) > 61.0);
+    CHECK(floor_length(82) * 4.0 * floor_depth(82) / 200.0 == Approx(51.2));
+    require_said(file, "At the horizon there are dozens.");
+    // The task: the last row of level 0 in the middle of the picture.
+    CHECK(floor_length(99) > 1.0);
+    CHECK(floor_length(100) == Approx(0.952).margin(0.0005));
     CHECK(std::log2(floor_length(92)) == Approx(1.36).margin(0.005));
     require_said(file, "1.36");
     const double wanted = std::log2(floor_length(86));
@@ -85,11 +103,13 @@ PREDICTIONS_TEST("Lesson 24: footprints of a floor by its slope", "24-mipmaps", 
     lesson.require_number("which-level", std::fmin(wanted, last), 0.0, 3.24);
     CHECK(std::log2(floor_length(91)) == Approx(1.6).margin(0.01));
     lesson.require_number("how-many", 2.0 * 4.0, 0.0, 4.0);
+    for (const double wrong : {3.25, 4.0, 9.5})
+        CHECK_FALSE(lesson.answered("which-level", {wrong}).is_right);
     // The two colours of the checkerboard.
     CHECK((235.0 + 44.0) / 2.0 / 255.0 == Approx(0.547).margin(0.0005));
     require_said(file, "red 0.547");
     CHECK(8 * 8 + 4 * 4 + 2 * 2 + 1 == 85);
-    require_said(file, "Together 85 texels");
+    require_said(file, "Together that is 85 texels");
 }
 
 } // namespace texture_track
