@@ -11,7 +11,7 @@
 // The classic mistakes: a ray that is not ended, so that what lies beyond its end counts as well;
 // and one that begins on a surface and meets that surface first.
 //
-// Source: T. Moeller, B. Trumbore, "Fast, Minimum Storage WorldRay/Triangle Intersection", Journal
+// Source: T. Moeller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal
 // of Graphics Tools 2(1), 1997; boxes in boxes: S. M. Rubin, T. Whitted, "A 3-Dimensional
 // Representation for Fast Rendering of Complex Scenes", SIGGRAPH 1980.
 

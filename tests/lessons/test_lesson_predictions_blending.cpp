@@ -29,10 +29,14 @@ PREDICTIONS_TEST("Lesson 32: what glass leaves of a wall", "32-blending", "two-p
     const Questions lesson("32-blending");
     const double alpha = 0.25;
     lesson.require_number("two-panes", behind(1.0, {{alpha, 0.0}, {alpha, 0.0}}), 0.03, 0.5);
+    CHECK_FALSE(lesson.answered("two-panes", {behind(1.0, {{alpha, 0.0}})}).is_right);
     const double red_last = behind(1.0, {{alpha, 0.0}, {alpha, 1.0}});
     const double blue_last = behind(1.0, {{alpha, 1.0}, {alpha, 0.0}});
     CHECK(red_last == Approx(0.8125));
     CHECK(blue_last == Approx(0.75));
+    // Where blue is last there is more blue than red, and little green: what a task asks for.
+    CHECK(behind(1.0, {{alpha, 0.0}, {alpha, 1.0}}) > blue_last);
+    CHECK(behind(1.0, {{alpha, 0.0}, {alpha, 0.0}}) < 0.6);
     lesson.require_choice("more-red", red_last > blue_last ? 1 : 0);
     // Blue stands at depth 2 and is drawn first; red comes to the test with 4.
     const bool red_passes = 4.0 < 2.0;

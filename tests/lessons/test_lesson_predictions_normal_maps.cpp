@@ -90,10 +90,14 @@ PREDICTIONS_TEST("Lesson 29: the flat blue of bytes, and colours used as arrows"
     CHECK(ground.arrow.x == middle);
     CHECK(ground.arrow.y == middle);
     const Questions lesson("29-normal-maps");
-    lesson.require_number("flat-blue", degrees_between(ground.arrow, out), 1e-3, 0.0);
+    CHECK(degrees_between(ground.arrow, out) == Approx(1.0 / 3.0).margin(0.05));
+    lesson.require_choice("flat-blue", 1);
     lesson.require_number("undecoded", degrees_between({128.0 / 255.0, 128.0 / 255.0, 1.0}, out),
                           1e-3, 45.0);
     CHECK(degrees_between({0.5, 0.5, 1.0}, out) == Approx(35.26).margin(0.01));
+    const double one_way = degrees_between({0.5, 0.0, 1.0}, out); // as who forgets the other way
+    CHECK(one_way == Approx(26.57).margin(0.01));
+    CHECK_FALSE(lesson.answered("undecoded", {one_way}).is_right);
 }
 
 PREDICTIONS_TEST("Lesson 29: the upper half of a stud, with green up and down", "29-normal-maps",
