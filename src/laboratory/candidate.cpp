@@ -104,7 +104,8 @@ void rank_candidates(std::vector<Hypothesis> hypotheses, std::string_view same,
                                         h.distance,
                                         h.different,
                                         std::clamp(explained, 0.0, 1.0),
-                                        h.recipe});
+                                        h.recipe,
+                                        h.right});
     }
     if (diagnosis.is_same()) {
         diagnosis.verdict = "no difference";
