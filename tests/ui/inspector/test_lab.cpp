@@ -496,6 +496,25 @@ TEST_CASE("What cannot be read is said in the laboratory, and rows of the lab ar
     CHECK(driver.hand.is_visible("lab.diagnosis"));
 }
 
+TEST_CASE("Of a row table it is said which row differs first, and nothing is offered for nothing") {
+    test::TemporaryFolder folder;
+    Driver driver;
+    std::string text(test::handout_rows);
+    const std::size_t at = text.find("Start: (6,9)");
+    REQUIRE(at != std::string::npos);
+    text.replace(at, 12, "Start: (7,9)");
+    const std::string path = folder.file("rows.txt");
+    std::ofstream(path) << text;
+    open_dropped(driver.ui, path);
+    driver.hand.frames(3);
+    REQUIRE(driver.ui.lab.diagnosis);
+    CHECK(shown_text(driver, "lab.difference") ==
+          "1 row differs from the reference. The first is row 9: columns 6 to 12 in the "
+          "reference, columns 7 to 12 in yours.");
+    CHECK(driver.ui.lab.diagnosis->candidates.empty());
+    CHECK(shown_text(driver, "lab.diagnosis") == "No known mistake explains the difference.");
+}
+
 TEST_CASE("All that can be chosen of a quiz stands before it is begun") {
     Driver driver;
     driver.open("lab");
