@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "base/image.h"
+#include "base/numbers.h"
 #include "cli/json.h"
 #include "cli/points.h"
 #include "laboratory/diagnose.h"
@@ -84,16 +85,26 @@ Json to_json(const Finding& finding) {
             {"distance", diagnosis.distance},
             {"held_against", finding.held_against},
             {"kind", finding.kind},
+            {"place", diagnosis.place},
             {"verdict", diagnosis.verdict}};
 }
 
 void print_text(const Finding& finding, std::ostream& out) {
     const Diagnosis& diagnosis = finding.diagnosis;
-    const char* const what = finding.kind == "picture" ? " pixels" : " rows";
+    const bool is_picture = finding.kind == "picture";
     out << "Held against " << finding.held_against << ": " << diagnosis.verdict << '\n';
     if (diagnosis.is_same()) return;
-    out << diagnosis.different << what << " differ from the reference.\n\n"
-        << "explains  differ still  mistake\n";
+    out << counted(diagnosis.different, is_picture ? "pixel" : "row",
+                   is_picture ? "pixels" : "rows")
+        << (diagnosis.different == 1 ? " differs" : " differ")
+        << (is_picture ? " from the right picture" : " from the reference");
+    const Candidate* const likely = likely_candidate(diagnosis);
+    if (likely != nullptr && !likely->remark.empty()) out << ' ' << likely->remark;
+    out << '.';
+    if (!diagnosis.place.empty()) out << ' ' << diagnosis.place;
+    out << '\n';
+    if (diagnosis.candidates.empty()) return;
+    out << "\nexplains  differ still  mistake\n";
     for (const Candidate& candidate : diagnosis.candidates) {
         out << fmt::format("{:>8}  {:>12}  ", explained_text(candidate.explained, 1),
                            candidate.different);

@@ -116,11 +116,13 @@ void bugs_command(const BugsOptions& options, std::ostream& out) {
             for (const auto& [name, value] : bug.against)
                 out << ' ' << name << '=' << value;
             out << "\n    Scene:   " << bug.scene << '\n';
+            if (!bug.lesson.empty()) out << "    Lesson:  " << bug.lesson << '\n';
         }
         list.push_back({{"against", texts_to_json(assignment_texts(bug.against))},
                         {"code", bug.code},
                         {"cure", bug.cure},
                         {"id", bug.id},
+                        {"lesson", bug.lesson},
                         {"look", bug.look},
                         {"name", bug.name},
                         {"scene", bug.scene},

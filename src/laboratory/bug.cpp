@@ -57,8 +57,8 @@ bool is_scene_path(std::string_view path) {
 }
 
 Bug read_bug(const TomlInput& input) {
-    input.allow_only({"id", "name", "sentence", "symptom", "look", "cure", "section", "code",
-                      "scene", "set", "against"});
+    input.allow_only({"id", "name", "sentence", "symptom", "look", "cure", "section", "lesson",
+                      "code", "scene", "set", "against"});
     Bug bug;
     bug.id = input.text("id");
     if (!is_id(bug.id)) {
@@ -70,6 +70,7 @@ Bug read_bug(const TomlInput& input) {
     bug.look = input.text("look");
     bug.cure = input.text("cure");
     bug.section = input.text("section");
+    bug.lesson = input.text_or_empty("lesson");
     bug.code = input.text_or_empty("code");
     bug.scene = input.text("scene");
     if (!is_scene_path(bug.scene)) {

@@ -12,7 +12,10 @@ namespace {
 /// Each further assumption must be worth this part of the distance.
 constexpr double price_of_assumption = 0.02;
 
-/// Below this part nothing is explained.
+/// What explains less is said to explain nothing, "0.0 %".
+constexpr double least_explained = 0.0005;
+
+/// Below this part nothing is likely.
 constexpr double explains_nothing = 0.3;
 
 double price(const Hypothesis& h) {
@@ -95,8 +98,8 @@ void rank_candidates(std::vector<Hypothesis> hypotheses, std::string_view same,
         if (!leaders.empty() && leaders.front()->distance == 0.0) continue;
         const double explained =
             diagnosis.distance > 0.0 ? 1.0 - h.distance / diagnosis.distance : 0.0;
-        // What brings nothing nearer is not worth naming, unless there is nothing else.
-        if (explained <= 0.0 && !leaders.empty()) continue;
+        // What brings nothing nearer is not worth naming.
+        if (explained < least_explained) continue;
         leaders.push_back(&h);
         diagnosis.candidates.push_back({{h.id},
                                         {h.name},
@@ -104,7 +107,8 @@ void rank_candidates(std::vector<Hypothesis> hypotheses, std::string_view same,
                                         h.distance,
                                         h.different,
                                         std::clamp(explained, 0.0, 1.0),
-                                        h.recipe});
+                                        h.recipe,
+                                        h.right});
     }
     if (diagnosis.is_same()) {
         diagnosis.verdict = "no difference";

@@ -29,13 +29,17 @@ struct Candidate {
     std::int64_t different = 0; ///< pixels or rows that differ from the result
     double explained = 0.0;     ///< part of the difference from the reference, 0..1
     std::optional<PictureRecipe> recipe{}; ///< of its picture; none: it makes rows
+    std::optional<Settings> right{}; ///< without the mistake but with what the remark assumes;
+                                     ///< none: the reference
 };
 
 /// What may be wrong with a result that was compared with the reference.
 struct Diagnosis {
     std::string verdict;               ///< a sentence; "no difference"
     double distance = 0.0;             ///< of the reference from the result
-    std::int64_t different = 0;        ///< pixels or rows that differ from the reference
+    std::int64_t different = 0;        ///< pixels or rows that differ from the reference, drawn
+                                       ///< with what the likely candidate assumes
+    std::string place;                 ///< where they do, a sentence; empty if none does
     std::vector<Candidate> candidates; ///< most likely first
 
     bool is_same() const { return different == 0; }
@@ -51,6 +55,7 @@ struct Hypothesis {
     std::int64_t different = 0;
     std::uint64_t result = 0;              ///< the same number for the same result
     std::optional<PictureRecipe> recipe{}; ///< as that of the candidate
+    std::optional<Settings> right{};       ///< likewise
 };
 
 /// Ranks the hypotheses, names those of the same result together, and says the verdict.

@@ -57,12 +57,11 @@ class DiagnosisWork {
     const Image& picture() const { return picture_; }
     /// What was found, once it is done.
     const Diagnosis& found() const { return *found_; }
-    /// And the picture that the likely mistake makes, or else the reference.
-    const Image& likely_picture() const { return likely_; }
+    /// And the picture of the reference, with what the likely candidate assumes.
+    const Image& right_picture() const { return right_picture_; }
 
   private:
     void ask();
-    PictureRecipe likely_recipe(const Diagnosis& diagnosis) const;
     void refuse_too_much() const;
 
     Image picture_;
@@ -71,7 +70,7 @@ class DiagnosisWork {
     const std::vector<Bug>* bugs_;
     std::unique_ptr<PictureTrial> trial_;
     PicturesDrawn pictures_;
-    Image likely_;
+    Image right_picture_;
     bool is_affordable_ = false; ///< by the work that the reference is
     std::optional<Diagnosis> found_;
 };

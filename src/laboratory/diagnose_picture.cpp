@@ -15,6 +15,12 @@ namespace rasterwalk {
 
 namespace {
 
+/// What is right on this base.
+std::optional<Settings> right_on(const Base& base) {
+    if (base.assumptions == 0) return std::nullopt;
+    return base.settings;
+}
+
 void try_bases(PictureTrial& trial, const std::vector<Base>& bases) {
     for (const Base& base : bases) {
         if (base.assumptions == 0) continue;
@@ -44,7 +50,8 @@ void try_orientations(PictureTrial& trial, const std::vector<Base>& bases) {
                        .name = info.name,
                        .remark = base.remark,
                        .assumptions = base.assumptions + 1,
-                       .recipe = recipe},
+                       .recipe = recipe,
+                       .right = right_on(base)},
                       trial.drawn(recipe));
         }
     }
@@ -64,7 +71,8 @@ void try_shifts(PictureTrial& trial, const std::vector<Base>& bases) {
                            .name = fmt::format("Shifted by a pixel {}{}{}", where_x, both, where_y),
                            .remark = base.remark,
                            .assumptions = base.assumptions + 1,
-                           .recipe = recipe},
+                           .recipe = recipe,
+                           .right = right_on(base)},
                           trial.drawn(recipe));
             }
         }
@@ -84,6 +92,7 @@ void try_settings(PictureTrial& trial, Hypothesis hypothesis, const Settings& se
     const Drawn& one = trial.drawn(settings);
     const Drawn& other = trial.drawn(without);
     if (one.print == other.print) return;
+    hypothesis.right = without;
     hypothesis.explains_more =
         hypothesis.assumptions == 1 || is_clearly_nearer(one, other.distance.mean);
     trial.add(std::move(hypothesis), one, settings);
@@ -138,6 +147,9 @@ void try_powers_again(PictureTrial& trial, const std::vector<Base>& bases) {
             hypothesis.remark = power_remark(hypothesis.remark, *lit);
             ++hypothesis.assumptions;
         }
+        Settings right = hypothesis.right.value_or(bases.front().settings);
+        right.light.power = lit->light.power;
+        hypothesis.right = right;
         const Drawn& drawn = trial.drawn(*lit);
         hypothesis.explains_more = is_clearly_nearer(drawn, without);
         hypothesis.recipe = PictureRecipe{*lit};
@@ -162,7 +174,8 @@ void try_choices(PictureTrial& trial, const std::vector<Base>& bases) {
                                       .name = "Drawn by " + id,
                                       .remark = base.remark,
                                       .assumptions = base.assumptions + 1,
-                                      .recipe = PictureRecipe{settings}};
+                                      .recipe = PictureRecipe{settings},
+                                      .right = right_on(base)};
                 const Drawn& one = trial.drawn(settings);
                 if (one.print == trial.drawn(base.settings).print) continue;
                 trial.add(std::move(hypothesis), one);
@@ -234,15 +247,16 @@ void DiagnosisWork::ask() {
     }
     std::erase_if(trial.hypotheses, [](const Hypothesis& h) { return !h.explains_more; });
     rank_candidates(std::move(trial.hypotheses), "this very picture", found);
-    const Image* const likely = trial.picture_of(likely_recipe(found));
-    if (likely == nullptr) return;
-    likely_ = *likely;
+    // What the mistake is held against is as the student set it.
+    const Candidate* const likely = likely_candidate(found);
+    const Settings right = likely == nullptr ? reference_ : likely->right.value_or(reference_);
+    const Image* const picture = trial.picture_of(PictureRecipe{right});
+    if (trial.is_waiting()) return;
+    right_picture_ = *picture;
+    const Differences differences = differences_of(right_picture_, picture_);
+    if (differences.pixels > 0) found.different = differences.pixels;
+    found.place = place_words(differences);
     found_ = std::move(found);
-}
-
-PictureRecipe DiagnosisWork::likely_recipe(const Diagnosis& diagnosis) const {
-    const Candidate* const likely = likely_candidate(diagnosis);
-    return likely != nullptr && likely->recipe ? *likely->recipe : PictureRecipe{reference_};
 }
 
 void DiagnosisWork::refuse_too_much() const {

@@ -165,6 +165,7 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
     const RowsDistance apart = rows_distance(right, rows);
     diagnosis.distance = apart.mean;
     diagnosis.different = apart.different;
+    diagnosis.place = first_different_row(right, rows);
     std::vector<Hypothesis> hypotheses;
     const auto add = [&](Hypothesis hypothesis, const Rows& table) {
         hypothesis.result = fingerprint(table);

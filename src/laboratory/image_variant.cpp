@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdlib>
 
+#include <fmt/format.h>
+
 #include <glm/vec2.hpp>
 
 #include "picture/resample.h"
@@ -99,6 +101,32 @@ Image with_differences_marked(const Image& image, const Image& other, float scal
         }
     }
     return result;
+}
+
+Differences differences_of(const Image& a, const Image& b) {
+    Differences found{0, {a.width, a.height, 0, 0}};
+    Rectangle& area = found.area;
+    auto from = a.rgba.begin(), other = b.rgba.begin();
+    for (int row = 0; row < a.height; ++row) {
+        for (int column = 0; column < a.width; ++column, from += 4, other += 4) {
+            if (std::equal(from, from + 3, other)) continue;
+            ++found.pixels;
+            area = {std::min(area.left, column), std::min(area.top, row),
+                    std::max(area.right, column + 1), row + 1};
+        }
+    }
+    return found;
+}
+
+std::string place_words(const Differences& differences) {
+    if (differences.pixels == 0) return "";
+    const auto range = [](const char* what, int first, int end) {
+        return end - first == 1 ? fmt::format("{} {}", what, first)
+                                : fmt::format("{}s {} to {}", what, first, end - 1);
+    };
+    const Rectangle& area = differences.area;
+    return fmt::format("{} in {} and {}.", differences.pixels == 1 ? "It is" : "They are",
+                       range("column", area.left, area.right), range("row", area.top, area.bottom));
 }
 
 std::uint64_t fingerprint(const Image& image) {

@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "base/image.h"
+#include "stages/rectangle.h"
 
 namespace rasterwalk {
 
@@ -44,6 +46,17 @@ class ImageMeasure {
 /// the same size: be it one pixel, it is seen.
 /// @param scale new pixels for each old one, above 0
 Image with_differences_marked(const Image& image, const Image& other, float scale);
+
+/// Where two pictures of the same size differ.
+struct Differences {
+    std::int64_t pixels = 0;
+    Rectangle area; ///< in which all of them lie
+};
+Differences differences_of(const Image& a, const Image& b);
+
+/// The same in a sentence: "They are in columns 3 to 499 and rows 0 to 12." Empty if nothing
+/// differs.
+std::string place_words(const Differences& differences);
 
 enum class Orientation : std::uint8_t { upright, mirrored, upside_down, half_turn };
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 
 namespace rasterwalk {
@@ -68,6 +70,24 @@ std::int64_t columns_off(int a, int b) {
     return std::min(apart, most_columns_off);
 }
 
+/// The rows of two tables, where each has one of this number.
+using RowsByNumber = std::map<int, std::pair<const PrintedRow*, const PrintedRow*>>;
+
+/// @param repeated grows by the rows that a table has more than once; of these the last counts
+RowsByNumber by_number(const std::vector<PrintedRow>& a, const std::vector<PrintedRow>& b,
+                       std::int64_t& repeated) {
+    RowsByNumber rows;
+    const auto take = [&](const PrintedRow& row, const PrintedRow*& place) {
+        repeated += place == nullptr ? 0 : 1;
+        place = &row;
+    };
+    for (const PrintedRow& row : a)
+        take(row, rows[row.start.y].first);
+    for (const PrintedRow& row : b)
+        take(row, rows[row.start.y].second);
+    return rows;
+}
+
 } // namespace
 
 std::vector<PrintedRow> printed(const PolygonRows& table) {
@@ -80,19 +100,30 @@ std::vector<PrintedRow> printed(const PolygonRows& table) {
     return rows;
 }
 
+std::string first_different_row(const std::vector<PrintedRow>& reference,
+                                const std::vector<PrintedRow>& table) {
+    const auto columns = [](const PrintedRow& row) {
+        return row.start.y == row.end.y ? fmt::format("columns {} to {}", row.start.x, row.end.x)
+                                        : fmt::format("({},{}) to ({},{})", row.start.x,
+                                                      row.start.y, row.end.x, row.end.y);
+    };
+    std::int64_t repeated = 0;
+    for (const auto& [number, both] : by_number(reference, table, repeated)) {
+        const auto& [right, own] = both;
+        if (own == nullptr) return fmt::format("The first is row {}, which yours lacks.", number);
+        if (right == nullptr) {
+            return fmt::format("The first is row {}, which the reference does not have.", number);
+        }
+        if (*right == *own) continue;
+        return fmt::format("The first is row {}: {} in the reference, {} in yours.", number,
+                           columns(*right), columns(*own));
+    }
+    return "";
+}
+
 RowsDistance rows_distance(const std::vector<PrintedRow>& a, const std::vector<PrintedRow>& b) {
-    std::map<int, std::pair<const PrintedRow*, const PrintedRow*>> rows;
     std::int64_t sum = 0, different = 0, repeated = 0;
-    for (const PrintedRow& row : a) {
-        const bool is_new = rows[row.start.y].first == nullptr;
-        rows[row.start.y].first = &row;
-        repeated += is_new ? 0 : 1;
-    }
-    for (const PrintedRow& row : b) {
-        const bool is_new = rows[row.start.y].second == nullptr;
-        rows[row.start.y].second = &row;
-        repeated += is_new ? 0 : 1;
-    }
+    const RowsByNumber rows = by_number(a, b, repeated);
     for (const auto& [number, both] : rows) {
         if (both.first == nullptr || both.second == nullptr) {
             sum += 2 * most_columns_off;

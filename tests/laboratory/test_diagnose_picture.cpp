@@ -356,7 +356,7 @@ TEST_CASE("A diagnosis in parts comes to the same as at once, and no part is a w
         CHECK(found.candidates[i].ids == expected.candidates[i].ids);
         CHECK(found.candidates[i].distance == expected.candidates[i].distance);
     }
-    CHECK(work.likely_picture().rgba.size() == picture.rgba.size());
+    CHECK(work.right_picture().rgba.size() == picture.rgba.size());
 }
 
 TEST_CASE("A scene of too many triangles for all the pictures is refused after the first") {

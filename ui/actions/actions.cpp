@@ -64,6 +64,12 @@ std::string key_name(int code) {
     return std::string(1, static_cast<char>(code));
 }
 
+/// Behind the start page nothing moves.
+bool shows_on_start_page(const Action& action) {
+    return action.menu == "File" || action.menu == "Help" || action.name == "view.larger_text" ||
+           action.name == "view.smaller_text";
+}
+
 } // namespace
 
 const Action& find_action(std::string_view name) {
@@ -90,8 +96,7 @@ void handle_keys(Ui& ui) {
     const bool is_covered = ui.sheets.files.kind != FileSheet::Kind::closed;
     if (ImGui::GetIO().WantTextInput || is_covered) return;
     for (const Action& action : action_table()) {
-        // Behind the start page nothing moves.
-        const bool is_seen = !ui.start.is_open || action.menu == "File" || action.menu == "Help";
+        const bool is_seen = !ui.start.is_open || shows_on_start_page(action);
         if (is_seen && is_pressed(action.chord) && !belongs_to_focus(ui, action.chord)) {
             action.run(ui);
         }

@@ -212,12 +212,21 @@ std::string work_words(const Results& results) {
 
 std::vector<std::string> difference_forms(const PixelDifference& pixels) {
     if (pixels.different == 0) return {"no pixel differs", "none differs"};
-    const bool is_one = pixels.different == 1;
-    const std::string count = grouped(pixels.different);
-    const std::string pixels_differ = count + (is_one ? " pixel differs" : " pixels differ");
+    // What is seen comes first: it is what a picture in a file can differ in.
+    const bool is_seen = pixels.shown > 0, is_all_seen = pixels.shown == pixels.different;
+    const std::int64_t number = is_seen ? pixels.shown : pixels.different;
+    const bool is_one = number == 1;
+    const std::string count = grouped(number);
+    const std::string look = is_all_seen || !is_seen
+                                 ? (is_one ? " differs" : " differ")
+                                 : (is_one ? " looks different" : " look different");
+    const std::string pixels_differ = count + (is_one ? " pixel" : " pixels") + look;
+    const std::string others = is_all_seen ? ""
+                               : is_seen   ? " of " + grouped(pixels.different) + " that differ"
+                                           : ", too little to see";
     const std::string largest =
-        pixels_differ + " · largest " + fixed(static_cast<double>(pixels.largest), 3);
-    return {largest + " · mean " + fixed(pixels.mean, 4), largest, pixels_differ,
+        pixels_differ + others + " · largest " + fixed(static_cast<double>(pixels.largest), 3);
+    return {largest + " · mean " + fixed(pixels.mean, 4), largest, pixels_differ, count + look,
             count + (is_one ? " differs" : " differ")};
 }
 

@@ -64,7 +64,8 @@ std::string comparison_offered(const Session& session);
 std::string work_words(const Results& results);
 
 /// How far the pictures lie apart at the cursor, from the longest way to say it to the shortest:
-/// "74 310 pixels differ · largest 0.46 · mean 0.037", and "74 310 differ".
+/// "74 310 pixels differ · largest 0.46 · mean 0.037", and "74 310 differ". Pixels that look
+/// different on the screen come first: "4 525 pixels look different of 81 168 that differ".
 std::vector<std::string> difference_forms(const PixelDifference& pixels);
 
 /// A whole number with a blank before every third digit.

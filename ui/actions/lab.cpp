@@ -7,6 +7,8 @@
 #include "base/image.h"
 #include "laboratory/diagnose.h"
 #include "laboratory/quiz.h"
+#include "session/content.h"
+#include "session/scene_file.h"
 #include "session/second_run.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/open_tab.h"
@@ -22,45 +24,60 @@ std::string size_words(Viewport size) {
 }
 
 /// What a picture is held against: another size than that of the scene is said.
-std::string picture_words(const Session& session, const Settings& reference) {
-    const std::string what = "the picture of " + session.scene->name;
-    const Viewport set = session.a.settings.viewport;
-    if (reference.viewport == set) return what + ", " + size_words(set) + " pixels like yours";
-    return what + ", drawn anew in the size of yours: " + size_words(reference.viewport) +
-           " pixels instead of " + size_words(set);
+/// @param drawn_by the settings of the reference, before it took the size of the picture
+std::string picture_words(const LabLook& lab, const Settings& drawn_by) {
+    const std::string what =
+        "the picture of " + lab.compared_scene->name +
+        (lab.holds_against_set ? " with the camera, light and stage that are set"
+                               : " as the handout draws it");
+    const Viewport usual = drawn_by.viewport, size = lab.reference.viewport;
+    if (size == usual) return what + ", " + size_words(usual) + " pixels like yours";
+    return what + ", drawn anew in the size of yours: " + size_words(size) + " pixels instead of " +
+           size_words(usual);
 }
 
-/// Keeps what is shown side by side: the student's picture, and what the likely mistake makes.
+/// Keeps what is shown side by side: the student's picture, and where it is not the right one.
 void keep_pictures(LabLook& lab, const DiagnosisWork& work) {
     LabPictures& pictures = lab.pictures;
     pictures.own = work.picture();
-    pictures.beside = work.likely_picture();
+    pictures.right = work.right_picture();
     // Opacity is not looked at: a picture that says it is transparent is shown, too.
     for (std::size_t i = 3; i < pictures.own.rgba.size(); i += 4)
         pictures.own.rgba[i] = 255;
-    pictures.is_reference = likely_candidate(work.found()) == nullptr;
     ++pictures.number;
+}
+
+/// Decides what a result is held against.
+void choose_reference(Ui& ui) {
+    LabLook& lab = ui.lab;
+    const Session& session = ui.session;
+    lab.compared_scene = session.scene;
+    lab.reference = with_handout_rules(session.a.settings);
+    if (lab.holds_against_set) return;
+    // Of what a lesson has left behind nothing counts.
+    Scene room = read_scene_file(lessons_folder() + "/" + std::string(usual_scene));
+    if (!(*session.scene == room))
+        lab.compared_scene = std::make_shared<const Scene>(std::move(room));
+    lab.reference = default_settings(*lab.compared_scene);
 }
 
 void begin_picture(Ui& ui, const std::string& path) {
     LabLook& lab = ui.lab;
-    const Session& session = ui.session;
     Image picture = read_image(path);
-    lab.reference =
-        fitted_to(with_handout_rules(session.a.settings), picture, session.scene->space);
-    lab.compared_scene = session.scene;
-    lab.held_against = picture_words(session, lab.reference);
+    const Settings usual = lab.reference;
+    lab.reference = fitted_to(usual, picture, lab.compared_scene->space);
+    lab.held_against = picture_words(lab, usual);
     lab.work = std::make_unique<DiagnosisWork>(std::move(picture), path, *lab.compared_scene,
                                                lab.reference, lab_bugs(ui));
 }
 
 void diagnose_rows_file(Ui& ui, const std::string& path) {
+    LabLook& lab = ui.lab;
     const std::vector<PrintedRow> rows = parse_printed_rows(read_file(path), path);
     std::string about;
-    ui.lab.diagnosis =
-        diagnose_rows(rows, {}, *ui.session.scene, with_handout_rules(ui.session.a.settings),
-                      lab_bugs(ui), about);
-    ui.lab.held_against = "the row table of " + about;
+    lab.diagnosis =
+        diagnose_rows(rows, {}, *lab.compared_scene, lab.reference, lab_bugs(ui), about);
+    lab.held_against = "the row table of " + about;
 }
 
 } // namespace
@@ -96,16 +113,15 @@ void turn_on(Ui& ui, const Bug& bug, bool on_its_scene) {
 
 void show_candidate(Ui& ui, const Bug& bug, const Candidate& candidate) {
     Session& session = ui.session;
-    if (!candidate.recipe || ui.lab.compared_scene == nullptr) {
-        turn_on(ui, bug, false);
-        return;
-    }
     if (refuses_settings(session)) return;
     end_comparison(session);
     const Run before = session.a;
     const std::shared_ptr<const Scene> before_scene = session.scene;
+    const Settings& reference = ui.lab.reference;
     if (before_scene != ui.lab.compared_scene) show_scene(session, ui.lab.compared_scene);
-    show_bug(bug.id, candidate.recipe->settings, ui.lab.reference, session);
+    const bool is_drawn = candidate.recipe.has_value();
+    show_bug(bug.id, is_drawn ? candidate.recipe->settings : wrong_run(bug, reference),
+             is_drawn ? candidate.right.value_or(reference) : correct_run(bug, reference), session);
     session.replaced->before = before;
     if (session.scene != before_scene) session.replaced->before_scene = before_scene;
     session.notice.clear();
@@ -141,11 +157,16 @@ void diagnose_file(Ui& ui, const std::string& path) {
     stop_diagnosis(ui);
     lab.mode = LabMode::result;
     open_tab(ui, "lab");
-    lab.result_path = path;
+    lab.result_path = lab.checked_path = path;
     lab.diagnosis = std::nullopt;
     lab.result_fault.clear();
     // The frame before says that it may take a while.
     lab.frames_to_result = 2;
+}
+
+void hold_result_against(Ui& ui, bool what_is_set) {
+    ui.lab.holds_against_set = what_is_set;
+    diagnose_file(ui, ui.lab.checked_path);
 }
 
 void carry_on_diagnosis(Ui& ui, const WorkLimit& limit) {
@@ -154,10 +175,11 @@ void carry_on_diagnosis(Ui& ui, const WorkLimit& limit) {
     if (!begins && lab.work == nullptr) return;
     try {
         if (begins) {
-            const std::string path = lab.result_path;
+            const std::string path = lab.checked_path;
             // The answer takes the place of the question: in sight, and scrolled by keys.
             give_focus(ui, "lab.mode.result");
             refuse_endless_file(path);
+            choose_reference(ui);
             lab.is_picture = is_image_file(path);
             lab.is_picture ? begin_picture(ui, path) : diagnose_rows_file(ui, path);
         } else {

@@ -20,9 +20,8 @@ const std::vector<Bug>& lab_bugs(Ui& ui);
 /// @param on_its_scene loads the scene that shows it best
 void turn_on(Ui& ui, const Bug& bug, bool on_its_scene);
 
-/// Shows the candidate's picture as run A and compares it with the reference, on the scene and with
-/// the settings that the student's picture was held against; of rows as turn_on() does. Refused
-/// while a quiz goes on.
+/// Shows the candidate as run A and compares it with the reference, on the scene and with the
+/// settings that the student's result was held against. Refused while a quiz goes on.
 void show_candidate(Ui& ui, const Bug& bug, const Candidate& candidate);
 
 /// Begins a quiz by LabLook::seed on the scene that is open; says so if the scene shows no mistake.
@@ -31,10 +30,14 @@ void begin_quiz(Ui& ui);
 /// Ends the quiz, counts its points if it was over, and brings back what was set before.
 void finish_quiz(Ui& ui);
 
-/// Holds a picture (PNG or BMP) or a text of printed rows against what is set now, and opens the
-/// laboratory with what may be wrong with it: from the next frame but one on, see
-/// carry_on_diagnosis().
+/// Holds a picture (PNG or BMP) or a text of printed rows against the lab's room as the handout
+/// draws it, and opens the laboratory with what may be wrong with it: from the next frame but one
+/// on, see carry_on_diagnosis().
 void diagnose_file(Ui& ui, const std::string& path);
+
+/// Holds the file that was checked last against what is set, or against the handout's picture
+/// again; the files after it too.
+void hold_result_against(Ui& ui, bool what_is_set);
 
 /// Reads the file that waits for it, or goes on with the picture that is being checked. To be
 /// called once a frame.

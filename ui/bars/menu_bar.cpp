@@ -57,7 +57,12 @@ CornerRoom fitting_corners(const Ui& ui, float room, int most_ranks) {
 }
 
 constexpr int all_ranks = 4;
-constexpr int ranks_of_narrow = 2; ///< undo and redo; the menus have the rest
+
+/// Undo and redo, and the menus have the rest; on the start page, where no stages need the room,
+/// the size of the text too.
+int ranks_of_narrow(const Ui& ui) {
+    return ui.start.is_open ? 3 : 2;
+}
 
 /// At the right end of the room that is left in the line.
 void draw_corner_buttons(Ui& ui, int most_ranks) {
@@ -87,17 +92,19 @@ float gear_width(const Ui& ui) {
     return std::round(44.0f * ui.options.text_scale);
 }
 
-/// What a narrow window has for the buttons between the stages and the gear, screen pixels.
+/// What a narrow window has for the buttons between the stages, or the name that stands in their
+/// place, and the gear, screen pixels.
 float corner_room(const Ui& ui, float window_width) {
-    return window_width - menu_button_width(ui.options.text_scale) - gear_width(ui) -
-           least_strip_width(ui);
+    const float strip =
+        ui.start.is_open ? text_width(ui.fonts.bold, "Rasterwalk") : least_strip_width(ui);
+    return window_width - menu_button_width(ui.options.text_scale) - gear_width(ui) - strip;
 }
 
 float corner_width(const Ui& ui, float window_width) {
     const float room = corner_room(ui, window_width);
     return ui.options.is_lecture
                ? button_width(leaving_words(room)) + ImGui::GetStyle().ItemSpacing.x
-               : fitting_corners(ui, room, ranks_of_narrow).width;
+               : fitting_corners(ui, room, ranks_of_narrow(ui)).width;
 }
 
 /// A part of the top line, in a window of its own.
@@ -193,7 +200,7 @@ void draw_way_out(Ui& ui, const Area& area) {
     if (pressed) toggle_lecture(ui);
 }
 
-/// Undo and redo; in a lecture, how it is left.
+/// Undo, redo and what else has room; in a lecture, how it is left.
 void draw_narrow_corner(Ui& ui, const Area& area) {
     if (area.size.x < 1.0f) return;
     begin_part(ui, "corner", area);
@@ -201,7 +208,7 @@ void draw_narrow_corner(Ui& ui, const Area& area) {
     if (ui.options.is_lecture) {
         draw_way_out(ui, area);
     } else {
-        draw_corner_buttons(ui, ranks_of_narrow);
+        draw_corner_buttons(ui, ranks_of_narrow(ui));
     }
     end_part();
 }

@@ -2,6 +2,8 @@
 #include <functional>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "laboratory/bug_rule.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
@@ -20,12 +22,9 @@ namespace rasterwalk {
 namespace {
 
 /// All that there is to say of a mistake.
-std::string page_of(const Bug& bug) {
-    std::string text = plain_markdown(bug.sentence);
-    text.append("\n\n**Symptom.** ").append(plain_markdown(bug.symptom));
-    text.append("\n\n**Where to look.** ").append(bug.look);
-    if (!bug.code.empty()) text.append("\n\n```cpp\n").append(bug.code).append("\n```");
-    return text.append("\n\n**Cure.** ").append(plain_markdown(bug.cure)).append("\n");
+std::string page_of(Ui& ui, const Bug& bug) {
+    return plain_markdown(bug.sentence) + "\n\n**Symptom.** " + plain_markdown(bug.symptom) +
+           "\n\n" + remedy_of(ui, bug);
 }
 
 void draw_line(Ui& ui, const Bug& bug) {
@@ -125,7 +124,8 @@ void draw_card(Ui& ui, const Bug& bug) {
         name_widget(ui, "lab.made", "What is set now makes this mistake without being told to.");
     }
     const float width = ImGui::CalcItemWidth();
-    const MarkdownEvents events = draw_markdown(ui, ui.lab.page, page_of(bug), width, "lab.link.");
+    const MarkdownEvents events =
+        draw_markdown(ui, ui.lab.page, page_of(ui, bug), width, "lab.link.");
     answer_links(ui, document_of(*ui.lab.page), events);
     end_card(ui);
 }
@@ -199,6 +199,16 @@ std::string plain_markdown(const std::string& text) {
         result += c;
     }
     return result;
+}
+
+std::string remedy_of(Ui& ui, const Bug& bug) {
+    std::string text = "**Where to look.** " + bug.look;
+    if (!bug.code.empty()) text.append("\n\n```cpp\n").append(bug.code).append("\n```");
+    text.append("\n\n**Cure.** ").append(plain_markdown(bug.cure)).append("\n");
+    const Lesson* const lesson = ui.lesson.lessons.find(bug.lesson);
+    if (lesson == nullptr) return text;
+    return text.append(fmt::format("\n**Lesson {}.** [{}]({}.md)\n", lesson_number(lesson->id),
+                                   plain_markdown(lesson->title), lesson->id));
 }
 
 void keep_in_sight(Ui& ui, const Bug& chosen, float below) {

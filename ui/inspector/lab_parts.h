@@ -12,6 +12,10 @@ struct Bug;
 /// Text of the data as Markdown that says the same.
 std::string plain_markdown(const std::string& text);
 
+/// What there is to say of a mistake, as Markdown: how to find it in a program, the cure, and the
+/// lesson that tells of it.
+std::string remedy_of(Ui& ui, const Bug& bug);
+
 /// The line just drawn, of the mistake whose card is on show, stays in sight.
 /// @param below what is to be seen below the line, screen pixels
 void keep_in_sight(Ui& ui, const Bug& chosen, float below);

@@ -54,20 +54,14 @@ PairLayout pair_layout(const Ui& ui, const Image& image, float width) {
     return layout;
 }
 
-/// What is shown as the second picture: without a likely mistake, where it is not as the first.
-Image small_one(const LabPictures& pictures, bool is_own, float scale) {
-    if (is_own) return resampled(pictures.own, scale);
-    if (!pictures.is_reference || pictures.own == pictures.beside)
-        return resampled(pictures.beside, scale);
-    return with_differences_marked(pictures.beside, pictures.own, scale);
-}
-
 void draw_captioned(Ui& ui, bool is_own, const PairLayout& layout, const PictureCaption& caption) {
     const Palette& p = palette(ui.options.theme);
     LabPictures& pictures = ui.lab.pictures;
     PictureTexture& texture = pictures.small[is_own ? 0 : 1];
     if (texture.number != pictures.number || texture.scale != layout.scale) {
-        const Image small = small_one(pictures, is_own, layout.scale);
+        const Image small =
+            is_own ? resampled(pictures.own, layout.scale)
+                   : with_differences_marked(pictures.right, pictures.own, layout.scale);
         texture.id = ui.host.textures->upload(texture.id, small);
         texture.number = pictures.number;
         texture.scale = layout.scale;
@@ -79,9 +73,8 @@ void draw_captioned(Ui& ui, bool is_own, const PairLayout& layout, const Picture
     ImGui::Dummy(texture.size);
     const std::string name = is_own ? "lab.picture.own" : "lab.picture.beside";
     name_widget(ui, name,
-                is_own                  ? "The picture that you chose."
-                : pictures.is_reference ? "What the right program draws of what is set."
-                                        : "What the program draws with this mistake.");
+                is_own ? "The picture that you chose."
+                       : "What the right program draws, in grey; where yours is another, orange.");
     note_text(ui, name, caption.title + (caption.words.empty() ? "" : ": " + caption.words));
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddImage(texture.id, low, high);

@@ -9,8 +9,10 @@
 #include "settings/value_words.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/lab.h"
+#include "ui/actions/lesson_links.h"
 #include "ui/actions/view_files.h"
 #include "ui/inspector/lab_parts.h"
+#include "ui/page/markdown.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/imgui_versions.h"
@@ -41,8 +43,8 @@ void draw_file(Ui& ui, bool another) {
     if (button(ui, "lab.choose", another ? "Another file …" : "Choose a file …",
                another ? Look::plain : Look::main,
                "Shows the folders and the files that can be checked. What is chosen is held "
-               "against the lab's rules with the camera, light and stage that are set, and every "
-               "mistake is carried out to see which comes nearest.")) {
+               "against the lab's room as the handout draws it, and every mistake is carried out "
+               "to see which comes nearest.")) {
         begin_choosing_result(ui);
     }
     keep_item_whole(ui);
@@ -100,27 +102,56 @@ std::string candidate_words(const Candidate& candidate) {
     return in_words(names);
 }
 
-/// What is said of the picture beside the student's own.
-PictureCaption caption_beside(const Diagnosis& diagnosis) {
-    if (diagnosis.is_same()) return {"The reference", "The very same."};
+/// The mistake of the laboratory that a candidate names first; null: it names none.
+const Bug* bug_of(Ui& ui, const Candidate& candidate) {
+    for (const std::string& id : candidate.ids) {
+        for (const Bug& bug : lab_bugs(ui)) {
+            if (bug.id == id) return &bug;
+        }
+    }
+    return nullptr;
+}
+
+/// What the likely mistake is, and how it is mended.
+void draw_remedy(Ui& ui, const Diagnosis& diagnosis) {
     const Candidate* const likely = likely_candidate(diagnosis);
-    if (likely == nullptr) return {"The reference", "Orange: not as in yours."};
-    if (likely->distance == 0.0) return {candidate_words(*likely), "The very same."};
-    return {candidate_words(*likely),
-            grouped(likely->different) +
-                (likely->different == 1 ? " pixel differs" : " pixels differ") + " from yours."};
+    const Bug* const bug = likely == nullptr ? nullptr : bug_of(ui, *likely);
+    if (bug == nullptr) return;
+    const std::string text = plain_markdown(bug->sentence) + "\n\n" + remedy_of(ui, *bug);
+    const MarkdownEvents events =
+        draw_markdown(ui, ui.lab.remedy, text, ImGui::CalcItemWidth(), "lab.remedy.");
+    name_widget(ui, "lab.remedy", "What the likely mistake is, and how it is mended.");
+    note_text(ui, "lab.remedy", text);
+    answer_links(ui, document_of(*ui.lab.remedy), events);
+}
+
+/// What the result was held against, and the other choice. Returns true if that is asked for.
+bool draw_reference(Ui& ui) {
+    const LabLook& lab = ui.lab;
+    const std::string held = "Held against " + lab.held_against + ".";
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    wrapped_text(held);
+    name_widget(ui, "lab.held_against", "The reference: what the right program makes.");
+    note_text(ui, "lab.held_against", held);
+    keep_item_whole(ui);
+    ImGui::PopStyleColor();
+    const bool is_set = lab.holds_against_set;
+    const bool pressed = button(
+        ui, "lab.other_reference",
+        is_set ? "Hold it against the handout's picture" : "Hold it against what is set",
+        Look::link,
+        is_set ? "The lab's room with the camera, light and stage of the handout."
+               : "The scene that is open, with the camera, light and stage that are set now. For a "
+                 "picture of another scene, or from another place.");
+    keep_item_whole(ui);
+    return pressed;
 }
 
 /// One candidate: how much of the difference it explains, as a bar and a number, and its name.
 void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
-    const Bug* bug = nullptr;
-    for (const std::string& id : candidate.ids) {
-        for (const Bug& known : lab_bugs(ui)) {
-            if (bug == nullptr && known.id == id) bug = &known;
-        }
-    }
+    const Bug* const bug = bug_of(ui, candidate);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushFont(ui.fonts.mono);
@@ -177,6 +208,22 @@ void draw_candidates(Ui& ui, const Diagnosis& diagnosis) {
     ImGui::EndTable();
 }
 
+/// How much differs, and where; empty: nothing.
+std::string difference_words(const LabLook& lab) {
+    const Diagnosis& diagnosis = *lab.diagnosis;
+    if (diagnosis.is_same()) return "";
+    const bool is_one = diagnosis.different == 1;
+    const Candidate* const likely = likely_candidate(diagnosis);
+    const std::string assumed =
+        likely == nullptr || likely->remark.empty() ? ". " : " " + in_words(likely->remark) + ". ";
+    const char* const what =
+        lab.is_picture
+            ? (is_one ? " pixel looks different from the right picture"
+                      : " pixels look different from the right picture")
+            : (is_one ? " row differs from the reference" : " rows differ from the reference");
+    return grouped(diagnosis.different) + what + assumed + diagnosis.place;
+}
+
 void draw_diagnosis(Ui& ui) {
     const LabLook& lab = ui.lab;
     const Diagnosis& diagnosis = *lab.diagnosis;
@@ -188,23 +235,24 @@ void draw_diagnosis(Ui& ui) {
     name_widget(ui, "lab.diagnosis", "What is most likely.");
     keep_item_whole(ui);
     note_text(ui, "lab.diagnosis", verdict);
-    if (lab.is_picture) draw_lab_pictures(ui, caption_beside(diagnosis));
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    if (!diagnosis.is_same()) {
-        wrapped_text(grouped(diagnosis.different) +
-                     (lab.is_picture ? " pixels look different from the reference."
-                                     : " rows differ from the reference."));
-        keep_item_whole(ui);
+    const std::string where = difference_words(lab);
+    if (lab.is_picture) {
+        draw_lab_pictures(ui, {"Where it is not right", diagnosis.is_same()
+                                                            ? "The very same."
+                                                            : "Orange: not as it should be."});
     }
-    const std::string held = "Held against " + lab.held_against + ".";
-    wrapped_text(held);
-    name_widget(ui, "lab.held_against",
-                "The reference: what the right program makes of what is set.");
-    note_text(ui, "lab.held_against", held);
-    keep_item_whole(ui);
-    ImGui::PopStyleColor();
+    if (!where.empty()) {
+        wrapped_text(where);
+        name_widget(ui, "lab.difference", "How much is not right, and where.");
+        note_text(ui, "lab.difference", where);
+        keep_item_whole(ui);
+        ImGui::Spacing();
+    }
+    draw_remedy(ui, diagnosis);
+    const bool wants_other = draw_reference(ui);
     end_card(ui);
     draw_candidates(ui, diagnosis);
+    if (wants_other) hold_result_against(ui, !lab.holds_against_set); // the diagnosis is gone then
 }
 
 /// How far the check is, and the way to stop it.

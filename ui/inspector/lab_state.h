@@ -26,11 +26,10 @@ enum class LabMode : std::uint8_t {
     result, ///< a result of the student's own, and what may be wrong with it
 };
 
-/// The student's picture, and beside it one of the program's own.
+/// The student's picture, and the one that it is held against.
 struct LabPictures {
     Image own;
-    Image beside;                        ///< what the likely mistake makes, or else the reference
-    bool is_reference = true;            ///< no mistake is likely
+    Image right;
     std::uint64_t number = 0;            ///< of both; grows with each diagnosis
     std::array<PictureTexture, 2> small; ///< as they are shown
 };
@@ -47,16 +46,19 @@ struct LabLook {
     float bottom = 0.0f;
     std::shared_ptr<MarkdownPage> page;
     LabMode mode = LabMode::bugs;
-    int seed = 0;             ///< of the next quiz; 0: the program takes one
-    bool wants_two = false;   ///< the next quiz hides two mistakes
-    std::string result_path;  ///< of the student's own result
+    int seed = 0;                   ///< of the next quiz; 0: the program takes one
+    bool wants_two = false;         ///< the next quiz hides two mistakes
+    std::string result_path;        ///< of the student's own result, as it is typed
+    std::string checked_path;       ///< of the result that was checked last
+    bool holds_against_set = false; ///< a result: against what is set, else what the handout draws
     int frames_to_result = 0; ///< it is diagnosed when this falls to 0 from 1; until then it waits
     std::string result_fault; ///< why it could not be diagnosed
     std::unique_ptr<DiagnosisWork> work; ///< of a picture, as long as it goes on; null: none does
     std::string held_against;            ///< "the picture of lab-room"
     bool is_picture = false;             ///< what was held against it; else rows
     std::optional<Diagnosis> diagnosis;
-    /// What a picture was held against, so that a mistake is shown on the very same.
+    std::shared_ptr<MarkdownPage> remedy; ///< what is said of the likely mistake
+    /// What a result was held against, so that a mistake is shown on the very same.
     std::shared_ptr<const Scene> compared_scene;
     Settings reference;
     LabPictures pictures; ///< of a picture that was diagnosed

@@ -11,7 +11,9 @@
 #include "ui/actions/open_lesson.h"
 #include "ui/app/app.h"
 #include "ui/app/kept_options.h"
+#include "ui/start/ways.h"
 #include "ui/ui.h"
+#include "ui/widgets/keys.h"
 
 namespace rasterwalk {
 
@@ -131,8 +133,9 @@ TEST_CASE("After a moment in which nothing can be written, options and progress 
     driver.ui.options.theme = Theme::light;
     driver.ui.lesson.progress.note_step("01-pinhole-camera", 2);
     driver.hand.frames(2);
-    CHECK_THAT(driver.ui.session.notice,
-               Catch::Matchers::ContainsSubstring("will not be kept until"));
+    CHECK_THAT(
+        driver.ui.session.notice,
+        Catch::Matchers::StartsWith("Progress and the look of the window will not be kept until"));
     driver.ui.session.notice.clear();
     driver.hand.frames(20, 1.0f);
     CHECK(driver.ui.session.notice.empty()); // it is said once
@@ -141,6 +144,21 @@ TEST_CASE("After a moment in which nothing can be written, options and progress 
     CHECK_THAT(driver.ui.session.notice, Catch::Matchers::ContainsSubstring("kept again"));
     CHECK(parse_options(read_file(place + "/window.toml"), "", {}).theme == Theme::light);
     CHECK(read_progress(place + "/progress.toml").is_step_seen("01-pinhole-camera", 2));
+}
+
+TEST_CASE("Where nothing can be written, the first lesson says that progress is not kept") {
+    const test::TemporaryFolder folder;
+    const std::string place = folder.write("state", "");
+    Driver driver;
+    keep_options(driver.ui, place + "/window.toml");
+    keep_progress(driver.ui, place + "/progress.toml");
+    begin_at_start(driver.ui);
+    driver.hand.rest();
+    driver.hand.press(key::equal, {.ctrl = true});
+    driver.hand.rest();
+    driver.hand.click("start.lessons");
+    driver.hand.rest();
+    CHECK_THAT(driver.ui.session.notice, Catch::Matchers::StartsWith("Progress"));
 }
 
 TEST_CASE("At the end it is tried once more, without waiting") {

@@ -20,6 +20,7 @@
 #include "ui/actions/compare.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
+#include "ui/actions/open_lesson.h"
 #include "ui/actions/view_files.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
@@ -265,17 +266,19 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("A diagnosis shows the student's picture beside the one that the mistake makes") {
+TEST_CASE("A diagnosis shows the student's picture beside where it differs from the right one") {
     constexpr int side = 160;
     Driver driver;
     AllTextures textures;
     driver.ui.host.textures = &textures;
-    driver.ui.session.a.settings = pixel_light(driver, side);
     const auto shown = [&](std::size_t i) -> const Image& {
         return textures.images.at(driver.ui.lab.pictures.small[i].id);
     };
     const Settings reference = pixel_light(driver, side);
-    const Image mine = drawn_by(driver, wrong_run(find_bug(read_bugs(), "B9"), reference));
+    const Image right = drawn_by(driver, reference);
+    Settings wrong = reference;
+    wrong.spans = Spans::last_dropped;
+    const Image mine = drawn_by(driver, wrong);
     check_image(driver, mine);
     const WidgetPlace own = driver.hand.find("lab.picture.own");
     const WidgetPlace beside = driver.hand.find("lab.picture.beside");
@@ -284,35 +287,104 @@ TEST_CASE("A diagnosis shows the student's picture beside the one that the mista
     CHECK(own.top_left.y == beside.top_left.y);
     CHECK(own.bottom_right.x < beside.top_left.x);
     CHECK(shown_text(driver, "lab.picture.own") == "Your picture");
-    CHECK_THAT(shown_text(driver, "lab.picture.beside"),
-               Catch::Matchers::StartsWith("B9 ") && Catch::Matchers::EndsWith("The very same."));
     const auto width = static_cast<float>(shown(0).width);
     CHECK(own.bottom_right.x - own.top_left.x == Approx(width));
     CHECK(width > 150.0f);
     CHECK(shown(0) == resampled(mine, driver.ui.lab.pictures.small[0].scale));
-    CHECK(shown(1) == shown(0));
-    // Another one takes its place: turned, which no setting does.
-    const Image mirrored = oriented(drawn_by(driver, reference), Orientation::mirrored);
-    check_image(driver, mirrored);
-    CHECK_THAT(shown_text(driver, "lab.picture.beside"), Catch::Matchers::StartsWith("Mirrored"));
-    CHECK(shown(0) == resampled(mirrored, driver.ui.lab.pictures.small[0].scale));
-    CHECK(shown(1) == shown(0));
-    // Moved, too.
-    check_image(driver, shifted(drawn_by(driver, reference), 1, 0));
-    CHECK_THAT(shown_text(driver, "lab.picture.beside"), Catch::Matchers::StartsWith("Shifted"));
-    CHECK(shown(1) == shown(0));
-    // Without a likely mistake the reference, in which even one pixel is seen.
-    Image scratched = drawn_by(driver, reference);
+    CHECK(marked_pixels(shown(1)) == differences_of(right, mine).pixels);
+    // Another lamp is no mistake: only what the mistake makes is marked.
+    Settings lit = reference;
+    lit.light.power = wrong.light.power = glm::vec3(14.0f);
+    const Image bright = drawn_by(driver, wrong);
+    check_image(driver, bright);
+    CHECK(marked_pixels(shown(1)) == differences_of(drawn_by(driver, lit), bright).pixels);
+    CHECK_THAT(shown_text(driver, "lab.difference"),
+               Catch::Matchers::StartsWith(grouped(driver.ui.lab.diagnosis->different)) &&
+                   Catch::Matchers::ContainsSubstring(" with “Lamp power: 14”. They are in "));
+    CHECK(marked_pixels(shown(1)) == driver.ui.lab.diagnosis->different);
+    // Even one pixel is seen, and its place is told.
+    Image scratched = right;
     std::fill_n(scratched.rgba.begin() + 4 * (side / 2 * side + side / 2), 3, std::uint8_t{255});
     check_image(driver, scratched);
-    CHECK_THAT(shown_text(driver, "lab.picture.beside"),
-               Catch::Matchers::StartsWith("The reference"));
     CHECK(marked_pixels(shown(1)) >= 1);
     CHECK(marked_pixels(shown(1)) <= 4);
-    check_image(driver, drawn_by(driver, reference));
-    CHECK(shown_text(driver, "lab.picture.beside") == "The reference: The very same.");
+    CHECK(shown_text(driver, "lab.difference") ==
+          "1 pixel looks different from the right picture. It is in column 80 and row 80.");
+    check_image(driver, right);
+    CHECK_THAT(shown_text(driver, "lab.picture.beside"),
+               Catch::Matchers::EndsWith("The very same."));
     CHECK(marked_pixels(shown(1)) == 0);
     driver.ui.host.textures = &driver.textures;
+}
+
+TEST_CASE("One card names the mistake, its place, its cure and its lesson, to which it leads") {
+    Driver driver;
+    const Settings reference = pixel_light(driver);
+    const Bug bug = find_bug(read_bugs(), "B9");
+    check_image(driver, drawn_by(driver, wrong_run(bug, reference)));
+    CHECK_THAT(shown_text(driver, "lab.diagnosis"), Catch::Matchers::ContainsSubstring(bug.name));
+    CHECK_THAT(shown_text(driver, "lab.difference"),
+               Catch::Matchers::ContainsSubstring("They are in columns "));
+    CHECK_THAT(shown_text(driver, "lab.remedy"),
+               Catch::Matchers::ContainsSubstring(bug.look) &&
+                   Catch::Matchers::ContainsSubstring("**Cure.** Both ends") &&
+                   Catch::Matchers::ContainsSubstring("**Lesson 6.** "));
+    driver.hand.click("lab.remedy.1");
+    CHECK(driver.ui.session.lesson == bug.lesson);
+    CHECK(bug.lesson == "06-filling");
+}
+
+TEST_CASE("Each mistake names a lesson that there is") {
+    Driver driver;
+    for (const Bug& bug : lab_bugs(driver.ui)) {
+        INFO(bug.id << ": " << bug.lesson);
+        CHECK(driver.ui.lesson.lessons.find(bug.lesson) != nullptr);
+    }
+}
+
+TEST_CASE("A lesson leaves nothing behind in what a picture is held against") {
+    test::TemporaryFolder folder;
+    const std::string path = folder.file("mine.png");
+    std::int64_t fresh = 0;
+    {
+        Driver driver;
+        Settings wrong = pixel_light(driver, 200);
+        wrong.spans = Spans::last_dropped;
+        write_png(drawn_by(driver, wrong), path);
+        diagnose_file(driver.ui, path);
+        finish_check(driver);
+        fresh = driver.ui.lab.diagnosis->different;
+        REQUIRE(fresh > 0);
+    }
+    Driver driver;
+    open_lesson(driver.ui, "31-shadows", 7);
+    driver.hand.rest();
+    driver.ui.start.is_open = true;
+    driver.hand.rest();
+    driver.hand.click("start.picture");
+    driver.hand.enter("files.path", path);
+    finish_check(driver);
+    REQUIRE(driver.ui.lab.diagnosis);
+    CHECK(driver.ui.lab.diagnosis->different == fresh);
+    CHECK_THAT(shown_text(driver, "lab.difference"), Catch::Matchers::StartsWith(grouped(fresh)));
+    CHECK_THAT(shown_text(driver, "lab.held_against"),
+               Catch::Matchers::ContainsSubstring("as the handout draws it"));
+    driver.hand.click("lab.show.0");
+    driver.hand.rest();
+    CHECK(driver.ui.results.comparison.whole().pixels.shown == fresh);
+    CHECK_THAT(difference_forms(driver.ui.results.comparison.pixels).front(),
+               Catch::Matchers::StartsWith(grouped(fresh)));
+    // A picture from another place is held against what is set, when that is asked for.
+    driver.hand.press('C');
+    driver.ui.session.a.settings.camera.yaw = 0.2f;
+    driver.hand.click("lab.other_reference");
+    finish_check(driver);
+    CHECK(driver.ui.lab.reference.camera.yaw == 0.2f);
+    CHECK_THAT(shown_text(driver, "lab.held_against"),
+               Catch::Matchers::ContainsSubstring("that are set"));
+    driver.hand.click("lab.other_reference");
+    finish_check(driver);
+    CHECK(driver.ui.lab.diagnosis->different == fresh);
 }
 
 TEST_CASE("In a small window both pictures of a diagnosis can be seen whole") {
@@ -422,6 +494,25 @@ TEST_CASE("What cannot be read is said in the laboratory, and rows of the lab ar
     REQUIRE(driver.ui.lab.diagnosis);
     CHECK(driver.ui.lab.diagnosis->is_same());
     CHECK(driver.hand.is_visible("lab.diagnosis"));
+}
+
+TEST_CASE("Of a row table it is said which row differs first, and nothing is offered for nothing") {
+    test::TemporaryFolder folder;
+    Driver driver;
+    std::string text(test::handout_rows);
+    const std::size_t at = text.find("Start: (6,9)");
+    REQUIRE(at != std::string::npos);
+    text.replace(at, 12, "Start: (7,9)");
+    const std::string path = folder.file("rows.txt");
+    std::ofstream(path) << text;
+    open_dropped(driver.ui, path);
+    driver.hand.frames(3);
+    REQUIRE(driver.ui.lab.diagnosis);
+    CHECK(shown_text(driver, "lab.difference") ==
+          "1 row differs from the reference. The first is row 9: columns 6 to 12 in the "
+          "reference, columns 7 to 12 in yours.");
+    CHECK(driver.ui.lab.diagnosis->candidates.empty());
+    CHECK(shown_text(driver, "lab.diagnosis") == "No known mistake explains the difference.");
 }
 
 TEST_CASE("All that can be chosen of a quiz stands before it is begun") {

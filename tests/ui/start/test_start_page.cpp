@@ -51,6 +51,26 @@ TEST_CASE("The first start shows the start page, and nothing of the workplace") 
     CHECK(driver.hand.is_visible("menu.Scene"));
 }
 
+TEST_CASE(
+    "On the start page the text grows and shrinks, by keys and in a small window by buttons") {
+    for (const ImVec2 window : {ImVec2{1600, 1000}, ImVec2{1024, 640}}) {
+        INFO(window.x);
+        Driver driver("lab-room.toml", window);
+        begin(driver);
+        REQUIRE(is_open(driver));
+        const auto wished = [&] { return driver.ui.options.wished_text_scale; };
+        driver.hand.press(key::equal, {.ctrl = true});
+        CHECK(wished() > 1.0f);
+        driver.hand.press(key::minus, {.ctrl = true});
+        CHECK(wished() == 1.0f);
+        driver.hand.click("text.larger");
+        CHECK(wished() > 1.0f);
+        driver.hand.click("text.smaller");
+        CHECK(wished() == 1.0f);
+        CHECK(is_open(driver));
+    }
+}
+
 TEST_CASE("While nothing is answered the page does not count the lessons that are done again") {
     Driver driver;
     begin(driver);
