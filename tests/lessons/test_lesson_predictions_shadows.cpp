@@ -224,7 +224,8 @@ PREDICTIONS_TEST("Lesson 31: what lies in shadow, and what a map takes for it", 
     CHECK(places.acne(0.0, 1e-5, 1024) > 33'000);
     CHECK(acne_of_program({"shadow_bias=0", "shadow_resolution=1024"}) ==
           Approx(facing / 4.0).epsilon(0.15));
-    // Half of the walls, unless they are at right angles to the axis of their face of the map.
+    // Nearly half of the walls, unless they are at right angles to the axis of their face of the
+    // map.
     const auto is_across = [&](const Place& place) {
         return std::abs(places.normal(place)[places.axis_of(place)]) > 0.999;
     };
@@ -233,7 +234,7 @@ PREDICTIONS_TEST("Lesson 31: what lies in shadow, and what a map takes for it", 
     }) < 0.01);
     CHECK(places.share_of_acne([&](const Place& place) {
         return places.is_on_walls(place) && !is_across(place);
-    }) == Approx(0.5).margin(0.1));
+    }) == Approx(0.45).margin(0.1));
     CHECK(acne_of_program({"shadow_bias=0.02"}) ==
           Approx(places.acne(0.02, 0.0)).epsilon(0.1).margin(60));
     CHECK(places.acne(0.05, 0.0) < 100);
