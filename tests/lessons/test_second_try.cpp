@@ -18,7 +18,7 @@ using namespace rasterwalk;
 namespace {
 
 /// A lesson in the room with one question.
-Lesson lesson_of(const std::string& question) {
+Lesson lesson_of_question(const std::string& question) {
     return parse_lesson(test::lesson_head() + "<!-- prediction\nid = \"q\"\n" + question +
                             "\n-->\n> **Prediction.** What?\n",
                         lessons_folder() + "/99-question.md");
@@ -36,14 +36,15 @@ Judgement judged(const Lesson& lesson, const GivenAnswer& answer) {
 } // namespace
 
 TEST_CASE("A wrong number is told what its misconception gets wrong") {
-    const Lesson lesson = lesson_of("kind = \"number\"\n"
-                                    "answer = \"triangle.count\"\n"
-                                    "tolerance = \"1\"\n"
-                                    "because = \"{answer}. It is so.\"\n"
-                                    "misconceptions = [\n"
-                                    "{ answer = \"triangle.count / 2\", says = \"{answer:0}?\" },\n"
-                                    "{ answer = \"60\", tolerance = \"5\", says = \"Twice.\" },\n"
-                                    "]");
+    const Lesson lesson =
+        lesson_of_question("kind = \"number\"\n"
+                           "answer = \"triangle.count\"\n"
+                           "tolerance = \"1\"\n"
+                           "because = \"{answer}. It is so.\"\n"
+                           "misconceptions = [\n"
+                           "{ answer = \"triangle.count / 2\", says = \"{answer:0}?\" },\n"
+                           "{ answer = \"60\", tolerance = \"5\", says = \"Twice.\" },\n"
+                           "]");
     CHECK(judged(lesson, {30.0}).says.empty());
     CHECK(judged(lesson, {30.0}).is_right);
     CHECK(judged(lesson, {14.0}).says == "30?");
@@ -56,18 +57,19 @@ TEST_CASE("A wrong number is told what its misconception gets wrong") {
 }
 
 TEST_CASE("A wrong choice and a wrong pixel are told what is wrong about them") {
-    const Lesson choice = lesson_of("kind = \"choice\"\n"
-                                    "choices = [\"few\", \"30\", \"many\"]\n"
-                                    "right = [\"triangle.count < 30\", \"triangle.count == 30\", "
-                                    "\"triangle.count > 30\"]\n"
-                                    "misconceptions = [{ answer = \"many\", says = \"No.\" }]");
+    const Lesson choice =
+        lesson_of_question("kind = \"choice\"\n"
+                           "choices = [\"few\", \"30\", \"many\"]\n"
+                           "right = [\"triangle.count < 30\", \"triangle.count == 30\", "
+                           "\"triangle.count > 30\"]\n"
+                           "misconceptions = [{ answer = \"many\", says = \"No.\" }]");
     CHECK(judged(choice, {2}).says == "No.");
     CHECK(judged(choice, {0}).says.empty());
     CHECK(judged(choice, {1}).says.empty());
-    const Lesson pixel = lesson_of("kind = \"pixel\"\nwhere = \"pixel.owner == 6\"\n"
-                                   "recipe = \"250,33\"\nwrong = \"250,480\"\n"
-                                   "misconceptions = [{ answer = \"pixel.owner < 2\", "
-                                   "says = \"The floor is {pixel.owner}.\" }]");
+    const Lesson pixel = lesson_of_question("kind = \"pixel\"\nwhere = \"pixel.owner == 6\"\n"
+                                            "recipe = \"250,33\"\nwrong = \"250,480\"\n"
+                                            "misconceptions = [{ answer = \"pixel.owner < 2\", "
+                                            "says = \"The floor is {pixel.owner}.\" }]");
     CHECK(judged(pixel, {glm::ivec2(250, 33)}).says.empty());
     CHECK(judged(pixel, {glm::ivec2(250, 480)}).says.starts_with("The floor is "));
     CHECK(judged(pixel, {glm::ivec2(4, 250)}).says.empty());

@@ -15,7 +15,7 @@ using namespace rasterwalk;
 namespace {
 
 /// A lesson in the room with one task, and a slider of the focal length.
-Lesson lesson_of(const std::string& task) {
+Lesson lesson_of_task(const std::string& task) {
     return parse_lesson(test::lesson_head() +
                             "<!-- control\nsetting = \"camera.focal_length\"\nfrom = 401\n"
                             "to = 600\nstep = 1\n-->\n\n<!-- task\nid = \"t\"\n" +
@@ -23,7 +23,7 @@ Lesson lesson_of(const std::string& task) {
                         lessons_folder() + "/99-task.md");
 }
 
-TaskLuck luck(const Lesson& lesson, int tries) {
+TaskLuck tried_at_random(const Lesson& lesson, int tries) {
     for (const Fault& fault : lesson.faults)
         FAIL(fault_text(lesson, fault));
     LessonTrial trial;
@@ -34,11 +34,11 @@ TaskLuck luck(const Lesson& lesson, int tries) {
 
 TEST_CASE("The share of random tries that solve a task is that of its answers") {
     // 50 of the 200 stops.
-    const TaskLuck quarter =
-        luck(lesson_of("done = \"camera.focal_length > 550\"\n"
+    const TaskLuck quarter = tried_at_random(
+        lesson_of_task("done = \"camera.focal_length > 550\"\n"
                        "recipe = [\"set:camera.focal_length=560\"]\n"
                        "not_yet = [{ when = \"camera.focal_length < 450\", says = \"Less.\" }]"),
-             200);
+        200);
     CHECK(quarter.control == "camera.focal_length");
     CHECK(quarter.tries == 200);
     CHECK(quarter.passed == Approx(50).margin(20));
@@ -48,31 +48,33 @@ TEST_CASE("The share of random tries that solve a task is that of its answers") 
     CHECK(quarter.unanswered_by.starts_with("camera.focal_length="));
     CHECK(is_luck(quarter));
     // The left half of the picture; right of it all is answered.
-    const TaskLuck half = luck(lesson_of("done = \"pixel.column < 250\"\n"
-                                         "recipe = [\"set:interpolation=affine\", \"pixel:3,3\"]\n"
-                                         "not_yet = [{ when = \"pixel.column >= 250\", says = "
-                                         "\"Farther left.\" }]"),
-                               100);
+    const TaskLuck half =
+        tried_at_random(lesson_of_task("done = \"pixel.column < 250\"\n"
+                                       "recipe = [\"set:interpolation=affine\", \"pixel:3,3\"]\n"
+                                       "not_yet = [{ when = \"pixel.column >= 250\", says = "
+                                       "\"Farther left.\" }]"),
+                        100);
     CHECK(half.control == "pixel");
     CHECK(half.passed == Approx(50).margin(15));
     CHECK_FALSE(half.ends_pass);
     CHECK(half.unanswered == 0);
     // Two of thirty triangles.
-    const TaskLuck two = luck(lesson_of("done = \"triangle < 2 and triangle >= 0\"\n"
-                                        "recipe = [\"triangle:1\"]"),
-                              150);
+    const TaskLuck two =
+        tried_at_random(lesson_of_task("done = \"triangle < 2 and triangle >= 0\"\n"
+                                       "recipe = [\"triangle:1\"]"),
+                        150);
     CHECK(two.control == "triangle");
     CHECK(two.passed == Approx(10).margin(8));
     CHECK_FALSE(is_luck(two));
     // The first of thirty triangles is a thirtieth of the time.
-    const TaskLuck moment = luck(lesson_of("done = \"cursor.triangle == 0\"\n"
-                                           "recipe = [\"cursor:t0/v1\"]"),
-                                 150);
+    const TaskLuck moment = tried_at_random(lesson_of_task("done = \"cursor.triangle == 0\"\n"
+                                                           "recipe = [\"cursor:t0/v1\"]"),
+                                            150);
     CHECK(moment.control == "moment");
     CHECK(moment.passed == Approx(5).margin(5));
-    const TaskLuck word = luck(lesson_of("done = \"interpolation == affine\"\n"
-                                         "recipe = [\"set:interpolation=affine\"]"),
-                               100);
+    const TaskLuck word = tried_at_random(lesson_of_task("done = \"interpolation == affine\"\n"
+                                                         "recipe = [\"set:interpolation=affine\"]"),
+                                          100);
     CHECK(word.control.empty());
     CHECK(word.tries == 0);
 }

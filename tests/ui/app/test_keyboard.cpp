@@ -6,6 +6,7 @@
 
 #include <imgui_internal.h>
 
+#include "lessons/lesson_run.h"
 #include "session/tabs.h"
 #include "stages/stages.h"
 #include "tests/support/catch.h"
@@ -132,7 +133,8 @@ TEST_CASE("An answer of several is reached by Tab, and given by Enter as by Spac
         }
         REQUIRE(asked != nullptr);
         const std::string id = asked->id;
-        const std::string second = "lesson.prediction." + id + ".choice.1";
+        const int right = judge(*with, *asked, {0}, ui.session).choice;
+        const std::string second = "lesson.prediction." + id + ".choice." + std::to_string(right);
         open_lesson(ui, with->id, 0);
         driver.hand.rest();
         for (int step = 0; step < 12 && ui.widgets.count(second) == 0; ++step) {

@@ -159,10 +159,11 @@ TEST_CASE("A prediction is answered before the program shows, and the first answ
         hand.click("lesson.prediction.how-many.answer");
         CHECK_FALSE(answers().at("how-many").is_right);
         CHECK(ui.lesson.predictions.at("how-many").judged->number == 30.0);
+        CHECK(ui.session.tab == "vertices");
+        hand.click("lesson.prediction.how-many.show");
         CHECK(ui.session.tab == "settings"); // what the reveal shows
         hand.click("lesson.prediction.how-many.again");
         CHECK_FALSE(ui.lesson.predictions.at("how-many").judged);
-        ui.lesson.predictions.at("how-many").typed.clear();
         hand.click("lesson.prediction.how-many.number");
         hand.type_text("30");
         hand.click("lesson.prediction.how-many.answer");
@@ -229,7 +230,7 @@ TEST_CASE("Progress is kept in a file, taken up again, and forgotten on request"
     CHECK(room.driver.ui.session.notice.empty());
     const LessonProgress& own = room.driver.ui.lesson.progress.of("01-tiny");
     CHECK(own.steps == std::set<int>{0, 1});
-    CHECK(own.answers.at("who") == FirstAnswer{"the floor", false});
+    CHECK(own.answers.at("who") == FirstAnswer{"the floor", false, true});
     open_lesson_to_go_on(room.driver.ui);
     CHECK(room.driver.ui.session.step == 1);
     room.driver.hand.rest();
@@ -324,10 +325,13 @@ TEST_CASE("Answers that were given before are shown again with what the program 
         hand.click("lesson.prediction.how-many.number");
         hand.type_text("1/2");
         hand.click("lesson.prediction.how-many.answer");
+        hand.click("lesson.prediction.how-many.show");
         hand.click("lesson.prediction.who.choice.0");
+        hand.click("lesson.prediction.who.show");
         hand.press('R'); // what the reveal shows is another picture
         hand.click_picture(250, 250);
         hand.click("lesson.prediction.black.answer");
+        hand.click("lesson.prediction.black.show");
         before = room.driver.ui.lesson.predictions;
     }
     Classroom room;

@@ -112,6 +112,7 @@ TEST_CASE("A question that is answered is not led to") {
     driver.hand.click(name + ".number");
     driver.hand.type_text("7");
     driver.hand.press(key::enter);
+    driver.hand.click(name + ".show");
     driver.hand.wheel("lesson.part0.link.0", 50.0f);
     driver.hand.leave();
     CHECK_FALSE(is_whole(driver, name));
