@@ -97,20 +97,20 @@ int check_luck(const Lesson& lesson, FileCheck& check) {
         check.progress.say(fmt::format("Trying the task '{}'", task.id));
         const TaskLuck luck = luck_of(lesson, task, luck_tries, check.session, check.trial);
         if (luck.control.empty()) {
-            tell(task, fmt::format("the task '{}' asks for words of lists.", task.id));
+            tell(task, fmt::format("the task '{}' has nothing to try at random.", task.id));
             continue;
         }
         tell(task, fmt::format("the task '{}' is solved by {:.1f} % of random tries of {}.",
                                task.id, 100.0 * luck.passed / luck.tries, luck.control));
         const auto refuse = [&](const std::string& sentence) {
-            tell(task, "fault: " + sentence);
+            tell(task, fmt::format("the task '{}': {}", task.id, sentence));
             ++faults;
         };
-        if (is_luck(luck)) refuse("at most 10 % may be.");
-        if (luck.ends_pass) refuse("an end of the slider solves it.");
+        if (is_luck(luck)) refuse("at most 10 % of random tries may solve it.");
+        if (luck.ends_pass) refuse("an end of its slider solves it.");
         if (luck.unanswered > 0) {
-            refuse(fmt::format("nothing is said to {} of {} tries, as to {}.", luck.unanswered,
-                               luck.tries, luck.unanswered_by));
+            refuse(fmt::format("'not_yet' says nothing to {} of {} tries, as to {}.",
+                               luck.unanswered, luck.tries, luck.unanswered_by));
         }
     }
     return faults;
@@ -158,7 +158,7 @@ int check_file(const std::string& path, FileCheck& check) {
     check.progress.clear();
     for (const Fault& fault : faults)
         check.out << fault_text(lesson, fault) << '\n';
-    const int unlucky = check.luck && is_readable(lesson) ? check_luck(lesson, check) : 0;
+    const int unlucky = check.luck && faults.empty() ? check_luck(lesson, check) : 0;
     return static_cast<int>(faults.size()) + unlucky;
 }
 

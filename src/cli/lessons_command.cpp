@@ -23,14 +23,6 @@ Progress progress_so_far(std::ostream& err) {
     }
 }
 
-/// So many of the lesson's tasks, or predictions, are done.
-template <class Question, class Done>
-int count_done(const std::vector<Question>& questions, const Done& done) {
-    return static_cast<int>(
-        std::count_if(questions.begin(), questions.end(),
-                      [&](const Question& question) { return done.count(question.id) > 0; }));
-}
-
 int steps_seen(const LessonProgress& progress, const Lesson& lesson) {
     const int count = static_cast<int>(lesson.steps.size());
     return static_cast<int>(std::count_if(progress.steps.begin(), progress.steps.end(),
@@ -50,18 +42,18 @@ void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostr
         const int tasks = static_cast<int>(lesson.tasks.size());
         const int predictions = static_cast<int>(lesson.predictions.size());
         const int seen = steps_seen(own, lesson);
-        const int solved = count_done(lesson.tasks, own.tasks);
-        const int answered = count_done(lesson.predictions, own.answers);
         if (!options.json) {
-            const bool is_begun = seen > 0 || solved > 0 || answered > 0;
+            if (const int number = number_to_come(lessons.all(), lesson.id))
+                out << "Lesson " << number << "\n    To come.\n";
+            const bool is_begun = seen > 0 || score.done > 0;
             out << lesson.id << "  " << lesson.title << "\n    " << lesson.minutes << " minutes, "
                 << steps << " steps, " << tasks << " tasks, " << predictions
                 << " predictions\n    ";
             if (score.is_done) {
                 out << "Done.\n";
             } else if (is_begun) {
-                out << "So far " << seen << " of " << steps << " steps, " << solved << " of "
-                    << tasks << " tasks, " << answered << " of " << predictions
+                out << "So far " << seen << " of " << steps << " steps, " << score.solved << " of "
+                    << tasks << " tasks, " << score.answered << " of " << predictions
                     << " predictions.\n";
             } else {
                 out << "Not begun.\n";
@@ -73,12 +65,12 @@ void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostr
                         {"last_step", score.last_step},
                         {"minutes", lesson.minutes},
                         {"predictions", predictions},
-                        {"predictions_answered", answered},
+                        {"predictions_answered", score.answered},
                         {"section", lesson.section},
                         {"steps", steps},
                         {"steps_seen", seen},
                         {"tasks", tasks},
-                        {"tasks_done", solved},
+                        {"tasks_done", score.solved},
                         {"title", lesson.title}});
     }
     if (options.json) print_json({{"lessons", std::move(list)}}, out);

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "lessons/lesson_reader.h"
+#include "text/markdown_text.h"
 
 namespace rasterwalk {
 
@@ -52,6 +53,10 @@ const LessonPrediction* find_prediction(const Lesson& lesson, std::string_view i
         if (prediction.id == id) return &prediction;
     }
     return nullptr;
+}
+
+std::string link_to_lesson(const Lesson& lesson) {
+    return "[" + as_markdown(lesson.title) + "](" + lesson.id + ".md)";
 }
 
 } // namespace rasterwalk

@@ -158,6 +158,9 @@ bool is_readable(const Lesson& lesson);
 /// "lessons/01-pinhole.md:12: sentence", as it is printed.
 std::string fault_text(const Lesson& lesson, const Fault& fault);
 
+/// A link to the lesson in Markdown, with its title.
+std::string link_to_lesson(const Lesson& lesson);
+
 /// The prediction of this id; null if there is none.
 const LessonPrediction* find_prediction(const Lesson& lesson, std::string_view id);
 

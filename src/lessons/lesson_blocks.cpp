@@ -6,9 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "base/limits.h"
 #include "base/numbers.h"
+#include "base/quoted.h"
 #include "base/toml_block.h"
+#include "facts/facts.h"
 #include "lessons/lesson_link.h"
 #include "lessons/lesson_run.h"
 #include "view/view_table.h"
@@ -44,10 +47,34 @@ std::string id(const TomlBlock& block, const toml::node& node) {
     return text;
 }
 
-/// Markdown with {EXPRESSION}; throws UsageError for one that is not understood.
+/// Throws UsageError for an {EXPRESSION} in code or in a formula, which would be shown as it is.
+void refuse_numbers_in_code(std::string_view text) {
+    while (true) {
+        const std::size_t begin = text.find_first_of("`$");
+        const std::size_t end = begin == text.npos ? begin : text.find(text[begin], begin + 1);
+        if (end == text.npos) return;
+        const std::string_view code = text.substr(begin + 1, end - begin - 1);
+        text.remove_prefix(end + 1);
+        const std::size_t open = code.find('{');
+        const std::size_t close = open == code.npos ? open : code.find('}', open);
+        if (close == code.npos) continue;
+        const std::string_view inner = code.substr(open + 1, close - open - 1);
+        const std::string_view name = inner.substr(0, inner.find(':'));
+        if (name == "answer" || find_name(name)) {
+            throw UsageError(fmt::format("{} is not filled in within code or a formula.",
+                                         in_quotes(code.substr(open, close - open + 1))));
+        }
+    }
+}
+
+/// Markdown with {EXPRESSION}, but without {answer}, which would give it away or is not there.
+/// Throws UsageError for an expression that is not understood.
 std::string told(const TomlBlock& block, const toml::node& node) {
     std::string text = block.text(node);
+    refuse_numbers_in_code(text);
     fill_in(text, "", std::nullopt, [](std::string_view) { return Value(); });
+    if (text.find("{answer") != text.npos)
+        throw UsageError("there is no {answer} here; 'because' of a prediction has it.");
     return text;
 }
 
@@ -214,6 +241,10 @@ LessonPrediction read_prediction(const toml::table& table, int line, const ViewS
         block.for_each_text(n, most_choices,
                             [&](const std::string& text) { p.choices.push_back(text); });
         if (p.choices.size() < 2) block.input().fail(n, "there must be at least two choices.");
+        for (auto one = p.choices.begin(); one != p.choices.end(); ++one) {
+            if (std::find(p.choices.begin(), one, *one) != one)
+                block.input().fail(n, "there are two choices " + in_quotes(*one) + ".");
+        }
     };
     keys["right"] = [&](const toml::node& n) {
         p.answer_line = line_of(n);
@@ -236,6 +267,7 @@ LessonPrediction read_prediction(const toml::table& table, int line, const ViewS
     keys["because"] = [&](const toml::node& n) {
         p.because_line = line_of(n);
         p.because = block.text(n);
+        refuse_numbers_in_code(p.because);
     };
     const toml::node* misconceptions = nullptr;
     keys["misconceptions"] = [&](const toml::node& n) { misconceptions = &n; };

@@ -1,6 +1,7 @@
 #include "lessons/lesson_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -267,40 +268,44 @@ class Checker {
 
     /// What its misconceptions give is wrong, and whatever is said has its numbers.
     void check_misconceptions(const LessonPrediction& prediction) {
+        if (prediction.misconceptions.empty()) return;
+        const GivenAnswer none{prediction.kind == LessonPrediction::Kind::number ? GivenAnswer{0.0}
+                                                                                 : GivenAnswer{0}};
+        const Judgement own = judge(lesson_, prediction, none, like_, trial_);
+        ViewState at = prediction.at;
+        if (prediction.wrong_pixel) at.pixel = prediction.wrong_pixel;
+        trial_.open(at, lesson_.folder, like_);
+        const Facts facts = trial_.facts();
+        const auto value = [&](const std::optional<Expression>& expression) {
+            return expression ? number_of(*expression, std::cref(facts)) : std::optional(0.0);
+        };
         for (const Misconception& one : prediction.misconceptions) {
-            ViewState at = prediction.at;
-            if (prediction.wrong_pixel) at.pixel = prediction.wrong_pixel;
-            trial_.open(at, lesson_.folder, like_);
-            const Facts facts = trial_.facts();
             const std::string missing = missing_in(one.says, facts);
             if (!missing.empty()) {
                 add(one.line,
                     fmt::format("'{}' is not there in the situation of the prediction '{}'.",
                                 missing, prediction.id));
             }
+            bool is_right = own.fault.empty() && one.choice >= 0 && one.choice == own.choice;
             if (prediction.kind == LessonPrediction::Kind::pixel) {
                 for (const std::string& sentence : impossible_parts(*one.answer))
                     add(one.line, sentence);
-                continue;
-            }
-            std::vector<GivenAnswer> given{{one.choice}};
-            if (prediction.kind == LessonPrediction::Kind::number) {
-                const auto number = number_of(*one.answer, std::cref(facts));
-                if (!number) {
+            } else if (prediction.kind == LessonPrediction::Kind::number) {
+                const auto number = value(one.answer);
+                const auto off = value(one.tolerance ? one.tolerance : prediction.tolerance);
+                if (!number || !off) {
                     add(one.line, fmt::format("this answer to '{}' is no number.", prediction.id));
                     continue;
                 }
-                const auto& own = one.tolerance ? one.tolerance : prediction.tolerance;
-                const double off = own ? number_of(*own, std::cref(facts)).value_or(0.0) : 0.0;
-                given = {{*number}, {*number - off}, {*number + off}};
+                // A near miss of the right answer is no misconception.
+                const double reach =
+                    std::abs(*off) + std::abs(value(prediction.tolerance).value_or(0));
+                is_right = own.fault.empty() && std::abs(*number - own.number) <= reach;
             }
-            for (const GivenAnswer& answer : given) {
-                const Judgement judgement = judge(lesson_, prediction, answer, like_, trial_);
-                if (!judgement.fault.empty() || !judgement.is_right) continue;
+            if (is_right) {
                 add(one.line, fmt::format("the prediction '{}' takes what this misconception gives "
                                           "for right.",
                                           prediction.id));
-                break;
             }
         }
     }

@@ -152,12 +152,8 @@ std::string given_read_out(const TomlBlock& block, const toml::node& node) {
     std::string text = block.text(node);
     if (text.size() > longest_read_out)
         throw UsageError(fmt::format("a read-out has at most {} letters.", longest_read_out));
-    bool asks = false;
-    fill_in(text, "", std::nullopt, [&](std::string_view) {
-        asks = true;
-        return Value();
-    });
-    if (!asks) throw UsageError("a read-out says a number that may change: {EXPRESSION}.");
+    if (!asks_for_numbers(text))
+        throw UsageError("a read-out says a number that may change: {EXPRESSION}.");
     if (text.find("{answer") != text.npos)
         throw UsageError("a control has no {answer}; predictions have.");
     return text;

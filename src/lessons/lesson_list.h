@@ -61,6 +61,10 @@ bool is_lesson_file(std::string_view name);
 /// The number with which a lesson's id begins; 0 if it begins with none.
 int lesson_number(std::string_view id);
 
+/// The number just before this lesson's if the lesson before it has the one before that: a lesson
+/// that is to come. 0 if none is.
+int number_to_come(const std::vector<Lesson>& lessons, std::string_view id);
+
 /// The most lessons of a folder that are read.
 inline constexpr std::size_t most_lessons = 100;
 

@@ -225,6 +225,8 @@ class Reader {
         has_lesson_block_ = true;
         lesson_state_ = read_lesson_block(comment.table, comment.line, lesson_, faults_);
         step().state = lesson_state_;
+        for (const std::string& source : lesson_.sources)
+            look_through(source, comment.line);
     }
 
     void read_step_comment(const LessonComment& comment) {

@@ -64,7 +64,7 @@ void judge_choice(const LessonPrediction& prediction, const Facts& facts, int gi
         }
         result.choice = static_cast<int>(i);
     }
-    if (result.choice < 0) {
+    if (result.choice < 0 || prediction.choices.size() != prediction.right.size()) {
         result.fault = "None of the choices is right.";
         return;
     }
@@ -271,6 +271,15 @@ std::string answer_text(double number, int digits) {
         if (text.ends_with('.')) text.pop_back();
     }
     return text == "-0" ? "0" : text;
+}
+
+bool asks_for_numbers(std::string_view text) {
+    bool asks = false;
+    fill_in(text, "", std::nullopt, [&](std::string_view) {
+        asks = true;
+        return Value();
+    });
+    return asks;
 }
 
 std::string fill_in(std::string_view text, std::string_view answer, std::optional<double> number,

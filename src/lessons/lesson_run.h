@@ -90,6 +90,9 @@ std::optional<double> read_answer(std::string_view text);
 /// with five figures that matter if digits is -1.
 std::string answer_text(double number, int digits = -1);
 
+/// Does a text that is filled in ask for any number? Throws as fill_in() does.
+bool asks_for_numbers(std::string_view text);
+
 /// Replaces every {EXPRESSION} by its number, and {answer} by `number` or, if that is none, by
 /// `answer`; {EXPRESSION:2} has two digits after the point. What is not there becomes a dash.
 /// Braces in code and formulas are left alone. Throws UsageError for an expression that is not

@@ -80,9 +80,10 @@ LessonProgress merged(const LessonProgress& before, const LessonProgress& after,
     carry_over(before.tasks, after.tasks, theirs.tasks);
     carry_over(before.answers, after.answers, theirs.answers);
     for (auto& [id, answer] : theirs.answers) {
-        const auto own = after.answers.find(id);
+        const auto was = before.answers.find(id), own = after.answers.find(id);
         const bool is_shown = own != after.answers.end() && !own->second.has_second_try;
-        if (is_shown) answer.has_second_try = false;
+        const bool was_shown = was != before.answers.end() && !was->second.has_second_try;
+        if (is_shown && !was_shown) answer.has_second_try = false;
     }
     if (after.last_step != before.last_step) theirs.last_step = after.last_step;
     return theirs;
@@ -134,7 +135,7 @@ void Progress::end_second_try(const std::string& lesson, const std::string& pred
     touch();
 }
 
-bool Progress::is_answered(const std::string& lesson, const std::string& prediction) const {
+bool Progress::is_revealed(const std::string& lesson, const std::string& prediction) const {
     return of(lesson).answers.count(prediction) > 0 && !has_second_try(lesson, prediction);
 }
 
@@ -150,7 +151,7 @@ LessonScore score_of(const Progress& progress, const Lesson& lesson) {
     for (const LessonTask& task : lesson.tasks)
         score.solved += own.tasks.count(task.id) > 0 ? 1 : 0;
     for (const LessonPrediction& prediction : lesson.predictions) {
-        if (!progress.is_answered(lesson.id, prediction.id)) continue;
+        if (!progress.is_revealed(lesson.id, prediction.id)) continue;
         ++score.answered;
         score.right += own.answers.at(prediction.id).is_right ? 1 : 0;
     }

@@ -48,7 +48,7 @@ struct Progress {
     bool has_second_try(const std::string& lesson, const std::string& prediction) const;
     void end_second_try(const std::string& lesson, const std::string& prediction);
     /// The program has shown its own answer.
-    bool is_answered(const std::string& lesson, const std::string& prediction) const;
+    bool is_revealed(const std::string& lesson, const std::string& prediction) const;
 
     /// To be called whenever one of the members above was set directly.
     void touch();

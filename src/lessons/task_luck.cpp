@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -49,7 +50,7 @@ class Trier {
   public:
     Trier(const Lesson& lesson, const LessonTask& task, const Session& like, LessonTrial& trial)
         : lesson_(lesson), task_(task), trial_(trial) {
-        trial_.open(step().state, lesson.folder, like);
+        is_open_ = trial_.open(step().state, lesson.folder, like).empty();
         opened_ = trial_.session;
         for (const std::string& target : task.recipe)
             links_.push_back(parse_lesson_link(target));
@@ -57,13 +58,14 @@ class Trier {
 
     /// What can be tried at random; empty: nothing.
     std::string control() const {
-        std::string names;
+        std::vector<std::string> names;
+        if (!is_open_) return {};
         for (const LessonLink& link : links_) {
             const std::string name = name_of(link);
-            if (name.empty() || names.find(name) != names.npos) continue;
-            names.append(names.empty() ? "" : " and ").append(name);
+            if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+                names.push_back(name);
         }
-        return names;
+        return fmt::format("{}", fmt::join(names, " and "));
     }
 
     bool has_slider() const {
@@ -72,8 +74,8 @@ class Trier {
         });
     }
 
-    /// Does a try solve it? Notes one that misses without an answer.
-    bool solves(Drawn place, Dice& dice, TaskLuck& luck) {
+    /// Does a try solve it? @param unanswered is told what was tried if nothing is said to it
+    bool solves(Drawn place, Dice& dice, std::string& unanswered) {
         trial_.session = opened_;
         std::string tried;
         for (const LessonLink& link : links_) {
@@ -83,10 +85,7 @@ class Trier {
         finish(trial_.session, trial_.results);
         const Facts facts = trial_.facts();
         if (is_done(task_, facts)) return true;
-        if (not_yet(task_, facts).empty() && !is_as_opened()) {
-            ++luck.unanswered;
-            luck.unanswered_by = tried;
-        }
+        unanswered = not_yet(task_, facts).empty() && !is_as_opened() ? tried : std::string();
         return false;
     }
 
@@ -148,10 +147,12 @@ class Trier {
         }
         if (name == "triangle") {
             const auto count = static_cast<std::size_t>(session.scene->triangle_count());
+            if (count == 0) return {};
             session.selection.triangle = static_cast<int>(dice.below(count));
             return text_of(*session.selection.triangle);
         }
         if (name == "row") {
+            finish(session, trial_.results); // the table of what was tried before it
             const Value top = trial_.facts()("table.first_row");
             const Value rows = trial_.facts()("table.rows");
             const double* const first = std::get_if<double>(&top);
@@ -176,7 +177,9 @@ class Trier {
         std::vector<float> numbers = numbers_of(setting, settings);
         if (const LessonControl* const slider = slider_of(&setting)) {
             const ControlRange& range = slider->range;
-            const double value = value_at(place, range.smallest, range.largest, dice);
+            const double last = std::round((range.largest - range.smallest) / range.step);
+            const double stop = std::floor(value_at(place, 0.0, last + 1.0, dice));
+            const double value = range.smallest + std::min(stop, last) * range.step;
             set_slider_value(setting, range, slider_stop(range, value), settings);
             return fmt::format("{}={}", setting.name, value_text(setting, settings));
         }
@@ -197,6 +200,7 @@ class Trier {
     const LessonTask& task_;
     LessonTrial& trial_;
     Session opened_;
+    bool is_open_ = false; ///< all that the step shows could be shown
     std::vector<LessonLink> links_;
 };
 
@@ -211,11 +215,16 @@ TaskLuck luck_of(const Lesson& lesson, const LessonTask& task, int tries, const 
     constexpr std::uint32_t seed = 36;
     Dice dice(seed);
     luck.tries = tries;
-    for (int i = 0; i < tries; ++i)
-        luck.passed += trier.solves(Drawn::random, dice, luck) ? 1 : 0;
+    std::string unanswered;
+    for (int i = 0; i < tries; ++i) {
+        luck.passed += trier.solves(Drawn::random, dice, unanswered) ? 1 : 0;
+        if (unanswered.empty()) continue;
+        ++luck.unanswered;
+        luck.unanswered_by = std::exchange(unanswered, {});
+    }
     if (tries > 0 && trier.has_slider()) {
         for (const Drawn end : {Drawn::smallest, Drawn::largest})
-            luck.ends_pass = trier.solves(end, dice, luck) || luck.ends_pass;
+            luck.ends_pass = trier.solves(end, dice, unanswered) || luck.ends_pass;
     }
     return luck;
 }

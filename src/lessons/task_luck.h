@@ -25,6 +25,7 @@ struct TaskLuck {
 /// the table, the bar of time, the stops of the step's slider. A number without a slider is taken
 /// from as far around the one that the step opens with as four times the way to the recipe's. All
 /// else of the recipe is followed as it is.
+/// Throws Error for a recipe that cannot be followed.
 /// @param tries how many; 0 gives the control alone
 TaskLuck luck_of(const Lesson& lesson, const LessonTask& task, int tries, const Session& like,
                  LessonTrial& trial);

@@ -67,4 +67,14 @@ bool is_fence(std::string_view line) {
     return line.starts_with("```") || line.starts_with("~~~");
 }
 
+std::string as_markdown(std::string_view text) {
+    constexpr std::string_view signs = "*_<`$[]\\";
+    std::string result;
+    for (const char letter : text) {
+        if (signs.find(letter) != signs.npos) result += '\\';
+        result += letter;
+    }
+    return result;
+}
+
 } // namespace rasterwalk

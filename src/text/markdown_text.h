@@ -20,4 +20,7 @@ void append_entity(std::string& text, std::string_view entity);
 /// indented by any number of blanks.
 bool is_fence(std::string_view line);
 
+/// A text without styles as Markdown that says the same.
+std::string as_markdown(std::string_view text);
+
 } // namespace rasterwalk

@@ -75,7 +75,7 @@ TEST_CASE("A wrong choice and a wrong pixel are told what is wrong about them") 
     CHECK(judged(pixel, {glm::ivec2(4, 250)}).says.empty());
 }
 
-TEST_CASE("Every wrong answer that a lesson foresees is judged wrong, and told so") {
+TEST_CASE("Every prediction of a lesson foresees wrong answers, and of a choice all of them") {
     const Session session = empty_session();
     LessonList lessons;
     lessons.read_folder(lessons_folder());

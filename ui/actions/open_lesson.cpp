@@ -169,17 +169,17 @@ void tick_off_tasks(Ui& ui) {
     const Facts facts(ui.session, ui.results, &view.facts);
     for (const LessonTask& task : lesson->tasks) {
         if (task.step != ui.session.step) continue;
-        std::string& words = view.task_words[task.id];
+        TaskWords& words = view.task_words[task.id];
         if (view.progress.is_task_done(lesson->id, task.id)) {
             // The numbers of a reason are those of the moment in which it was solved.
-            const bool has_numbers = task.because.find('{') != task.because.npos;
-            if (words.empty() && !has_numbers) words = task.because;
+            if (!words.is_reason)
+                words = {asks_for_numbers(task.because) ? "" : reason_of(task, facts), true};
         } else if (is_done(task, facts)) {
             view.progress.note_task(lesson->id, task.id);
             view.strip.is_recut = true;
-            words = reason_of(task, facts);
+            words = {reason_of(task, facts), true};
         } else {
-            words = not_yet(task, facts);
+            words = {not_yet(task, facts), false};
         }
     }
 }
@@ -263,6 +263,10 @@ bool take_up_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& predic
     ui.lesson.frame_of_answer = ImGui::GetFrameCount();
     view.judged = judge(lesson, prediction, *answer, ui.session);
     view.said = kept->second.said;
+    ui.lesson.strip.is_recut = true;
+    // The lesson may have changed since: there is nothing to try again.
+    if (view.judged->is_right || !view.judged->fault.empty())
+        ui.lesson.progress.end_second_try(lesson.id, prediction.id);
     return true;
 }
 
@@ -282,6 +286,8 @@ void reset_progress(Ui& ui) {
     LessonView& view = ui.lesson;
     view.progress = {};
     view.predictions.clear();
+    view.task_words.clear();
+    view.strip.is_recut = true;
     try {
         // What another window has kept meanwhile is to be forgotten too.
         if (!view.progress_file.path.empty())

@@ -226,7 +226,7 @@ bool build_pass(Ui& ui, float seconds) {
     const Cursor before = ui.results.a.cursor;
     const bool is_known = update_or_go_back(ui);
     ui.follow_cursor = ui.results.a.cursor != before;
-    if (is_known && is_still(ui)) guarded(ui, [&] { tick_off_tasks(ui); });
+    if (is_known && !ui.start.is_open && is_still(ui)) guarded(ui, [&] { tick_off_tasks(ui); });
     const SessionInputs& asked = ui.session;
     const SessionInputs drawn = asked;
     if (is_known) {

@@ -33,6 +33,9 @@ namespace rasterwalk {
 
 namespace {
 
+/// Of picture and outside, each at least so wide beside the lesson's column, design pixels.
+constexpr float least_pane = 360.0f;
+
 /// Around everything in the canvas, design pixels.
 constexpr glm::vec2 canvas_padding{12.0f, 10.0f};
 
@@ -169,7 +172,8 @@ void draw_picture(Ui& ui, const Pane& pane) {
 
 bool wants_wide_canvas(const Ui& ui, ImVec2 narrow, ImVec2 wide) {
     const CanvasShows shows = shown_on_canvas(ui);
-    if (shows == CanvasShows::both) return true;
+    // Where both have room the lesson stays where it is read.
+    if (shows == CanvasShows::both) return narrow.x < 2.0f * least_pane * ui.options.text_scale;
     if (!is_comparing(ui) || ui.session.compare_view != CompareView::side_by_side ||
         shows == CanvasShows::outside) {
         return false;

@@ -11,7 +11,8 @@ struct Ui;
 void draw_canvas(Ui& ui, const Area& area);
 
 /// Does what the canvas shows want the width that a lesson's column would take? Picture and outside
-/// do; two pictures side by side do where they would be made smaller without it.
+/// do where they have too little room without it; two pictures side by side where they would be
+/// made smaller.
 /// @param narrow size of the canvas beside the lesson's column, screen pixels
 /// @param wide   its size without that column
 bool wants_wide_canvas(const Ui& ui, ImVec2 narrow, ImVec2 wide);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "laboratory/bug_rule.h"
+#include "text/markdown_text.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/inspector/lab_parts.h"
@@ -23,8 +24,8 @@ namespace {
 
 /// All that there is to say of a mistake.
 std::string page_of(Ui& ui, const Bug& bug) {
-    return plain_markdown(bug.sentence) + "\n\n**Symptom.** " + plain_markdown(bug.symptom) +
-           "\n\n" + remedy_of(ui, bug);
+    return as_markdown(bug.sentence) + "\n\n**Symptom.** " + as_markdown(bug.symptom) + "\n\n" +
+           remedy_of(ui, bug);
 }
 
 void draw_line(Ui& ui, const Bug& bug) {
@@ -192,23 +193,14 @@ void draw_modes(Ui& ui) {
 
 } // namespace
 
-std::string plain_markdown(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '*' || c == '_' || c == '<' || c == '`' || c == '$') result += '\\';
-        result += c;
-    }
-    return result;
-}
-
 std::string remedy_of(Ui& ui, const Bug& bug) {
     std::string text = "**Where to look.** " + bug.look;
     if (!bug.code.empty()) text.append("\n\n```cpp\n").append(bug.code).append("\n```");
-    text.append("\n\n**Cure.** ").append(plain_markdown(bug.cure)).append("\n");
+    text.append("\n\n**Cure.** ").append(as_markdown(bug.cure)).append("\n");
     const Lesson* const lesson = ui.lesson.lessons.find(bug.lesson);
     if (lesson == nullptr) return text;
-    return text.append(fmt::format("\n**Lesson {}.** [{}]({}.md)\n", lesson_number(lesson->id),
-                                   plain_markdown(lesson->title), lesson->id));
+    return text.append(
+        fmt::format("\n**Lesson {}.** {}\n", lesson_number(lesson->id), link_to_lesson(*lesson)));
 }
 
 void keep_in_sight(Ui& ui, const Bug& chosen, float below) {

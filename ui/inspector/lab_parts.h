@@ -9,9 +9,6 @@ struct Bug;
 
 // The parts of the bug laboratory; see lab_panel.cpp.
 
-/// Text of the data as Markdown that says the same.
-std::string plain_markdown(const std::string& text);
-
 /// What there is to say of a mistake, as Markdown: how to find it in a program, the cure, and the
 /// lesson that tells of it.
 std::string remedy_of(Ui& ui, const Bug& bug);

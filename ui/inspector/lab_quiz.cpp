@@ -5,6 +5,7 @@
 #include "base/numbers.h"
 #include "laboratory/quiz.h"
 #include "session/second_run.h"
+#include "text/markdown_text.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/inspector/lab_parts.h"
@@ -102,7 +103,7 @@ void draw_hints(Ui& ui) {
     std::string text = "**Hints**\n\n";
     for (const std::string& hint : hints)
         text.append("- ")
-            .append(hint.find("](") == hint.npos ? plain_markdown(hint) : hint)
+            .append(hint.find("](") == hint.npos ? as_markdown(hint) : hint)
             .append("\n");
     const MarkdownEvents events =
         draw_markdown(ui, ui.lab.page, text, ImGui::CalcItemWidth(), "lab.hint.");

@@ -7,6 +7,7 @@
 #include <imgui_stdlib.h>
 
 #include "settings/value_words.h"
+#include "text/markdown_text.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
@@ -117,7 +118,7 @@ void draw_remedy(Ui& ui, const Diagnosis& diagnosis) {
     const Candidate* const likely = likely_candidate(diagnosis);
     const Bug* const bug = likely == nullptr ? nullptr : bug_of(ui, *likely);
     if (bug == nullptr) return;
-    const std::string text = plain_markdown(bug->sentence) + "\n\n" + remedy_of(ui, *bug);
+    const std::string text = as_markdown(bug->sentence) + "\n\n" + remedy_of(ui, *bug);
     const MarkdownEvents events =
         draw_markdown(ui, ui.lab.remedy, text, ImGui::CalcItemWidth(), "lab.remedy.");
     name_widget(ui, "lab.remedy", "What the likely mistake is, and how it is mended.");

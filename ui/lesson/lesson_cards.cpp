@@ -161,8 +161,10 @@ void cut_cards(Ui& ui, const Lesson& lesson, const LessonStep& step, float width
     LessonStrip& strip = ui.lesson.strip;
     const float text_size = ui.fonts.text->FontSize;
     const bool is_known = strip.cards_width == width && strip.cards_text_size == text_size &&
-                          strip.cards_height == height && !strip.is_recut;
+                          strip.cards_height == height && !strip.is_recut &&
+                          strip.cards_of == ui.lesson.lessons.number();
     strip.is_recut = false;
+    strip.cards_of = ui.lesson.lessons.number();
     if (strip.cards.empty() || !is_known) {
         if (!strip.cards.empty() && !strip.read_to) strip.read_to = beginning_of(strip, strip.card);
         strip.cards = cut(ui, lesson, step, width, height);

@@ -21,7 +21,9 @@ std::string done_so_far(const Ui& ui, const Lesson& lesson) {
     const auto of = [](int part, std::size_t all, const char* one, const char* more) {
         return fmt::format("{} of {}", part, counted(static_cast<std::int64_t>(all), one, more));
     };
-    std::string text = score.is_done ? "**Lesson done.** " : "**The end of the lesson.** ";
+    std::string text = score.is_done ? "**Lesson done.**" : "**The end of the lesson.**";
+    if (score.all == 0) return text;
+    text += " ";
     if (!lesson.predictions.empty()) {
         text += of(score.right, lesson.predictions.size(), "prediction", "predictions") +
                 " right at the first try";
@@ -31,10 +33,7 @@ std::string done_so_far(const Ui& ui, const Lesson& lesson) {
         text += of(score.solved, lesson.tasks.size(), "task", "tasks") + " done";
     }
     text += ".";
-    const int open = score.all - score.done;
-    if (open > 0)
-        text += fmt::format(" {} still open.",
-                            counted(open, "question or task is", "questions or tasks are"));
+    if (const int open = score.all - score.done) text += fmt::format(" Still open: {}.", open);
     return text;
 }
 
@@ -46,7 +45,7 @@ std::string way_on(Ui& ui, const Lesson& lesson) {
         return "This is the last lesson. What to do next: [your own program](show:tab.lab), with "
                "all "
                "of it.";
-    return fmt::format("Next: [lesson {}, {}]({}.md). {}", lesson_number(id), next->title, id,
+    return fmt::format("Next: lesson {}, {}. {}", lesson_number(id), link_to_lesson(*next),
                        next->about);
 }
 

@@ -96,6 +96,19 @@ bool has_room_for_minutes(const Ui& ui, const std::vector<Lesson>& lessons, floa
     });
 }
 
+/// The line of a lesson that is not written yet.
+void draw_to_come(Ui& ui, int number) {
+    const float u = ui.options.text_scale;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImU32 colour = packed(palette(ui.options.theme).dim);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddText({low.x + entry_margin * u, low.y + 4.5f * u}, colour,
+                  std::to_string(number).c_str());
+    list->AddText({low.x + entry_indent * u, low.y + 4.5f * u}, colour, "to come");
+    ImGui::Dummy({0.0f, ImGui::GetFontSize() + 9.0f * u});
+    keep_item_whole(ui);
+}
+
 void draw_lessons(Ui& ui, float width) {
     const Palette& p = palette(ui.options.theme);
     ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
@@ -105,6 +118,7 @@ void draw_lessons(Ui& ui, float width) {
     const bool has_minutes = !is_short || has_room_for_minutes(ui, lessons, width);
     for (std::size_t i = 0; i < lessons.size(); ++i) {
         const Lesson& lesson = lessons[i];
+        if (const int number = number_to_come(lessons, lesson.id)) draw_to_come(ui, number);
         const LessonScore score = ui.lesson.scores.of(i);
         const bool is_open = lesson.id == ui.session.lesson;
         const ImVec4 colour = score.is_done ? colour_of(Meaning::pass, ui.options.theme)
@@ -120,8 +134,9 @@ void draw_lessons(Ui& ui, float width) {
         const std::string help =
             is_short ? lesson.title + ", " + minutes_text(lesson) + ".\n" + lesson.about
                      : "Opens this lesson.";
-        if (draw_entry(ui, "lesson.item." + lesson.id, score.is_done ? "✓" : std::to_string(i + 1),
-                       colour, lesson.title, is_short ? "" : lesson.about, right, width, help)) {
+        if (draw_entry(ui, "lesson.item." + lesson.id,
+                       score.is_done ? "✓" : std::to_string(lesson_number(lesson.id)), colour,
+                       lesson.title, is_short ? "" : lesson.about, right, width, help)) {
             const int step = score.is_done ? 0 : score.last_step;
             open_lesson(ui, std::string(lesson.id), step);
             return;

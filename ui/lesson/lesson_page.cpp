@@ -188,7 +188,11 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
         if (ui.lesson.open_below || !is_open(ui, lesson, part) || !is_below(ui, area)) continue;
         ui.lesson.open_below = area.part;
     }
-    if (is_last_step(ui, lesson)) draw_lesson_end(ui, lesson, width);
+    if (is_last_step(ui, lesson)) {
+        const float top = ImGui::GetCursorScreenPos().y;
+        draw_lesson_end(ui, lesson, width);
+        areas.push_back({static_cast<int>(step.parts.size()), top, ImGui::GetCursorScreenPos().y});
+    }
     // What is drawn may have led to another step, which asks for a place of its own.
     std::optional<LessonPlace>& place = ui.lesson.place_to_show;
     const bool is_here = place && static_cast<std::size_t>(place->part) < areas.size();

@@ -247,15 +247,15 @@ std::string verdict(const LessonPrediction& prediction, const PredictionView& vi
 void draw_verdict(Ui& ui, const LessonPrediction& prediction, const std::string& name) {
     const PredictionView& view = ui.lesson.predictions[prediction.id];
     const bool is_right = view.judged->is_right;
+    const std::string said = verdict(prediction, view, is_second_try(ui, prediction));
     const ImVec4 colour = colour_of(is_right ? Meaning::pass : Meaning::fail, ui.options.theme);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::PushFont(ui.fonts.bold);
-    wrapped_text((is_right ? "✓  " : "✗  ") +
-                 verdict(prediction, view, is_second_try(ui, prediction)));
+    wrapped_text((is_right ? "✓  " : "✗  ") + said);
     ImGui::PopFont();
     ImGui::PopStyleColor();
     name_widget(ui, name + ".verdict");
-    note_text(ui, name + ".verdict", verdict(prediction, view, is_second_try(ui, prediction)));
+    note_text(ui, name + ".verdict", said);
     keep_item_whole(ui);
 }
 
@@ -321,12 +321,18 @@ void draw_answers(Ui& ui, const Lesson& lesson, const LessonPrediction& predicti
 }
 
 /// The widget that answers first.
-std::string first_answer(const LessonPrediction& prediction, const std::string& name) {
+std::string first_answer(Ui& ui, const LessonPrediction& prediction, const std::string& name) {
     switch (prediction.kind) {
     case LessonPrediction::Kind::number:
         return name + ".number";
-    case LessonPrediction::Kind::choice:
-        return name + ".choice." + std::to_string(prediction.order.front());
+    case LessonPrediction::Kind::choice: {
+        const std::string& spent = ui.lesson.predictions[prediction.id].said;
+        for (const int number : prediction.order) {
+            if (prediction.choices[static_cast<std::size_t>(number)] != spent)
+                return name + ".choice." + std::to_string(number);
+        }
+        break;
+    }
     case LessonPrediction::Kind::pixel:
         break;
     }
@@ -354,7 +360,7 @@ void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
     const bool is_pressed =
         button(ui, name + ".show", "show the answer", Look::link, "Without a second try.");
     keep_item_whole(ui);
-    if (is_fresh) show_fresh(ui, first_answer(prediction, name));
+    if (is_fresh) show_fresh(ui, first_answer(ui, prediction, name));
     if (is_pressed) reveal_answer(ui, lesson, prediction);
 }
 
@@ -362,11 +368,13 @@ void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
 void draw_task_words(Ui& ui, const LessonTask& task, const std::string& name, bool done,
                      float width) {
     const auto words = ui.lesson.task_words.find(task.id);
-    if (words == ui.lesson.task_words.end() || words->second.empty()) return;
+    if (words == ui.lesson.task_words.end() || words->second.text.empty()) return;
+    if (words->second.is_reason != done) return; // another window has just solved it
+    const std::string& said = words->second.text;
     draw_marked(ui, name + ".words", ui.lesson.pages[name + ".words"],
-                done ? words->second : "**Not yet:** " + words->second, width);
+                done ? said : "**Not yet:** " + said, width);
     name_widget(ui, name + ".words");
-    note_text(ui, name + ".words", words->second);
+    note_text(ui, name + ".words", said);
 }
 
 /// A hint as far as it was asked for.

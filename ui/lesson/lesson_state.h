@@ -32,6 +32,12 @@ struct PredictionView {
     bool is_taken_up = false; ///< an answer that was kept is shown; from now on the student decides
 };
 
+/// What is said to a task of the step on show: Markdown.
+struct TaskWords {
+    std::string text;       ///< what the last try misses, or why it is solved; may be empty
+    bool is_reason = false; ///< why it is solved
+};
+
 /// What a search over the lessons has found; searched again when one of the first two changes.
 struct LessonSearch {
     std::string query;
@@ -58,11 +64,13 @@ struct LessonStrip {
     float cards_text_size = 0.0f;  ///< and of which font, screen pixels
     float cards_height = 0.0f;     ///< and for what room for a table, screen pixels
     bool is_recut = false;         ///< they are cut anew: what they say is another
+    std::uint64_t cards_of = 0;    ///< number of the lessons when they were cut, see LessonList
     int card = 0;                  ///< the one on show
     LessonPlace place;             ///< where the card on show begins
     std::optional<LessonPlace> read_to; ///< what the cards are to go on with, once they are cut
     int scrolled_card = 0;              ///< the one to which the scroll position belongs
-    bool is_beside = false;   ///< the canvas, and narrower than the window
+    bool is_beside = false;             ///< the canvas, and narrower than the window
+    bool has_long_words = false;        ///< those of a step's parts have no room beside the buttons
     float height = 0.0f;      ///< that its text took when it was drawn last, screen pixels
     float most_height = 0.0f; ///< that it can have in this window, screen pixels
     /// The sentences that fit, and for what they were found.
@@ -97,8 +105,7 @@ struct LessonView {
     std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the step on show, by name
     std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
     std::set<std::string> open_hints;                           ///< ids of tasks
-    /// Why a task of the step on show is solved, or what the last try missed, by id: Markdown.
-    std::map<std::string, std::string> task_words;
+    std::map<std::string, TaskWords> task_words;                ///< by the id of the task
     std::string shown;         ///< which page is on show; the scroll position belongs to it
     float scroll_share = 0.0f; ///< how far it is scrolled, 0 to 1
     unsigned place = 0;        ///< in which window of ImGui it stands

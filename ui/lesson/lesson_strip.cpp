@@ -36,7 +36,9 @@ constexpr float least_bars = 50.0f;
 /// Of the first line, or, in a narrow strip, of the buttons; screen pixels, whole, so that the text
 /// below it begins at a pixel.
 float head_room(const Ui& ui) {
-    const float height = ui.lesson.strip.is_beside ? narrow_head_height : head_height;
+    const LessonStrip& strip = ui.lesson.strip;
+    const float words = strip.has_long_words ? word_height + 4.0f : 0.0f;
+    const float height = strip.is_beside ? narrow_head_height + words : head_height;
     return std::round(height * ui.options.text_scale);
 }
 
@@ -161,11 +163,15 @@ int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, floa
     const int part = strip.cards[static_cast<std::size_t>(strip.card)].part;
     Area words{{}, {part_words_width(ui, lesson, step, part), word_height * ui.options.text_scale}};
     const ImVec2 start = ImGui::GetCursorScreenPos();
+    // In a narrow strip the words have a line of their own, beside the buttons or below them.
+    strip.has_long_words = words.size.x > head_width;
     Area none;
     const int wanted = draw_head(ui, head, head_width, strip.is_beside ? none : words);
     const ImVec2 below = ImGui::GetCursorScreenPos();
-    if (strip.is_beside)
-        words.position = {start.x, start.y + std::round(head_height * ui.options.text_scale)};
+    if (strip.is_beside) {
+        const float above = strip.has_long_words ? narrow_head_height : head_height;
+        words.position = {start.x, start.y + std::round(above * ui.options.text_scale)};
+    }
     const int pressed = draw_part_words(ui, lesson, step, part, words);
     if (pressed >= 0) strip.card = card_of_part(strip, pressed);
     ImGui::SetCursorScreenPos(below);
