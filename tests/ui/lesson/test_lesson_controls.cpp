@@ -1,12 +1,14 @@
 // A slider in the card of a lesson: what it sets, what it says, and the task that waits for it.
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
@@ -114,6 +116,34 @@ TEST_CASE("A slider in the lesson's card sets the setting and the read-out") {
         CHECK(room.f() == 1500.0f);
         driver.hand.press('Z', {.ctrl = true});
         CHECK(room.f() == dragged);
+    }
+}
+
+TEST_CASE("A slider shows no more digits than its stops need, and not below its handle") {
+    SliderRoom room({1600, 1000});
+    Driver& driver = room.driver;
+    const WidgetPlace place = driver.hand.find(slider);
+    const auto number = [&](float f) -> std::optional<ScreenText> {
+        driver.ui.session.a.settings.camera.focal_length = f;
+        driver.hand.leave();
+        for (const ScreenText& text : screen_text()) {
+            const bool is_inside =
+                text.low.x >= place.top_left.x && text.high.x <= place.bottom_right.x &&
+                text.low.y >= place.top_left.y - 1.0f && text.high.y <= place.bottom_right.y + 1.0f;
+            if (is_inside) return text;
+        }
+        return std::nullopt;
+    };
+    const std::optional<ScreenText> odd = number(1109.788f);
+    REQUIRE(odd);
+    CHECK(odd->words == "1110");
+    const float width = place.bottom_right.x - place.top_left.x;
+    for (const float f : {250.0f, 500.0f, 870.0f, 880.0f, 1500.0f}) {
+        INFO(f);
+        const std::optional<ScreenText> text = number(f);
+        REQUIRE(text);
+        const float handle = place.top_left.x + width * (f - 250.0f) / 1250.0f;
+        CHECK((text->high.x <= handle || text->low.x >= handle));
     }
 }
 
