@@ -199,13 +199,13 @@ TEST_CASE("The window follows its size and sleeps while nothing happens") {
 }
 
 TEST_CASE("While the window is minimized the walk rests, and goes on when it is back") {
-    OpenProgram open({"--stage", "depth", "--to", "t0"});
+    OpenProgram open({"--stage", "depth", "--to", "t0/v0"});
     INFO("errors: " << open.errors());
-    REQUIRE(open.says("cursor t0"));
+    REQUIRE(open.says("cursor t0/v0"));
     const unsigned long number = open.display.window_number("Rasterwalk");
     open.point_at("canvas");
     open.display.press_key("space");
-    REQUIRE(becomes_true(patience, [&] { return !open.says("cursor t0", 0.0); }));
+    REQUIRE(becomes_true(patience, [&] { return !open.says("cursor t0/v0", 0.0); }));
     open.display.show(number, false);
     sleep_seconds(0.5);
     const std::string moment = open.report();
