@@ -78,6 +78,17 @@ int digits_of(const ControlRange& range) {
     return most_digits;
 }
 
+/// The number of a slider: a stop with the digits that stops need, and what was set elsewhere and
+/// lies between two of them as it is.
+std::string slider_text(float value, const ControlRange& range) {
+    const float stop = slider_stop(range, static_cast<double>(value));
+    // While it is dragged, it is on its way to that stop.
+    const bool is_stop =
+        ImGui::IsItemActive() || std::abs(value - stop) < 1e-5f * std::max(std::abs(value), 1e-3f);
+    return with_minus_signs(is_stop ? decimals(static_cast<double>(stop), digits_of(range))
+                                    : number_text(value));
+}
+
 /// Where the number of a slider stands: in the middle, or beside the handle that would cover it.
 /// @param part  of the way on which the handle is, 0 to 1
 /// @param width of the number, screen pixels
@@ -125,7 +136,7 @@ bool slide_number(const char* id, float& value, const ControlRange& range) {
                                       static_cast<float>(range.largest), "%.7g",
                                       ImGuiSliderFlags_AlwaysClamp);
         },
-        [&] { return with_minus_signs(decimals(static_cast<double>(value), digits_of(range))); },
+        [&] { return slider_text(value, range); },
         [&](float width) {
             const auto low = static_cast<float>(range.smallest),
                        high = static_cast<float>(range.largest);
