@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/minus_signs.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
 #include "session/content.h"
@@ -204,8 +205,9 @@ std::string answer_words(const LessonPrediction& prediction, const GivenAnswer& 
     if (const int* const choice = std::get_if<int>(&answer.value)) {
         return prediction.choices[static_cast<std::size_t>(*choice)];
     }
-    return prediction.unit.empty() ? std::string(typed)
-                                   : fmt::format("{} {}", typed, unit_for(typed, prediction.unit));
+    const std::string number = with_minus_signs(typed);
+    return prediction.unit.empty() ? number
+                                   : fmt::format("{} {}", number, unit_for(typed, prediction.unit));
 }
 
 std::optional<GivenAnswer> answer_in_words(const LessonPrediction& prediction,
@@ -257,20 +259,20 @@ std::optional<double> read_answer(std::string_view text) {
 }
 
 std::string answer_text(double number, int digits) {
-    if (digits >= 0) return decimals(number, std::min(digits, 12));
+    if (digits >= 0) return with_minus_signs(decimals(number, std::min(digits, 12)));
     const double size = std::abs(number);
     const bool is_whole = number == std::floor(number) && size < 1e15;
-    if (is_whole) return decimals(number + 0.0, 0);
+    if (is_whole) return with_minus_signs(decimals(number + 0.0, 0));
     // Five figures that matter; of zeros in front of them at most four.
     const int before = size >= 1.0 ? static_cast<int>(std::floor(std::log10(size))) + 1
                                    : -static_cast<int>(std::floor(-std::log10(size)));
-    if (size >= 1e15 || before < -4) return scientific(number, 4);
+    if (size >= 1e15 || before < -4) return with_minus_signs(scientific(number, 4));
     std::string text = decimals(number, std::clamp(5 - before, 0, 12));
     if (text.find('.') != text.npos) {
         text.erase(text.find_last_not_of('0') + 1);
         if (text.ends_with('.')) text.pop_back();
     }
-    return text == "-0" ? "0" : text;
+    return text == "-0" ? "0" : with_minus_signs(text);
 }
 
 bool asks_for_numbers(std::string_view text) {

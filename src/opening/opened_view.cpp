@@ -18,6 +18,7 @@
 #include "lessons/lesson_run.h"
 #include "pipeline/frame.h"
 #include "pipeline/timeline.h"
+#include "scene/model_notice.h"
 #include "session/content.h"
 #include "session/moments.h"
 #include "session/scene_file.h"
@@ -290,8 +291,7 @@ Session open_view(const ViewOptions& given, const ReadingWatch& watch) {
         compare_with(session, *correct);
         session.replaced = replaced; // the laboratory turns it off again
     }
-    if (session.notice.empty() && session.scene->model_report)
-        session.notice = fault_notice(*session.scene->model_report);
+    if (session.notice.empty()) session.notice = model_notice(*session.scene);
     session.jumps = 0;
     return std::move(start.session);
 }

@@ -1,5 +1,6 @@
 #include "scene/obj_report.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -72,12 +73,17 @@ std::vector<std::string> skipped_lines(const ObjReport& report) {
 }
 
 std::string fault_notice(const ObjReport& report) {
-    if (report.faults.empty()) return {};
-    const std::string first = fault_line(report.faults.front());
-    const std::int64_t more = report.counts.faults - 1;
-    if (more == 0) return first;
-    return fmt::format("{} {}: 'rasterwalk stats' lists them.", first,
-                       counted(more, "more fault", "more faults"));
+    constexpr std::size_t most_told = 3;
+    std::string notice;
+    const auto add = [&](const std::string& sentence) {
+        notice.append(notice.empty() ? "" : " ").append(sentence);
+    };
+    const std::size_t told = std::min(report.faults.size(), most_told);
+    for (std::size_t i = 0; i < told; ++i)
+        add(fault_line(report.faults[i]));
+    const std::int64_t more = report.counts.faults - static_cast<std::int64_t>(told);
+    if (more > 0) add(counted(more, "more fault", "more faults") + " after that.");
+    return notice;
 }
 
 } // namespace rasterwalk

@@ -135,8 +135,8 @@ std::vector<Setting> make_table() {
          "where coverage is not rows.",
          "Filled triangles", "", choice<&Settings::fill_rule>()},
         {"snap", "Corners stand on", "Rows and edges",
-         "The grid on which the corners of a triangle stand: centres of whole pixels, 16ths or "
-         "256ths of a pixel. Only where coverage is not rows.",
+         "The grid on which the corners of a triangle stand: centres of whole pixels, 16ths of a "
+         "pixel, or subpixel, which is 256ths. Only where coverage is not rows.",
          "Filled triangles", "", choice<&Settings::snap>()},
         {"pixel_sample", "Pixels tested at", "Rows and edges",
          "Where a pixel is tested whether it is covered: at its centre, or by mistake at its upper "

@@ -29,7 +29,6 @@ constexpr SaidWord said_words[] = {
     {"fill_rule", "left_only", "only left keeps"},
     {"snap", "pixel", "pixel centres"},
     {"snap", "sixteenth", "16ths of a pixel"},
-    {"snap", "subpixel", "256ths of a pixel"},
     {"pixel_sample", "centre", "its centre"},
     {"pixel_sample", "corner", "its corner"},
     {"weight_edge", "opposite", "the opposite edge"},

@@ -44,6 +44,19 @@ TEST_CASE("Every answer is found again in the words in which it was told back") 
     }
 }
 
+TEST_CASE("A computed answer below zero has a minus sign, and is read again") {
+    for (const double number : {-0.5, -12.0, -2.5e-7, -1e300, 3.0}) {
+        INFO(number);
+        const std::string text = answer_text(number);
+        CHECK(text.find('-') == std::string::npos);
+        CHECK(read_answer(text) == number);
+    }
+    CHECK(answer_text(-5.0) == "−5");
+    CHECK(answer_text(-1.25, 2) == "−1.25");
+    // What was typed looks like what the program says.
+    CHECK(answer_words(prediction_of(Kind::number), {-5.0}, "-5") == answer_text(-5.0));
+}
+
 TEST_CASE("Words that are no answer of this prediction give none") {
     CHECK_FALSE(answer_in_words(prediction_of(Kind::choice), "the ceiling"));
     CHECK_FALSE(answer_in_words(prediction_of(Kind::number, "pixels"), "pixels"));

@@ -14,7 +14,10 @@
 #include "base/faults.h"
 #include "base/image.h"
 #include "base/limits.h"
+#include "scene/inside_out.h"
+#include "scene/model_notice.h"
 #include "tests/support/catch.h"
+#include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;
@@ -225,8 +228,29 @@ TEST_CASE("More faults than are kept are counted") {
     CHECK(report.faults.size() == static_cast<std::size_t>(most_faults));
     CHECK(fault_lines(report).back() == "7 more faults after these.");
     CHECK(fault_notice(report) ==
-          "m.obj:5: points are counted from 1, and 'f' names 0; the face is left out. 206 more "
-          "faults: 'rasterwalk stats' lists them.");
+          "m.obj:5: points are counted from 1, and 'f' names 0; the face is left out. m.obj:6: "
+          "points are counted from 1, and 'f' names 0; the face is left out. m.obj:7: points are "
+          "counted from 1, and 'f' names 0; the face is left out. 204 more faults after that.");
+}
+
+TEST_CASE("A model that is inside out is told with the cure, and no other is") {
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+    const auto notice_of = [&](const std::string& faces) {
+        ObjModel model = parse_obj(points + faces, "m.obj");
+        Scene scene;
+        scene.mesh = std::move(model.mesh);
+        scene.model_report = model.report;
+        return model_notice(scene);
+    };
+    CHECK(notice_of("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n").empty());
+    CHECK_THAT(notice_of("f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n"),
+               ContainsSubstring("point inward") && ContainsSubstring("Culling"));
+    CHECK(notice_of("f 1 2 3\n").empty());
+    for (const char* name : {"cube", "globe", "knot", "sphere", "teapot", "torus"}) {
+        INFO(name);
+        CHECK_FALSE(
+            is_inside_out(read_obj(project_root() + "/lessons/models/" + name + ".obj").mesh));
+    }
 }
 
 TEST_CASE("Only so many files of materials are looked for, and the same one only once") {

@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "session/content.h"
 #include "session/glossary.h"
+#include "session/section_words.h"
 #include "tests/support/catch.h"
 
 namespace rasterwalk {
@@ -13,6 +14,11 @@ TEST_CASE("The glossary that comes with the program has the words of the lab, ea
         CHECK(term.sentence.back() == '.');
         CHECK_FALSE(term.section.empty());
     }
+}
+
+TEST_CASE("A section of the lab is called so, and what leads beyond it is not") {
+    CHECK(section_words("Drawing edges") == "lab: Drawing edges");
+    CHECK(section_words("Beyond the lab: textures") == "Beyond the lab: textures");
 }
 
 TEST_CASE("A glossary out of order or with a term twice names the line") {

@@ -198,6 +198,29 @@ TEST_CASE("The window follows its size and sleeps while nothing happens") {
     CHECK(open.program.wait(patience) == 0);
 }
 
+TEST_CASE("While the window is minimized the walk rests, and goes on when it is back") {
+    OpenProgram open({"--stage", "depth", "--to", "t0/v0"});
+    INFO("errors: " << open.errors());
+    REQUIRE(open.says("cursor t0/v0"));
+    const unsigned long number = open.display.window_number("Rasterwalk");
+    open.point_at("canvas");
+    open.display.press_key("space");
+    REQUIRE(becomes_true(patience, [&] { return !open.says("cursor t0/v0", 0.0); }));
+    open.display.show(number, false);
+    sleep_seconds(0.5);
+    const std::string moment = open.report();
+    const double before = open.program.cpu_seconds();
+    sleep_seconds(2.0);
+    const double spent = open.program.cpu_seconds() - before;
+    INFO("processor time in two seconds out of sight: " << spent << " s");
+    CHECK(spent < 0.1);
+    CHECK(open.report() == moment);
+    open.display.show(number, true);
+    CHECK(becomes_true(patience, [&] { return open.report() != moment; }));
+    open.display.ask_to_close("Rasterwalk");
+    CHECK(open.program.wait(patience) == 0);
+}
+
 TEST_CASE("Without a display the program says so in one sentence and ends with 5") {
     for (const char* const display : {"", ":9999"}) {
         const TemporaryFolder folder;

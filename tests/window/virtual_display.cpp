@@ -124,6 +124,19 @@ void VirtualDisplay::resize(const std::string& title, int width, int height) {
     XSync(connection_->display, False);
 }
 
+unsigned long VirtualDisplay::window_number(const std::string& title) {
+    return connection_->window(title);
+}
+
+void VirtualDisplay::show(unsigned long number, bool is_shown) {
+    if (is_shown) {
+        XMapWindow(connection_->display, number);
+    } else {
+        XUnmapWindow(connection_->display, number);
+    }
+    XSync(connection_->display, False);
+}
+
 Image VirtualDisplay::picture() {
     Display* const display = connection_->display;
     const int screen = DefaultScreen(display);

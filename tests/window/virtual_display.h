@@ -34,6 +34,11 @@ class VirtualDisplay {
     void ask_to_close(const std::string& title);
     /// Gives a window another size, as a window manager does.
     void resize(const std::string& title, int width, int height);
+    /// The number of a window, which it keeps. Throws if there is none of this title.
+    unsigned long window_number(const std::string& title);
+    /// Takes a window off the display, as a window manager does that minimizes it, or brings it
+    /// back.
+    void show(unsigned long number, bool is_shown);
 
     /// What the display shows.
     Image picture();

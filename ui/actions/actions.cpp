@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "base/error.h"
+#include "scene/model_notice.h"
 #include "ui/actions/focus_keys.h"
 #include "ui/actions/held_keys.h"
 #include "ui/actions/open_lesson.h"
@@ -108,8 +109,7 @@ void handle_keys(Ui& ui) {
 void show_opened_scene(Ui& ui, Scene scene) {
     stop_reading(ui);
     set_scene(ui.session, std::move(scene));
-    const std::optional<ObjReport>& model = ui.session.scene->model_report;
-    ui.session.notice = model ? fault_notice(*model) : "";
+    ui.session.notice = model_notice(*ui.session.scene);
     close_lesson(ui);
 }
 

@@ -4,7 +4,11 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include <imgui_internal.h>
 
@@ -169,6 +173,44 @@ void show_where_it_is(Ui& ui) {
     if (!stops.empty()) show_at(ui, (now == nullptr ? heir(ui, stops) : first_of(stops)).first);
 }
 
+/// Of a prediction that waits for its answer: a field, a choice, or the button that gives a pixel.
+bool is_answer(std::string_view name) {
+    return name.starts_with("lesson.prediction.") &&
+           (name.ends_with(".number") || name.ends_with(".answer") ||
+            name.find(".choice.") != std::string_view::npos);
+}
+
+/// In the strip: the button of a card with a question or a task, lesson.card.2.
+bool is_card_of_question(std::string_view name) {
+    return name.starts_with("lesson.card.") && name != "lesson.card.text";
+}
+
+/// The first answer on the page; where the strip has it on another card, the button of that card.
+const Stop* first_answer(const Ui& ui, const Stops& stops) {
+    const auto first = [&](const auto& is_meant) {
+        const auto found = std::find_if(stops.begin(), stops.end(), is_meant);
+        return found == stops.end() ? nullptr : *found;
+    };
+    const bool is_strip = ui.lesson.is_strip;
+    const Stop* const answer = first(
+        [&](const Stop* s) { return is_answer(s->first) && (s->second.visible || !is_strip); });
+    if (answer != nullptr || !is_strip) return answer;
+    return first([](const Stop* s) { return is_card_of_question(s->first); });
+}
+
+/// An answer that is new on the page is what Tab leads to first, once. Returns false if there is
+/// none.
+bool move_to_new_answer(Ui& ui) {
+    const Stop* const stop = first_answer(ui, stops_of_tab(ui));
+    if (stop == nullptr) return false;
+    std::string answer = fmt::format("{} {} {}", ui.session.lesson, ui.session.step, stop->first);
+    if (ui.focus.answer == answer) return false;
+    ui.focus.answer = std::move(answer);
+    if (stop == stop_with_keyboard(ui) && ui.focus.is_shown) return false;
+    show_at(ui, stop->first);
+    return true;
+}
+
 /// Tab and F6. Returns true if one was pressed.
 bool take_moving_keys(Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -180,6 +222,8 @@ bool take_moving_keys(Ui& ui) {
     if (was_typing) ImGui::ClearActiveID();
     if (is_part) {
         move_to_part(ui, stops_in_reach(ui), distance);
+    } else if (distance > 0 && !was_typing && move_to_new_answer(ui)) {
+        return true;
     } else if (ui.focus.is_shown || was_typing) {
         move_on(ui, stops_of_tab(ui), distance);
     } else {

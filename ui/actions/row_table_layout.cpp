@@ -130,7 +130,9 @@ bool is_lecture_of_rows(const Ui& ui) {
 
 bool wants_row_table(const Ui& ui) {
     const RunResults& a = ui.results.a;
-    return ui.session.canvas.row_table && !is_comparing(ui) && a.triangle &&
+    // Edge functions know neither left nor right ends.
+    const bool has_ends = coverage_rule(a.frame.settings) != Coverage::edge_functions;
+    return ui.session.canvas.row_table && has_ends && !is_comparing(ui) && a.triangle &&
            a.frame.settings.stage >= Stage::edges && a.frame.is_drawn(*a.triangle) &&
            a.rows.rows.size() > 0;
 }

@@ -134,8 +134,20 @@ void draw_lesson_menu(Ui& ui) {
     // list of lessons.
     const auto ten_of = [](std::string_view id) { return (lesson_number(id) + 9) / 10; };
     const int ten = ui.session.lesson.empty() ? 1 : ten_of(ui.session.lesson);
+    const auto is_of_ten = [&](const Lesson& l) { return ten_of(l.id) == ten; };
+    const auto shown = std::count_if(lessons.begin(), lessons.end(), is_of_ten);
     for (std::size_t i = 0; i < lessons.size(); ++i) {
-        if (ten_of(lessons[i].id) == ten) draw_lesson_item(ui, i, wanted);
+        if (is_of_ten(lessons[i])) draw_lesson_item(ui, i, wanted);
+    }
+    if (static_cast<std::size_t>(shown) < lessons.size()) {
+        ImGui::PushFont(ui.fonts.small);
+        const std::string words =
+            fmt::format("{} of {} lessons; L lists all", shown, lessons.size());
+        text_in(palette(ui.options.theme).dim, words);
+        ImGui::PopFont();
+        keep_item_whole(ui);
+        name_widget(ui, "menu.lesson.count", "The ten around the open lesson.");
+        note_text(ui, "menu.lesson.count", words);
     }
     if (!wanted.empty()) open_lesson(ui, wanted, ui.lesson.progress.of(wanted).last_step);
 }

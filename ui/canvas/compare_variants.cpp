@@ -43,7 +43,8 @@ struct Variant {
 std::array<Variant, 3> variants_of(const Ui& ui) {
     const Results& results = ui.results;
     const ComparisonResults& comparison = results.comparison;
-    const std::int64_t count = comparison.pixels.different;
+    const PixelDifference& pixels = comparison.pixels;
+    const std::int64_t count = pixels.shown > 0 ? pixels.shown : pixels.different;
     const std::string differ =
         count == 0 ? "no pixel" : grouped(count) + (count == 1 ? " pixel" : " pixels");
     return {{{CompareView::run_a, "A", "A", run_forms(ui.session, false), &results.a.picture,

@@ -222,10 +222,18 @@ void release_late_keys(Window& window) {
     window.late_releases.clear();
 }
 
+/// Is there nothing of the window on the display? Some systems then say that it has no pixels.
+bool is_out_of_sight(GLFWwindow* handle) {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(handle, &width, &height);
+    return width <= 0 || height <= 0 || glfwGetWindowAttrib(handle, GLFW_ICONIFIED) == GLFW_TRUE ||
+           glfwGetWindowAttrib(handle, GLFW_VISIBLE) == GLFW_FALSE;
+}
+
 bool draw_frame(Window& window) {
+    if (is_out_of_sight(window.handle)) return false;
     int width = 0, height = 0;
     glfwGetFramebufferSize(window.handle, &width, &height);
-    if (width <= 0 || height <= 0) return false;
     begin_gl2_frame();
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
@@ -273,7 +281,7 @@ void run(Window& window) {
         // What waits comes in the next frame, and needs as many after it.
         if (!is_input_waiting()) --window.frames_due;
         last_frame = glfwGetTime();
-        // A window that is minimized has nothing to be drawn on.
+        // Minimized, the program rests as a whole: nobody sees what the walk would go past.
         bool is_drawn = false;
         guarded(window.ui, [&] { is_drawn = draw_frame(window); });
         if (!is_drawn) glfwWaitEventsTimeout(idle_wait);

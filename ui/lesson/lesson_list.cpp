@@ -179,8 +179,9 @@ void draw_hits(Ui& ui, float width) {
     for (const SearchHit& hit : hits) {
         const std::string name = "lesson.hit." + std::to_string(number++);
         const bool is_term = hit.lesson.empty();
-        if (!draw_entry(ui, name, is_term ? "§" : "›", p.link, hit.title, hit.excerpt,
-                        is_term ? "glossary" : "", width,
+        const std::string mark = is_term ? "§" : std::to_string(lesson_number(hit.lesson));
+        if (!draw_entry(ui, name, mark, p.link, hit.title, hit.excerpt, is_term ? "glossary" : "",
+                        width,
                         is_term ? "Opens the glossary." : "Opens the lesson at this step.")) {
             continue;
         }

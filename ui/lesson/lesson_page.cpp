@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "session/section_words.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
@@ -42,7 +43,7 @@ void draw_heading(Ui& ui, const Lesson& lesson) {
     text += std::to_string(lesson_number(lesson.id));
     if (ui.session.step == 0) {
         text.append(" · ").append(std::to_string(lesson.minutes)).append(" minutes");
-        text.append(" · lab: ").append(lesson.section);
+        text.append(" · ").append(section_words(lesson.section));
     } else {
         text.append(" · step ").append(std::to_string(ui.session.step));
         text.append(" of ").append(std::to_string(last));

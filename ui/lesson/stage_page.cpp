@@ -4,6 +4,7 @@
 #include <string>
 
 #include "facts/facts.h"
+#include "session/section_words.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/lesson/page_footer.h"
@@ -19,8 +20,8 @@ namespace {
 void draw_heading(Ui& ui, const StageInfo& info) {
     ImGui::PushFont(ui.fonts.small);
     text_in(palette(ui.options.theme).dim, "Stage " + std::to_string(strip_place(info.step) + 1) +
-                                               " of " + std::to_string(stage_count) +
-                                               " · lab: " + std::string(info.section));
+                                               " of " + std::to_string(stage_count) + " · " +
+                                               section_words(info.section));
     ImGui::PopFont();
     ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
 }

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include "session/section_words.h"
 #include "ui/sheets/reading_sheet.h"
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"
@@ -43,11 +44,11 @@ void draw_term(Ui& ui, const Term& term) {
                    ImGui::GetCursorScreenPos().y + ImGui::GetTextLineHeight());
     keep_item_whole(ui);
     ImGui::PopFont();
-    name_widget(ui, "glossary.term." + term.word, "Lab: " + term.section);
+    name_widget(ui, "glossary.term." + term.word, section_words(term.section));
     wrapped_text(term.sentence);
     keep_text_whole(ui);
     ImGui::PushFont(ui.fonts.small);
-    text_in(p.dim, "lab: " + term.section);
+    text_in(p.dim, section_words(term.section));
     keep_item_whole(ui);
     ImGui::PopFont();
     ImGui::Spacing();

@@ -1,5 +1,8 @@
 #include "ui/widgets/number_field.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <string>
 
 #include <imgui.h>
@@ -45,8 +48,10 @@ bool draw_while_typed(const Draw& draw) {
 /// ImGui writes hyphens: unless somebody types, its text is left out for one with minus signs.
 /// @param draw the field
 /// @param shown its text, asked for when the field is drawn
+/// @param place of the text within the field: 0 left, 1 right
 template <typename Draw, typename Shown>
-bool draw_field(const char* id, const Draw& draw, const Shown& shown) {
+bool draw_field(const char* id, const Draw& draw, const Shown& shown,
+                const std::function<float(float width)>& place = {}) {
     const ImGuiID item = ImGui::GetID(id);
     if (ImGui::TempInputIsActive(item)) return draw_while_typed(draw);
     ImGui::PushStyleColor(ImGuiCol_Text, 0);
@@ -54,9 +59,44 @@ bool draw_field(const char* id, const Draw& draw, const Shown& shown) {
     ImGui::PopStyleColor();
     if (ImGui::TempInputIsActive(item)) return is_changed; // from now on
     const std::string text = shown();
+    const float across = place ? place(ImGui::CalcTextSize(text.c_str()).x) : 0.5f;
     ImGui::RenderTextClipped(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), text.data(),
-                             text.data() + text.size(), nullptr, {0.5f, 0.5f});
+                             text.data() + text.size(), nullptr, {across, 0.5f});
     return is_changed;
+}
+
+/// How many digits behind the point tell the stops of a slider apart.
+int digits_of(const ControlRange& range) {
+    constexpr int most_digits = 7;
+    for (int digits = 0; digits < most_digits; ++digits) {
+        const double factor = std::pow(10.0, digits);
+        const auto is_whole = [&](double number) {
+            return std::abs(number * factor - std::round(number * factor)) < 1e-6 * factor;
+        };
+        if (is_whole(range.step) && is_whole(range.smallest)) return digits;
+    }
+    return most_digits;
+}
+
+/// The number of a slider: a stop with the digits that stops need, and what was set elsewhere and
+/// lies between two of them as it is.
+std::string slider_text(float value, const ControlRange& range) {
+    const float stop = slider_stop(range, static_cast<double>(value));
+    // While it is dragged, it is on its way to that stop.
+    const bool is_stop =
+        ImGui::IsItemActive() || std::abs(value - stop) < 1e-5f * std::max(std::abs(value), 1e-3f);
+    return with_minus_signs(is_stop ? decimals(static_cast<double>(stop), digits_of(range))
+                                    : number_text(value));
+}
+
+/// Where the number of a slider stands: in the middle, or beside the handle that would cover it.
+/// @param part  of the way on which the handle is, 0 to 1
+/// @param width of the number, screen pixels
+float place_beside_handle(float part, float width) {
+    const float field = ImGui::GetItemRectSize().x, handle = ImGui::GetStyle().GrabMinSize;
+    const float middle = 0.5f * handle + part * (field - handle);
+    if (std::abs(middle - 0.5f * field) > 0.5f * (width + handle)) return 0.5f;
+    return middle < 0.5f * field ? 0.9f : 0.1f;
 }
 
 } // namespace
@@ -96,7 +136,12 @@ bool slide_number(const char* id, float& value, const ControlRange& range) {
                                       static_cast<float>(range.largest), "%.7g",
                                       ImGuiSliderFlags_AlwaysClamp);
         },
-        [&] { return with_minus_signs(number_text(value)); });
+        [&] { return slider_text(value, range); },
+        [&](float width) {
+            const auto low = static_cast<float>(range.smallest),
+                       high = static_cast<float>(range.largest);
+            return place_beside_handle(std::clamp((value - low) / (high - low), 0.0f, 1.0f), width);
+        });
     io.KeyCtrl = had_ctrl;
     const bool is_typed = was_typed || ImGui::TempInputIsActive(ImGui::GetID(id));
     if (is_changed && !is_typed) value = slider_stop(range, static_cast<double>(value));

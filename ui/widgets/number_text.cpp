@@ -9,13 +9,6 @@
 
 namespace rasterwalk {
 
-std::string with_minus_signs(std::string_view text) {
-    std::string shown;
-    for (const char c : text)
-        shown += c == '-' ? std::string("−") : std::string(1, c);
-    return shown;
-}
-
 std::string nine_digits_shown(float value) {
     return with_minus_signs(nine_digits(value));
 }

@@ -4,14 +4,12 @@
 #include <string>
 #include <string_view>
 
+#include "base/minus_signs.h"
 #include "inspect/microscope.h"
 
 namespace rasterwalk {
 
 // Numbers as the tables show them, with true minus signs.
-
-/// The text of a number, its hyphens made minus signs: "−2.5e−05".
-std::string with_minus_signs(std::string_view text);
 
 /// Nine digits tell every float from its neighbours.
 std::string nine_digits_shown(float value);

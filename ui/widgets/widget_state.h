@@ -39,6 +39,7 @@ struct Focus {
     bool wants_sight = false;  ///< it is scrolled into view when it is drawn
     bool is_explained = false; ///< its tooltip is shown
     Arrows arrows;             ///< meant for it
+    std::string answer;        ///< of a lesson: to which Tab went by itself last
     ImVec2 place;              ///< where it was drawn last: its upper left corner
     ImGuiID part = 0;          ///< and the part of the window
     ImGuiID window = 0;        ///< within the part; what scrolls with it

@@ -69,11 +69,17 @@ void outline_if_pointed_at(Ui& ui, std::string_view name, const ImRect& shown, b
     const float u = ui.options.text_scale;
     const ImVec4& colour = palette(ui.options.theme).changed;
     ImDrawList* const list = ImGui::GetForegroundDrawList();
-    const float near = 3.0f * u, far = 6.0f * u;
-    list->AddRect({shown.Min.x - far, shown.Min.y - far}, {shown.Max.x + far, shown.Max.y + far},
-                  packed(colour, 0.35f), 8.0f * u, 0, 3.0f * u);
-    list->AddRect({shown.Min.x - near, shown.Min.y - near},
-                  {shown.Max.x + near, shown.Max.y + near}, packed(colour), 6.0f * u, 0, 2.0f * u);
+    // At the border of the window it stays inside.
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const auto outline = [&](float gap, float alpha, float rounding, float thickness) {
+        const float inside = 0.5f * thickness;
+        list->AddRect({std::max(shown.Min.x - gap, inside), std::max(shown.Min.y - gap, inside)},
+                      {std::min(shown.Max.x + gap, window.x - inside),
+                       std::min(shown.Max.y + gap, window.y - inside)},
+                      packed(colour, alpha), rounding, 0, thickness);
+    };
+    outline(6.0f * u, 0.35f, 8.0f * u, 3.0f * u);
+    outline(3.0f * u, 1.0f, 6.0f * u, 2.0f * u);
 }
 
 } // namespace

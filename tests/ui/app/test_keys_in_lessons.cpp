@@ -135,6 +135,34 @@ TEST_CASE("Who reads on gives the arrows back to the camera, and Tab brings the 
     }
 }
 
+TEST_CASE("From a new step one Tab reaches the first answer, in a strip by way of its card") {
+    for (const ImVec2 window : {ImVec2{1600, 1000}, ImVec2{1024, 640}}) {
+        INFO(window.x);
+        Driver driver("lab-room.toml", window);
+        open_at(driver, lesson_1, 1);
+        REQUIRE(driver.tab_to("lesson.next"));
+        open_lesson(driver.ui, lesson_1, 2);
+        driver.hand.rest();
+        driver.hand.press(key::tab);
+        if (driver.ui.lesson.is_strip) {
+            CHECK(driver.ui.focus.name.starts_with("lesson.card."));
+            driver.hand.press(key::enter);
+            driver.hand.press(key::tab);
+        }
+        CHECK(driver.ui.focus.name == number_field);
+        CHECK(driver.ui.focus.is_shown);
+        CHECK(driver.hand.is_visible(number_field));
+        // Once: then it goes on, and comes round.
+        driver.hand.press(key::tab);
+        CHECK(driver.ui.focus.name == "lesson.prediction.back-wall-width.answer");
+        driver.hand.press(key::tab);
+        CHECK(driver.ui.focus.name != number_field);
+        driver.hand.press(key::tab, {.shift = true});
+        driver.hand.press(key::tab, {.shift = true});
+        CHECK(driver.ui.focus.name == number_field);
+    }
+}
+
 TEST_CASE("A key that turns no page leaves the frame where it is") {
     Driver driver;
     open_at(driver, lesson_1, 0);

@@ -51,4 +51,19 @@ TEST_CASE("The groups of the View menu are set apart, and all of it is in sight"
     }
 }
 
+TEST_CASE("The Lesson menu says that there are more lessons than it shows") {
+    for (const SmallWindow& window :
+         {SmallWindow{{1600, 1000}, 1.0f}, SmallWindow{{1024, 640}, 1.5f}}) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
+        const std::size_t count = driver.ui.lesson.lessons.all().size();
+        REQUIRE(count > 10);
+        if (driver.hand.is_visible("menu")) driver.hand.click("menu");
+        driver.hand.click("menu.Lesson");
+        CHECK(driver.hand.find("menu.lesson.count").is_whole);
+        CHECK(shown_text(driver, "menu.lesson.count") ==
+              "10 of " + std::to_string(count) + " lessons; L lists all");
+    }
+}
+
 } // namespace rasterwalk

@@ -119,7 +119,7 @@ TEST_CASE("The small pictures say what is otherwise in them, and how much differ
     CHECK(shown_text(driver, "compare.small.run_a") == "between the vertices: perspective");
     CHECK(shown_text(driver, "compare.small.run_b") == "between the vertices: affine");
     CHECK(shown_text(driver, "compare.small.difference") ==
-          grouped(driver.ui.results.comparison.pixels.different) + " pixels");
+          grouped(driver.ui.results.comparison.pixels.shown) + " pixels");
     driver.open("compare");
     driver.hand.click("compare.tab.light");
     CHECK(shown_text(driver, "compare.small.run_a") == "drawn up to: pixel light");

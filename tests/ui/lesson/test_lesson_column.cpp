@@ -194,7 +194,15 @@ TEST_CASE("What is searched for is found in lessons and glossary") {
     int hits = 0;
     while (room.driver.ui.widgets.count("lesson.hit." + std::to_string(hits)) > 0)
         ++hits;
-    room.driver.hand.click("lesson.hit." + std::to_string(hits - 1));
+    // With the number of its lesson before it.
+    const std::string last = "lesson.hit." + std::to_string(hits - 1);
+    const WidgetPlace place = room.driver.hand.find(last);
+    const std::vector<ScreenText> texts = screen_text();
+    CHECK(std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
+        return text.words == "1" && text.low.x >= place.top_left.x &&
+               text.low.y >= place.top_left.y && text.high.y <= place.bottom_right.y;
+    }));
+    room.driver.hand.click(last);
     CHECK(room.driver.ui.session.lesson == "01-tiny");
     CHECK(room.driver.ui.session.step == 1);
 }

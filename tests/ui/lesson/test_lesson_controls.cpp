@@ -1,15 +1,18 @@
 // A slider in the card of a lesson: what it sets, what it says, and the task that waits for it.
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/keys.h"
 
 namespace rasterwalk {
@@ -114,6 +117,52 @@ TEST_CASE("A slider in the lesson's card sets the setting and the read-out") {
         CHECK(room.f() == 1500.0f);
         driver.hand.press('Z', {.ctrl = true});
         CHECK(room.f() == dragged);
+    }
+}
+
+TEST_CASE("A slider shows no more digits than its stops need, and not below its handle") {
+    SliderRoom room({1600, 1000});
+    Driver& driver = room.driver;
+    const WidgetPlace place = driver.hand.find(slider);
+    const auto shown = [&]() -> std::optional<ScreenText> {
+        for (const ScreenText& text : screen_text()) {
+            const bool is_inside =
+                text.low.x >= place.top_left.x && text.high.x <= place.bottom_right.x &&
+                text.low.y >= place.top_left.y - 1.0f && text.high.y <= place.bottom_right.y + 1.0f;
+            if (is_inside) return text;
+        }
+        return std::nullopt;
+    };
+    const auto number = [&](float f) {
+        driver.ui.session.a.settings.camera.focal_length = f;
+        driver.hand.leave();
+        return shown();
+    };
+    // What was set elsewhere is told as it is: a camera at −3.001 is not at −3.00.
+    const std::optional<ScreenText> odd = number(1109.788f);
+    REQUIRE(odd);
+    CHECK(odd->words == "1109.788");
+    // Between two stops the handle is on its way to one of them, which is what is set.
+    const float middle = 0.5f * (place.top_left.y + place.bottom_right.y);
+    play_pointer({place.top_left.x + 0.3137f * (place.bottom_right.x - place.top_left.x), middle});
+    driver.hand.frames(2);
+    play_mouse_button(0, true);
+    for (const float part : {0.3543f, 0.7121f, 0.8513f}) {
+        play_pointer({place.top_left.x + part * (place.bottom_right.x - place.top_left.x), middle});
+        driver.hand.frames(1);
+        const std::optional<ScreenText> text = shown();
+        REQUIRE(text);
+        CHECK(text->words == fmt::format("{:.0f}", room.f()));
+    }
+    play_mouse_button(0, false);
+    driver.hand.frames(2);
+    const float width = place.bottom_right.x - place.top_left.x;
+    for (const float f : {250.0f, 500.0f, 870.0f, 880.0f, 1500.0f}) {
+        INFO(f);
+        const std::optional<ScreenText> text = number(f);
+        REQUIRE(text);
+        const float handle = place.top_left.x + width * (f - 250.0f) / 1250.0f;
+        CHECK((text->high.x <= handle || text->low.x >= handle));
     }
 }
 

@@ -95,6 +95,24 @@ TEST_CASE("What a step points at is outlined again when a link's pointing ends")
     CHECK(view.pointed_at == "setting.camera.position");
 }
 
+TEST_CASE("The outline of what stands in a corner of the window is whole") {
+    Driver driver;
+    driver.hand.leave();
+    follow_link(driver.ui, "show:tab.settings");
+    driver.hand.frames(2);
+    driver.ui.session.tab = "rows";
+    driver.hand.frames(2);
+    REQUIRE(driver.ui.lesson.pointed_at == "tab.settings");
+    const ImDrawList& list = *ImGui::GetForegroundDrawList();
+    REQUIRE(list.VtxBuffer.Size > 0);
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    // The soft border of a line may be a pixel beyond it.
+    for (const ImDrawVert& vertex : list.VtxBuffer) {
+        REQUIRE(vertex.pos.x <= window.x + 1.0f);
+        REQUIRE(vertex.pos.y >= -1.0f);
+    }
+}
+
 TEST_CASE("Who scrolls away from what a step points at is not held back") {
     Driver driver("lab-room.toml", {1024, 640}, 1.5f);
     open_lesson(driver.ui, "02-moving-the-camera", 4);

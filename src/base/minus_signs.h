@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace rasterwalk {
+
+/// The text of a number, its hyphens made minus signs: "−2.5e−05".
+std::string with_minus_signs(std::string_view text);
+
+} // namespace rasterwalk
