@@ -103,6 +103,7 @@ std::vector<PrintedRow> printed(const PolygonRows& table) {
 std::string first_different_row(const std::vector<PrintedRow>& reference,
                                 const std::vector<PrintedRow>& table) {
     const auto columns = [](const PrintedRow& row) {
+        if (row.start.x > row.end.x && row.start.y == row.end.y) return std::string("no pixels");
         return row.start.y == row.end.y ? fmt::format("columns {} to {}", row.start.x, row.end.x)
                                         : fmt::format("({},{}) to ({},{})", row.start.x,
                                                       row.start.y, row.end.x, row.end.y);

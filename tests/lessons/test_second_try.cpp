@@ -36,19 +36,19 @@ Judgement judged(const Lesson& lesson, const GivenAnswer& answer) {
 } // namespace
 
 TEST_CASE("A wrong number is told what its misconception gets wrong") {
-    const Lesson lesson =
-        lesson_of_question("kind = \"number\"\n"
-                           "answer = \"triangle.count\"\n"
-                           "tolerance = \"1\"\n"
-                           "because = \"{answer}. It is so.\"\n"
-                           "misconceptions = [\n"
-                           "{ answer = \"triangle.count / 2\", says = \"{answer:0}?\" },\n"
-                           "{ answer = \"60\", tolerance = \"5\", says = \"Twice.\" },\n"
-                           "]");
+    const Lesson lesson = lesson_of_question(
+        "kind = \"number\"\n"
+        "answer = \"triangle.count\"\n"
+        "tolerance = \"1\"\n"
+        "because = \"{answer}. It is so.\"\n"
+        "misconceptions = [\n"
+        "{ answer = \"triangle.count / 2\", says = \"Not {triangle.count / 2:0}.\" },\n"
+        "{ answer = \"60\", tolerance = \"5\", says = \"Twice.\" },\n"
+        "]");
     CHECK(judged(lesson, {30.0}).says.empty());
     CHECK(judged(lesson, {30.0}).is_right);
-    CHECK(judged(lesson, {14.0}).says == "30?");
-    CHECK(judged(lesson, {16.0}).says == "30?"); // by the prediction's tolerance
+    CHECK(judged(lesson, {14.0}).says == "Not 15.");
+    CHECK(judged(lesson, {16.0}).says == "Not 15."); // by the prediction's tolerance
     CHECK(judged(lesson, {17.1}).says.empty());
     CHECK(judged(lesson, {65.0}).says == "Twice.");
     CHECK(judged(lesson, {66.0}).says.empty());

@@ -67,8 +67,7 @@ std::string key_name(int code) {
 
 /// Behind the start page nothing moves.
 bool shows_on_start_page(const Action& action) {
-    return action.menu == "File" || action.menu == "Help" || action.name == "view.larger_text" ||
-           action.name == "view.smaller_text";
+    return action.menu == "File" || action.menu == "Help" || action.is_on_start_page;
 }
 
 } // namespace

@@ -29,6 +29,7 @@ struct Action {
     std::function<void(Ui&)> run;
     std::function<bool(const Ui&)> is_on; ///< for switches; null otherwise
     bool begins_group = false;            ///< a line stands above it in its menu
+    bool is_on_start_page = false;        ///< works there, too, as all of File and Help do
 };
 
 /// All actions, in the order of the menus.

@@ -226,8 +226,7 @@ std::vector<std::string> difference_forms(const PixelDifference& pixels) {
                                            : ", too little to see";
     const std::string largest =
         pixels_differ + others + " · largest " + fixed(static_cast<double>(pixels.largest), 3);
-    return {largest + " · mean " + fixed(pixels.mean, 4), largest, pixels_differ, count + look,
-            count + (is_one ? " differs" : " differ")};
+    return {largest + " · mean " + fixed(pixels.mean, 4), largest, pixels_differ, count + look};
 }
 
 } // namespace rasterwalk

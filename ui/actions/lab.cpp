@@ -152,8 +152,11 @@ void finish_quiz(Ui& ui) {
     ui.lab.seed = 0;
 }
 
-void diagnose_file(Ui& ui, const std::string& path) {
+namespace {
+
+void begin_check(Ui& ui, const std::string& path, bool against_set) {
     LabLook& lab = ui.lab;
+    lab.holds_against_set = against_set;
     stop_diagnosis(ui);
     lab.mode = LabMode::result;
     open_tab(ui, "lab");
@@ -164,9 +167,14 @@ void diagnose_file(Ui& ui, const std::string& path) {
     lab.frames_to_result = 2;
 }
 
+} // namespace
+
+void diagnose_file(Ui& ui, const std::string& path) {
+    begin_check(ui, path, false);
+}
+
 void hold_result_against(Ui& ui, bool what_is_set) {
-    ui.lab.holds_against_set = what_is_set;
-    diagnose_file(ui, ui.lab.checked_path);
+    begin_check(ui, ui.lab.checked_path, what_is_set);
 }
 
 void carry_on_diagnosis(Ui& ui, const WorkLimit& limit) {

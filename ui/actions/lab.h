@@ -36,7 +36,7 @@ void finish_quiz(Ui& ui);
 void diagnose_file(Ui& ui, const std::string& path);
 
 /// Holds the file that was checked last against what is set, or against the handout's picture
-/// again; the files after it too.
+/// again. The next file is held against that anyway.
 void hold_result_against(Ui& ui, bool what_is_set);
 
 /// Reads the file that waits for it, or goes on with the picture that is being checked. To be

@@ -120,13 +120,12 @@ void spread(RowTableLayout& layout, float width) {
     layout.width = width;
 }
 
-/// Does the inspector show the rows, and nothing over them, in a lecture?
+} // namespace
+
 bool is_lecture_of_rows(const Ui& ui) {
     return ui.options.is_lecture && tab_below(ui.session) == "rows" && !is_settings_open(ui) &&
            !is_drawer_open(ui);
 }
-
-} // namespace
 
 bool wants_row_table(const Ui& ui) {
     const RunResults& a = ui.results.a;

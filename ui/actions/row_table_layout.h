@@ -32,6 +32,9 @@ struct RowTableLayout {
 /// Is there a row table to show beside the picture, if the zoom gives room for it?
 bool wants_row_table(const Ui& ui);
 
+/// Does the inspector show the rows, and nothing over them, in a lecture?
+bool is_lecture_of_rows(const Ui& ui);
+
 /// In a lecture whose inspector would show the rows, the table beside the picture stands in its
 /// place: large, and once.
 bool has_row_table_for_inspector(const Ui& ui);

@@ -140,7 +140,7 @@ Layout layout_of(const Ui& ui, ImVec2 window) {
                       .has_drawer = ui.lesson.drawer_is_open,
                       .menu_end = menu_end_width(ui, window.x),
                       // A row table that goes on from the picture's rows is as high as they are.
-                      .high_canvas = !has_row_table_for_inspector(ui) && !is_comparing(ui),
+                      .high_canvas = !is_lecture_of_rows(ui),
                       .has_stages = !ui.start.is_open,
                       .has_status = has_status_line(ui)};
     const Layout narrow = compute_layout(window, ui.options, needs);

@@ -110,7 +110,7 @@ TEST_CASE("A number's source is a tab of the student's own, which the next stage
 
 TEST_CASE("The first lesson shows one group with one tab, and all after a click on 'show all'") {
     Driver driver;
-    open_lesson(driver.ui, "01-pinhole-camera", 0);
+    open_lesson(driver.ui, "01-pinhole-camera", 2);
     driver.hand.leave();
     CHECK(driver.ui.session.tab == "vertices");
     CHECK(is_there(driver, "tab.vertices"));

@@ -159,7 +159,7 @@ TEST_CASE("R is not spoken of before the camera is turned") {
 
 TEST_CASE("The first lessons show the numbers that they speak of, and all of them on request") {
     Driver driver;
-    open_lesson(driver.ui, "01-pinhole-camera", 0);
+    open_lesson(driver.ui, "01-pinhole-camera", 3);
     driver.hand.rest();
     REQUIRE(shading_rule(driver.ui.session.a.settings) != Shading::unlit);
     const auto shows = [&](const char* line) { return driver.hand.is_visible(cell(line, 0)); };
@@ -278,7 +278,8 @@ TEST_CASE("In a small window the table shows what the step speaks of, in all its
         // z stands in the formula below.
         const std::string& z = driver.ui.widgets.at("vertices.formula.z").text;
         CHECK(z.substr(0, 5) == "2.412");
-        CHECK(driver.ui.widgets.at("vertices.formula.z").visible);
+        // In so small a lecture picture and text have the room, and the formula is scrolled to.
+        if (!c.is_lecture) CHECK(driver.ui.widgets.at("vertices.formula.z").visible);
         // The camera looks along z: the numbers would stand there twice.
         CHECK(driver.ui.widgets.at("vertices.minus_camera.z.v0").text == "2.412");
         CHECK_FALSE(driver.ui.widgets.contains("vertices.rotated.z"));

@@ -169,7 +169,6 @@ TEST_CASE("No letter of any lesson is cut in a strip, and each is reached by pag
 
 TEST_CASE("A table that has no room in the strip begins a card of its own, its head on each") {
     Driver driver("lab-room.toml", {1024, 640}, 1.5f);
-    driver.hand.press(key::f5);
     open_lesson(driver.ui, "08-depth-buffer", 2);
     driver.hand.leave();
     const std::vector<const char*> parts{"back wall", "red block, side", "red block, top",
