@@ -39,7 +39,7 @@ LessonProgress parse_lesson_progress(const TomlInput& input) {
     const TomlInput table = input.table(*answers, "the answers");
     for (const auto& [id, node] : table.nodes()) {
         const TomlInput answer = table.table(node, "an answer");
-        answer.allow_only({"said", "right", "second_try"});
+        answer.allow_only({"said", "right", "second_try", "second"});
         const auto truth = [&](const char* key) {
             const toml::node* const found = answer.find(key);
             if (found == nullptr) return false;
@@ -48,7 +48,8 @@ LessonProgress parse_lesson_progress(const TomlInput& input) {
             return *value;
         };
         lesson.answers[std::string(id.str())] = {answer.text_or_empty("said"), truth("right"),
-                                                 truth("second_try")};
+                                                 truth("second_try"),
+                                                 answer.text_or_empty("second")};
     }
     return lesson;
 }
@@ -83,7 +84,9 @@ LessonProgress merged(const LessonProgress& before, const LessonProgress& after,
         const auto was = before.answers.find(id), own = after.answers.find(id);
         const bool is_shown = own != after.answers.end() && !own->second.has_second_try;
         const bool was_shown = was != before.answers.end() && !was->second.has_second_try;
-        if (is_shown && !was_shown) answer.has_second_try = false;
+        if (!is_shown || was_shown || !answer.has_second_try) continue;
+        answer.has_second_try = false;
+        answer.second = own->second.second;
     }
     if (after.last_step != before.last_step) theirs.last_step = after.last_step;
     return theirs;
@@ -129,9 +132,12 @@ bool Progress::has_second_try(const std::string& lesson, const std::string& pred
     return found != answers.end() && found->second.has_second_try;
 }
 
-void Progress::end_second_try(const std::string& lesson, const std::string& prediction) {
+void Progress::end_second_try(const std::string& lesson, const std::string& prediction,
+                              const std::string& said) {
     if (!has_second_try(lesson, prediction)) return;
-    lessons[lesson].answers[prediction].has_second_try = false;
+    FirstAnswer& answer = lessons[lesson].answers[prediction];
+    answer.has_second_try = false;
+    answer.second = said;
     touch();
 }
 
@@ -190,6 +196,7 @@ std::string progress_text(const Progress& progress) {
         for (const auto& [prediction, answer] : own.answers) {
             toml::table one{{"said", answer.said}, {"right", answer.is_right}};
             if (answer.has_second_try) one.insert("second_try", true);
+            if (!answer.second.empty()) one.insert("second", answer.second);
             answers.insert(prediction, std::move(one));
         }
         lessons.insert(id, toml::table{{"last_step", own.last_step},

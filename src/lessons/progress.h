@@ -15,6 +15,7 @@ struct FirstAnswer {
     std::string said; ///< as the student gave it
     bool is_right = false;
     bool has_second_try = false; ///< it was wrong, and the program has not shown its own yet
+    std::string second{};        ///< what was said then; empty: nothing
 
     friend bool operator==(const FirstAnswer&, const FirstAnswer&) = default;
 };
@@ -46,7 +47,9 @@ struct Progress {
                      const FirstAnswer& answer);
     /// The first answer was wrong, and the program has not shown its own yet.
     bool has_second_try(const std::string& lesson, const std::string& prediction) const;
-    void end_second_try(const std::string& lesson, const std::string& prediction);
+    /// @param said the second answer; empty: there was none
+    void end_second_try(const std::string& lesson, const std::string& prediction,
+                        const std::string& said = {});
     /// The program has shown its own answer.
     bool is_revealed(const std::string& lesson, const std::string& prediction) const;
 

@@ -1,6 +1,7 @@
 #include "ui/actions/open_lesson.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <imgui.h>
@@ -21,6 +22,8 @@ void forget_step(LessonView& view) {
     view.pages.clear();
     view.open_hints.clear();
     view.task_words.clear();
+    for (auto& [id, prediction] : view.predictions)
+        prediction.is_in_picture = false;
     view.meant.clear();
     view.pointed_at.clear();
     view.of_step.clear();
@@ -123,10 +126,35 @@ void open_neighbour_step(Ui& ui, int distance) {
     open_lesson(ui, std::string(lesson->id), step);
 }
 
+namespace {
+
+/// In a lecture: the question on show that nobody has answered; null if there is none.
+const LessonPrediction* open_question(Ui& ui, const Lesson& lesson) {
+    const LessonStrip& strip = ui.lesson.strip;
+    const auto card = static_cast<std::size_t>(strip.card);
+    if (!ui.options.is_lecture || ui.lesson.drawer_is_open || card >= strip.cards.size())
+        return nullptr;
+    const LessonStep& step = lesson.steps[static_cast<std::size_t>(ui.session.step)];
+    const auto number = static_cast<std::size_t>(strip.cards[card].part);
+    if (number >= step.parts.size() || step.parts[number].kind != LessonPart::Kind::prediction)
+        return nullptr;
+    const LessonPrediction& prediction =
+        lesson.predictions[static_cast<std::size_t>(step.parts[number].index)];
+    return is_revealed(ui, lesson, prediction) ? nullptr : &prediction;
+}
+
+} // namespace
+
 bool turn_card(Ui& ui, int distance) {
     LessonView& view = ui.lesson;
     if (ui.session.page == SidePage::stage || is_list_on_show(ui)) return false;
     if (!view.is_strip) {
+        const Lesson* const lesson = distance > 0 ? open_lesson_of(ui) : nullptr;
+        const int last = lesson != nullptr ? static_cast<int>(lesson->steps.size()) - 1 : -1;
+        if (ui.session.step == last && view.has_more_below) {
+            view.pages_to_scroll = 1.0f; // to the end of the lesson
+            return true;
+        }
         if (distance < 0 || !view.open_below) return false;
         view.place_to_show = LessonPlace{*view.open_below};
         return true;
@@ -137,6 +165,14 @@ bool turn_card(Ui& ui, int distance) {
         return true;
     }
     if (view.drawer_is_open) return false;
+    const Lesson* const lesson = open_lesson_of(ui);
+    if (distance > 0 && lesson != nullptr) {
+        // Whoever lectures has asked the audience, and has no other key.
+        if (const LessonPrediction* const question = open_question(ui, *lesson)) {
+            reveal_answer(ui, *lesson, *question);
+            return true;
+        }
+    }
     const int card = view.strip.card + distance;
     if (card < 0 || card >= static_cast<int>(view.strip.cards.size())) return false;
     view.strip.card = card;
@@ -170,6 +206,7 @@ void tick_off_tasks(Ui& ui) {
     for (const LessonTask& task : lesson->tasks) {
         if (task.step != ui.session.step) continue;
         TaskWords& words = view.task_words[task.id];
+        const std::string before = words.text;
         if (view.progress.is_task_done(lesson->id, task.id)) {
             // The numbers of a reason are those of the moment in which it was solved.
             if (!words.is_reason)
@@ -181,6 +218,9 @@ void tick_off_tasks(Ui& ui) {
         } else {
             words = {not_yet(task, facts), false};
         }
+        if (words.text == before || words.text.empty()) continue;
+        view.fresh = "lesson.task." + task.id + ".words";
+        view.frames_to_fresh = 2;
     }
 }
 
@@ -188,6 +228,7 @@ namespace {
 
 /// Shows in the session what the step shows after the answer.
 void show_reveal(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction) {
+    ui.lesson.predictions[prediction.id].is_in_picture = true;
     if (!prediction.then) return;
     Session& session = ui.session;
     const ViewState& step = lesson.steps[static_cast<std::size_t>(session.step)].state;
@@ -217,9 +258,20 @@ void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     progress.note_answer(lesson.id, prediction.id, {said, view.judged->is_right, may_try_again});
     view.said = std::move(said);
     if (may_try_again) return;
-    progress.end_second_try(lesson.id, prediction.id);
+    progress.end_second_try(lesson.id, prediction.id, view.said);
     show_reveal(ui, lesson, prediction);
 }
+
+namespace {
+
+/// What is given where nothing is: it is never right.
+GivenAnswer no_answer(const LessonPrediction& prediction) {
+    if (prediction.kind == LessonPrediction::Kind::number) return {std::nan("")};
+    if (prediction.kind == LessonPrediction::Kind::choice) return {-1};
+    return {prediction.wrong_pixel.value_or(glm::ivec2(0, 0))};
+}
+
+} // namespace
 
 bool is_revealed(const Ui& ui, const Lesson& lesson, const LessonPrediction& prediction) {
     const auto view = ui.lesson.predictions.find(prediction.id);
@@ -229,6 +281,7 @@ bool is_revealed(const Ui& ui, const Lesson& lesson, const LessonPrediction& pre
 
 void reveal_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction) {
     PredictionView& view = ui.lesson.predictions[prediction.id];
+    if (!view.judged) view.judged = judge(lesson, prediction, no_answer(prediction), ui.session);
     view.is_fresh = true;
     view.because = nullptr;
     ui.lesson.strip.is_recut = true;
@@ -240,6 +293,7 @@ void ask_again(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction)
     PredictionView& view = ui.lesson.predictions[prediction.id];
     view.judged.reset();
     view.typed.clear();
+    view.takes_keys = true;
     ui.lesson.strip.is_recut = true;
     if (!prediction.then) return;
     const std::vector<Fault> faults = rasterwalk::open_step(ui.session, lesson, ui.session.step);
@@ -253,7 +307,9 @@ bool take_up_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& predic
     const auto& answers = ui.lesson.progress.of(lesson.id).answers;
     const auto kept = answers.find(prediction.id);
     if (kept == answers.end()) return true;
-    const std::optional<GivenAnswer> answer = answer_in_words(prediction, kept->second.said);
+    const std::string& second = kept->second.second;
+    const std::string said = second.empty() ? kept->second.said : second;
+    const std::optional<GivenAnswer> answer = answer_in_words(prediction, said);
     if (!answer) return true;
     if (ui.lesson.frame_of_answer == ImGui::GetFrameCount()) {
         ui.lesson.frame_of_waiting = ImGui::GetFrameCount();
@@ -262,7 +318,7 @@ bool take_up_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& predic
     }
     ui.lesson.frame_of_answer = ImGui::GetFrameCount();
     view.judged = judge(lesson, prediction, *answer, ui.session);
-    view.said = kept->second.said;
+    view.said = said;
     ui.lesson.strip.is_recut = true;
     // The lesson may have changed since: there is nothing to try again.
     if (view.judged->is_right || !view.judged->fault.empty())

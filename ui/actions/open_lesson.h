@@ -28,7 +28,8 @@ void open_lesson_to_go_on(Ui& ui);
 void open_neighbour_step(Ui& ui, int distance);
 
 /// One card on (1) or back (-1) in the strip; where its whole text stands open, a page of that. In
-/// a column, on to a question or a task that is open and scrolled away.
+/// a column, on to a question or a task that is open and scrolled away. In a lecture the answer to a
+/// question comes before the next card.
 /// @return false where there is none: the step is at its end, or at its beginning
 bool turn_card(Ui& ui, int distance);
 
@@ -57,7 +58,7 @@ void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
 /// Has it been answered, and is the program's own answer on show?
 bool is_revealed(const Ui& ui, const Lesson& lesson, const LessonPrediction& prediction);
 
-/// Shows the program's own answer without a second try.
+/// Shows the program's own answer, without a second try or without any.
 void reveal_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction);
 
 /// Asks once more what has been answered: what the answer showed is taken off the screen.

@@ -21,6 +21,9 @@ constexpr int swatch_columns = 12;
 constexpr int swatch_rows = 6;
 constexpr float swatch_cell = 2.0f; ///< design pixels
 
+/// Of the canvas below its header, without which there is no legend, design pixels.
+constexpr float least_room = 130.0f;
+
 /// A grey between the darkest and the brightest pictures, on which all tints can be seen.
 constexpr ImU32 swatch_ground = IM_COL32(78, 80, 84, 255);
 
@@ -305,6 +308,8 @@ void draw_overlays(Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
 
 float overlay_legend_height(Ui& ui, ImVec2 room) {
     if (ui.results.overlay.shown.empty()) return 0.0f;
+    // A low canvas has room for the picture alone.
+    if (room.y < least_room * ui.options.text_scale) return 0.0f;
     const Legend legend = legend_in(ui, room);
     const float one = legend.line + 2.0f * legend.padding;
     if (!ui.canvas.shows_legend) return one;

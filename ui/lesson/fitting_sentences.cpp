@@ -7,6 +7,7 @@
 #include "text/sentences.h"
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
+#include "ui/widgets/layout.h"
 
 namespace rasterwalk {
 
@@ -73,10 +74,9 @@ void add_table(Ui& ui, const CutTable& table, float width, float most,
 } // namespace
 
 int lines_of_strip(const Ui& ui) {
-    // In a low window the table below needs the room.
-    constexpr float low_window = 450.0f; // design pixels
-    const bool is_low = ImGui::GetIO().DisplaySize.y < low_window * ui.options.text_scale;
-    return ui.lesson.strip.is_beside && !is_low ? 4 : 2;
+    // In a squat window the table below needs the room.
+    const bool has_room = !is_squat(ImGui::GetIO().DisplaySize, ui.options);
+    return ui.lesson.strip.is_beside && has_room ? 4 : 2;
 }
 
 std::string fitting_sentences(Ui& ui, const std::string& text, float width, int lines) {

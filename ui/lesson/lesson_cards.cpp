@@ -74,7 +74,7 @@ std::string sign_of(Ui& ui, const Lesson& lesson, const LessonPart& part) {
     take_up_answer(ui, lesson, lesson.predictions[index]);
     const PredictionView& view = ui.lesson.predictions[lesson.predictions[index].id];
     if (!is_revealed(ui, lesson, lesson.predictions[index])) return "";
-    return view.judged->is_right ? "✓ " : "✗ ";
+    return view.said.empty() ? "" : view.judged->is_right ? "✓ " : "✗ ";
 }
 
 /// How long the text of a part's cards before this one is.

@@ -1,5 +1,9 @@
 #include "ui/lesson/lesson_end.h"
 
+#include <set>
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "base/numbers.h"
@@ -14,6 +18,18 @@
 namespace rasterwalk {
 
 namespace {
+
+/// The steps in which something is not answered or not done.
+std::vector<int> open_steps(const Progress& progress, const Lesson& lesson) {
+    std::set<int> steps;
+    for (const LessonPrediction& prediction : lesson.predictions) {
+        if (!progress.is_revealed(lesson.id, prediction.id)) steps.insert(prediction.step);
+    }
+    for (const LessonTask& task : lesson.tasks) {
+        if (!progress.is_task_done(lesson.id, task.id)) steps.insert(task.step);
+    }
+    return {steps.begin(), steps.end()};
+}
 
 /// "4 of 6 predictions right at the first try, 2 of 3 tasks done."
 std::string done_so_far(const Ui& ui, const Lesson& lesson) {
@@ -33,7 +49,11 @@ std::string done_so_far(const Ui& ui, const Lesson& lesson) {
         text += of(score.solved, lesson.tasks.size(), "task", "tasks") + " done";
     }
     text += ".";
-    if (const int open = score.all - score.done) text += fmt::format(" Still open: {}.", open);
+    const std::vector<int> steps = open_steps(ui.lesson.progress, lesson);
+    if (!steps.empty()) {
+        text += fmt::format(" Still open: step{} {}.", steps.size() > 1 ? "s" : "",
+                            fmt::join(steps, ", "));
+    }
     return text;
 }
 
@@ -58,9 +78,9 @@ bool is_last_step(const Ui& ui, const Lesson& lesson) {
 std::string end_of_lesson(Ui& ui, const Lesson& lesson) {
     std::string text = done_so_far(ui, lesson) + "\n\n" + way_on(ui, lesson);
     if (lesson.sources.empty()) return text;
-    text += "\n\n*Sources:*\n";
+    text += "\n";
     for (const std::string& source : lesson.sources)
-        text += "\n- " + source;
+        text += "\n- Source: " + source;
     return text;
 }
 

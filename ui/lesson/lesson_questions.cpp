@@ -88,6 +88,7 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     const float u = ui.options.text_scale;
     PredictionView& view = ui.lesson.predictions[prediction.id];
     ImGui::SetNextItemWidth(110.0f * u);
+    if (std::exchange(view.takes_keys, false)) ImGui::SetKeyboardFocusHere();
     const bool entered = ImGui::InputTextWithHint("##number", "your number", &view.typed,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     name_widget(ui, name + ".number", "Your number; 1/3 and 500*2 are numbers too.");
@@ -111,6 +112,7 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     if (!entered && !pressed) return;
     const std::optional<double> number = read_answer(view.typed);
     view.is_no_number = !number;
+    view.takes_keys = true; // for another number, if there is one to give
     if (!number) return;
     answer_prediction(ui, lesson, prediction, {*number},
                       answer_words(prediction, {*number}, view.typed));
@@ -227,11 +229,20 @@ std::string as_said(const LessonPrediction& prediction, const std::string& answe
 
 /// "You said: 12. The program says: 11 pixels." Of a first try that may be followed by a second:
 /// "You said: 12."
+/// @param is_second the answer is the second
 std::string verdict(const LessonPrediction& prediction, const PredictionView& view,
-                    bool is_second_try) {
+                    bool is_second_try, bool is_second) {
     const Judgement& judged = *view.judged;
     if (!judged.fault.empty()) return judged.fault;
-    std::string text = judged.is_right ? "Right: " : "You said: ";
+    // In a lecture nobody need have answered.
+    if (view.said.empty()) {
+        const bool is_one_of_many = prediction.kind == LessonPrediction::Kind::pixel;
+        return (is_one_of_many ? "One of them is " : "The program says: ") +
+               as_said(prediction, judged.answer);
+    }
+    std::string text = !judged.is_right ? "You said: "
+                       : is_second      ? "Right at the second try: "
+                                        : "Right: ";
     text.append(as_said(prediction, view.said));
     if (is_second_try) return text;
     using Kind = LessonPrediction::Kind;
@@ -247,11 +258,15 @@ std::string verdict(const LessonPrediction& prediction, const PredictionView& vi
 void draw_verdict(Ui& ui, const LessonPrediction& prediction, const std::string& name) {
     const PredictionView& view = ui.lesson.predictions[prediction.id];
     const bool is_right = view.judged->is_right;
-    const std::string said = verdict(prediction, view, is_second_try(ui, prediction));
+    const auto& answers = ui.lesson.progress.of(ui.session.lesson).answers;
+    const auto kept = answers.find(prediction.id);
+    const bool is_second = kept != answers.end() && kept->second.second == view.said;
+    const std::string said = verdict(prediction, view, is_second_try(ui, prediction), is_second);
     const ImVec4 colour = colour_of(is_right ? Meaning::pass : Meaning::fail, ui.options.theme);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::PushFont(ui.fonts.bold);
-    wrapped_text((is_right ? "✓  " : "✗  ") + said);
+    const char* const mark = view.said.empty() ? "" : is_right ? "✓  " : "✗  ";
+    wrapped_text(mark + said);
     ImGui::PopFont();
     ImGui::PopStyleColor();
     name_widget(ui, name + ".verdict");
@@ -275,6 +290,14 @@ void draw_again(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
     if (std::exchange(ui.lesson.predictions[prediction.id].is_fresh, false))
         show_fresh(ui, name + ".again");
     if (is_pressed) ask_again(ui, lesson, prediction);
+    if (is_pressed || !prediction.then || ui.lesson.predictions[prediction.id].is_in_picture)
+        return;
+    ImGui::SameLine(0.0f, 12.0f * ui.options.text_scale);
+    if (button(ui, name + ".show", "show it", Look::link,
+               "Sets up what belongs to the answer: picture, moment and tab.")) {
+        reveal_answer(ui, lesson, prediction);
+    }
+    keep_item_whole(ui);
 }
 
 void draw_reveal(Ui& ui, Box& box, const Lesson& lesson, const LessonPrediction& prediction,
@@ -364,6 +387,14 @@ void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
     if (is_pressed) reveal_answer(ui, lesson, prediction);
 }
 
+/// What has just come is scrolled into sight, once the text has its new length.
+void scroll_to_fresh(Ui& ui, const std::string& name) {
+    LessonView& view = ui.lesson;
+    if (view.fresh != name || --view.frames_to_fresh > 0) return;
+    view.fresh.clear();
+    scroll_here(1.0f);
+}
+
 /// Why a task is solved, or what the last try missed.
 void draw_task_words(Ui& ui, const LessonTask& task, const std::string& name, bool done,
                      float width) {
@@ -375,6 +406,7 @@ void draw_task_words(Ui& ui, const LessonTask& task, const std::string& name, bo
                 done ? said : "**Not yet:** " + said, width);
     name_widget(ui, name + ".words");
     note_text(ui, name + ".words", said);
+    scroll_to_fresh(ui, name + ".words");
 }
 
 /// A hint as far as it was asked for.
@@ -383,8 +415,11 @@ void draw_hint(Ui& ui, const LessonTask& task, const std::string& name, float wi
     if (hints.count(task.id) > 0) {
         draw_marked(ui, name + ".hint", ui.lesson.pages[name + ".hint"], "*" + task.hint + "*",
                     width);
+        scroll_to_fresh(ui, name + ".hint");
     } else if (button(ui, name + ".hint", "hint", Look::link, "A nudge, if you are stuck.")) {
         hints.insert(task.id);
+        ui.lesson.fresh = name + ".hint";
+        ui.lesson.frames_to_fresh = 2;
     } else {
         keep_item_whole(ui);
     }

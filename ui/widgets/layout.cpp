@@ -18,6 +18,9 @@ constexpr float three_columns_height = 480.0f;
 constexpr float roomy_width = 780.0f;
 constexpr float roomy_height = 560.0f;
 
+/// Of a squat window, design pixels.
+constexpr float squat_height = 450.0f;
+
 /// Smaller than this, in design pixels, nothing useful fits: the text gives way.
 constexpr float least_width = 640.0f;
 constexpr float least_height = 420.0f;
@@ -35,7 +38,7 @@ constexpr float widest_canvas = 1.35f;
 constexpr float least_canvas = 340.0f;
 
 /// The strip leaves this share of the height between the bars to canvas and inspector.
-constexpr float least_share_below = 0.42f;
+constexpr float least_share_below = 0.5f;
 
 /// So much more it may have where it needs no more than that: a line of text is not scrolled for.
 constexpr float line_of_strip = 22.0f;
@@ -69,6 +72,10 @@ bool is_narrow(ImVec2 window, const UiOptions& options) {
 
 bool is_low(ImVec2 window, const UiOptions& options) {
     return window.y < three_columns_height * options.text_scale;
+}
+
+bool is_squat(ImVec2 window, const UiOptions& options) {
+    return window.y < squat_height * options.text_scale;
 }
 
 bool is_compact(ImVec2 window, const UiOptions& options) {

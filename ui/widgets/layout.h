@@ -55,6 +55,9 @@ bool is_narrow(ImVec2 window, const UiOptions& options);
 /// True for a window that is so low, measured in text, that its last line is given up.
 bool is_low(ImVec2 window, const UiOptions& options);
 
+/// True for a window in which every line of text is one of the table less.
+bool is_squat(ImVec2 window, const UiOptions& options);
+
 /// True for a window so small, measured in text, that the bars must make do with less, and in a
 /// lecture: tabs and the size of a step are lists.
 bool is_compact(ImVec2 window, const UiOptions& options);

@@ -38,9 +38,17 @@ TEST_CASE("In a lecture Page down walks a lesson to its end, and Page up back") 
         return std::pair{driver.ui.session.step, driver.ui.lesson.strip.card};
     };
     std::vector<std::pair<int, int>> walked{place()};
+    const auto revealed = [&] {
+        const auto& all = driver.ui.lesson.predictions;
+        return std::count_if(all.begin(), all.end(),
+                             [](const auto& one) { return one.second.judged.has_value(); });
+    };
     for (int i = 0; i < 500; ++i) {
+        const auto before = revealed();
         driver.hand.press(key::page_down);
         const auto now = place();
+        // The answer to a question comes on its own card.
+        if (now == walked.back() && revealed() > before) continue;
         if (now == walked.back()) break;
         CHECK(now > walked.back());
         CHECK(driver.ui.session.lesson == lesson.id);

@@ -235,7 +235,7 @@ TEST_CASE("The window changes between column and strip and keeps its place in th
 }
 
 TEST_CASE("Picture and outside together fold the lesson to a strip that leaves the inspector") {
-    Driver driver;
+    Driver driver("lab-room.toml", {1366, 800});
     open_lesson(driver.ui, "08-depth-buffer", 2);
     driver.hand.press(key::digit_0 + 9);
     driver.hand.leave();

@@ -304,7 +304,7 @@ TEST_CASE("In every window the row lies below the picture and inside the canvas"
 
 TEST_CASE("Where the small pictures have no room both runs are seen beside the divider") {
     {
-        Driver driver(lit_room_of({500, 500}), {800, 500}, 1.5f);
+        Driver driver(lit_room_of({500, 500}), {1024, 640}, 1.5f);
         driver.hand.press('C');
         driver.hand.frames();
         REQUIRE_FALSE(driver.hand.is_visible("compare.small.run_b"));

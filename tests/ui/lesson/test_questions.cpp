@@ -127,12 +127,12 @@ TEST_CASE("A wrong first answer is told what is wrong, and asked once more befor
         CHECK(q.ui.session.a.settings.stage == Stage::edges); // the answer is not shown yet
         CHECK(q.ui.lesson.predictions.at("count").typed.empty());
         q.answer("30");
-        CHECK(q.said(name + ".verdict") == "Right: 30 triangles.");
+        CHECK(q.said(name + ".verdict") == "Right at the second try: 30 triangles.");
         CHECK(q.is_there(name + ".again"));
         CHECK_FALSE(q.is_there(name + ".show"));
         CHECK(q.ui.session.a.settings.stage == Stage::depth);
         // The first answer is the one that is kept.
-        CHECK(q.kept("count") == FirstAnswer{"15 triangles", false, false});
+        CHECK(q.kept("count") == FirstAnswer{"15 triangles", false, false, "30 triangles"});
         // Asked again, the field is empty and the answer off the screen.
         q.driver.hand.click(name + ".again");
         CHECK(q.ui.lesson.predictions.at("count").typed.empty());
@@ -140,6 +140,20 @@ TEST_CASE("A wrong first answer is told what is wrong, and asked once more befor
         q.answer("12");
         CHECK(q.said(name + ".verdict") ==
               "You said: 12 triangles. The program says: 30 triangles.");
+        // Kept is the second answer, too: it comes back with the step, and with its picture on
+        // request.
+        open_lesson(q.ui, "02-after", 0);
+        q.driver.hand.rest();
+        open_lesson(q.ui, "01-questions", 1);
+        q.driver.hand.leave();
+        if (q.ui.lesson.is_strip) q.driver.hand.click("lesson.card.0");
+        q.driver.hand.frames(2 * frames_to_rest);
+        CHECK(q.said(name + ".verdict") == "Right at the second try: 30 triangles.");
+        CHECK(q.ui.session.a.settings.stage == Stage::edges);
+        q.driver.hand.click(name + ".show");
+        q.driver.hand.leave();
+        CHECK(q.ui.session.a.settings.stage == Stage::depth);
+        CHECK_FALSE(q.is_there(name + ".show"));
     }
 }
 
@@ -149,7 +163,7 @@ TEST_CASE("Two wrong answers, or the wish to see it, show the answer") {
     q.answer("15");
     q.answer("16");
     CHECK(q.said(name + ".verdict") == "You said: 16 triangles. The program says: 30 triangles.");
-    CHECK(q.kept("count") == FirstAnswer{"15 triangles", false, false});
+    CHECK(q.kept("count") == FirstAnswer{"15 triangles", false, false, "16 triangles"});
     const std::string colour = "lesson.prediction.colour";
     q.driver.hand.click(colour + ".choice.0");
     q.driver.hand.leave();
@@ -356,6 +370,55 @@ TEST_CASE("The word for the end leads there in the whole text, too") {
     q.driver.hand.click("lesson.card.end");
     q.driver.hand.frames(2 * frames_to_rest);
     CHECK(q.driver.hand.is_visible("lesson.end"));
+}
+
+TEST_CASE("After a wrong number the field is ready for another, and no digit goes elsewhere") {
+    for (const SmallWindow& window :
+         {SmallWindow{{1600, 1000}, 1.0f}, SmallWindow{{1024, 640}, 1.0f}}) {
+        INFO(window.size.x);
+        Questions q(1, window.size, window.text_scale);
+        q.driver.hand.click(std::string(count) + ".number");
+        q.driver.hand.type_text("15");
+        q.driver.hand.press(key::enter);
+        const StripStep stage = step_of(q.ui.session.a.settings);
+        q.driver.hand.rest();
+        q.driver.hand.type_text("30");
+        CHECK(q.ui.lesson.predictions.at("count").typed == "30");
+        CHECK(step_of(q.ui.session.a.settings) == stage);
+        q.driver.hand.press(key::enter);
+        q.driver.hand.rest();
+        CHECK(q.kept("count").second == "30 triangles");
+        // Asked again, it is ready too.
+        q.driver.hand.click(std::string(count) + ".again");
+        q.driver.hand.rest();
+        q.driver.hand.type_text("29");
+        CHECK(q.ui.lesson.predictions.at("count").typed == "29");
+    }
+}
+
+TEST_CASE("In a lecture Page down shows the answer to a question that nobody has given") {
+    Questions q(1, {1280, 800});
+    q.driver.hand.press(key::f5);
+    q.driver.hand.leave();
+    q.driver.hand.rest();
+    const std::string name = count;
+    REQUIRE(q.is_there(name + ".number"));
+    q.driver.hand.press(key::page_down);
+    q.driver.hand.rest();
+    CHECK(q.said(name + ".verdict") == "The program says: 30 triangles.");
+    CHECK(q.ui.session.a.settings.stage == Stage::depth);
+    // It is nobody's answer.
+    CHECK(q.ui.lesson.progress.of("01-questions").answers.empty());
+    const std::string colour = "lesson.prediction.colour";
+    for (int i = 0; i < 8 && !q.is_there(colour + ".choice.0"); ++i) {
+        q.driver.hand.press(key::page_down);
+        q.driver.hand.rest();
+    }
+    REQUIRE(q.is_there(colour + ".choice.0"));
+    q.driver.hand.press(key::page_down);
+    q.driver.hand.rest();
+    CHECK(q.said(colour + ".verdict") == "The program says: “green”.");
+    CHECK(q.ui.session.step == 1);
 }
 
 } // namespace rasterwalk
