@@ -377,14 +377,17 @@ TEST_CASE("A step with a question begins with its text, and all of it comes befo
         CHECK(driver.ui.session.step == step);
         CHECK(read.find("This is the table") == 0);
         CHECK(read.find("one sample for each row") != std::string::npos);
-        // The question goes on to the next step, and Page up comes back to it.
-        driver.hand.press(key::page_down);
-        driver.hand.leave();
+        // The question goes on to the next step, in a lecture over its answer, and Page up comes
+        // back to it.
+        for (int i = 0; i < (is_lecture ? 8 : 1) && driver.ui.session.step == step; ++i) {
+            driver.hand.press(key::page_down);
+            driver.hand.leave();
+        }
         CHECK(driver.ui.session.step == step + 1);
         driver.hand.press(key::page_up);
         driver.hand.leave();
         CHECK(driver.ui.session.step == step);
-        CHECK(is_there(driver, name));
+        if (!is_lecture) CHECK(is_there(driver, name));
     }
 }
 
