@@ -226,7 +226,9 @@ std::vector<std::string> difference_forms(const PixelDifference& pixels) {
                                            : ", too little to see";
     const std::string largest =
         pixels_differ + others + " · largest " + fixed(static_cast<double>(pixels.largest), 3);
-    return {largest + " · mean " + fixed(pixels.mean, 4), largest, pixels_differ, count + look};
+    const bool has_unseen = is_seen && !is_all_seen;
+    return {largest + " · mean " + fixed(pixels.mean, 4), largest, pixels_differ, count + look,
+            has_unseen ? count + " seen" : count + look};
 }
 
 } // namespace rasterwalk
