@@ -244,6 +244,17 @@ PREDICTIONS_TEST("Lesson 31: what lies in shadow, and what a map takes for it", 
         return place.cosine > 0.0 && !place.is_dark && places.behind(place, 0.03) > 0.0 &&
                place.triangle >= 10 && place.triangle < 20 && place.cosine < 0.2;
     }) > 0.9 * places.acne(0.03, 0.0));
+    // On the slider, in steps of 0.005, 0.045 is the first to leave fewer than 100.
+    CHECK(acne_of_program({"shadow_bias=0.04"}) >= 100.0);
+    CHECK(acne_of_program({"shadow_bias=0.045"}) < 100.0);
+    CHECK(places.acne(0.045, 0.0) < places.acne(0.04, 0.0));
+    // Single pixels at the borders of shadows stay, for the most part whatever the bias is.
+    CHECK(acne_of_program({"shadow_bias=0.5"}) > acne_of_program({"shadow_bias=0.1"}) / 2.0);
+    // A map of 64 texels has stripes with the same bias, and hardly any with a texel of slant more.
+    CHECK(places.acne(0.05, 0.0, 64) > 3'000);
+    CHECK(acne_of_program({"shadow_resolution=64"}) ==
+          Approx(places.acne(0.05, 0.0, 64)).epsilon(0.2));
+    CHECK(acne_of_program({"shadow_resolution=64", "shadow_slope_bias=1"}) < 700);
     // A bias by slant needs a small constant part only.
     CHECK(acne_of_program({"shadow_bias=0.002", "shadow_slope_bias=1"}) <=
           acne_of_program({"shadow_bias=0.05"}));
