@@ -296,7 +296,7 @@ PREDICTIONS_TEST("Predictions of lesson 5: row tables", "05-row-table", "rows-of
     }
     require_choice(lesson_5, "passes-the-test", 2, 3);
 
-    // The better test: which row of the other triangle loses most, without drift as well.
+    // The better test: which row of the other triangle loses the most, without drift as well.
     const Pixels better{{{4, 3}, {12, 6}, {4, 14}}};
     for (const LineWalk walk : {LineWalk::accumulate, LineWalk::exact}) {
         const auto right = table_of(better, EdgeSamples::longest_axis, walk);
