@@ -184,6 +184,9 @@ PREDICTIONS_TEST("Predictions of lesson 1: one division makes the picture", "01-
     REQUIRE(1.0 + 7.002 == Approx(2.0 * (1.0 + 3.001)));
     require_choice(lesson_1, "twice-as-far", 0, 3);
     require_number(lesson_1, "back-wall-width", 500.0 * 2.0 / 4.001, 1e-3);
+    // The focal lengths at which the wall fills the picture are right to within two pixels.
+    for (const double focal_length : {997.0, 1003.0})
+        CHECK(std::abs(focal_length * 2.0 / 4.001 - 500.0) < 2.0);
     // The opening from 2.001 to 4.002, the wall from 4.001 to 6.002, f from 500 to 1000.
     REQUIRE(1000.0 / 6.002 > 500.0 / 4.001 + 1.0);
     require_choice(lesson_1, "dolly-zoom", 0, 3);
@@ -296,7 +299,7 @@ PREDICTIONS_TEST("Predictions of lesson 5: row tables", "05-row-table", "rows-of
     }
     require_choice(lesson_5, "passes-the-test", 2, 3);
 
-    // The better test: which row of the other triangle loses most, without drift as well.
+    // The better test: which row of the other triangle loses the most, without drift as well.
     const Pixels better{{{4, 3}, {12, 6}, {4, 14}}};
     for (const LineWalk walk : {LineWalk::accumulate, LineWalk::exact}) {
         const auto right = table_of(better, EdgeSamples::longest_axis, walk);

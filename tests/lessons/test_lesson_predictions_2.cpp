@@ -334,6 +334,11 @@ PREDICTIONS_TEST("Lesson 11: half-way on the screen", "11-perspective", "half-wa
     const double near = 2.001, far = 4.001;
     const double half_way = 2.0 / (1.0 / near + 1.0 / far);
     CHECK(asked.number("half-way") == Approx(half_way + eye_z).margin(0.01));
+    // Column 63 of 1 to 126 comes half a column before that.
+    const double share = (63.0 - 1.0) / (126.0 - 1.0);
+    const double there = 1.0 / ((1.0 - share) / near + share / far);
+    CHECK(there < half_way);
+    CHECK(asked.number("half-way") == Approx(there + eye_z).margin(0.001));
     // The plain blend, the depth, the other sign, 1/z.
     for (const double wrong : {0.0, half_way, -(half_way + eye_z), 1.0 / half_way})
         CHECK_FALSE(asked.accepts("half-way", wrong));
@@ -345,6 +350,12 @@ PREDICTIONS_TEST("Lesson 11: half-way on the screen", "11-perspective", "half-wa
     const double back = 0.75 * (direct_light({-1, 1, 1}, {1, 0, 0}) + 0.5);
     const double colour = (front / near + back / far) / (1.0 / near + 1.0 / far);
     CHECK(asked.number("colour-half-way") == Approx(colour).margin(0.003));
+    // The pixel asked is one row above the edge from (1, 499) to (126, 374): there the upper
+    // corner, which is brighter, counts as well.
+    CHECK(499 - (63 - 1) == 436 + 1);
+    const double upper = 0.75 * (direct_light({-1, -1, -1}, {1, 0, 0}) + 0.5);
+    CHECK(upper > front);
+    CHECK(asked.number("colour-half-way") > colour);
     // The plain mean, not divided by 1/z, and weighted the wrong way round.
     for (const double wrong : {(front + back) / 2, (front / near + back / far) / 2,
                                (front * near + back * far) / (near + far)})
@@ -377,6 +388,7 @@ PREDICTIONS_TEST("Lesson 11: the affine place from far away", "11-perspective", 
     const RayCaster rays(room, camera, room.light);
     const glm::dvec2 place(160.0 - 250.0, 12.0 - 250.0);
     const glm::dvec3 truth = rays.on_plane(6, place).position_world;
+    CHECK(std::abs(truth.z) < 0.05); // half-way between the near and the far edge
     // The triangle (-1,-1,-1) (1,-1,-1) (-1,-1,1) as it is seen, blended over the picture.
     const double near = 4750.0 / 19.001, far = 4750.0 / 21.001;
     const double back = (place.y + near) / (near - far);
