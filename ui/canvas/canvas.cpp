@@ -33,8 +33,9 @@ namespace rasterwalk {
 
 namespace {
 
-/// Of picture and outside, each at least so wide beside the lesson's column, design pixels.
-constexpr float least_pane = 360.0f;
+/// Around picture and outside where both are shown, design pixels.
+constexpr float pane_margin = 40.0f;
+constexpr float least_outside = 440.0f; ///< width of the outside view, likewise
 
 /// Around everything in the canvas, design pixels.
 constexpr glm::vec2 canvas_padding{12.0f, 10.0f};
@@ -172,8 +173,13 @@ void draw_picture(Ui& ui, const Pane& pane) {
 
 bool wants_wide_canvas(const Ui& ui, ImVec2 narrow, ImVec2 wide) {
     const CanvasShows shows = shown_on_canvas(ui);
-    // Where both have room the lesson stays where it is read.
-    if (shows == CanvasShows::both) return narrow.x < 2.0f * least_pane * ui.options.text_scale;
+    // The lesson stays where it is read if each pixel of the picture still has one of the screen,
+    // and what is named outside has room.
+    if (shows == CanvasShows::both) {
+        const float u = ui.options.text_scale;
+        const auto picture = static_cast<float>(ui.session.a.settings.viewport.width);
+        return narrow.x < 2.0f * std::max(picture + pane_margin * u, least_outside * u);
+    }
     if (!is_comparing(ui) || ui.session.compare_view != CompareView::side_by_side ||
         shows == CanvasShows::outside) {
         return false;

@@ -1,6 +1,7 @@
 // Windows without room for three columns: projectors, half a screen, large text.
 
 #include <algorithm>
+#include <tuple>
 
 #include <imgui_internal.h>
 
@@ -235,7 +236,7 @@ TEST_CASE("The window changes between column and strip and keeps its place in th
 }
 
 TEST_CASE("Picture and outside together fold the lesson to a strip that leaves the inspector") {
-    Driver driver("lab-room.toml", {1366, 800});
+    Driver driver;
     open_lesson(driver.ui, "08-depth-buffer", 2);
     driver.hand.press(key::digit_0 + 9);
     driver.hand.leave();
@@ -247,6 +248,25 @@ TEST_CASE("Picture and outside together fold the lesson to a strip that leaves t
     driver.hand.click("lesson.whole");
     driver.hand.leave();
     CHECK(driver.hand.is_visible("lesson.list"));
+}
+
+TEST_CASE("The lesson keeps its column beside picture and outside that have room for each pixel") {
+    // The corridor's picture is 320 wide, the room's 500.
+    for (const auto& [lesson, step, window, is_strip] :
+         {std::tuple{"17-near-plane", 4, ImVec2(1600, 1000), true},
+          std::tuple{"17-near-plane", 4, ImVec2(1750, 1000), false},
+          std::tuple{"31-shadows", 1, ImVec2(1750, 1000), true},
+          std::tuple{"31-shadows", 1, ImVec2(1600, 1000), true},
+          std::tuple{"31-shadows", 1, ImVec2(2000, 1200), false}}) {
+        INFO(lesson << " at " << window.x);
+        Driver driver("lab-room.toml", window);
+        open_lesson(driver.ui, lesson, step);
+        driver.ui.session.canvas.shows = CanvasShows::both;
+        driver.hand.leave();
+        driver.hand.rest();
+        CHECK(driver.ui.lesson.is_strip == is_strip);
+        CHECK(driver.ui.canvas.place.scale >= 1.0f);
+    }
 }
 
 } // namespace rasterwalk

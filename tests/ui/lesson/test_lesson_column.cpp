@@ -367,7 +367,7 @@ TEST_CASE("Answers that were given before are shown again with what the program 
 }
 
 TEST_CASE("The text stays where it is read while the lesson moves to make room for both views") {
-    Classroom room({1366, 640});
+    Classroom room({1600, 640});
     Hand& hand = room.driver.hand;
     Ui& ui = room.driver.ui;
     room.open();
