@@ -26,8 +26,8 @@ std::vector<PrintedRow> parse_printed_rows(std::string_view text, const std::str
 std::vector<PrintedRow> printed(const PolygonRows& table);
 
 /// The first row, from the top, in which a table is not that of the reference, in a sentence: "The
-/// first is row 7: columns 10 to 13 in the reference, columns 10 to 12 in yours." Empty if no row is, but
-/// for one that is printed twice.
+/// first is row 7: columns 10 to 13 in the reference, columns 10 to 12 in yours." Empty if no row
+/// is, but for one that is printed twice.
 std::string first_different_row(const std::vector<PrintedRow>& reference,
                                 const std::vector<PrintedRow>& table);
 

@@ -49,9 +49,8 @@ void set_numbers(const Setting& setting, const std::vector<float>& numbers, Sett
 class Trier {
   public:
     Trier(const Lesson& lesson, const LessonTask& task, const Session& like, LessonTrial& trial)
-        : lesson_(lesson), task_(task), trial_(trial) {
-        is_open_ = trial_.open(step().state, lesson.folder, like).empty();
-        opened_ = trial_.session;
+        : lesson_(lesson), task_(task), trial_(trial),
+          is_open_(trial.open(step().state, lesson.folder, like).empty()), opened_(trial.session) {
         for (const std::string& target : task.recipe)
             links_.push_back(parse_lesson_link(target));
     }
@@ -199,8 +198,8 @@ class Trier {
     const Lesson& lesson_;
     const LessonTask& task_;
     LessonTrial& trial_;
+    bool is_open_; ///< all that the step shows could be shown
     Session opened_;
-    bool is_open_ = false; ///< all that the step shows could be shown
     std::vector<LessonLink> links_;
 };
 

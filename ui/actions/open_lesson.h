@@ -28,8 +28,8 @@ void open_lesson_to_go_on(Ui& ui);
 void open_neighbour_step(Ui& ui, int distance);
 
 /// One card on (1) or back (-1) in the strip; where its whole text stands open, a page of that. In
-/// a column, on to a question or a task that is open and scrolled away. In a lecture the answer to a
-/// question comes before the next card.
+/// a column, on to a question or a task that is open and scrolled away. In a lecture the answer to
+/// a question comes before the next card.
 /// @return false where there is none: the step is at its end, or at its beginning
 bool turn_card(Ui& ui, int distance);
 

@@ -30,7 +30,7 @@ struct PredictionView {
     std::shared_ptr<MarkdownPage> because;
     bool is_in_picture = false; ///< what the answer shows was set up since the step was opened
     bool takes_keys = false;    ///< the field of a number has the keyboard from the next frame on
-    bool is_fresh = false;    ///< just answered: the verdict is scrolled to, and has the keyboard
+    bool is_fresh = false;      ///< just answered: the verdict is scrolled to, and has the keyboard
     bool is_taken_up = false; ///< an answer that was kept is shown; from now on the student decides
 };
 
@@ -108,8 +108,8 @@ struct LessonView {
     std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
     std::set<std::string> open_hints;                           ///< ids of tasks
     std::map<std::string, TaskWords> task_words;                ///< by the id of the task
-    std::string fresh;       ///< widget of words that have just come; empty: none
-    int frames_to_fresh = 0; ///< until they are scrolled into sight
+    std::string fresh;         ///< widget of words that have just come; empty: none
+    int frames_to_fresh = 0;   ///< until they are scrolled into sight
     std::string shown;         ///< which page is on show; the scroll position belongs to it
     float scroll_share = 0.0f; ///< how far it is scrolled, 0 to 1
     unsigned place = 0;        ///< in which window of ImGui it stands
