@@ -78,6 +78,14 @@ std::string told(const TomlBlock& block, const toml::node& node) {
     return text;
 }
 
+/// Text that is not blank, and not longer than this, bytes.
+std::string short_text(const TomlBlock& block, const toml::node& node, std::size_t longest) {
+    std::string text = block.text(node);
+    if (text.size() > longest)
+        block.input().fail(node, fmt::format("this has at most {} letters.", longest));
+    return text;
+}
+
 using PredictionKind = LessonPrediction::Kind;
 
 /// Which keys each kind needs, and which belong to another kind.
@@ -236,11 +244,16 @@ LessonPrediction read_prediction(const toml::table& table, int line, const ViewS
         p.answer = expression(block, n);
     };
     keys["tolerance"] = [&](const toml::node& n) { p.tolerance = expression(block, n); };
-    keys["unit"] = [&](const toml::node& n) { p.unit = block.text(n); };
+    keys["unit"] = [&](const toml::node& n) { p.unit = short_text(block, n, longest_unit); };
     keys["choices"] = [&](const toml::node& n) {
         block.for_each_text(n, most_choices,
                             [&](const std::string& text) { p.choices.push_back(text); });
         if (p.choices.size() < 2) block.input().fail(n, "there must be at least two choices.");
+        for (const std::string& one : p.choices) {
+            if (one.size() > longest_choice)
+                block.input().fail(n,
+                                   fmt::format("a choice has at most {} letters.", longest_choice));
+        }
         for (auto one = p.choices.begin(); one != p.choices.end(); ++one) {
             if (std::find(p.choices.begin(), one, *one) != one)
                 block.input().fail(n, "there are two choices " + in_quotes(*one) + ".");

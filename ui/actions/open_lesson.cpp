@@ -333,7 +333,10 @@ bool is_answer_waiting(const Ui& ui) {
 std::string lesson_after(Ui& ui, std::string_view id) {
     const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
     for (std::size_t i = 0; i + 1 < lessons.size(); ++i) {
-        if (lessons[i].id == id) return lessons[i + 1].id;
+        if (lessons[i].id != id) continue;
+        const auto next = std::find_if(lessons.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                                       lessons.end(), is_readable);
+        return next == lessons.end() ? std::string() : next->id;
     }
     return {};
 }

@@ -74,7 +74,7 @@ bool take_up_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& predic
 /// Was an answer left for the next frame?
 bool is_answer_waiting(const Ui& ui);
 
-/// Id of the lesson that follows this one; empty after the last.
+/// Id of the lesson that follows this one and can be shown; empty after the last.
 std::string lesson_after(Ui& ui, std::string_view id);
 
 /// Forgets what was done in all lessons.

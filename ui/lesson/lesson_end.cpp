@@ -8,6 +8,7 @@
 
 #include "base/numbers.h"
 #include "lessons/progress.h"
+#include "text/markdown_text.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/page/markdown.h"
@@ -66,7 +67,7 @@ std::string way_on(Ui& ui, const Lesson& lesson) {
                "all "
                "of it.";
     return fmt::format("Next: lesson {}, {}. {}", lesson_number(id), link_to_lesson(*next),
-                       next->about);
+                       as_markdown(next->about));
 }
 
 } // namespace
