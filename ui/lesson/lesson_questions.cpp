@@ -13,6 +13,7 @@
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/layout.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
