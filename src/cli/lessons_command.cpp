@@ -43,7 +43,7 @@ void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostr
         const int predictions = static_cast<int>(lesson.predictions.size());
         const int seen = steps_seen(own, lesson);
         if (!options.json) {
-            if (const int number = number_to_come(lessons.all(), lesson.id))
+            if (const int number = number_to_come(lessons.all(), list.size()))
                 out << "Lesson " << number << "\n    To come.\n";
             const bool is_begun = seen > 0 || score.done > 0;
             out << lesson.id << "  " << lesson.title << "\n    " << lesson.minutes << " minutes, "

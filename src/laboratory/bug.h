@@ -24,7 +24,7 @@ struct Bug {
     std::string look;     ///< where to look for it; may hold links as lessons do
     std::string cure;     ///< what to write instead
     std::string section;  ///< of the lab
-    std::string lesson;   ///< id of the lesson that tells of it: "06-filling"; may be empty
+    std::string lesson;   ///< id of the lesson that explains it: "06-filling"; may be empty
     std::string code;     ///< a few lines of wrong C++; may be empty
     std::string scene;    ///< file that shows it, relative to lessons_folder(): "scenes/..."
     Assignments set;      ///< what makes the mistake

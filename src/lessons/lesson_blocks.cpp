@@ -246,18 +246,14 @@ LessonPrediction read_prediction(const toml::table& table, int line, const ViewS
     keys["tolerance"] = [&](const toml::node& n) { p.tolerance = expression(block, n); };
     keys["unit"] = [&](const toml::node& n) { p.unit = short_text(block, n, longest_unit); };
     keys["choices"] = [&](const toml::node& n) {
-        block.for_each_text(n, most_choices,
-                            [&](const std::string& text) { p.choices.push_back(text); });
+        block.for_each_text(n, most_choices, [&](const std::string& text) {
+            if (text.size() > longest_choice)
+                throw UsageError(fmt::format("a choice has at most {} letters.", longest_choice));
+            if (std::find(p.choices.begin(), p.choices.end(), text) != p.choices.end())
+                throw UsageError("there are two choices " + in_quotes(text) + ".");
+            p.choices.push_back(text);
+        });
         if (p.choices.size() < 2) block.input().fail(n, "there must be at least two choices.");
-        for (const std::string& one : p.choices) {
-            if (one.size() > longest_choice)
-                block.input().fail(n,
-                                   fmt::format("a choice has at most {} letters.", longest_choice));
-        }
-        for (auto one = p.choices.begin(); one != p.choices.end(); ++one) {
-            if (std::find(p.choices.begin(), one, *one) != one)
-                block.input().fail(n, "there are two choices " + in_quotes(*one) + ".");
-        }
     };
     keys["right"] = [&](const toml::node& n) {
         p.answer_line = line_of(n);

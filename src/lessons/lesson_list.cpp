@@ -128,13 +128,10 @@ bool LessonList::is_edited(std::string_view id) const {
     return false;
 }
 
-int number_to_come(const std::vector<Lesson>& lessons, std::string_view id) {
-    for (std::size_t i = 1; i < lessons.size(); ++i) {
-        if (lessons[i].id != id) continue;
-        const int number = lesson_number(id);
-        return lesson_number(lessons[i - 1].id) + 2 == number ? number - 1 : 0;
-    }
-    return 0;
+int number_to_come(const std::vector<Lesson>& lessons, std::size_t index) {
+    if (index == 0) return 0;
+    const int number = lesson_number(lessons[index].id);
+    return lesson_number(lessons[index - 1].id) + 2 == number ? number - 1 : 0;
 }
 
 } // namespace rasterwalk

@@ -73,7 +73,7 @@ void judge_choice(const LessonPrediction& prediction, const Facts& facts, int gi
     result.answer = prediction.choices[static_cast<std::size_t>(result.choice)];
 }
 
-/// Would whoever has this misconception give the answer?
+/// Is this the answer that the misconception leads to?
 bool gives(const Misconception& one, const LessonPrediction& prediction, const GivenAnswer& given,
            const FactReader& fact) {
     if (const int* const choice = std::get_if<int>(&given.value)) return *choice == one.choice;

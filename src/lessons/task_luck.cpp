@@ -17,13 +17,13 @@ namespace rasterwalk {
 
 namespace {
 
-/// How a try takes the place of a slider's value: by chance, or at an end.
-enum class Drawn : std::uint8_t { random, smallest, largest };
+/// Where on its slider a number is tried.
+enum class Stop : std::uint8_t { random, smallest, largest };
 
 /// A value between the ends.
-double value_at(Drawn place, double smallest, double largest, Dice& dice) {
-    if (place == Drawn::smallest) return smallest;
-    if (place == Drawn::largest) return largest;
+double value_at(Stop place, double smallest, double largest, Dice& dice) {
+    if (place == Stop::smallest) return smallest;
+    if (place == Stop::largest) return largest;
     return smallest + dice.share() * (largest - smallest);
 }
 
@@ -74,7 +74,7 @@ class Trier {
     }
 
     /// Does a try solve it? @param unanswered is told what was tried if nothing is said to it
-    bool solves(Drawn place, Dice& dice, std::string& unanswered) {
+    bool solves(Stop place, Dice& dice, std::string& unanswered) {
         trial_.session = opened_;
         std::string tried;
         for (const LessonLink& link : links_) {
@@ -126,7 +126,7 @@ class Trier {
     }
 
     /// Carries out a link of the recipe, with other values; returns what was tried.
-    std::string follow(const LessonLink& link, Drawn place, Dice& dice) {
+    std::string follow(const LessonLink& link, Stop place, Dice& dice) {
         Session& session = trial_.session;
         const std::string name = name_of(link);
         const auto text_of = [&](auto value) { return fmt::format("{}:{}", name, value); };
@@ -169,7 +169,7 @@ class Trier {
         return turn(*setting_of(link), link, place, dice);
     }
 
-    std::string turn(const Setting& setting, const LessonLink& link, Drawn place, Dice& dice) {
+    std::string turn(const Setting& setting, const LessonLink& link, Stop place, Dice& dice) {
         Settings& settings = trial_.session.a.settings;
         const std::vector<float> before = numbers_of(setting, opened_.a.settings);
         set_from_text(settings, link.argument);
@@ -187,7 +187,7 @@ class Trier {
             constexpr float ways = 4.0f;
             const float way = ways * std::abs(numbers[i] - before[i]);
             if (way == 0.0f) continue;
-            const double tried = value_at(Drawn::random, std::max(before[i] - way, bounds.smallest),
+            const double tried = value_at(Stop::random, std::max(before[i] - way, bounds.smallest),
                                           std::min(before[i] + way, bounds.largest), dice);
             numbers[i] = static_cast<float>(tried);
         }
@@ -216,13 +216,13 @@ TaskLuck luck_of(const Lesson& lesson, const LessonTask& task, int tries, const 
     luck.tries = tries;
     std::string unanswered;
     for (int i = 0; i < tries; ++i) {
-        luck.passed += trier.solves(Drawn::random, dice, unanswered) ? 1 : 0;
+        luck.passed += trier.solves(Stop::random, dice, unanswered) ? 1 : 0;
         if (unanswered.empty()) continue;
         ++luck.unanswered;
         luck.unanswered_by = std::exchange(unanswered, {});
     }
     if (tries > 0 && trier.has_slider()) {
-        for (const Drawn end : {Drawn::smallest, Drawn::largest})
+        for (const Stop end : {Stop::smallest, Stop::largest})
             luck.ends_pass = trier.solves(end, dice, unanswered) || luck.ends_pass;
     }
     return luck;

@@ -75,6 +75,27 @@ TEST_CASE("A wrong choice and a wrong pixel are told what is wrong about them") 
     CHECK(judged(pixel, {glm::ivec2(4, 250)}).says.empty());
 }
 
+TEST_CASE("Choices and units that no card can hold are not kept, and choices are all different") {
+    std::string long_text;
+    for (int line = 0; line < 400; ++line)
+        long_text += std::string(100, 'x') + "\n";
+    const Lesson choice =
+        lesson_of_question("kind = \"choice\"\nchoices = [\"a\", \"\"\"" + long_text +
+                           "\"\"\", \"a\", \"b\"]\nright = [\"1 == 1\", \"1 == "
+                           "2\", \"1 == 2\", \"1 == 2\"]");
+    CHECK(choice.faults.size() == 2);
+    REQUIRE(choice.predictions.size() == 1);
+    CHECK(choice.predictions[0].choices == std::vector<std::string>{"a", "b"});
+    CHECK(choice.predictions[0].order.size() == 2);
+    // The rest of the lesson is shown: an answer is no fault of the program.
+    const Judgement judgement = judge(choice, choice.predictions[0], {1}, empty_session());
+    CHECK_FALSE(judgement.fault.empty());
+    const Lesson unit = lesson_of_question("kind = \"number\"\nanswer = \"1\"\nunit = \"\"\"" +
+                                           long_text + "\"\"\"");
+    CHECK(unit.faults.size() == 1);
+    CHECK(unit.predictions.at(0).unit.empty());
+}
+
 TEST_CASE("Every prediction of a lesson foresees wrong answers, and of a choice all of them") {
     const Session session = empty_session();
     LessonList lessons;

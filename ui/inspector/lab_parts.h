@@ -10,7 +10,7 @@ struct Bug;
 // The parts of the bug laboratory; see lab_panel.cpp.
 
 /// What there is to say of a mistake, as Markdown: how to find it in a program, the cure, and the
-/// lesson that tells of it.
+/// lesson that explains it.
 std::string remedy_of(Ui& ui, const Bug& bug);
 
 /// The line just drawn, of the mistake whose card is on show, stays in sight.

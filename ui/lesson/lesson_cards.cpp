@@ -7,7 +7,7 @@
 #include "ui/actions/open_lesson.h"
 #include "ui/lesson/fitting_sentences.h"
 #include "ui/lesson/lesson_end.h"
-#include "ui/lesson/lesson_questions.h"
+#include "ui/lesson/lesson_predictions.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"

@@ -118,7 +118,7 @@ void draw_lessons(Ui& ui, float width) {
     const bool has_minutes = !is_short || has_room_for_minutes(ui, lessons, width);
     for (std::size_t i = 0; i < lessons.size(); ++i) {
         const Lesson& lesson = lessons[i];
-        if (const int number = number_to_come(lessons, lesson.id)) draw_to_come(ui, number);
+        if (const int number = number_to_come(lessons, i)) draw_to_come(ui, number);
         const LessonScore score = ui.lesson.scores.of(i);
         const bool is_open = lesson.id == ui.session.lesson;
         const ImVec4 colour = score.is_done ? colour_of(Meaning::pass, ui.options.theme)

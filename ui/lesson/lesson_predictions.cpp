@@ -1,4 +1,4 @@
-#include "ui/lesson/lesson_questions.h"
+#include "ui/lesson/lesson_predictions.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,9 +8,8 @@
 #include <imgui_stdlib.h>
 
 #include "base/numbers.h"
-#include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
-#include "ui/page/markdown.h"
+#include "ui/lesson/lesson_box.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/layout.h"
@@ -21,68 +20,6 @@
 namespace rasterwalk {
 
 namespace {
-
-/// Markdown whose links are answered.
-void draw_marked(Ui& ui, const std::string& name, std::shared_ptr<MarkdownPage>& page,
-                 const std::string& text, float width) {
-    const MarkdownEvents events =
-        draw_markdown(ui, page, text, width, name + ".link.", ui.session.lesson_folder);
-    answer_links(ui, document_of(*page), events);
-}
-
-/// A box with a bar in its colour at the left, and a heading in capitals.
-class Box {
-  public:
-    Box(Ui& ui, float width, const ImVec4& colour)
-        : ui_(ui), colour_(colour), start_(ImGui::GetCursorScreenPos()), width_(width) {
-        begin_card(ui, width);
-    }
-    ~Box() {
-        end_card(ui_);
-        const float u = ui_.options.text_scale;
-        const float bottom = ImGui::GetItemRectMin().y - ImGui::GetStyle().ItemSpacing.y;
-        ImGui::GetWindowDrawList()->AddRectFilled(start_, {start_.x + 3.0f * u, bottom},
-                                                  packed(colour_), 5.0f * u,
-                                                  ImDrawFlags_RoundCornersLeft);
-    }
-    Box(const Box&) = delete;
-    Box& operator=(const Box&) = delete;
-
-    float inner_width() const { return width_ - 24.0f * ui_.options.text_scale; }
-
-    void heading(const char* text, const ImVec4& colour) {
-        ImGui::PushFont(ui_.fonts.small);
-        text_in(colour, text);
-        ImGui::PopFont();
-        // With the first line.
-        const float bottom = ImGui::GetItemRectMax().y + ImGui::GetStyle().ItemSpacing.y +
-                             1.4f * ui_.fonts.text->FontSize;
-        keep_beginning(ui_, start_.y - 1.0f, bottom);
-        keep_item_whole(ui_);
-    }
-
-    void markdown(const std::string& name, std::shared_ptr<MarkdownPage>& page,
-                  const std::string& text) {
-        draw_marked(ui_, name, page, text, inner_width());
-    }
-
-  private:
-    Ui& ui_;
-    ImVec4 colour_;
-    ImVec2 start_;
-    float width_;
-};
-
-/// The text without the words in bold that say in a repository browser what it is; here the box
-/// says it.
-std::string without_label(const std::string& text) {
-    for (const std::string_view label : {"**Task.**", "**Prediction.**"}) {
-        if (!text.starts_with(label)) continue;
-        const std::size_t start = text.find_first_not_of(" \n", label.size());
-        return start == text.npos ? std::string() : text.substr(start);
-    }
-    return text;
-}
 
 void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
                        const std::string& name) {
@@ -301,7 +238,7 @@ void draw_again(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
     keep_item_whole(ui);
 }
 
-void draw_reveal(Ui& ui, Box& box, const Lesson& lesson, const LessonPrediction& prediction,
+void draw_reveal(Ui& ui, LessonBox& box, const Lesson& lesson, const LessonPrediction& prediction,
                  const std::string& name) {
     PredictionView& view = ui.lesson.predictions[prediction.id];
     const std::string reason = reason_on_show(view);
@@ -388,44 +325,6 @@ void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
     if (is_pressed) reveal_answer(ui, lesson, prediction);
 }
 
-/// What has just come is scrolled into sight, once the text has its new length.
-void scroll_to_fresh(Ui& ui, const std::string& name) {
-    LessonView& view = ui.lesson;
-    if (view.fresh != name || --view.frames_to_fresh > 0) return;
-    view.fresh.clear();
-    scroll_here(1.0f);
-}
-
-/// Why a task is solved, or what the last try missed.
-void draw_task_words(Ui& ui, const LessonTask& task, const std::string& name, bool done,
-                     float width) {
-    const auto words = ui.lesson.task_words.find(task.id);
-    if (words == ui.lesson.task_words.end() || words->second.text.empty()) return;
-    if (words->second.is_reason != done) return; // another window has just solved it
-    const std::string& said = words->second.text;
-    draw_marked(ui, name + ".words", ui.lesson.pages[name + ".words"],
-                done ? said : "**Not yet:** " + said, width);
-    name_widget(ui, name + ".words");
-    note_text(ui, name + ".words", said);
-    scroll_to_fresh(ui, name + ".words");
-}
-
-/// A hint as far as it was asked for.
-void draw_hint(Ui& ui, const LessonTask& task, const std::string& name, float width) {
-    std::set<std::string>& hints = ui.lesson.open_hints;
-    if (hints.count(task.id) > 0) {
-        draw_marked(ui, name + ".hint", ui.lesson.pages[name + ".hint"], "*" + task.hint + "*",
-                    width);
-        scroll_to_fresh(ui, name + ".hint");
-    } else if (button(ui, name + ".hint", "hint", Look::link, "A nudge, if you are stuck.")) {
-        hints.insert(task.id);
-        ui.lesson.fresh = name + ".hint";
-        ui.lesson.frames_to_fresh = 2;
-    } else {
-        keep_item_whole(ui);
-    }
-}
-
 } // namespace
 
 std::string reason_on_show(const PredictionView& view) {
@@ -434,42 +333,13 @@ std::string reason_on_show(const PredictionView& view) {
     return judged.because.empty() ? judged.says : judged.says + "\n\n" + judged.because;
 }
 
-void draw_task(Ui& ui, const Lesson& lesson, const LessonTask& task, float width) {
-    const Palette& p = palette(ui.options.theme);
-    const bool done = ui.lesson.progress.is_task_done(lesson.id, task.id);
-    const ImVec4 colour = done ? colour_of(Meaning::pass, ui.options.theme) : p.changed;
-    const std::string name = "lesson.task." + task.id;
-    ImGui::PushID(name.c_str());
-    {
-        Box box(ui, width, colour);
-        box.heading(done ? "✓ DONE" : "TASK", colour);
-        name_widget(ui, name,
-                    done ? "You have solved this." : "Ticked off when it is so and nothing moves.");
-        box.markdown(name, ui.lesson.pages[name], without_label(task.text));
-        draw_task_words(ui, task, name, done, box.inner_width());
-        if (!task.hint.empty() && !done) draw_hint(ui, task, name, box.inner_width());
-    }
-    ImGui::PopID();
-}
-
-void draw_task_lines(Ui& ui, const Lesson& lesson, const LessonTask& task, float width) {
-    const bool done = ui.lesson.progress.is_task_done(lesson.id, task.id);
-    const std::string name = "lesson.task." + task.id;
-    ImGui::PushID(name.c_str());
-    draw_marked(ui, name, ui.lesson.pages[name], without_label(task.text), width);
-    name_widget(ui, name);
-    draw_task_words(ui, task, name, done, width);
-    if (!task.hint.empty() && !done) draw_hint(ui, task, name, width);
-    ImGui::PopID();
-}
-
 void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
                      float width) {
     const ImVec4 colour = palette(ui.options.theme).link;
     const std::string name = "lesson.prediction." + prediction.id;
     ImGui::PushID(name.c_str());
     {
-        Box box(ui, width, colour);
+        LessonBox box(ui, width, colour);
         box.heading("PREDICTION", colour);
         name_widget(ui, name, "Answer first; then the program shows.");
         box.markdown(name + ".text", ui.lesson.pages[name], without_label(prediction.text));

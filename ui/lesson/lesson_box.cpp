@@ -1,0 +1,64 @@
+#include "ui/lesson/lesson_box.h"
+
+#include <string_view>
+
+#include "ui/actions/lesson_links.h"
+#include "ui/page/markdown.h"
+#include "ui/ui.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+void draw_marked(Ui& ui, const std::string& name, std::shared_ptr<MarkdownPage>& page,
+                 const std::string& text, float width) {
+    const MarkdownEvents events =
+        draw_markdown(ui, page, text, width, name + ".link.", ui.session.lesson_folder);
+    answer_links(ui, document_of(*page), events);
+}
+
+std::string without_label(const std::string& text) {
+    for (const std::string_view label : {"**Task.**", "**Prediction.**"}) {
+        if (!text.starts_with(label)) continue;
+        const std::size_t start = text.find_first_not_of(" \n", label.size());
+        return start == text.npos ? std::string() : text.substr(start);
+    }
+    return text;
+}
+
+LessonBox::LessonBox(Ui& ui, float width, const ImVec4& colour)
+    : ui_(ui), colour_(colour), start_(ImGui::GetCursorScreenPos()), width_(width) {
+    begin_card(ui, width);
+}
+
+LessonBox::~LessonBox() {
+    end_card(ui_);
+    const float u = ui_.options.text_scale;
+    const float bottom = ImGui::GetItemRectMin().y - ImGui::GetStyle().ItemSpacing.y;
+    ImGui::GetWindowDrawList()->AddRectFilled(start_, {start_.x + 3.0f * u, bottom},
+                                              packed(colour_), 5.0f * u,
+                                              ImDrawFlags_RoundCornersLeft);
+}
+
+float LessonBox::inner_width() const {
+    return width_ - 24.0f * ui_.options.text_scale;
+}
+
+void LessonBox::heading(const char* text, const ImVec4& colour) {
+    ImGui::PushFont(ui_.fonts.small);
+    text_in(colour, text);
+    ImGui::PopFont();
+    // With the first line.
+    const float bottom = ImGui::GetItemRectMax().y + ImGui::GetStyle().ItemSpacing.y +
+                         1.4f * ui_.fonts.text->FontSize;
+    keep_beginning(ui_, start_.y - 1.0f, bottom);
+    keep_item_whole(ui_);
+}
+
+void LessonBox::markdown(const std::string& name, std::shared_ptr<MarkdownPage>& page,
+                         const std::string& text) {
+    draw_marked(ui_, name, page, text, inner_width());
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/lesson/lesson_state.h"
+
+namespace rasterwalk {
+
+struct Ui;
+
+/// Markdown of a lesson, whose links are answered.
+/// @param name of its widgets: `NAME.link.0`
+void draw_marked(Ui& ui, const std::string& name, std::shared_ptr<MarkdownPage>& page,
+                 const std::string& text, float width);
+
+/// The text without the words in bold that say in a repository browser what it is; here the box
+/// says it.
+std::string without_label(const std::string& text);
+
+/// A box with a bar in its colour at the left, as long as it lives.
+class LessonBox {
+  public:
+    /// @param width screen pixels
+    LessonBox(Ui& ui, float width, const ImVec4& colour);
+    ~LessonBox();
+    LessonBox(const LessonBox&) = delete;
+    LessonBox& operator=(const LessonBox&) = delete;
+
+    /// Of what stands in it, screen pixels.
+    float inner_width() const;
+
+    /// In small letters.
+    void heading(const char* text, const ImVec4& colour);
+
+    void markdown(const std::string& name, std::shared_ptr<MarkdownPage>& page,
+                  const std::string& text);
+
+  private:
+    Ui& ui_;
+    ImVec4 colour_;
+    ImVec2 start_;
+    float width_;
+};
+
+} // namespace rasterwalk
