@@ -14,6 +14,7 @@
 #include "lessons/lesson_list.h"
 #include "opening/command_line_text.h"
 #include "opening/opened_view.h"
+#include "opening/view_link.h"
 #include "scene/read_obj.h"
 #include "session/content.h"
 #include "session/scene_file.h"
@@ -175,6 +176,19 @@ void copy_command_line(Ui& ui) {
         const std::string line = command_line_text(ui.session);
         ImGui::SetClipboardText(line.c_str());
         tell(ui.session, std::string("Copied: ").append(line));
+    } catch (const Error& fault) {
+        ui.session.notice = fault.what();
+    }
+}
+
+void copy_link(Ui& ui) {
+    try {
+        const std::string& page = ui.host.page;
+        const std::string link = page + view_link(ui.session);
+        ImGui::SetClipboardText(link.c_str());
+        const char* const what =
+            page.empty() ? "Copied what belongs behind the address of the page: " : "Copied: ";
+        tell(ui.session, what + link);
     } catch (const Error& fault) {
         ui.session.notice = fault.what();
     }

@@ -35,6 +35,10 @@ void tell_opening_fault(Ui& ui, const std::string& path, const std::string& sent
 /// Copies the view as a command line, for ImGui's clipboard; says so in session.notice.
 void copy_command_line(Ui& ui);
 
+/// Copies the view as a link to the page in a browser, or, where the page is not known, the part of
+/// the link from its '#' on; says so in session.notice.
+void copy_link(Ui& ui);
+
 /// Brings up the sheet on which a file is opened, a result is chosen, or the view is saved.
 void begin_opening(Ui& ui);
 void begin_choosing_result(Ui& ui);

@@ -3,6 +3,7 @@
 // What the interface asks of its host.
 
 #include <cstdint>
+#include <string>
 
 #include <imgui.h>
 
@@ -25,6 +26,9 @@ struct HostState {
     bool fonts_changed = false; ///< the host makes the font texture anew and sets this back
     bool wants_quit = false;
     bool wants_picture = false; ///< F12: the host saves a picture of the window
+    /// Address of the page in a browser, on which links are opened, without '#' and what follows
+    /// it; empty: not known.
+    std::string page;
 };
 
 } // namespace rasterwalk

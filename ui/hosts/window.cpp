@@ -349,6 +349,10 @@ struct OpenWindow {
         open_gl2();
         take_up(ui, is_plain);
         if (const char* path = std::getenv("RASTERWALK_WIDGET_REPORT")) window.report_path = path;
+        if (const char* page = std::getenv("RASTERWALK_PAGE")) {
+            const std::string address = page;
+            ui.host.page = address.substr(0, address.find('#'));
+        }
     }
     ~OpenWindow() {
         window.textures.release();

@@ -5,6 +5,7 @@
 #include "laboratory/bug.h"
 #include "laboratory/quiz.h"
 #include "opening/opened_view.h"
+#include "opening/view_link.h"
 #include "session/content.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_session.h"
@@ -240,6 +241,37 @@ TEST_CASE("The view is copied as a command line") {
     CHECK(std::string(ImGui::GetClipboardText()) == "light");
 }
 
+TEST_CASE("The view is copied as a link") {
+    constexpr Held ctrl_shift{true, true, false};
+    Driver driver;
+    driver.hand.click("stage.depth");
+    driver.hand.click_picture(250, 400);
+    driver.hand.press('C', ctrl_shift);
+    const std::string part = ImGui::GetClipboardText();
+    CHECK(part.starts_with("#stage=depth&pixel=250,400&triangle="));
+    CHECK(driver.ui.session.notice ==
+          "Copied what belongs behind the address of the page: " + part);
+    CHECK_FALSE(is_fault(driver.ui.session));
+    check_same_view(open_view(parse_view_link(part)), driver.ui.session);
+
+    driver.ui.host.page = "https://example.org/rasterwalk/";
+    driver.hand.press('C', ctrl_shift);
+    const std::string link = ImGui::GetClipboardText();
+    CHECK(link == "https://example.org/rasterwalk/" + part);
+    CHECK(driver.ui.session.notice == "Copied: " + link);
+
+    const TemporaryFolder folder;
+    const std::string path =
+        folder.write("mine.toml", bytes_of(lessons_folder() + "/scenes/fence.toml"));
+    open(driver, path);
+    driver.hand.press('C', ctrl_shift);
+    CHECK(std::string(ImGui::GetClipboardText()) == link);
+    CHECK(driver.ui.session.notice ==
+          "the scene 'mine.toml' is not one of the page's own files, so a link cannot name it; "
+          "save the view instead.");
+    CHECK(is_fault(driver.ui.session));
+}
+
 TEST_CASE("A quiz gives nothing away, and ends when a file is opened") {
     const TemporaryFolder folder;
     const std::string path = folder.file("v.walk.toml");
@@ -251,6 +283,7 @@ TEST_CASE("A quiz gives nothing away, and ends when a file is opened") {
     CHECK_FALSE(is_up(driver));
     ImGui::SetClipboardText("mine");
     driver.hand.press('C', ctrl);
+    driver.hand.press('C', {true, true, false});
     CHECK(std::string(ImGui::GetClipboardText()) == "mine");
     open(driver, path);
     CHECK_FALSE(driver.ui.session.quiz);
