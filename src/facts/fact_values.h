@@ -3,7 +3,7 @@
 // How facts and settings become values, and what is said of them beforehand.
 
 #include <charconv>
-#include <cstdint>
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <span>
@@ -27,10 +27,8 @@ inline Value number(float value) {
 inline Value number(double value) {
     return value;
 }
-inline Value number(std::int64_t value) {
-    return static_cast<double>(value);
-}
-inline Value number(int value) {
+template <std::integral Whole>
+Value number(Whole value) {
     return static_cast<double>(value);
 }
 template <class T>

@@ -125,7 +125,7 @@ std::span<const InsideSpan> spans_of_row(const RowHistory& history, int row) {
                                     [&](const InsideSpan& span) { return span.row == row; });
     const auto behind = std::find_if(first, history.spans.end(),
                                      [&](const InsideSpan& span) { return span.row != row; });
-    return {first, behind};
+    return {std::to_address(first), static_cast<std::size_t>(behind - first)};
 }
 
 RowHistory row_history(const Frame& frame, int triangle, const Cursor& to) {

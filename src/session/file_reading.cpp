@@ -1,5 +1,6 @@
 #include "session/file_reading.h"
 
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,16 +9,26 @@
 
 namespace rasterwalk {
 
-FileReading::FileReading(const std::string& path, Read read)
-    : path_(path),
-      thread_([this, read = std::move(read)](const std::stop_token& stop) { run(read, stop); }) {}
+FileReading::FileReading(const std::string& path, const Read& read)
+    : path_(path) {
+    try {
+        thread_ = std::thread([this, read] { run(read); });
+    } catch (const std::system_error&) {
+        run(read);
+    }
+}
 
-void FileReading::run(const Read& read, const std::stop_token& stop) {
+FileReading::~FileReading() {
+    stop();
+    if (thread_.joinable()) thread_.join();
+}
+
+void FileReading::run(const Read& read) {
     try {
         opened_ = read([&](const ReadingState& state) {
             const std::lock_guard lock(mutex_);
             state_ = state;
-            return !stop.stop_requested();
+            return !is_stopped_;
         });
     } catch (...) {
         fault_ = std::current_exception();
@@ -38,7 +49,7 @@ bool FileReading::is_done(std::chrono::milliseconds patience) const {
 }
 
 Opened FileReading::take() {
-    const bool is_stopped = thread_.get_stop_token().stop_requested();
+    const bool is_stopped = is_stopped_;
     if (thread_.joinable()) thread_.join();
     if (is_stopped) throw ReadingStopped();
     if (fault_) std::rethrow_exception(fault_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -25,11 +26,11 @@ class FileReading {
   public:
     using Read = std::function<Opened(const ReadingWatch&)>;
 
-    /// Begins to read. Throws std::system_error where there can be no further thread.
+    /// Begins to read. Where there are no threads, as in a browser, all is read on return.
     /// @param path of what is read, to name it
     /// @param read runs on the thread
-    FileReading(const std::string& path, Read read);
-    ~FileReading() = default;
+    FileReading(const std::string& path, const Read& read);
+    ~FileReading();
     FileReading(const FileReading&) = delete;
     FileReading& operator=(const FileReading&) = delete;
 
@@ -42,14 +43,14 @@ class FileReading {
     bool is_done(std::chrono::milliseconds patience = {}) const;
 
     /// Returns at once; is_done() says when the thread has taken note of it.
-    void stop() { thread_.request_stop(); }
+    void stop() { is_stopped_ = true; }
 
     /// What was read; waits for it if it is not done. To be called once. Throws what the reading
     /// threw, and ReadingStopped after stop(), even if that came too late.
     Opened take();
 
   private:
-    void run(const Read& read, const std::stop_token& stop);
+    void run(const Read& read);
 
     std::string path_;
     mutable std::mutex mutex_; ///< of state_ and is_done_
@@ -58,7 +59,8 @@ class FileReading {
     bool is_done_ = false;
     std::optional<Opened> opened_; ///< both are the thread's until it is done
     std::exception_ptr fault_;
-    std::jthread thread_; ///< the last: it begins when all else is there
+    std::atomic<bool> is_stopped_ = false;
+    std::thread thread_; ///< the last: it begins when all else is there
 };
 
 /// How far it is, from 0 to 1.

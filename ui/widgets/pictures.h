@@ -1,8 +1,8 @@
 #pragma once
 
-#include <compare>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <imgui.h>
@@ -26,7 +26,9 @@ struct PictureName {
     std::string folder; ///< of the lesson; empty: the program's own lessons
     std::string target; ///< path as written in the lesson
 
-    friend auto operator<=>(const PictureName&, const PictureName&) = default;
+    friend bool operator<(const PictureName& a, const PictureName& b) {
+        return std::tie(a.folder, a.target) < std::tie(b.folder, b.target);
+    }
 };
 
 /// The pictures that lessons show. Read once.
