@@ -252,4 +252,16 @@ std::string view_link(const Session& session) {
     return "#" + link;
 }
 
+std::string step_link(const Session& session) {
+    if (session.lesson.empty()) return {};
+    const fs::path folder =
+        session.lesson_folder.empty() ? lessons_folder() : session.lesson_folder;
+    const std::optional<std::string> lesson =
+        name_of_own_file((folder / (session.lesson + std::string(lesson_ending))).string());
+    if (!lesson) return {};
+    return fmt::format("#lesson={}&step={}",
+                       encoded(lesson->substr(0, lesson->size() - lesson_ending.size())),
+                       session.step);
+}
+
 } // namespace rasterwalk

@@ -29,4 +29,8 @@ ViewOptions parse_view_link(std::string_view fragment);
 /// lesson that is not in lessons_folder(), or if it would be longer than longest_view_link.
 std::string view_link(const Session& session);
 
+/// The link to the step of the lesson that is open, whatever else is on show. Empty where none is,
+/// or one that is not in lessons_folder().
+std::string step_link(const Session& session);
+
 } // namespace rasterwalk
