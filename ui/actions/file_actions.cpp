@@ -38,7 +38,7 @@ std::vector<Action> file_actions() {
         {"file.save_picture",
          "File",
          "Save a picture of the window",
-         "Writes the window as a PNG into the current folder.",
+         "Saves the window as a PNG in the current folder; in a browser, as a download.",
          {key::f12},
          [](Ui& ui) { ui.host.wants_picture = true; },
          nullptr},

@@ -32,6 +32,7 @@ void write_kept(Ui& ui, KeptFile& file, const char* what, const std::function<vo
     if (file.path.empty() || ImGui::GetTime() < file.next_try) return;
     try {
         write();
+        ++file.writes;
         if (file.is_failing) tell(ui.session, std::string(what).append(" is kept again."));
         file.is_failing = false;
         file.next_try = 0.0;

@@ -119,6 +119,19 @@ void save_to(Ui& ui, const std::string& path) {
     sheet.kind = FileSheet::Kind::closed;
 }
 
+/// The file is written beside the scene that it names, and stays there for the next one.
+void save_as_download(Ui& ui) {
+    try {
+        const std::string name = name_for(ui.session);
+        const std::string path = folder_for(ui.session) + "/" + name;
+        write_view(ui.session, path);
+        ui.host.hand_out(path);
+        tell(ui.session, "Saved as " + name + ".");
+    } catch (const Error& fault) {
+        ui.session.notice = fault.what();
+    }
+}
+
 } // namespace
 
 void show_view(Ui& ui, Session&& opened) {
@@ -164,6 +177,10 @@ void open_dropped(Ui& ui, const std::string& path) {
 }
 
 void tell_opening_fault(Ui& ui, const std::string& path, const std::string& sentence) {
+    if (ui.host.is_browser) {
+        ui.session.notice = sentence;
+        return;
+    }
     begin_sheet(ui, FileSheet::Kind::open);
     const std::string folder = fs::path(path).parent_path().string();
     if (!folder.empty()) enter_folder(ui.sheets.files, folder);
@@ -195,10 +212,12 @@ void copy_link(Ui& ui) {
 }
 
 void begin_opening(Ui& ui) {
+    if (ui.host.is_browser) return ui.host.choose_file(false);
     begin_sheet(ui, FileSheet::Kind::open);
 }
 
 void begin_choosing_result(Ui& ui) {
+    if (ui.host.is_browser) return ui.host.choose_file(true);
     begin_sheet(ui, FileSheet::Kind::result);
 }
 
@@ -207,6 +226,7 @@ void begin_saving(Ui& ui) {
         ui.session.notice = "The view can be saved when the quiz is over.";
         return;
     }
+    if (ui.host.is_browser) return save_as_download(ui);
     if (ui.sheets.files.folder.empty() || !is_own(ui.session.scene->path)) {
         ui.sheets.files.folder = folder_for(ui.session);
     }

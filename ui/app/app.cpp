@@ -45,8 +45,9 @@ constexpr float shortest_frame = 1e-5f;
 void renew_style(Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const UiOptions& options = ui.options;
-    const float wished = options.is_lecture ? lecture_text_scale(window, options.wished_text_scale)
-                                            : options.wished_text_scale;
+    const float chosen =
+        std::min(options.wished_text_scale * ui.host.pixel_ratio, largest_text_scale);
+    const float wished = options.is_lecture ? lecture_text_scale(window, chosen) : chosen;
     const float scale = fitting_text_scale(window, wished);
     if (scale != ui.options.text_scale) {
         ui.options.text_scale = scale;

@@ -177,6 +177,7 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
     if (std::string_view(title) == "Scene") draw_scene_menu(ui);
     for (const Action& action : action_table()) {
         if (action.menu != title) continue;
+        if (action.name == "file.quit" && ui.host.is_browser) continue;
         if (action.begins_group) draw_line_between(ui);
         draw_action_item(ui, action);
     }

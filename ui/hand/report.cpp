@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/numbers.h"
+#include "base/quoted.h"
 #include "settings/setting_table.h"
 #include "ui/ui.h"
 
@@ -28,6 +29,7 @@ std::string screen_report(const Ui& ui) {
         text += value_text(setting, ui.session.a.settings) + "\n";
     }
     text += "cursor " + to_text(ui.session.cursor) + "\n";
+    if (!ui.session.notice.empty()) text += "notice " + visible_line(ui.session.notice) + "\n";
     const PicturePlace& picture = ui.canvas.place;
     text += "picture" + numbers({picture.origin.x, picture.origin.y, picture.scale}) + "\n";
     const std::map<std::string, WidgetPlace> sorted(ui.widgets.begin(), ui.widgets.end());

@@ -12,6 +12,7 @@ struct Ui;
 ///     window 1600 1000                      size, screen pixels
 ///     setting stage depth                   every setting by name, with its value
 ///     cursor end
+///     notice Copied: rasterwalk             if something is said in the line at the bottom
 ///     picture 331.0 96.0 1.5                where pixel 0,0 lies, and screen pixels a picture
 ///     pixel widget stage.points 12 40 92 70       left, top, right, bottom of what can be seen of
 ///     it

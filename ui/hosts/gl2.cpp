@@ -5,15 +5,38 @@
 #include <cstdint>
 #include <vector>
 
+#ifdef __EMSCRIPTEN__ // WebGL 2, with ImGui's renderer for OpenGL 3; all else is the same
+#include <GLES3/gl3.h>
+#include <backends/imgui_impl_opengl3.h>
+#else
 #include <GL/gl.h>
 #include <backends/imgui_impl_opengl2.h>
+#endif
 
 #include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
 
 namespace rasterwalk {
 
 namespace {
+
+/// ImGui's renderer.
+namespace renderer {
+#ifdef __EMSCRIPTEN__
+constexpr auto init = [] { ImGui_ImplOpenGL3_Init(); };
+constexpr auto shut_down = ImGui_ImplOpenGL3_Shutdown;
+constexpr auto begin_frame = ImGui_ImplOpenGL3_NewFrame;
+constexpr auto make_font_texture = ImGui_ImplOpenGL3_CreateFontsTexture;
+constexpr auto render = ImGui_ImplOpenGL3_RenderDrawData;
+#else
+constexpr auto init = ImGui_ImplOpenGL2_Init;
+constexpr auto shut_down = ImGui_ImplOpenGL2_Shutdown;
+constexpr auto begin_frame = ImGui_ImplOpenGL2_NewFrame;
+constexpr auto make_font_texture = ImGui_ImplOpenGL2_CreateFontsTexture;
+constexpr auto render = ImGui_ImplOpenGL2_RenderDrawData;
+#endif
+} // namespace renderer
 
 ImTextureID as_id(GLuint name) {
     return ImTextureID(static_cast<std::intptr_t>(name));
@@ -58,7 +81,7 @@ void set_pixels(int width, int height, const void* rgba) {
 void renew_font_texture() {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     if (atlas.TexID == ImTextureID{}) {
-        ImGui_ImplOpenGL2_CreateFontsTexture();
+        renderer::make_font_texture();
         return;
     }
     unsigned char* rgba = nullptr;
@@ -117,16 +140,21 @@ void Gl2Textures::release() {
     textures_.clear();
 }
 
+void Gl2Textures::forget_contents() {
+    for (Texture& texture : textures_)
+        texture.width = texture.height = 0;
+}
+
 void open_gl2() {
-    ImGui_ImplOpenGL2_Init();
+    renderer::init();
 }
 
 void close_gl2() {
-    ImGui_ImplOpenGL2_Shutdown();
+    renderer::shut_down();
 }
 
 void begin_gl2_frame() {
-    ImGui_ImplOpenGL2_NewFrame();
+    renderer::begin_frame();
 }
 
 void draw_gl2(Ui& ui, int width, int height) {
@@ -138,7 +166,8 @@ void draw_gl2(Ui& ui, int width, int height) {
     glViewport(0, 0, width, height);
     glClearColor(ground.x, ground.y, ground.z, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
+    drop_empty_lists(*ImGui::GetDrawData());
+    renderer::render(ImGui::GetDrawData());
 }
 
 Image read_gl2(int width, int height) {

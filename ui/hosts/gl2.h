@@ -10,8 +10,9 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// ImGui drawn with OpenGL 2, which both hosts do: the window and the pictures go one way. All of
-/// this wants the host's context to be current and an ImGui context to be there.
+/// ImGui drawn with OpenGL 2, in a browser with WebGL 2, which all hosts do: the window, the page
+/// and the pictures go one way. All of this wants the host's context to be current and an ImGui
+/// context to be there.
 ///
 /// Pictures become textures with hard pixel edges. One that is larger than the graphics system can
 /// hold is thinned out to fit.
@@ -20,6 +21,8 @@ class Gl2Textures : public TextureHost {
     ImTextureID upload(ImTextureID old, const Image& image) override;
     /// Deletes the textures; the context must still be there.
     void release();
+    /// The graphics system has lost what the textures hold; their names go on.
+    void forget_contents();
 
   private:
     struct Texture {

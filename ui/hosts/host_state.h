@@ -3,6 +3,7 @@
 // What the interface asks of its host.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include <imgui.h>
@@ -29,6 +30,14 @@ struct HostState {
     /// Address of the page in a browser, on which links are opened, without '#' and what follows
     /// it; empty: not known.
     std::string page;
+    /// Pixels to those that the text size counts; more than 1 on a dense screen in a browser.
+    float pixel_ratio = 1.0f;
+    bool is_browser = false; ///< the two below are there, and the program has no end
+    /// Brings up the browser's own chooser.
+    /// @param is_result of the student's program, to be checked; false: to be opened
+    std::function<void(bool is_result)> choose_file;
+    /// Gives a file that was written to the student, as a download.
+    std::function<void(const std::string& path)> hand_out;
 };
 
 } // namespace rasterwalk

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
-#include <filesystem>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,8 +12,6 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "lessons/progress.h"
-#include "session/walk.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/open_lesson.h"
@@ -24,10 +19,9 @@
 #include "ui/actions/view_files.h"
 #include "ui/app/app.h"
 #include "ui/app/guard.h"
-#include "ui/app/kept_options.h"
 #include "ui/hand/report.h"
 #include "ui/hosts/gl2.h"
-#include "ui/start/ways.h"
+#include "ui/hosts/life.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
@@ -36,18 +30,10 @@ namespace rasterwalk {
 
 namespace {
 
-/// Frames drawn after the last event, until hover, popups and sizes that follow their content are
-/// at rest.
-constexpr int frames_after_event = 3;
-/// Sleep while nothing happens, and between two blinks of the text cursor, seconds.
+/// Sleep while nothing happens, seconds.
 constexpr double idle_wait = 0.5;
-constexpr double blink_wait = 0.2;
 /// Where the display does not pace the frames, this does, seconds.
 constexpr double shortest_frame = 1.0 / 250.0;
-/// What one frame's time counts as at most beyond the sleep that was meant, so that nothing leaps
-/// after a longer one, seconds.
-constexpr float longest_step = longest_play_step;
-constexpr float shortest_step = 1e-4f;
 
 /// Of a window, screen coordinates.
 struct Size {
@@ -174,36 +160,6 @@ float text_enlargement(GLFWwindow* handle) {
     return scale > 0.0f ? scale : 1.0f;
 }
 
-/// "rasterwalk-20260102-030405.png", with a number behind if that is there already.
-std::string picture_path() {
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    localtime_r(&now, &local);
-    char stamp[32];
-    std::strftime(stamp, sizeof stamp, "%Y%m%d-%H%M%S", &local);
-    const std::string stem = std::string("rasterwalk-") + stamp;
-    std::string path = stem + ".png";
-    std::error_code ignored;
-    for (int n = 2; std::filesystem::exists(path, ignored) && n < 100; ++n)
-        path = stem + "-" + std::to_string(n) + ".png";
-    return path;
-}
-
-void save_picture(Window& window, int width, int height) {
-    window.ui.host.wants_picture = false;
-    window.frames_due = frames_after_event;
-    const std::string path = picture_path();
-    try {
-        write_png(read_gl2(width, height), path);
-        std::error_code fault;
-        const std::filesystem::path folder = std::filesystem::current_path(fault);
-        tell(window.ui.session,
-             "Picture of the window saved as " + (fault ? path : (folder / path).string()) + ".");
-    } catch (const Error& error) {
-        window.ui.session.notice = error.what();
-    }
-}
-
 void write_report(Window& window) {
     if (window.report_path.empty()) return;
     std::string report = screen_report(window.ui);
@@ -237,47 +193,38 @@ bool draw_frame(Window& window) {
     begin_gl2_frame();
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    io.DeltaTime = std::clamp(io.DeltaTime, shortest_step, window.meant_sleep + longest_step);
+    io.DeltaTime = frame_step(io.DeltaTime, window.meant_sleep);
     build_ui(window.ui);
     draw_gl2(window.ui, width, height);
-    if (window.ui.host.wants_picture) save_picture(window, width, height);
+    if (window.ui.host.wants_picture) {
+        save_window_picture(window.ui, width, height);
+        window.frames_due = frames_after_event;
+    }
     glfwSwapBuffers(window.handle);
     release_late_keys(window);
     write_report(window);
     return true;
 }
 
-/// True while a mouse button or key is held: what it does goes on without further events.
-bool is_held() {
-    const ImGuiIO& io = ImGui::GetIO();
-    return std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), std::identity{}) ||
-           is_any_key_down();
-}
-
 void run(Window& window) {
     double last_frame = 0.0;
     while (glfwWindowShouldClose(window.handle) == GLFW_FALSE && !window.ui.host.wants_quit) {
-        const bool is_moving = is_animating(window.ui) || is_held() || is_input_waiting();
-        const bool is_typing = ImGui::GetIO().WantTextInput;
+        const double rest = seconds_to_next_frame(window.ui, window.frames_due);
+        const double due = last_frame + rest;
         const double still = seconds_to_blink(window.ui);
-        const double next_blink = last_frame + still;
         window.meant_sleep = std::isfinite(still) ? static_cast<float>(still) : 0.0f;
-        if (window.frames_due > 0 || is_moving) {
-            const double early = last_frame + shortest_frame - glfwGetTime();
-            if (early > 0.0) {
-                glfwWaitEventsTimeout(early);
-            } else {
-                glfwPollEvents();
-            }
+        if (rest > 0.0) {
+            glfwWaitEventsTimeout(std::clamp(due - glfwGetTime(), shortest_frame, idle_wait));
+        } else if (const double early = last_frame + shortest_frame - glfwGetTime(); early > 0.0) {
+            glfwWaitEventsTimeout(early);
         } else {
-            const double wait = is_typing ? blink_wait : idle_wait;
-            glfwWaitEventsTimeout(std::clamp(next_blink - glfwGetTime(), shortest_frame, wait));
+            glfwPollEvents();
         }
-        const bool is_blink_due = glfwGetTime() >= next_blink;
+        const bool is_due = glfwGetTime() >= due;
         guarded(window.ui, [&] {
             if (lesson_was_edited(window.ui)) window.frames_due = frames_after_event;
         });
-        if (window.frames_due <= 0 && !is_moving && !is_typing && !is_blink_due) continue;
+        if (window.frames_due <= 0 && !is_due) continue;
         // What waits comes in the next frame, and needs as many after it.
         if (!is_input_waiting()) --window.frames_due;
         last_frame = glfwGetTime();
@@ -306,20 +253,6 @@ struct Glfw {
     Glfw(const Glfw&) = delete;
     Glfw& operator=(const Glfw&) = delete;
 };
-
-/// What was kept from the last run, and the way on which to go on.
-void take_up(Ui& ui, bool is_plain) {
-    const std::string folder = state_folder();
-    keep_options(ui, folder.empty() ? "" : folder + "/window.toml");
-    keep_progress(ui, folder.empty() ? "" : folder + "/progress.toml");
-    const std::string notice = ui.session.notice;
-    if (is_plain) {
-        begin_at_start(ui);
-    } else {
-        take_up_lesson(ui); // once more, now that there is a progress to note it in
-    }
-    if (!notice.empty()) ui.session.notice = notice;
-}
 
 /// The window with ImGui in it, begun and ended.
 struct OpenWindow {

@@ -87,8 +87,16 @@ void play_mouse_button(int mouse_button, bool is_down) {
     ImGui::GetIO().MouseDown[mouse_button] = is_down;
 }
 
-void play_wheel(float steps) {
+void play_wheel(float steps, float sideways) {
     ImGui::GetIO().MouseWheel = steps;
+    ImGui::GetIO().MouseWheelH = sideways;
+}
+
+void drop_empty_lists(ImDrawData& data) {
+    ImDrawList** const end =
+        std::remove_if(data.CmdLists, data.CmdLists + data.CmdListsCount,
+                       [](const ImDrawList* list) { return list->IdxBuffer.empty(); });
+    data.CmdListsCount = static_cast<int>(end - data.CmdLists);
 }
 
 bool overlapped_button(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
@@ -224,8 +232,16 @@ void play_mouse_button(int mouse_button, bool is_down) {
     played_io().AddMouseButtonEvent(mouse_button, is_down);
 }
 
-void play_wheel(float steps) {
-    played_io().AddMouseWheelEvent(0.0f, steps);
+void play_wheel(float steps, float sideways) {
+    played_io().AddMouseWheelEvent(sideways, steps);
+}
+
+void drop_empty_lists(ImDrawData& data) {
+    ImDrawList** const end =
+        std::remove_if(data.CmdLists.begin(), data.CmdLists.end(),
+                       [](const ImDrawList* list) { return list->IdxBuffer.empty(); });
+    data.CmdLists.resize(static_cast<int>(end - data.CmdLists.begin()));
+    data.CmdListsCount = data.CmdLists.Size;
 }
 
 bool overlapped_button(const char* id, ImVec2 size, ImGuiButtonFlags flags) {

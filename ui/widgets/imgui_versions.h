@@ -31,7 +31,11 @@ void play_modifiers(bool ctrl, bool shift, bool alt);
 void play_pointer(ImVec2 place);
 void play_mouse_button(int mouse_button, bool is_down);
 /// @param steps up is positive
-void play_wheel(float steps);
+/// @param sideways to the left is positive
+void play_wheel(float steps, float sideways = 0.0f);
+
+/// Takes out the lists that draw nothing: WebGL takes an empty range of memory for all of it.
+void drop_empty_lists(ImDrawData& data);
 
 /// An invisible button on which others may lie. Returns true if it was pressed.
 bool overlapped_button(const char* id, ImVec2 size, ImGuiButtonFlags flags = 0);
