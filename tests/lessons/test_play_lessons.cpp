@@ -27,8 +27,7 @@ namespace {
 std::vector<Lesson> all_lessons() {
     std::vector<std::string> paths;
     for (const auto& entry : std::filesystem::directory_iterator(lessons_folder())) {
-        const std::string name = entry.path().filename().string();
-        if (name.size() > 6 && name[2] == '-' && name.ends_with(".md")) {
+        if (is_lesson_file(entry.path().filename().string())) {
             paths.push_back(entry.path().string());
         }
     }
