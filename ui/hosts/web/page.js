@@ -220,6 +220,7 @@ function pairOf() {
 
 function onDown(event) {
     lastPointerWasTouch = event.pointerType === 'touch';
+    if (lastPointerWasTouch) event.preventDefault(); // no mouse after it, which would take the focus from a field
     if (document.activeElement !== typing) canvas.focus();
     canvas.setPointerCapture(event.pointerId);
     if (lastPointerWasTouch) fingers.set(event.pointerId, place(event));
