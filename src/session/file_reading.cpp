@@ -9,8 +9,7 @@
 
 namespace rasterwalk {
 
-FileReading::FileReading(const std::string& path, const Read& read)
-    : path_(path) {
+FileReading::FileReading(const std::string& path, const Read& read) : path_(path) {
     try {
         thread_ = std::thread([this, read] { run(read); });
     } catch (const std::system_error&) {
