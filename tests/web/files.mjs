@@ -152,7 +152,7 @@ export function testFiles(place) {
         const file = join(own, saved.name);
         await saved.saveAs(file);
         await program.reload();
-        await program.follow('stage=depth');
+        await program.follow('stage=edges');
         await program.drop(file, scene);
         await until(async () => picture.equals(await program.picture()), 'the view opens again', 8);
     });

@@ -200,20 +200,28 @@ void open_context() {
     emscripten_webgl_make_context_current(context);
 }
 
-/// The view that a link names. A link that is wrong opens the program, and says what is wrong.
+/// The view that a link names. A link that is wrong opens its lesson, or else the program, and says
+/// what is wrong.
 Session open_link(const std::string& link, bool& is_plain) {
+    ViewOptions view;
     std::string fault;
+    is_plain = false;
     try {
-        const ViewOptions view = parse_view_link(link);
-        Session session = open_view(view);
+        view = parse_view_link(link);
         is_plain = view == ViewOptions{};
-        return session;
+        return open_view(view);
     } catch (const Error& error) {
-        fault = error.what();
+        fault = std::string("This link does not work: ") + error.what();
     }
     Session session = open_view({});
-    session.notice = "This link does not work: " + fault;
-    is_plain = false;
+    try {
+        ViewOptions opening;
+        opening.lesson = view.lesson;
+        session = open_view(opening);
+    } catch (const Error&) {
+        // It is the lesson that is wrong.
+    }
+    session.notice = fault;
     return session;
 }
 

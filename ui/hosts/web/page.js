@@ -130,9 +130,9 @@ function stop(fault) {
     const wasRunning = isRunning;
     isRunning = false;
     console.error(fault);
-    const what = fault && fault.message || String(fault);
+    const what = (fault && fault.message || String(fault)).replace(/\.$/, '');
     page.say(wasRunning ? `Rasterwalk has stopped (${what}). Reload the page to go on; your progress is kept.`
-        : `Rasterwalk could not be started (${what}). It needs a browser with WebGL 2 and WebAssembly exceptions.`);
+        : `Rasterwalk could not be started (${what}). It needs a browser with WebGL 2 and WebAssembly exceptions, and its own files beside it.`);
 }
 
 function tell(name, ...values) {
@@ -468,12 +468,13 @@ async function start() {
     wake();
 }
 
-// On another screen, or zoomed, the canvas has other pixels.
+// On another screen, or zoomed, the canvas has other pixels, though its size stays.
 function watchPixels() {
-    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener('change', () => {
-        wake();
-        watchPixels();
-    }, {once: true});
+    try {
+        new ResizeObserver(wake).observe(canvas, {box: 'device-pixel-content-box'});
+    } catch (fault) {
+        // Safari does not count these; there it is seen with the next event.
+    }
 }
 
 function listen() {
