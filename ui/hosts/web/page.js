@@ -379,12 +379,12 @@ async function listedFiles() {
     return entries;
 }
 
-// Only what lies in that folder.
+// Only files in that folder: they have an ending, so no line takes a folder for one.
 function entryOf(line) {
     const [, path, size] = /^\s*(?:\.\/)?([^#\s].*?)(?:\s+(\d+))?\s*$/.exec(line) || [];
     if (!path) return null;
-    const isInside = path.split('/').every(part => part && !/^\.+$/.test(part) && !/[\\\p{Cc}]/u.test(part));
-    if (!isInside) console.warn(`lessons: the list holds ${path}, which is no path from this folder.`);
+    const isInside = path.split('/').every(part => part && !/^\.+$/.test(part) && !/[\\\p{Cc}]/u.test(part)) && /\.[^/]+$/.test(path);
+    if (!isInside) console.warn(`lessons: the list holds ${path}, which is no file from this folder on.`);
     return isInside ? {path, size: size && Number(size)} : null;
 }
 
