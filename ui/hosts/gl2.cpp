@@ -106,8 +106,11 @@ int largest_gl2_side() {
 
 ImTextureID Gl2Textures::upload(ImTextureID old, const Image& image) {
     if (image.width <= 0 || image.height <= 0) return old;
-    GLint largest = 64;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    static const GLint largest = [] { // once: a browser answers when all that came before is drawn
+        GLint side = 64;
+        glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
+        return side;
+    }();
     if (std::max(image.width, image.height) > largest) {
         return upload(old, thinned_out(image, largest));
     }

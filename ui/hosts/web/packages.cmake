@@ -74,6 +74,9 @@ add_library(imgui STATIC
 target_include_directories(imgui SYSTEM PUBLIC ${imgui_folder} ${imgui_folder}/misc/cpp
   ${imgui_folder}/misc/freetype)
 target_compile_definitions(imgui PUBLIC IMGUI_IMPL_OPENGL_ES3)
+# Its questions to WebGL, each of which waits for the whole picture, are answered in ui/hosts/web/page.cpp.
+set_source_files_properties(${imgui_folder}/backends/imgui_impl_opengl3.cpp PROPERTIES
+  COMPILE_DEFINITIONS glGetIntegerv=known_gl_integer)
 target_link_libraries(imgui PUBLIC freetype)
 add_library(PkgConfig::imgui ALIAS imgui)
 

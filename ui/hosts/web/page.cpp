@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include <GLES3/gl3.h>
 #include <emscripten.h>
 #include <emscripten/html5.h>
 
@@ -250,6 +251,32 @@ void open_page(const std::string& address, const std::string& link) {
 } // namespace
 
 } // namespace rasterwalk
+
+extern "C" {
+
+/// glGetIntegerv for ImGui's renderer, which asks in each frame what it would put back behind it:
+/// the page is the only one that draws. A browser answers when all that came before is drawn.
+void known_gl_integer(GLenum name, GLint* value) {
+    switch (name) {
+    case GL_MAJOR_VERSION:
+        *value = 3;
+        break;
+    case GL_ACTIVE_TEXTURE:
+        *value = GL_TEXTURE0;
+        break;
+    case GL_BLEND_EQUATION_RGB:
+    case GL_BLEND_EQUATION_ALPHA:
+        *value = GL_FUNC_ADD;
+        break;
+    case GL_VIEWPORT:
+    case GL_SCISSOR_BOX:
+        std::fill_n(value, 4, 0);
+        break;
+    default:
+        *value = 0;
+    }
+}
+}
 
 // What page.js calls. It has to be told when a frame is due; it calls for one after each event.
 
