@@ -11,6 +11,7 @@
 #include "lessons/lesson.h"
 #include "lessons/lesson_check.h"
 #include "lessons/lesson_link.h"
+#include "lessons/lesson_list.h"
 #include "lessons/lesson_run.h"
 #include "picture/view_image.h"
 #include "session/content.h"
