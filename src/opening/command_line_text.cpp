@@ -29,13 +29,8 @@ std::string absolute_path(const std::string& path) {
 /// One of the program's own scenes is named from the folder of the lessons, so that the line means
 /// the same on every machine.
 std::string name_of_scene(const std::string& path) {
-    std::error_code fault;
-    const fs::path own = fs::canonical(lessons_folder(), fault);
-    const fs::path name = fs::canonical(path, fault).lexically_relative(own);
-    if (!fault && !name.empty() && *name.begin() != ".." &&
-        is_same_file(find_scene_file(name.generic_string()), path)) {
-        return name.generic_string();
-    }
+    const std::optional<std::string> name = name_in_lessons_folder(path);
+    if (name && is_same_file(find_scene_file(*name), path)) return *name;
     return absolute_path(path);
 }
 

@@ -180,17 +180,11 @@ std::string encoded(std::string_view text) {
     return result;
 }
 
-/// The name of a file from lessons_folder(), if it lies there.
+/// The name of a file that is there, by its path or its name from lessons_folder().
 std::optional<std::string> name_of_own_file(const std::string& path) {
-    std::error_code fault;
-    const fs::path own = fs::canonical(lessons_folder(), fault);
-    if (fault) return std::nullopt;
-    const fs::path file = own / path; // or the path alone, if it is absolute
-    const fs::path folder = fs::canonical(file.parent_path(), fault);
-    if (fault) return std::nullopt;
-    const std::string name = (folder / file.filename()).lexically_relative(own).generic_string();
-    if (!find_own_file(name)) return std::nullopt;
-    return name;
+    const std::optional<std::string> name =
+        name_in_lessons_folder((fs::path(lessons_folder()) / path).string());
+    return name && find_own_file(*name) ? name : std::nullopt;
 }
 
 [[noreturn]] void refuse_file(std::string_view what, const std::string& path) {

@@ -17,8 +17,8 @@ namespace rasterwalk {
 inline constexpr std::size_t longest_view_link = 8192;
 
 /// What a link asks for, as open_view() takes it; nothing if it is empty. It may begin with its
-/// '#'. Whoever sends a link must not be trusted: scene and lesson are names from lessons_folder(),
-/// and nothing that is not in it is opened, not even over a link of the file system. A lesson is
+/// '#'. A link may come from anyone: scene and lesson are names from lessons_folder(),
+/// and nothing outside it is opened, not even through a link of the file system. A lesson is
 /// `05-row-table`, or in a subfolder `own/91-my-lesson`, with or without .md. Throws UsageError
 /// for what is no such link, or names a file that is not there; AccessError if lessons_folder() is
 /// not there. The values of other options are read by open_view().
@@ -29,8 +29,8 @@ ViewOptions parse_view_link(std::string_view fragment);
 /// lesson that is not in lessons_folder(), or if it would be longer than longest_view_link.
 std::string view_link(const Session& session);
 
-/// The link to the step of the lesson that is open, whatever else is on show. Empty where none is,
-/// or one that is not in lessons_folder().
+/// The link to the current step of the open lesson, without anything else that is on show. Empty if
+/// no lesson is open, or if it is not in lessons_folder().
 std::string step_link(const Session& session);
 
 } // namespace rasterwalk

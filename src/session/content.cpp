@@ -72,6 +72,14 @@ std::string find_lesson_file(const std::string& folder, std::string_view relativ
     throw UsageError("there is no file " + in_quotes(relative) + " in the folder of the lessons.");
 }
 
+std::optional<std::string> name_in_lessons_folder(const std::string& path) {
+    std::error_code fault;
+    const fs::path folder = fs::weakly_canonical(lessons_folder(), fault);
+    const fs::path name = fs::weakly_canonical(path, fault).lexically_relative(folder);
+    if (fault || name.empty() || *name.begin() == "..") return std::nullopt;
+    return name.generic_string();
+}
+
 std::string version_text() {
     return RASTERWALK_VERSION;
 }

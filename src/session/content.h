@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,10 @@ inline constexpr std::string_view usual_scene = "scenes/lab-room.toml";
 /// Throws UsageError for a path that is absolute or leads out of the folder, or a file that is not
 /// there.
 std::string find_lesson_file(const std::string& folder, std::string_view relative);
+
+/// The name of a file from lessons_folder(), "scenes/fence.toml"; none if it does not lie there, or
+/// only by a link of the file system. It need not exist.
+std::optional<std::string> name_in_lessons_folder(const std::string& path);
 
 /// The version of the program: "0.2.0".
 std::string version_text();

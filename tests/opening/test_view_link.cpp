@@ -1,4 +1,4 @@
-// Views as links, there and back; and links that nobody should send.
+// Views as links: written, read back, and refused where they are wrong or hostile.
 
 #include <cstdlib>
 #include <filesystem>

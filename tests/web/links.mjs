@@ -148,4 +148,17 @@ export function testLinks(place) {
         await visit.close();
         await site.close();
     });
+
+    test('The page lets nothing be fetched from elsewhere', async () => {
+        const elsewhere = await serve(place.site.folder);
+        const context = await browser.newContext({viewport: {width: 1000, height: 700}}); // with its policy
+        const page = await context.newPage();
+        await page.goto(place.site.url);
+        await page.waitForFunction(() => performance.getEntriesByName('first-picture').length > 0, null, {timeout: 30000});
+        const answer = await page.evaluate(url => fetch(url, {mode: 'no-cors'}).then(() => 'fetched', () => 'refused'), elsewhere.url + 'page.js');
+        equal(answer, 'refused', 'what becomes of a request to another server');
+        equal(elsewhere.asked, [], 'what the other server was asked for');
+        await context.close();
+        await elsewhere.close();
+    });
 }

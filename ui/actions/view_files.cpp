@@ -75,10 +75,7 @@ std::string current_folder() {
 }
 
 bool is_own(const std::string& path) {
-    std::error_code fault;
-    const fs::path name = fs::weakly_canonical(path, fault)
-                              .lexically_relative(fs::weakly_canonical(lessons_folder(), fault));
-    return !fault && !name.empty() && *name.begin() != "..";
+    return name_in_lessons_folder(path).has_value();
 }
 
 /// Where a view of this session can be saved: beside its scene, if that is not the program's own.

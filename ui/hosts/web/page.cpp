@@ -98,7 +98,8 @@ struct Page {
     int frames_due = frames_after_event;
     bool is_context_lost = false;
     std::string pasted;
-    std::string said_when_open; ///< when what was dropped is on show, if there is nothing worse
+    std::string
+        said_when_open; ///< a notice for when the dropped file is open, unless there is another
     int kept_options = 0, kept_progress = 0; ///< writes that the browser's storage holds
     bool is_storage_told = false;            ///< that it holds nothing
     std::string noted_lesson;                ///< and its step, as the address has them
@@ -132,8 +133,8 @@ void note_step(Page& page) {
     page.noted_step = page.ui.session.step;
 }
 
-/// The address follows the step, so that it can be sent to somebody. As long as the step is that of
-/// the link, it stays the link.
+/// Makes the address that of the current step, so that it can be shared. Until the step changes, it
+/// stays the link that was opened.
 void note_address(Page& page) {
     const Session& session = page.ui.session;
     if (session.lesson == page.noted_lesson && session.step == page.noted_step) return;

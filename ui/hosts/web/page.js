@@ -93,6 +93,7 @@ function wake() {
 }
 
 function drawFrame() {
+    cancelAnimationFrame(request); // a tap does not wait for it
     request = 0;
     clearTimeout(timer);
     ++page.frames;
