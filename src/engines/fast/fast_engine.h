@@ -1,0 +1,56 @@
+#pragma once
+
+// The fast engine: the same picture as the steps, without steps. What a student walks through, the
+// row table, its samples and fragments, does not exist here; what is left is the picture, the depth
+// of each pixel, and which triangle it shows.
+//
+// It draws a scene as often as is asked for: with another camera, lamp or size.
+
+#include <cstdint>
+#include <memory>
+
+#include "engines/fast/aligned.h"
+#include "engines/fast/fast_view.h"
+#include "engines/fast/simd_level.h"
+#include "scene/scene.h"
+#include "settings/settings.h"
+
+namespace rasterwalk {
+
+struct FastOptions {
+    SimdLevel level = best_simd_level(); ///< one of simd_levels()
+    int threads = 1;                     ///< at least 1
+    bool keeps_planes = true;            ///< inv_z and owner are wanted, not the picture alone
+};
+
+/// A picture in rows of `stride` pixels, of which the first `size.width` are the picture.
+struct FastPicture {
+    Viewport size{0, 0};
+    std::size_t stride = 0;
+    AlignedVector<std::uint32_t> colour; ///< 0x00RRGGBB; black where nothing is drawn
+    AlignedVector<float> inv_z;          ///< 1/z of the camera's space; 0: nothing
+    AlignedVector<std::int32_t> owner;   ///< triangle of the scene; -1: nothing
+
+    std::size_t at(int column, int row) const {
+        return static_cast<std::size_t>(row) * stride + static_cast<std::size_t>(column);
+    }
+};
+
+class FastEngine {
+  public:
+    /// Throws UsageError if the level is not one of this machine.
+    explicit FastEngine(const Scene& scene, const FastOptions& options = {});
+    ~FastEngine();
+    FastEngine(FastEngine&&) noexcept;
+    FastEngine& operator=(FastEngine&&) noexcept;
+
+    /// Draws the scene. What fast_engine_refuses() names is drawn as if it were not asked for.
+    /// @param picture its memory is used again
+    void draw(const Settings& settings, FastPicture& picture);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace rasterwalk

@@ -1,0 +1,18 @@
+#if defined(__x86_64__)
+
+#define RASTERWALK_LANES 8
+#define RASTERWALK_NAMES_INSTRUCTIONS 1
+
+#include "engines/fast/lanes.h"
+
+#include "engines/fast/fast_loops.h"
+
+namespace rasterwalk::fast {
+
+const Loops& avx2_loops() {
+    return loops;
+}
+
+} // namespace rasterwalk::fast
+
+#endif

@@ -1,0 +1,168 @@
+#include "engines/fast/fast_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace rasterwalk {
+
+namespace {
+
+/// Larger places would leave the range of floats on their way to the screen.
+constexpr float largest_place = 1e15f;
+
+bool is_place(const glm::vec3& p) {
+    return std::abs(p.x) <= largest_place && std::abs(p.y) <= largest_place &&
+           std::abs(p.z) <= largest_place;
+}
+
+/// What no calculation can go wrong with: 0 in place of what is no number.
+float tame(float value) {
+    return std::abs(value) <= largest_place ? value : 0.0f;
+}
+fast::Record record(const glm::vec3& v) {
+    return {tame(v.x), tame(v.y), tame(v.z), 0.0f};
+}
+
+std::int32_t padded(std::size_t count) {
+    const auto lanes = static_cast<std::size_t>(fast::most_lanes);
+    return static_cast<std::int32_t>((count + lanes - 1) / lanes * lanes);
+}
+
+void add_vertices(const Mesh& mesh, FastMesh& fast) {
+    const std::vector<Vertex>& vertices = mesh.vertices();
+    const std::size_t count = vertices.size();
+    fast.vertex_count = padded(count);
+    const bool has_colours = mesh.differences().colours;
+    const bool shines = std::any_of(vertices.begin(), vertices.end(), [](const Vertex& vertex) {
+        return vertex.shine.specular != glm::vec3(0.0f);
+    });
+    for (std::size_t i = 0; i < static_cast<std::size_t>(fast.vertex_count); ++i) {
+        const Vertex vertex = i < count ? vertices[i] : Vertex{};
+        const glm::vec3 place = is_place(vertex.position) ? vertex.position : glm::vec3(0.0f);
+        fast.x.push_back(place.x);
+        fast.y.push_back(place.y);
+        fast.z.push_back(place.z);
+        fast.normals.push_back(record(vertex.normal));
+        fast.texcoords.push_back({tame(vertex.texcoord.x), tame(vertex.texcoord.y), 0.0f, 0.0f});
+        if (has_colours) fast.colours.push_back(record(vertex.reflectance));
+        if (shines) fast.exponents.push_back(tame(vertex.shine.exponent));
+    }
+    fast.screen.resize(static_cast<std::size_t>(fast.vertex_count));
+    fast.light.resize(static_cast<std::size_t>(fast.vertex_count));
+}
+
+/// Materials that are alike become one.
+class MaterialList {
+  public:
+    explicit MaterialList(std::vector<fast::Material>& list) : list_(list) {}
+
+    std::int32_t index_of(const Vertex& corner, bool has_colours, int texture) {
+        const glm::vec3 &r = corner.reflectance, &s = corner.shine.specular;
+        const Key key{tame(r.x),
+                      tame(r.y),
+                      tame(r.z),
+                      tame(s.x),
+                      tame(s.y),
+                      tame(s.z),
+                      tame(corner.shine.exponent),
+                      has_colours,
+                      texture};
+        const auto [place, is_new] = known_.try_emplace(key, static_cast<int>(list_.size()));
+        if (is_new) {
+            const bool shines = s != glm::vec3(0.0f);
+            list_.push_back({{tame(r.x), tame(r.y), tame(r.z)},
+                             {tame(s.x), tame(s.y), tame(s.z)},
+                             tame(corner.shine.exponent),
+                             shines ? 1 : 0,
+                             has_colours ? 1 : 0,
+                             texture});
+        }
+        return place->second;
+    }
+
+  private:
+    using Key = std::tuple<float, float, float, float, float, float, float, bool, int>;
+    std::vector<fast::Material>& list_;
+    std::map<Key, std::int32_t> known_;
+};
+
+void add_triangles(const Scene& scene, FastMesh& fast) {
+    MaterialList materials(fast.materials);
+    const auto add = [&](int t, int texture) {
+        const TriangleIndices& indices = scene.mesh.triangles()[static_cast<std::size_t>(t)];
+        for (int i = 0; i < triangle_corners; ++i) {
+            if (!is_place(scene.corner(t, i).position)) return;
+        }
+        const std::int32_t material =
+            materials.index_of(scene.corner(t, 0), scene.mesh.differences(t).colours, texture);
+        const auto offset = [&](std::size_t i) { return indices[i] * fast::record_size; };
+        fast.triangles.push_back({offset(0), offset(1), offset(2), material});
+        fast.source.push_back(t);
+    };
+    if (scene.parts.empty()) {
+        for (int t = 0; t < scene.triangle_count(); ++t)
+            add(t, -1);
+    }
+    for (const Part& part : scene.parts) {
+        for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
+            add(t, part.texture);
+    }
+    fast.triangle_count = static_cast<std::int32_t>(fast.triangles.size());
+}
+
+std::uint32_t packed(const glm::vec3& texel) {
+    const auto byte = [](float channel) {
+        return static_cast<std::uint32_t>(std::clamp(channel, 0.0f, 1.0f) * 255.0f + 0.5f);
+    };
+    return byte(texel.x) | byte(texel.y) << 8 | byte(texel.z) << 16;
+}
+
+} // namespace
+
+FastMesh fast_mesh(const Scene& scene) {
+    FastMesh mesh;
+    add_vertices(scene.mesh, mesh);
+    add_triangles(scene, mesh);
+    for (const SharedTexture& texture : scene.textures) {
+        const TextureLevel& base = (*texture).base();
+        std::vector<std::uint32_t>& texels = mesh.texels.emplace_back();
+        texels.reserve(base.texels.size());
+        for (const glm::vec3& texel : base.texels)
+            texels.push_back(packed(texel));
+        mesh.textures.push_back({texels.data(), base.width, base.height});
+    }
+    return mesh;
+}
+
+void FastMesh::drop_cut() {
+    const auto vertices = static_cast<std::size_t>(vertex_count);
+    if (screen.size() == vertices) return;
+    normals.resize(vertices);
+    texcoords.resize(vertices);
+    if (!colours.empty()) colours.resize(vertices);
+    screen.resize(vertices);
+    light.resize(vertices);
+    triangles.resize(static_cast<std::size_t>(triangle_count));
+    cut_from.clear();
+}
+
+fast::Mesh FastMesh::view() {
+    return {.x = x.data(),
+            .y = y.data(),
+            .z = z.data(),
+            .normals = normals.data(),
+            .colours = colours.empty() ? nullptr : colours.data(),
+            .texcoords = texcoords.data(),
+            .exponents = exponents.empty() ? nullptr : exponents.data(),
+            .triangles = triangles.data(),
+            .materials = materials.data(),
+            .textures = textures.data(),
+            .screen = screen.data(),
+            .light = light.data(),
+            .vertex_count = vertex_count,
+            .triangle_count = triangle_count};
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,99 @@
+#include "engines/fast/fast_view.h"
+
+#include <string_view>
+
+#include "settings/setting_table.h"
+#include "stages/vertex_shader.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A word of a setting that asks for what the engine has not.
+bool is_asked(std::string_view name, std::string_view word, const Settings& settings) {
+    const Setting* setting = find_setting(name);
+    return setting != nullptr && value_text(*setting, settings) == word;
+}
+
+} // namespace
+
+std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
+    if (scene.space != SceneSpace::world)
+        return "the fast engine draws scenes in the world, not in pixels";
+    const auto unknown = [](std::string_view what) {
+        return "the fast engine does not know " + std::string(what);
+    };
+    if (settings.projection_mix != 0.0f) return unknown("any projection but perspective");
+    if (shading_rule(settings) == Shading::flat) return unknown("shading=flat");
+    if (has_alpha(scene) && settings.blend != Blend::off)
+        return unknown("half transparent surfaces: blend=off draws them opaque");
+    if (bends_normals(settings) && has_normal_map(scene))
+        return unknown("normal maps: normal_map=off goes without");
+    if (shadow_rule(settings, scene.space) != Shadows::off) return unknown("shadows");
+    if (!scene.textures.empty() && settings.texture == TextureUse::on &&
+        settings.texture_filter > TextureFilter::bilinear)
+        return unknown("mip maps: texture_filter=bilinear goes without");
+    if (settings.cull != Cull::none && settings.cull != Cull::screen_area)
+        return unknown("any culling but cull=screen_area");
+    // What is right by the lab's rules: everything else is a mistake, or another way to be right.
+    for (const auto& [name, right] :
+         {std::pair<std::string_view, std::string_view>{"depth_test", "inverse_z"},
+          {"interpolation", "perspective"},
+          {"rotation", "row_vector"},
+          {"image_axes", "right_way"},
+          {"texel_rule", "right"},
+          {"light.direction", "to_light"},
+          {"light.falloff", "sphere"},
+          {"light.sum", "reflectance_times"},
+          {"light.renormalize", "on"},
+          {"light.highlight", "right"},
+          {"colour_over_one", "clamp"}}) {
+        if (find_setting(name) != nullptr && !is_asked(name, right, settings))
+            return unknown(std::string(name) + " other than " + std::string(right));
+    }
+    return {};
+}
+
+fast::View fast_view(const Settings& settings) {
+    fast::View view{};
+    view.width = settings.viewport.width;
+    view.height = settings.viewport.height;
+    const auto set = [](const glm::vec3& from, float(&to)[3]) {
+        for (int i = 0; i < 3; ++i)
+            to[i] = from[i];
+    };
+    const Light light = light_rule(settings);
+    const glm::mat3 rotation = camera_rotation(settings.camera);
+    set(settings.camera.position, view.eye);
+    for (int i = 0; i < 3; ++i)
+        set(rotation[i], view.axes[i]);
+    view.focal_length = settings.camera.focal_length;
+    view.middle[0] = static_cast<float>(settings.viewport.width / 2);
+    view.middle[1] = static_cast<float>(settings.viewport.height / 2);
+    view.near = settings.near;
+    set(light.position, view.lamp);
+    set(light.power, view.power);
+    set(light.indirect, view.indirect);
+    view.has_highlights = light.model == LightModel::blinn_phong ? 1 : 0;
+    view.shows_textures = settings.texture == TextureUse::on ? 1 : 0;
+    view.culls_backs = settings.cull != Cull::none ? 1 : 0;
+    switch (shading_rule(settings)) {
+    case Shading::unlit:
+        view.light_at = fast::LightAt::nowhere;
+        break;
+    case Shading::gouraud:
+        view.light_at = fast::LightAt::vertices;
+        break;
+    case Shading::flat:
+    case Shading::phong:
+        view.light_at = fast::LightAt::pixels;
+        break;
+    }
+    view.wrap = settings.texture_wrap == TextureWrap::clamp    ? fast::Wrap::clamp
+                : settings.texture_wrap == TextureWrap::mirror ? fast::Wrap::mirror
+                                                               : fast::Wrap::repeat;
+    view.is_bilinear = settings.texture_filter != TextureFilter::nearest ? 1 : 0;
+    return view;
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace rasterwalk {
+
+/// Threads that wait for work, each on a core of its own where the system lets them. They wait
+/// awake for a moment, since the next step of a picture follows at once, and then sleep.
+class WorkerPool {
+  public:
+    /// @param count threads that work, the caller's among them; at least 1
+    explicit WorkerPool(int count);
+    ~WorkerPool();
+    WorkerPool(const WorkerPool&) = delete;
+    WorkerPool& operator=(const WorkerPool&) = delete;
+
+    int count() const { return static_cast<int>(threads_.size()) + 1; }
+
+    /// Calls work(i) for 0 <= i < count(), each on a thread of its own, and waits for all.
+    void run(const std::function<void(int)>& work);
+
+  private:
+    void wait_for_work(int index);
+
+    std::vector<std::thread> threads_;
+    const std::function<void(int)>* work_ = nullptr;
+    std::atomic<std::uint32_t> round_{0};
+    std::atomic<int> working_{0};
+    std::atomic<bool> is_over_{false};
+};
+
+} // namespace rasterwalk
