@@ -10,6 +10,7 @@
 #include "base/numbers.h"
 #include "cli/json.h"
 #include "compare/compare.h"
+#include "engines/engine_picture.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "session/second_run.h"
@@ -131,8 +132,7 @@ void write_difference(const Frame& a, const Frame& b, const Cursor& to, float la
                       const std::string& path) {
     const auto drawn = [&](const Frame& frame) {
         Framebuffer framebuffer;
-        clear(framebuffer, frame);
-        draw(frame, {cursor_begin, to, {}}, framebuffer);
+        draw_by_engine(frame, to, framebuffer);
         return framebuffer;
     };
     const Viewport size = a.settings.viewport;

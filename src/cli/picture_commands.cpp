@@ -10,6 +10,7 @@
 
 #include "base/numbers.h"
 #include "cli/json.h"
+#include "engines/engine_picture.h"
 #include "inspect/stats.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
@@ -143,8 +144,7 @@ void render_command(const RenderOptions& options, std::ostream& err) {
     const Session session = open_view(options.view);
     const Frame frame = prepare_frame(*session.scene, session.a.settings);
     Framebuffer framebuffer;
-    clear(framebuffer, frame);
-    draw(frame, {.from = cursor_begin, .to = session.cursor, .scissor = {}}, framebuffer);
+    draw_by_engine(frame, session.cursor, framebuffer);
     write_png(view_image(framebuffer, session.view, session.depth_range), options.output);
     report_troubles(frame, count_left_out(frame), err);
 }

@@ -70,7 +70,7 @@ void compare_with(Session& session, const Run& b) {
 }
 
 void compare_with(Session& session, const Settings& settings) {
-    compare_with(session, Run{session.a.engine, settings});
+    compare_with(session, Run{settings});
 }
 
 void stop_comparing(Session& session) {

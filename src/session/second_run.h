@@ -65,7 +65,7 @@ struct ReplacedRun {
     friend bool operator==(const ReplacedRun&, const ReplacedRun&) = default;
 };
 
-/// Compares run A from now on with this run, or with one by the same engine with these settings.
+/// Compares run A from now on with this run, or with one of these settings.
 void compare_with(Session& session, const Run& b);
 void compare_with(Session& session, const Settings& settings);
 

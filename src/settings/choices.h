@@ -9,6 +9,15 @@
 
 namespace rasterwalk {
 
+/// What draws the whole picture.
+enum class Engine : std::uint8_t {
+    steps, ///< this pipeline: every moment of it can be walked
+    fast,  ///< src/engines/fast: no moments, but the same picture in a fraction of the time
+};
+template <>
+inline constexpr auto enum_words<Engine> = word_list("steps", "fast");
+static_assert(words_match<Engine>);
+
 /// What becomes of triangles that reach out of the view volume.
 enum class Clip : std::uint8_t {
     leave_out,  ///< with a vertex on or behind the camera plane they are not drawn: the lab

@@ -99,6 +99,16 @@ std::vector<Setting> make_table() {
          "Where light is computed once all other stages are done: nowhere, once a triangle "
          "(flat), at the vertices (Gouraud) or at every pixel (Phong).",
          "Light per pixel", "", choice<&Settings::shading>(), "stage", "depth_order"},
+        {.name = "engine",
+         .title = "Picture drawn by",
+         .group = "Stage",
+         .help = "What draws the whole picture: the steps, which you can walk through, or the fast "
+                 "engine, which has none and takes a fraction of the time. It asks the centres of "
+                 "pixels; where you walk through time the steps draw.",
+         .section = "All sections",
+         .unit = "",
+         .kind = choice<&Settings::engine>(),
+         .needs_world = true},
         {"tessellation",
          "Triangles cut into",
          "Stage",

@@ -16,6 +16,7 @@ namespace rasterwalk {
 /// Every choice that changes the picture, or the work that it takes. The defaults are the lab's
 /// rules (preset `handout`); camera, light and viewport come from the scene.
 struct Settings {
+    Engine engine = Engine::steps; ///< of the whole picture; before its end the steps draw
     Stage stage = Stage::shade;
     Shading shading = Shading::phong; ///< of stage `shade`
     int tessellation = 1; ///< into how many parts each edge of the scene is cut before all else

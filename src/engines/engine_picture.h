@@ -1,0 +1,47 @@
+#pragma once
+
+// The picture of whichever engine the settings ask for, as the planes that all panels read.
+
+#include <memory>
+#include <optional>
+
+#include "engines/fast/fast_engine.h"
+#include "pipeline/cursor.h"
+#include "pipeline/frame.h"
+#include "pipeline/framebuffer.h"
+
+namespace rasterwalk {
+
+/// Is the picture at this moment to be the fast engine's? Only the whole picture is, and only where
+/// it does not refuse.
+bool is_drawn_fast(const Scene& scene, const Settings& settings, const Cursor& to);
+
+/// The planes of a picture of the fast engine. Colours are those of the bytes; fragments are not
+/// counted, overdraw is 0.
+/// @param frame of the same scene and settings: says how planes begin
+void copy_picture(const FastPicture& picture, const Frame& frame, Framebuffer& planes);
+
+/// Draws everything before a moment, by the engine of the settings.
+void draw_by_engine(const Frame& frame, const Cursor& to, Framebuffer& planes);
+
+/// A fast engine that follows a scene and its settings.
+class FastRun {
+  public:
+    /// Draws, unless the last picture was of the same.
+    /// @return the picture is another one
+    bool draw(const std::shared_ptr<const Scene>& scene, const Settings& settings);
+
+    const FastPicture& picture() const { return picture_; }
+    /// Does the picture show this?
+    bool shows(const std::shared_ptr<const Scene>& scene, const Settings& settings) const {
+        return scene_ == scene && settings_ == settings;
+    }
+
+  private:
+    std::shared_ptr<const Scene> scene_; ///< null: nothing is drawn yet
+    std::optional<Settings> settings_;
+    std::optional<FastEngine> engine_;
+    FastPicture picture_;
+};
+
+} // namespace rasterwalk
