@@ -1,0 +1,85 @@
+#include "base/child_process.h"
+
+#include <string>
+
+#include "base/error.h"
+#include "tests/support/catch.h"
+
+using namespace rasterwalk;
+using namespace std::chrono_literals;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+ChildProcess shell(const std::string& script, const ChildProcess::Patience& patience = {}) {
+    return ChildProcess({"/bin/sh", "-c", script}, patience);
+}
+
+/// What is said when the program is asked for a line.
+std::string complaint(const std::string& script, std::chrono::milliseconds longest = 30s) {
+    ChildProcess child({"/bin/sh", "-c", script}, {.longest = longest, .is_stopped = {}});
+    try {
+        return "no fault, but: " + child.read_line();
+    } catch (const Error& fault) {
+        CHECK(fault.code == ExitCode::no_access);
+        return fault.what();
+    }
+}
+
+} // namespace
+
+TEST_CASE("A child process answers line by line, and byte by byte") {
+    ChildProcess child = shell("while read -r line; do echo \"heard $line\"; printf 'a\\nb'; done");
+    child.write_line("one");
+    CHECK(child.read_line() == "heard one");
+    CHECK(child.read_bytes(3) == "a\nb");
+    child.write_line("two words");
+    CHECK(child.read_line() == "heard two words");
+}
+
+TEST_CASE("A long answer arrives whole") {
+    ChildProcess child = shell("head -c 3000000 /dev/zero; echo end");
+    CHECK(child.read_bytes(3'000'000) == std::string(3'000'000, '\0'));
+    CHECK(child.read_line() == "end");
+}
+
+TEST_CASE("A program that is not there is an error that names it") {
+    try {
+        ChildProcess({"/nowhere/at-all"}, {});
+        FAIL("it was started");
+    } catch (const AccessError& fault) {
+        CHECK(std::string(fault.what()) ==
+              "cannot start '/nowhere/at-all': No such file or directory.");
+    }
+}
+
+TEST_CASE("It is said how a program has ended that owes an answer") {
+    CHECK_THAT(complaint("exit 7"), ContainsSubstring("ended with exit code 7"));
+    CHECK_THAT(complaint("kill -SEGV $$"), ContainsSubstring("signal: Segmentation fault"));
+    CHECK_THAT(complaint("printf half; exit 0"), ContainsSubstring("ended with exit code 0"));
+    CHECK_THAT(complaint("exec head -c 100000 /dev/zero"), ContainsSubstring("does not end"));
+}
+
+TEST_CASE("To ask a program that has ended is an error, and no signal") {
+    ChildProcess child = shell("exit 3");
+    const auto ask_on = [&] {
+        for (int i = 0; i < 1000; ++i) {
+            child.write_line("?");
+            child.read_line();
+        }
+    };
+    CHECK_THROWS_AS(ask_on(), AccessError);
+}
+
+TEST_CASE("A program that says nothing is waited for so long, and not longer") {
+    CHECK_THAT(complaint("exec sleep 1000", 50ms),
+               ContainsSubstring("does not answer; 0.05 s were waited for it"));
+}
+
+TEST_CASE("Waiting is broken off when that is wished") {
+    int asked = 0;
+    ChildProcess child =
+        shell("exec sleep 1000", {.longest = 1000s, .is_stopped = [&] { return ++asked > 1; }});
+    CHECK_THROWS_AS(child.read_line(), WaitingStopped);
+    CHECK(asked == 2);
+}
