@@ -9,7 +9,7 @@
 
 namespace rasterwalk {
 
-/// Milliseconds since some moment. Whoever asks for times brings the clock: the core has none.
+/// Milliseconds since some moment. You bring the clock, so that a test can bring one that it knows.
 using Clock = std::function<double()>;
 
 /// The frame under one way of culling.

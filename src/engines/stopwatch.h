@@ -1,0 +1,18 @@
+#pragma once
+
+namespace rasterwalk {
+
+/// How long something took, or since when, milliseconds.
+struct Milliseconds {
+    double processor = 0.0; ///< of all threads of this process together
+    double wall = 0.0;
+
+    friend bool operator==(const Milliseconds&, const Milliseconds&) = default;
+};
+
+/// Since some moment: only differences mean something.
+Milliseconds milliseconds_now();
+
+Milliseconds milliseconds_since(const Milliseconds& begin);
+
+} // namespace rasterwalk
