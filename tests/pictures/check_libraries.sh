@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_libraries.sh WINDOW_PROGRAM OFFSCREEN_PROGRAM
-# The window's program has libGL and no libOSMesa; the other libOSMesa, and neither libGL nor GLFW.
+# check_libraries.sh WINDOW_PROGRAM OSMESA_PROGRAM...
+# The window's program has libGL and no libOSMesa; the others libOSMesa, and neither libGL nor GLFW.
 set -eu
 fault=0
 
@@ -16,8 +16,11 @@ expect() { # program, library, yes or no
 libraries=$(ldd "$1")
 expect "$1" "lib(GL|OpenGL)" yes
 expect "$1" libOSMesa no
-libraries=$(ldd "$2")
-expect "$2" libOSMesa yes
-expect "$2" "lib(GL|OpenGL|GLX)" no
-expect "$2" libglfw no
+shift
+for program in "$@"; do
+  libraries=$(ldd "$program")
+  expect "$program" libOSMesa yes
+  expect "$program" "lib(GL|OpenGL|GLX)" no
+  expect "$program" libglfw no
+done
 exit $fault

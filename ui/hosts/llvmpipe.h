@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engines/llvmpipe_peer.h"
+#include "engines/timed_engine.h"
+#include "scene/scene.h"
+
+namespace rasterwalk {
+
+/// The workload of a task, drawn by llvmpipe into memory, through OSMesa: vertices in one buffer,
+/// light by shaders of GLSL 1.30, a depth buffer of 24 bits, nothing culled. One at a time, because
+/// how many threads llvmpipe has is said by the environment. Throws AccessError.
+class LlvmpipeDrawing final : public TimedEngine {
+  public:
+    /// @param scene of the task
+    LlvmpipeDrawing(const PeerTask& task, const Scene& scene);
+    ~LlvmpipeDrawing() override;
+
+    /// What draws: "llvmpipe (LLVM 15.0.6, 256 bits)".
+    std::string name() const;
+
+    Milliseconds time_pictures(int first, int count) override;
+    EnginePicture picture(int number) override;
+
+  private:
+    struct Context;
+
+    void draw(int number);
+
+    Viewport size_;
+    Settings settings_;
+    std::unique_ptr<Context> context_;
+    int indices_ = 0; ///< three for each triangle
+    int lamp_ = -1;   ///< where the shaders take its place
+};
+
+} // namespace rasterwalk

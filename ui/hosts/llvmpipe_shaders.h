@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "engines/workload.h"
+#include "scene/scene.h"
+
+namespace rasterwalk {
+
+/// What of a surface need not be worked out at each pixel.
+struct SurfaceFacts {
+    bool is_flat = true;        ///< the corners of each triangle have one normal
+    bool has_one_colour = true; ///< the whole scene has one reflectance
+};
+
+SurfaceFacts surface_facts(const Scene& scene);
+
+/// The two shaders of a program, in GLSL 1.30.
+///
+/// They compute R = reflectance (power max(r^ . n^, 0) / (4 pi r^2) + indirect), as
+/// stages/light.h does, in the cheapest way that the scene allows: on a flat triangle r . n is the
+/// same everywhere, so that it is worked out at its corners; one colour is a uniform.
+/// Attributes: 0 `position`, 1 `normal`, 2 `reflectance` unless there is one colour.
+struct ShaderTexts {
+    std::string vertex, fragment;
+};
+
+ShaderTexts shader_texts(Workload workload, const SurfaceFacts& facts);
+
+} // namespace rasterwalk
