@@ -18,6 +18,7 @@
 #include "cli/commands.h"
 #include "cli/compare_command.h"
 #include "cli/diagnose_command.h"
+#include "cli/engines_command.h"
 #include "cli/progress_line.h"
 #include "cli/visible_output.h"
 #include "opening/opened_view.h"
@@ -44,6 +45,7 @@ struct CommandLine {
     BugsOptions bugs;
     CheckOptions check;
     FactsOptions facts;
+    EnginesOptions engines;
     LessonsOptions lessons;
     /// What is to be done once everything is understood; empty: open the window.
     std::function<void()> command;
@@ -185,10 +187,28 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
     CLI::App& facts = add_command(line, "facts", "List the names that lessons can ask for",
                                   [&] { facts_command(line.facts, out); });
     add_json(facts, line.facts.json);
+
+    CLI::App& engines =
+        add_command(line, "engines", "Time the engines of this program beside llvmpipe",
+                    [&] { line.exit_code = engines_command(line.engines, out, progress); });
+    const auto add_text = [&](const char* name, std::string& value, const char* help,
+                              const char* type) {
+        engines.add_option(name, value, help)->type_name(type);
+    };
+    add_text("--workload", line.engines.workload, "w1, w2 or w3; all if not given", "NAME");
+    add_text("--size", line.engines.size,
+             "Size of the pictures; 500x500 and 1920x1080 if not given", "WIDTHxHEIGHT");
+    add_text("--threads", line.engines.threads, "1 or 2; both if not given", "N");
+    add_text("--simd", line.engines.simd,
+             "scalar, sse2, avx2 or avx512 for the fast engine; all of this machine if not given",
+             "NAME");
+    add_text("--rounds", line.engines.rounds, "How often each takes its turn, 5 to 1000", "N");
+    add_json(engines, line.engines.json);
+    engines.footer(engines_footer());
     // Last, because commands take over the footer that stands when they are added.
     line.app.footer("Without a command the window opens.\n"
                     "Exit codes: 0 done, 1 a check found a difference, 2 wrong usage, 3 bad "
-                    "input,\n4 could not read or write, 5 no display.");
+                    "input,\n4 could not read or write, 5 no display, 130 stopped by Ctrl+C.");
 }
 
 /// The word is not a file: perhaps a command was meant.

@@ -46,7 +46,7 @@ stages="points edges rows fill depth vertex_light pixel_light"
 # ---- All commands, and what they tell of themselves
 both --help
 both --version
-for command in render stats rows triangle pixel compare diagnose settings presets bugs lessons check facts; do
+for command in render stats rows triangle pixel compare diagnose settings presets bugs lessons check facts engines; do
     both $command --help
 done
 for command in settings presets bugs lessons facts stats "stats --stage pixel_light" "pixel 250,400 --stage depth" "triangle 7" \
@@ -116,7 +116,8 @@ for line in nonsense "stats --stage nonsense" "stats --set rounding=florr" "stat
     "stats --size 100000x100000" "pixel" "pixel 1" "pixel 9999,1" "pixel 1,b" "triangle" "triangle -1" "triangle 999" "rows 1,1" "rows a,b 1,1 2,2" \
     "rows 0,0 1e9,0 0,1e9" "render" "render -o nowhere/out.png" "render --to t99999" "render --to x1" "compare" "compare --b nonsense" \
     "stats --lesson nonsense" "stats --lesson 05-row-table --step 99" "stats --step 1" "stats --bug B999" "stats --preset nonsense" \
-    "--lesson" "stats --json --json" "check nowhere" "diagnose" "facts extra"; do
+    "--lesson" "stats --json --json" "check nowhere" "diagnose" "facts extra" \
+    "engines --workload w4" "engines --size 0x0" "engines --threads 3" "engines --rounds 1"; do
     both $line
 done
 

@@ -1,0 +1,229 @@
+#include "cli/engines_command.h"
+
+#include <algorithm>
+#include <ostream>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/enum_words.h"
+#include "base/nearest_name.h"
+#include "base/numbers.h"
+#include "base/quoted.h"
+#include "cli/interrupt.h"
+#include "cli/json.h"
+#include "engines/measure.h"
+#include "engines/processor.h"
+#include "scene/read_scene.h"
+#include "session/content.h"
+#include "settings/setting_table.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// The value of a word, or every value there is if none was said.
+template <class Enum>
+std::vector<Enum> chosen(std::string_view what, const std::string& word,
+                         const std::vector<Enum>& all) {
+    if (word.empty()) return all;
+    const auto value = value_of_word<Enum>(word);
+    if (value && std::find(all.begin(), all.end(), *value) != all.end()) return {*value};
+    std::vector<std::string_view> names;
+    for (const Enum one : all)
+        names.push_back(word_of(one));
+    throw UsageError(no_such_name(what, word, names));
+}
+
+/// @param range the numbers that it takes
+int whole_number(std::string_view option, const std::string& word, int smallest, int largest) {
+    const auto number = parse_int(word);
+    if (number && *number >= smallest && *number <= largest) return *number;
+    throw UsageError(fmt::format("{} is a whole number from {} to {}, not {}.", option, smallest,
+                                 largest, in_quotes(word)));
+}
+
+MeasurePlan plan_of(const EnginesOptions& options) {
+    MeasurePlan plan;
+    std::vector<Workload> workloads;
+    for (const WorkloadInfo& info : workload_list)
+        workloads.push_back(info.workload);
+    plan.workloads = chosen("workload", options.workload, workloads);
+    plan.levels = chosen("SIMD level on this machine", options.simd, simd_levels());
+    plan.sizes.assign(usual_sizes.begin(), usual_sizes.end());
+    if (!options.size.empty()) {
+        Settings settings;
+        set_value(settings, *find_setting("viewport.size"), options.size);
+        plan.sizes = {settings.viewport};
+    }
+    plan.threads = {1, most_threads};
+    if (!options.threads.empty())
+        plan.threads = {whole_number("--threads", options.threads, 1, most_threads)};
+    if (!options.rounds.empty())
+        plan.rounds = whole_number("--rounds", options.rounds, fewest_rounds, most_rounds);
+    return plan;
+}
+
+/// By which somebody else measures the same.
+std::string command_text(const EnginesOptions& options) {
+    std::string text = "rasterwalk engines";
+    const auto add = [&](std::string_view option, const std::string& value) {
+        if (!value.empty()) text += fmt::format(" {} {}", option, value);
+    };
+    add("--simd", options.simd);
+    add("--threads", options.threads);
+    add("--size", options.size);
+    add("--rounds", options.rounds);
+    add("--workload", options.workload);
+    if (options.json) text += " --json";
+    return text;
+}
+
+std::string_view time_word(const Measurement& measurement) {
+    return measurement.task.threads == 1 ? "processor" : "wall";
+}
+
+std::string size_word(const Measurement& measurement) {
+    return fmt::format("{}x{}", measurement.task.size.width, measurement.task.size.height);
+}
+
+/// Does it draw what it should not? Other edges are expected of some.
+bool is_wrong(const EngineResult& result) {
+    return result.from_peer && !do_agree(*result.from_peer) && !result.has_other_edges;
+}
+
+/// What stands in the place of a ratio, or behind it.
+std::string remark(const EngineResult& result) {
+    if (!result.refusal.empty()) return "cannot draw this: " + result.refusal;
+    if (!result.from_peer || result.ratio) return {};
+    const std::string difference = difference_text(*result.from_peer);
+    return (result.has_other_edges ? "draws other edges: " : "draws something else: ") + difference;
+}
+
+Json to_json(const std::optional<PictureDifference>& difference) {
+    if (!difference) return nullptr;
+    return {{"differ", difference->different},
+            {"largest", difference->largest},
+            {"pixels", difference->pixels}};
+}
+
+Json to_json(const EngineResult& result) {
+    const bool has_drawn = result.refusal.empty();
+    return {{"engine", result.engine},
+            {"from_llvmpipe", to_json(result.from_peer)},
+            {"from_steps", to_json(result.from_steps)},
+            {"milliseconds", has_drawn ? Json(result.milliseconds) : Json()},
+            {"ratio", result.ratio ? Json(*result.ratio) : Json()},
+            {"remark", remark(result)}};
+}
+
+Json to_json(const Measurement& measurement) {
+    Json engines = Json::array();
+    for (const EngineResult& result : measurement.engines)
+        engines.push_back(to_json(result));
+    return {{"engines", std::move(engines)},
+            {"llvmpipe", measurement.peer},
+            {"rounds", measurement.rounds},
+            {"size", size_word(measurement)},
+            {"threads", measurement.task.threads},
+            {"time", time_word(measurement)},
+            {"workload", word_of(measurement.task.workload)}};
+}
+
+Json to_json(const std::vector<Measurement>& measurements, const EnginesOptions& options) {
+    Json levels = Json::array(), list = Json::array();
+    for (const SimdLevel level : simd_levels())
+        levels.push_back(word_of(level));
+    for (const Measurement& measurement : measurements)
+        list.push_back(to_json(measurement));
+    const Json machine = {{"processor", processor_name()},
+                          {"processors", processor_count()},
+                          {"simd", std::move(levels)}};
+    return {{"command", command_text(options)},
+            {"machine", machine},
+            {"measurements", std::move(list)}};
+}
+
+void print_text(const Measurement& measurement, std::ostream& out) {
+    const Workload workload = measurement.task.workload;
+    out << fmt::format("\n{}: {}; {}, {}, {} time, {}\n", word_of(workload),
+                       workload_list[static_cast<std::size_t>(workload)].title,
+                       size_word(measurement),
+                       counted(measurement.task.threads, "thread", "threads"),
+                       time_word(measurement), counted(measurement.rounds, "round", "rounds"));
+    out << fmt::format("{:<14}{:>12}{:>12}\n", "engine", "ms/picture", "x llvmpipe");
+    for (const EngineResult& result : measurement.engines) {
+        const std::string time =
+            result.refusal.empty() ? decimals(result.milliseconds, 3) : std::string();
+        const std::string ratio = result.ratio ? decimals(*result.ratio, 2)
+                                  : !result.from_peer && result.refusal.empty() ? "1.00"
+                                                                                : "";
+        std::string line =
+            fmt::format("{:<14}{:>12}{:>12}  {}", result.engine, time, ratio, remark(result));
+        line.erase(line.find_last_not_of(' ') + 1);
+        out << line << '\n';
+    }
+}
+
+void print_text(const std::vector<Measurement>& measurements, std::ostream& out) {
+    out << processor_name() << ", " << counted(processor_count(), "processor", "processors")
+        << '\n';
+    if (measurements.empty()) return;
+    out << "beside " << measurements.front().peer << '\n';
+    for (const Measurement& measurement : measurements)
+        print_text(measurement, out);
+}
+
+} // namespace
+
+std::string engines_footer() {
+    std::string text = "The workloads:";
+    for (const WorkloadInfo& info : workload_list)
+        text += fmt::format("\n  {}  {}", word_of(info.workload), info.title);
+    text +=
+        "\nThe engines:"
+        "\n  student   the loop of the lab as a student writes it; one thread"
+        "\n  steps     the stages that this program walks through; one thread"
+        "\n  fast ...  the fast engine, by each set of SIMD instructions of this machine"
+        "\n  llvmpipe  the peer: Mesa's rasterizer, in the program rasterwalk-llvmpipe"
+        "\nThey take turns. Printed is the median time of a picture, of the processor on one "
+        "thread "
+        "and of the\nclock on two, and how many times as fast as llvmpipe that is. There is no "
+        "such "
+        "ratio where more than\n0.02 % of the pixels differ by more than 1/255 from llvmpipe's "
+        "picture; then it is said what differs.\nThe environment variable RASTERWALK_LLVMPIPE "
+        "names "
+        "the peer's program where it does not lie beside\nthis one. Where it is missing, breaks "
+        "off "
+        "or gives no answer for 30 seconds, the exit code is 4; it is 1\nwhere a picture differs, "
+        "and 130 after Ctrl+C, which prints what is done.";
+    return text;
+}
+
+ExitCode engines_command(const EnginesOptions& options, std::ostream& out, ProgressLine& progress) {
+    const MeasurePlan plan = plan_of(options);
+    const Scene room = read_scene(lessons_folder() + '/' + std::string(usual_scene));
+    const Interrupt interrupt;
+    const auto is_stopped = [&] { return interrupt.is_noted(); };
+    const ChildProcess::Patience patience{.is_stopped = is_stopped};
+    const std::vector<Measurement> measurements = measure_engines(
+        plan, room,
+        [&](const PeerTask& task) { return start_llvmpipe(llvmpipe_program(), task, patience); },
+        {is_stopped, [&](const std::string& words) { progress.say(words); }});
+    progress.clear();
+    if (options.json) {
+        print_json(to_json(measurements, options), out);
+    } else {
+        print_text(measurements, out);
+    }
+    if (interrupt.is_noted()) return ExitCode::interrupted;
+    const bool has_fault =
+        std::any_of(measurements.begin(), measurements.end(), [](const Measurement& measurement) {
+            return std::any_of(measurement.engines.begin(), measurement.engines.end(), is_wrong);
+        });
+    return has_fault ? ExitCode::difference : ExitCode::done;
+}
+
+} // namespace rasterwalk
