@@ -89,22 +89,21 @@ class StudentEngine final : public OwnEngine {
 class FastDrawing final : public OwnEngine {
   public:
     FastDrawing(const Scene& scene, const Settings& settings, const FastOptions& options)
-        : OwnEngine(settings), mesh_(fast_mesh(scene)), engine_(options) {}
+        : OwnEngine(settings), engine_(scene, options) {}
 
   private:
-    void draw(const Settings& settings) override { engine_.draw(mesh_, settings, picture_); }
+    void draw(const Settings& settings) override { engine_.draw(settings, picture_); }
 
     std::vector<std::uint32_t> colours() const override {
         std::vector<std::uint32_t> result;
         for (int row = 0; row < picture_.size.height; ++row) {
             const auto begin =
-                picture_.colour.begin() + std::ptrdiff_t{row} * std::ptrdiff_t{picture_.stride};
+                picture_.colour.begin() + static_cast<std::ptrdiff_t>(picture_.at(0, row));
             result.insert(result.end(), begin, begin + picture_.size.width);
         }
         return result;
     }
 
-    FastMesh mesh_;
     FastEngine engine_;
     FastPicture picture_;
 };
@@ -124,7 +123,7 @@ std::unique_ptr<TimedEngine> fast_engine(const Scene& scene, const Settings& set
     FastOptions options;
     options.level = level;
     options.threads = threads;
-    options.owner = false;
+    options.keeps_planes = false;
     return std::make_unique<FastDrawing>(scene, settings, options);
 }
 
