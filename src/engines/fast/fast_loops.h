@@ -321,8 +321,11 @@ RASTERWALK_INLINE Ints is_shown(const SetUpLanes& set, const View& view) {
 template <int size>
 RASTERWALK_INLINE void draw_boxes(const Mesh& mesh, const View& view, const TriangleList& list,
                                   const Band& band, const Planes& planes) {
-    std::int32_t pixels[lane_count];
-    std::uint32_t depths[lane_count];
+    // So many pixels of each triangle are tested before any is drawn: a bit for each lane of each.
+    constexpr int tests = 4;
+    static_assert(size * size % tests == 0 && tests % size == 0 && tests * lane_count <= 64);
+    std::int32_t pixels[tests * lane_count];
+    Visible mine[tests * lane_count];
     for (std::int32_t i = 0; i < list.count; i += lane_count) {
         const TriangleLanes triangle = load_triangles(mesh, list, i);
         const BoxLanes box = part_of(box_of(triangle), view.width, band.first_row, band.end_row);
@@ -330,34 +333,38 @@ RASTERWALK_INLINE void draw_boxes(const Mesh& mesh, const View& view, const Tria
         const std::uint32_t drawn =
             sign_bits(is_shown(set, view) & first_lanes(list.count - i) & (box.height > Ints{}));
         if (drawn == 0) continue;
-        store(box.top * planes.stride + box.left, pixels);
-        Floats at_left = set.inv_z;
-        for (int row = 0; row < size; ++row) {
-            const std::uint32_t has_row = drawn & sign_bits(all(row) < box.height);
-            if (has_row == 0) break;
-            Ints edge[3] = {set.edge[0], set.edge[1], set.edge[2]};
-            Floats depth = at_left;
-            for (int column = 0; column < size; ++column) {
-                std::uint32_t covered = ~sign_bits(edge[0] | edge[1] | edge[2]) & has_row &
-                                        sign_bits(all(column) < box.width);
-                if (covered != 0) {
-                    store(bits_of(smaller(larger(depth, set.farthest), set.nearest)), depths);
-                    Visible* const visible = planes.visible + row * planes.stride + column;
-                    for (; covered != 0; covered &= covered - 1) {
-                        const int lane = __builtin_ctz(covered);
-                        const Visible mine = static_cast<Visible>(depths[lane]) << 32 |
-                                             static_cast<std::uint32_t>(~list.number[i + lane]);
-                        Visible& seen = visible[pixels[lane]];
-                        seen = mine > seen ? mine : seen;
-                    }
+        const Ints number = ~load(list.number + i);
+        Ints at_left = box.top * planes.stride + box.left;
+        for (int row = 0; row < size;) {
+            std::uint64_t covered = 0;
+            for (int test = 0; test < tests; ++row) {
+                const std::uint32_t has_row = drawn & sign_bits(all(row) < box.height);
+                Ints edge[3] = {set.edge[0], set.edge[1], set.edge[2]};
+                Floats depth = set.inv_z;
+                for (int column = 0; column < size; ++column, ++test) {
+                    const std::uint64_t inside = ~sign_bits(edge[0] | edge[1] | edge[2]) & has_row &
+                                                 sign_bits(all(column) < box.width);
+                    covered |= inside << (test * lane_count);
+                    const Floats seen = smaller(larger(depth, set.farthest), set.nearest);
+                    const LongLanes pair = join_halves(number, bits_of(seen));
+                    store_longs(pair.first, mine + test * lane_count);
+                    store_longs(pair.second, mine + test * lane_count + lane_count / 2);
+                    store(at_left + column, pixels + test * lane_count);
+                    depth += set.inv_z_right;
+                    for (int e = 0; e < 3; ++e)
+                        edge[e] += set.right[e];
                 }
-                depth += set.inv_z_right;
+                set.inv_z += set.inv_z_down;
+                at_left += planes.stride;
                 for (int e = 0; e < 3; ++e)
-                    edge[e] += set.right[e];
+                    set.edge[e] += set.down[e];
             }
-            at_left += set.inv_z_down;
-            for (int e = 0; e < 3; ++e)
-                set.edge[e] += set.down[e];
+            for (; covered != 0; covered &= covered - 1) {
+                const int bit = __builtin_ctzll(covered);
+                Visible& seen = planes.visible[pixels[bit]];
+                seen = mine[bit] > seen ? mine[bit] : seen;
+            }
+            if ((drawn & sign_bits(all(row) < box.height)) == 0) break;
         }
     }
 }
