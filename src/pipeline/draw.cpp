@@ -243,6 +243,21 @@ bool pass_over_hidden(Drawing& d, std::span<const LineSample> fragments) {
     return true;
 }
 
+/// The same by the kernel.
+void draw_row_at_once(Drawing& d, int triangle, int index, const RowSpan& span,
+                      const PieceRange& columns, const Surface& surface) {
+    const auto i = static_cast<std::size_t>(index);
+    const RowPart part{.left = d.rows.left[i],
+                       .right = d.rows.right[i],
+                       .count = span.count,
+                       .first = columns.first,
+                       .drawn = columns.last - columns.first,
+                       .pixel = d.target.at(span.left + columns.first, d.rows.first_row + index),
+                       .triangle = triangle};
+    d.tally.fragments += part.drawn;
+    d.tally.shaded += d.row_kernel(part, {surface, d.pixels, d.stages}, d.target);
+}
+
 /// The lab's DrawPolygonRows: every row from its left to its right end, both included.
 void fill_rows(Drawing& d, int triangle) {
     const PolygonRows& rows = d.rows;
@@ -256,6 +271,10 @@ void fill_rows(Drawing& d, int triangle) {
         const RowSpan span = row_span(d.stages, rows, r);
         const PieceRange columns = columns_in_window(d, {triangle, Phase::rows, r, 0}, span);
         if (columns.first >= columns.last) continue;
+        if (d.row_kernel != nullptr) {
+            draw_row_at_once(d, triangle, r, span, columns, surface);
+            continue;
+        }
         if (d.skips_hidden && pass_over_hidden(d, interpolate_row(d, r, span, columns, {})))
             continue;
         const std::span<const LineSample> fragments =
@@ -342,6 +361,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
                               frame.stages.depth_test == depth_test &&
                               frame.stages.depth_cell == depth_cell &&
                               settings.depth_order == DepthOrder::after_depth_test,
+              .row_kernel = observer == nullptr ? row_kernel_of(frame) : nullptr,
               .target = framebuffer,
               .observer = observer,
               .rows = {},

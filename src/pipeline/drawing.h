@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/draw.h"
+#include "pipeline/row_kernel.h"
 #include "stages/rectangle.h"
 
 namespace rasterwalk {
@@ -26,6 +27,7 @@ struct Drawing {
     bool shades_first;    ///< the pixel shader comes before the depth test
     bool draws_unset;     ///< rows that no edge sample has reached are drawn like the others
     bool skips_hidden; ///< rows that are hidden altogether go without varyings: nobody reads them
+    RowKernel row_kernel; ///< draws rows at a time; null: each fragment is drawn by itself
     Framebuffer& target;
     Observer* observer;
     PolygonRows rows;                  ///< the row table of the triangle
