@@ -175,7 +175,9 @@ std::optional<PolygonWays> polygon_ways(const Frame& frame, int triangle) {
     ways.fan_laid = pixels_of(laid);
     ways.fan = pixels_of(each_once(laid));
     std::int64_t area = 0, fan_area = 0; // twice
-    for_each_fan_triangle(outline, frame.stages.snap, [&](const FanTriangle& fan) {
+    std::vector<GridPoint> points;
+    snap_corners(outline, frame.stages, points);
+    for_each_fan_triangle(points, [&](const FanTriangle& fan) {
         area += fan.area;
         fan_area += std::abs(fan.area);
     });
@@ -188,8 +190,7 @@ std::optional<PolygonPicture> polygon_picture(const Frame& frame, int triangle) 
     const std::vector<ScreenVertex> corners = outline_of(frame, triangle);
     if (corners.empty()) return {};
     PolygonPicture picture;
-    for (const ScreenVertex& corner : corners)
-        picture.outline.push_back(frame.stages.snap(corner));
+    snap_corners(corners, frame.stages, picture.outline);
     const Rectangle box = touched_pixels(picture.outline);
     const auto [left, right] = shown_side(box.left - 1, box.right + 1);
     const auto [top, bottom] = shown_side(box.top - 1, box.bottom + 1);

@@ -43,11 +43,9 @@ SpanList common(const SpanList& a, const SpanList& b) {
 }
 
 /// Has the polygon an inside? It has none where all its corners lie on a line.
-bool has_inside(std::span<const ScreenVertex> vertices, const Stages& stages) {
-    const GridPoint first = stages.snap(vertices[0]);
-    for (std::size_t i = 2; i < vertices.size(); ++i) {
-        if (double_area(first, stages.snap(vertices[i - 1]), stages.snap(vertices[i])) != 0)
-            return true;
+bool has_inside(std::span<const GridPoint> points) {
+    for (std::size_t i = 2; i < points.size(); ++i) {
+        if (double_area(points[0], points[i - 1], points[i]) != 0) return true;
     }
     return false;
 }
@@ -55,17 +53,19 @@ bool has_inside(std::span<const ScreenVertex> vertices, const Stages& stages) {
 /// Goes down a polygon row by row.
 class ActiveEdges {
   public:
-    ActiveEdges(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                const Stages& stages)
+    /// @param points where the vertices stand
+    ActiveEdges(std::span<const ScreenVertex> vertices, std::span<const GridPoint> points,
+                const EdgeRules& rules, const Stages& stages)
         : carried_(rules.carried) {
         const auto owns = [&](const EdgeDirection& side) { return stages.edge_owns_points(side); };
         owned_ = {owns(left_side), owns(right_side)};
         owns_top_ = owns(top_side);
         owns_bottom_ = owns(bottom_side);
-        if (!has_inside(vertices, stages)) return;
+        if (!has_inside(points)) return;
         for (std::size_t i = 0; i < vertices.size(); ++i) {
-            const ScreenVertex& next = vertices[(i + 1) % vertices.size()];
-            const DownEdge edge = down_edge(vertices[i], next, stages);
+            const std::size_t next = (i + 1) % vertices.size();
+            const DownEdge edge =
+                down_edge({vertices[i], points[i]}, {vertices[next], points[next]});
             if (edge.top.y < edge.bottom.y) to_come_.push_back(edge);
         }
         // The last one comes first.
@@ -101,7 +101,7 @@ class ActiveEdges {
     SpanList spans_of(int row, Counts counts) const {
         std::vector<RowCrossing> crossings;
         for (const DownEdge& edge : active_) {
-            if (counts(edge)) crossings.push_back(crossing_at(edge, pixel_centre(row), carried_));
+            if (counts(edge)) crossings.push_back(crossing_at(edge, pixel_centre(row)));
         }
         std::sort(crossings.begin(), crossings.end());
         SpanList spans;
@@ -112,8 +112,8 @@ class ActiveEdges {
             if (!spans.empty())
                 pixels.first = std::max(pixels.first, spans.back().right.column + 1);
             if (pixels.is_empty()) continue;
-            spans.push_back({row, value_between(left, right, pixels.first, carried_),
-                             value_between(left, right, pixels.last, carried_)});
+            const ValuesBetween values(left, right, carried_);
+            spans.push_back({row, values.at(pixels.first), values.at(pixels.last)});
         }
         return spans;
     }
@@ -128,8 +128,10 @@ class ActiveEdges {
 
 std::vector<InsideSpan> active_edge_spans(std::span<const ScreenVertex> vertices,
                                           const EdgeRules& rules, const Stages& stages) {
-    const Rectangle box = snapped_box(vertices, rules, stages);
-    ActiveEdges edges(vertices, rules, stages);
+    std::vector<GridPoint> points;
+    snap_corners(vertices, stages, points);
+    const Rectangle box = touched_pixels(points);
+    ActiveEdges edges(vertices, points, rules, stages);
     SpanList all;
     for (int row = box.top; row < box.bottom; ++row) {
         const SpanList spans = edges.in_row(row);
@@ -140,9 +142,10 @@ std::vector<InsideSpan> active_edge_spans(std::span<const ScreenVertex> vertices
 
 void rows_by_active_edges(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
                           const Stages& stages, PolygonRows& rows, SampleSink* sink) {
-    const Rectangle box = snapped_box(vertices, rules, stages);
+    snap_corners(vertices, stages, rows.points);
+    const Rectangle box = touched_pixels(rows.points);
     empty_table(box.top, box.bottom - box.top, rows);
-    ActiveEdges edges(vertices, rules, stages);
+    ActiveEdges edges(vertices, rows.points, rules, stages);
     for (int row = box.top; row < box.bottom; ++row) {
         const SpanList spans = edges.in_row(row);
         if (spans.empty()) continue;

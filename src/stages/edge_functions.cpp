@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
+#include <vector>
 
 #include "stages/fan.h"
 #include "stages/stage_table.h"
@@ -164,7 +165,9 @@ void set_up_tests(std::span<const ScreenVertex> vertices, const Stages& stages,
     polygon.triangles.clear();
     for (const ScreenVertex& v : vertices)
         polygon.corners.push_back({v.column, v.depth, v.inv_w, v.z, v.varyings});
-    for_each_fan_triangle(vertices, stages.snap, [&](const FanTriangle& triangle) {
+    std::vector<GridPoint> points;
+    snap_corners(vertices, stages, points);
+    for_each_fan_triangle(points, [&](const FanTriangle& triangle) {
         polygon.triangles.push_back(
             set_up_triangle(triangle, static_cast<int>(vertices.size()), stages));
     });

@@ -36,14 +36,14 @@ struct FanTriangle {
 };
 
 /// Calls the function with every triangle of the fan, in order, also with those that have no area.
+/// @param points where the polygon's corners stand
 template <class Use>
-void for_each_fan_triangle(std::span<const ScreenVertex> vertices,
-                           GridPoint (*snap)(const ScreenVertex&), Use use) {
-    const int count = static_cast<int>(vertices.size());
+void for_each_fan_triangle(std::span<const GridPoint> points, Use use) {
+    const int count = static_cast<int>(points.size());
     const auto triangle_to = [&](int last) {
         FanTriangle triangle{{0, last - 1, last}};
         for (std::size_t i = 0; i < 3; ++i)
-            triangle.points[i] = snap(vertices[static_cast<std::size_t>(triangle.corners[i])]);
+            triangle.points[i] = points[static_cast<std::size_t>(triangle.corners[i])];
         triangle.area = double_area(triangle.points[0], triangle.points[1], triangle.points[2]);
         return triangle;
     };

@@ -27,6 +27,7 @@
 #include "stages/rectangle.h"
 #include "stages/row_end.h"
 #include "stages/screen_vertex.h"
+#include "stages/snap.h"
 
 namespace rasterwalk {
 
@@ -45,6 +46,7 @@ struct PolygonRows {
     std::int64_t looked_at = 0;   ///< rows that were asked on the samples' way to their own
     std::vector<LineSample> line; ///< room for the samples of an edge; kept to save allocations
     std::vector<LineDecision> decisions; ///< likewise, and only where someone is told
+    std::vector<GridPoint> points;       ///< likewise, for the snapped corners
     TestedPolygon tested; ///< where edge functions made the rows; else without triangles
 
     int size() const { return static_cast<int>(left.size()); }
@@ -100,7 +102,8 @@ struct FoundRow {
 Rectangle polygon_box(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
                       const Stages& stages);
 
-/// Gives the table so many empty rows, `first_row` of the picture and those below it.
+/// Gives the table so many empty rows, `first_row` of the picture and those below it. The values at
+/// the ends of an empty row say nothing.
 void empty_table(int first_row, int count, PolygonRows& rows);
 
 /// Empties the table and gives it one row for every row between the highest and the lowest vertex.

@@ -1,15 +1,14 @@
 #include "stages/row_crossing.h"
 
-#include <algorithm>
-
-#include "stages/stage_table.h"
+#include <utility>
 
 namespace rasterwalk {
 
 namespace {
 
 /// a (1 - t) + b t, for every value that is carried.
-RowEnd mix(const RowEnd& a, const RowEnd& b, float t, VaryingSet carried) {
+template <class Values>
+RowEnd mix(const Values& a, const Values& b, float t, VaryingSet carried) {
     const float s = 1.0f - t;
     RowEnd mixed;
     mixed.depth = a.depth * s + b.depth * t;
@@ -28,11 +27,8 @@ int first_pixel(std::int64_t coordinate, bool is_beyond) {
 
 } // namespace
 
-DownEdge down_edge(const ScreenVertex& a, const ScreenVertex& b, const Stages& stages) {
-    const auto values = [](const ScreenVertex& v) {
-        return RowEnd{v.column, v.depth, v.inv_w, v.z, v.varyings};
-    };
-    DownEdge edge{stages.snap(a), stages.snap(b), values(a), values(b), false};
+DownEdge down_edge(const SnappedCorner& a, const SnappedCorner& b) {
+    DownEdge edge{a.point, b.point, &a.vertex, &b.vertex, false};
     if (edge.top.y > edge.bottom.y) {
         std::swap(edge.top, edge.bottom);
         std::swap(edge.at_top, edge.at_bottom);
@@ -48,15 +44,15 @@ int last_row_to(std::int64_t y) {
     return pixel_at(y - grid_parts / 2);
 }
 
-RowCrossing crossing_at(const DownEdge& edge, std::int64_t y, VaryingSet carried) {
+RowCrossing crossing_at(const DownEdge& edge, std::int64_t y) {
     const std::int64_t height = edge.bottom.y - edge.top.y, down = y - edge.top.y;
     const std::int64_t across = (edge.bottom.x - edge.top.x) * down; // times `height` too large
-    RowCrossing crossing;
-    crossing.parts = height;
-    crossing.part = (across % height + height) % height;
-    crossing.whole = edge.top.x + (across - crossing.part) / height;
-    const float t = static_cast<float>(down) / static_cast<float>(height);
-    crossing.values = mix(edge.at_top, edge.at_bottom, t, carried);
+    RowCrossing crossing{edge.top.x + across / height, across % height, height, &edge,
+                         static_cast<float>(down) / static_cast<float>(height)};
+    if (crossing.part < 0) { // to the left of the top: the division has rounded up
+        crossing.part += height;
+        --crossing.whole;
+    }
     return crossing;
 }
 
@@ -66,11 +62,16 @@ PixelSpan pixels_between(const RowCrossing& left, const RowCrossing& right,
             first_pixel(right.whole, right.part > 0 || owned.right) - 1};
 }
 
-RowEnd value_between(const RowCrossing& left, const RowCrossing& right, int column,
-                     VaryingSet carried) {
-    const double from = left.x(), width = right.x() - from;
-    const double t = width > 0.0 ? (static_cast<double>(pixel_centre(column)) - from) / width : 0.0;
-    RowEnd end = mix(left.values, right.values, static_cast<float>(t), carried);
+ValuesBetween::ValuesBetween(const RowCrossing& left, const RowCrossing& right, VaryingSet carried)
+    : from_(left.x()), width_(right.x() - from_),
+      left_(mix(*left.edge->at_top, *left.edge->at_bottom, left.down, carried)),
+      right_(mix(*right.edge->at_top, *right.edge->at_bottom, right.down, carried)),
+      carried_(carried) {}
+
+RowEnd ValuesBetween::at(int column) const {
+    const double t =
+        width_ > 0.0 ? (static_cast<double>(pixel_centre(column)) - from_) / width_ : 0.0;
+    RowEnd end = mix(left_, right_, static_cast<float>(t), carried_);
     end.column = column;
     return end;
 }

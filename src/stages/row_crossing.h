@@ -12,29 +12,35 @@
 
 namespace rasterwalk {
 
-struct Stages;
-
 /// An edge that is not level, from its upper end down.
 struct DownEdge {
     GridPoint top, bottom;
-    RowEnd at_top, at_bottom; ///< the values there; the columns say nothing
-    bool is_inner = false;    ///< of a fan: no edge of the polygon
+    const ScreenVertex* at_top = nullptr; ///< the corner that stands there
+    const ScreenVertex* at_bottom = nullptr;
+    bool is_inner = false; ///< of a fan: no edge of the polygon
 
     bool reaches(std::int64_t y) const { return top.y <= y && y <= bottom.y; }
 };
 
-/// The edge between two vertices; level if both ends have the same y.
-DownEdge down_edge(const ScreenVertex& a, const ScreenVertex& b, const Stages& stages);
+/// A corner of a polygon, and where it stands on the grid.
+struct SnappedCorner {
+    const ScreenVertex& vertex;
+    GridPoint point;
+};
+
+/// The edge between two corners, which must live as long; level if both have the same y.
+DownEdge down_edge(const SnappedCorner& a, const SnappedCorner& b);
 
 /// The first and the last row of pixels whose centres lie from one height to another, both
-/// included: ceil(y - 1/2) and floor(y - 1/2).
+/// included: ceil(y - 1/2) and floor(y - 1/2). Of columns the same.
 int first_row_from(std::int64_t y);
 int last_row_to(std::int64_t y);
 
 /// A place on a row of centres: whole + part / parts, in 256ths of a pixel, 0 <= part < parts.
 struct RowCrossing {
     std::int64_t whole = 0, part = 0, parts = 1;
-    RowEnd values; ///< mixed between the ends of the edge; the column says nothing
+    const DownEdge* edge = nullptr; ///< that crosses
+    float down = 0.0f;              ///< how much of its way down the row lies, 0 to 1
 
     double x() const {
         return static_cast<double>(whole) + static_cast<double>(part) / static_cast<double>(parts);
@@ -44,8 +50,8 @@ struct RowCrossing {
     }
 };
 
-/// Where the edge crosses this height; it must reach it, and not be level.
-RowCrossing crossing_at(const DownEdge& edge, std::int64_t y, VaryingSet carried);
+/// Where the edge crosses this height; it must reach it, not be level, and live as long.
+RowCrossing crossing_at(const DownEdge& edge, std::int64_t y);
 
 /// The pixels of a row whose centres lie between two crossings: from ceil(x_left - 1/2) to
 /// ceil(x_right - 1/2) - 1. That is so where the left one owns its points and the right one does
@@ -60,8 +66,19 @@ struct PixelSpan {
 };
 PixelSpan pixels_between(const RowCrossing& left, const RowCrossing& right, const OwnedEnds& owned);
 
-/// The values at the centre of a pixel that lies between two crossings.
-RowEnd value_between(const RowCrossing& left, const RowCrossing& right, int column,
-                     VaryingSet carried);
+/// The values of a row of centres between two crossings: mixed between the ends of each edge, then
+/// between both crossings.
+class ValuesBetween {
+  public:
+    ValuesBetween(const RowCrossing& left, const RowCrossing& right, VaryingSet carried);
+
+    /// At the centre of a pixel that lies between them.
+    RowEnd at(int column) const;
+
+  private:
+    double from_, width_; ///< 256ths of a pixel
+    RowEnd left_, right_; ///< the columns say nothing
+    VaryingSet carried_;
+};
 
 } // namespace rasterwalk

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "stages/fan.h"
 #include "stages/row_crossing.h"
@@ -30,17 +31,16 @@ struct ScanConversion {
     /// Lays a row of pixels. What other triangles of the polygon have laid there it lengthens.
     void lay_row(const HalfSides& sides, int row) {
         const std::int64_t y = pixel_centre(row);
-        const RowCrossing left = crossing_at(sides.left, y, carried);
-        const RowCrossing right = crossing_at(sides.right, y, carried);
+        const RowCrossing left = crossing_at(sides.left, y);
+        const RowCrossing right = crossing_at(sides.right, y);
         PixelSpan span = pixels_between(left, right, sides.owned);
         const bool begins_at_corner = corner == GridPoint{pixel_centre(span.first), y};
         if (begins_at_corner && !owns_corner) ++span.first;
         if (span.is_empty()) return;
         const auto i = static_cast<std::size_t>(row - rows.first_row);
-        if (span.first < rows.left[i].column)
-            rows.left[i] = value_between(left, right, span.first, carried);
-        if (span.last > rows.right[i].column)
-            rows.right[i] = value_between(left, right, span.last, carried);
+        const ValuesBetween values(left, right, carried);
+        if (span.first < rows.left[i].column) rows.left[i] = values.at(span.first);
+        if (span.last > rows.right[i].column) rows.right[i] = values.at(span.last);
     }
     void lay_rows(const HalfSides& sides, int first, int last) {
         for (int row = first; row <= last; ++row)
@@ -55,18 +55,36 @@ int first_row_below(std::int64_t y, bool is_owned) {
     return !is_owned && pixel_centre(row) == y ? row + 1 : row;
 }
 
+/// The corners of a triangle from top to bottom; of two at one height the first stays first.
+std::array<std::size_t, 3> from_top_to_bottom(const FanTriangle& triangle) {
+    std::array<std::size_t, 3> order{0, 1, 2};
+    const auto sort_pair = [&](std::size_t upper, std::size_t lower) {
+        if (triangle.points[order[lower]].y < triangle.points[order[upper]].y)
+            std::swap(order[upper], order[lower]);
+    };
+    sort_pair(0, 1);
+    sort_pair(1, 2);
+    sort_pair(0, 1);
+    return order;
+}
+
+/// Does the box of a triangle hold the centre of any pixel? Those of a dense mesh often hold none.
+bool holds_centre(const FanTriangle& triangle) {
+    const auto [a, b, c] = triangle.points;
+    return first_row_from(std::min({a.y, b.y, c.y})) <= last_row_to(std::max({a.y, b.y, c.y})) &&
+           first_row_from(std::min({a.x, b.x, c.x})) <= last_row_to(std::max({a.x, b.x, c.x}));
+}
+
 void convert_triangle(const FanTriangle& triangle, std::span<const ScreenVertex> vertices,
-                      const Stages& stages, ScanConversion& conversion) {
-    if (triangle.area == 0) return;
-    std::array<std::size_t, 3> order{0, 1, 2}; // of the corners, from top to bottom
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return triangle.points[a].y < triangle.points[b].y;
-    });
-    const auto vertex = [&](std::size_t corner) -> const ScreenVertex& {
-        return vertices[static_cast<std::size_t>(triangle.corners[corner])];
+                      ScanConversion& conversion) {
+    if (triangle.area == 0 || !holds_centre(triangle)) return;
+    const std::array<std::size_t, 3> order = from_top_to_bottom(triangle);
+    const auto corner = [&](std::size_t i) {
+        return SnappedCorner{vertices[static_cast<std::size_t>(triangle.corners[i])],
+                             triangle.points[i]};
     };
     const auto edge_between = [&](std::size_t a, std::size_t b) {
-        DownEdge edge = down_edge(vertex(a), vertex(b), stages);
+        DownEdge edge = down_edge(corner(a), corner(b));
         // Edge i begins at corner i; of two corners the one that the other follows.
         edge.is_inner = triangle.is_inner[(a + 1) % 3 == b ? a : b];
         return edge;
@@ -113,18 +131,19 @@ void convert_triangle(const FanTriangle& triangle, std::span<const ScreenVertex>
 
 void rows_by_scan_conversion(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
                              const Stages& stages, PolygonRows& rows, SampleSink* sink) {
-    const Rectangle box = snapped_box(vertices, rules, stages);
+    snap_corners(vertices, stages, rows.points);
+    const Rectangle box = touched_pixels(rows.points);
     empty_table(box.top, box.bottom - box.top, rows);
     const auto owns = [&](const EdgeDirection& side) { return stages.edge_owns_points(side); };
     ScanConversion conversion{.owned = {owns(left_side), owns(right_side)},
                               .owns_top = owns(top_side),
                               .owns_bottom = owns(bottom_side),
-                              .corner = stages.snap(vertices[0]),
+                              .corner = rows.points[0],
                               .owns_corner = owns_any(stages.edge_owns_points),
                               .carried = rules.carried,
                               .rows = rows};
-    for_each_fan_triangle(vertices, stages.snap, [&](const FanTriangle& triangle) {
-        convert_triangle(triangle, vertices, stages, conversion);
+    for_each_fan_triangle(rows.points, [&](const FanTriangle& triangle) {
+        convert_triangle(triangle, vertices, conversion);
     });
     if (sink != nullptr) sink->rows_without_samples(rows);
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "stages/stage_table.h"
 
@@ -12,8 +11,11 @@ namespace {
 
 /// The nearest of `parts` parts of a pixel, in 256ths. In double, which holds it without error.
 std::int64_t nearest_part(float place, int parts) {
-    const double nearest = std::floor(static_cast<double>(place) * parts + 0.5);
-    return static_cast<std::int64_t>(nearest) * (grid_parts / parts);
+    // Rounded down by hand: std::floor() is a call on processors that it must do without.
+    const double above = static_cast<double>(place) * parts + 0.5;
+    std::int64_t nearest = static_cast<std::int64_t>(above);
+    if (static_cast<double>(nearest) > above) --nearest;
+    return nearest * (grid_parts / parts);
 }
 
 } // namespace
@@ -36,6 +38,13 @@ GridPoint snap_to_sixteenth(const ScreenVertex& vertex) {
 GridPoint snap_to_subpixel(const ScreenVertex& vertex) {
     constexpr int parts = static_cast<int>(grid_parts);
     return {nearest_part(vertex.position.x, parts), nearest_part(vertex.position.y, parts)};
+}
+
+void snap_corners(std::span<const ScreenVertex> vertices, const Stages& stages,
+                  std::vector<GridPoint>& points) {
+    points.clear();
+    for (const ScreenVertex& vertex : vertices)
+        points.push_back(stages.snap(vertex));
 }
 
 Rectangle touched_pixels(std::span<const GridPoint> points) {

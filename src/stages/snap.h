@@ -18,6 +18,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "stages/rectangle.h"
 #include "stages/screen_vertex.h"
@@ -59,6 +60,11 @@ GridPoint snap_to_sixteenth(const ScreenVertex& vertex);
 
 /// To the nearest 256th of a pixel, likewise.
 GridPoint snap_to_subpixel(const ScreenVertex& vertex);
+
+/// Where the corners of a polygon stand, by the slot `snap`.
+/// @param points receives them, in place of what it holds
+void snap_corners(std::span<const ScreenVertex> vertices, const Stages& stages,
+                  std::vector<GridPoint>& points);
 
 /// All pixels that the box of these points touches.
 /// @param points at least one
