@@ -16,10 +16,12 @@ int edge_sample_count_shifted(const ScreenVertex& a, const ScreenVertex& b) {
 void begin_rows_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
                            PolygonRows& rows) {
     begin_polygon_rows(vertices, rules, rows);
-    for (RowEnd& end : rows.left)
-        end.column = rules.picture_width;
-    for (RowEnd& end : rows.right)
-        end.column = 0;
+    // Where no sample comes, such a row is drawn with what it was begun with.
+    RowEnd end;
+    end.column = rules.picture_width;
+    rows.left.assign(rows.left.size(), end);
+    end.column = 0;
+    rows.right.assign(rows.right.size(), end);
 }
 
 Rectangle polygon_box_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules,

@@ -87,6 +87,30 @@ LineStep line_step(const LineEnd& a, const LineEnd& b, const LinePart& part);
 void interpolate(const LineEnd& a, const LineEnd& b, const LineStep& step, const LinePart& part,
                  std::span<LineSample> result);
 
+/// The lab's Interpolate for those who keep no sample: the running values themselves.
+class RunningSample {
+  public:
+    /// Stands at the first sample of the line. What is not carried stays as `a` has it.
+    RunningSample(const LineEnd& a, const LineEnd& b, const LinePart& part)
+        : values_(a), step_(line_step(a, b, part)) {}
+
+    const LineEnd& values() const { return values_; }
+
+    /// To the next sample.
+    void advance() {
+        values_.x = values_.x + step_.x;
+        values_.y = values_.y + step_.y;
+        values_.depth = values_.depth + step_.depth;
+        values_.inv_w = values_.inv_w + step_.inv_w;
+        values_.z = values_.z + step_.z;
+        values_.varyings = values_.varyings + step_.varyings;
+    }
+
+  private:
+    LineEnd values_;
+    LineStep step_;
+};
+
 /// The same samples as a + i * step: one rounding error instead of i of them.
 void interpolate_by_multiplying(const LineEnd& a, const LineEnd& b, const LineStep& step,
                                 const LinePart& part, std::span<LineSample> result);

@@ -13,13 +13,55 @@ void note(const LineSample& sample, bool has_varyings, EdgeSample& told) {
     told.x = sample.x;
     told.y = sample.y;
     told.fragment.row = sample.fragment.row;
-    enter(sample.fragment, has_varyings, told.fragment);
+    enter(sample.fragment.column, sample.fragment, has_varyings, told.fragment);
 }
 
 /// Room for the decisions of an edge.
 std::span<LineDecision> decisions_of(PolygonRows& rows, int count) {
     rows.decisions.assign(static_cast<std::size_t>(count), {});
     return rows.decisions;
+}
+
+/// Enters a sample, if the table has its row.
+template <class Values>
+RowWrite enter_sample(int column, int row, const Values& values, bool has_varyings,
+                      const Stages& stages, PolygonRows& rows) {
+    const FoundRow found = call<find_row>(stages.find_row, row, rows);
+    rows.looked_at += found.looked_at;
+    if (found.index < 0) {
+        ++rows.outside;
+        return {};
+    }
+    RowWrite write{true, false, false};
+    const auto index = static_cast<std::size_t>(found.index);
+    if (column < rows.left[index].column) {
+        enter(column, values, has_varyings, rows.left[index]);
+        write.left = true;
+    }
+    if (column > rows.right[index].column) {
+        enter(column, values, has_varyings, rows.right[index]);
+        write.right = true;
+    }
+    return write;
+}
+
+/// Does a running value make the samples of an edge? Then none need be kept.
+bool has_running_samples(const Stages& stages) {
+    return stages.line == line_by_interpolate && stages.line_step == line_step &&
+           stages.interpolate == interpolate;
+}
+
+/// Enters the samples of an edge while it is walked.
+void walk_edge(const LineEnd& a, const LineEnd& b, const LinePart& part, const Stages& stages,
+               PolygonRows& rows) {
+    const bool has_varyings = !(part.carried == VaryingSet{});
+    RunningSample sample(a, b, part);
+    for (int s = 0; s < part.count; ++s) {
+        const LineEnd& at = sample.values();
+        enter_sample(to_pixel(at.x, part.rounding), to_pixel(at.y, part.rounding), at, has_varyings,
+                     stages, rows);
+        sample.advance();
+    }
 }
 
 } // namespace
@@ -40,11 +82,12 @@ void empty_table(int first_row, int count, PolygonRows& rows) {
     rows.outside = 0;
     rows.looked_at = 0;
     rows.tested.triangles.clear();
-    RowEnd empty;
-    empty.column = empty_left;
-    rows.left.assign(static_cast<std::size_t>(count), empty);
-    empty.column = empty_right;
-    rows.right.assign(static_cast<std::size_t>(count), empty);
+    rows.left.resize(static_cast<std::size_t>(count));
+    rows.right.resize(static_cast<std::size_t>(count));
+    for (RowEnd& end : rows.left)
+        end.column = empty_left;
+    for (RowEnd& end : rows.right)
+        end.column = empty_right;
 }
 
 void begin_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules&,
@@ -57,24 +100,8 @@ void begin_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules&
 
 RowWrite add_edge_sample(const Fragment& sample, VaryingSet carried, const Stages& stages,
                          PolygonRows& rows) {
-    const FoundRow row = call<find_row>(stages.find_row, sample.row, rows);
-    rows.looked_at += row.looked_at;
-    if (row.index < 0) {
-        ++rows.outside;
-        return {};
-    }
-    RowWrite write{true, false, false};
     const bool has_varyings = !(carried == VaryingSet{});
-    const auto index = static_cast<std::size_t>(row.index);
-    if (sample.column < rows.left[index].column) {
-        enter(sample, has_varyings, rows.left[index]);
-        write.left = true;
-    }
-    if (sample.column > rows.right[index].column) {
-        enter(sample, has_varyings, rows.right[index]);
-        write.right = true;
-    }
-    return write;
+    return enter_sample(sample.column, sample.row, sample, has_varyings, stages, rows);
 }
 
 void compute_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
@@ -82,6 +109,7 @@ void compute_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRule
     stages.begin_polygon_rows(vertices, rules, rows);
     if (sink != nullptr) sink->begin_rows(rows);
     const bool has_varyings = !(rules.carried == VaryingSet{});
+    const bool keeps_nothing = sink == nullptr && has_running_samples(stages);
     const bool tells_decisions = sink != nullptr && stages.line != line_by_interpolate;
     EdgeSample told;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -89,8 +117,12 @@ void compute_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRule
         const ScreenVertex& to = vertices[(i + 1) % vertices.size()];
         const LineEnd a = line_end(from), b = line_end(to);
         const int count = call<edge_sample_count>(stages.edge_sample_count, from, to);
-        const std::span<LineSample> line = samples_of(rows.line, count);
         const LinePart part{count, 0, rules.rounding, rules.carried};
+        if (keeps_nothing) {
+            walk_edge(a, b, part, stages, rows);
+            continue;
+        }
+        const std::span<LineSample> line = samples_of(rows.line, count);
         const std::span<LineDecision> decisions = decisions_of(rows, tells_decisions ? count : 0);
         call<line_by_interpolate>(stages.line, a, b, part, stages, line, decisions);
         for (int s = 0; s < count; ++s) {

@@ -16,14 +16,15 @@ struct RowEnd {
 };
 
 /// Puts a sample of an edge at the end of a row, or where it is told of.
+/// @param values       of the sample
 /// @param has_varyings false: none are carried, and what is there of them stays as it was
-template <class End>
-void enter(const Fragment& sample, bool has_varyings, End& end) {
-    end.column = sample.column;
-    end.depth = sample.depth;
-    end.inv_w = sample.inv_w;
-    end.z = sample.z;
-    if (has_varyings) end.varyings = sample.varyings;
+template <class Values, class End>
+void enter(int column, const Values& values, bool has_varyings, End& end) {
+    end.column = column;
+    end.depth = values.depth;
+    end.inv_w = values.inv_w;
+    end.z = values.z;
+    if (has_varyings) end.varyings = values.varyings;
 }
 
 /// The end of a row at this sample of an edge.
