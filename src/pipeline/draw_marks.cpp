@@ -40,6 +40,7 @@ void show_row_end(Drawing& d, const Cursor& cursor, const RowEnd& end, const glm
 
 void show_vertices(Drawing& d, int triangle) {
     const bool is_shown = d.frame.settings.stage == Stage::points && d.frame.is_drawn(triangle);
+    if (!is_shown && d.observer == nullptr) return;
     const PieceRange range = clamp_to_window(d.window, {triangle, Phase::vertices, 0, 0},
                                              &Cursor::index, triangle_corners);
     for (int v = range.first; v < range.last; ++v) {

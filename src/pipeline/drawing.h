@@ -2,7 +2,6 @@
 
 // What the parts of draw() share while they draw; of no use to anyone else.
 
-#include <algorithm>
 #include <vector>
 
 #include "pipeline/draw.h"
@@ -34,26 +33,5 @@ struct Drawing {
     std::vector<LineSample> fragments; ///< of the row, and room for those of longer ones
     DrawTally tally;
 };
-
-/// The part [first, last) of `count` pieces of a phase that begin in the window. `piece` is the
-/// first piece of the phase; `field` is the member of the cursor that counts its pieces.
-struct PieceRange {
-    int first, last;
-};
-inline PieceRange clamp_to_window(const DrawWindow& window, Cursor piece, int Cursor::*field,
-                                  int count) {
-    // A cursor of this triangle and phase bounds the loop by its own count; any other lies wholly
-    // before or wholly after all pieces.
-    const auto begun_before = [&](const Cursor& bound) {
-        const bool same_line = bound.pass == piece.pass && bound.triangle == piece.triangle &&
-                               bound.phase == piece.phase &&
-                               (field == &Cursor::index || bound.index == piece.index);
-        if (!same_line) return bound > piece ? count : 0;
-        const int whole = std::clamp(bound.*field, 0, count);
-        const bool within_piece = field == &Cursor::index && bound.step > 0;
-        return within_piece ? std::min(whole + 1, count) : whole;
-    };
-    return {begun_before(window.from), begun_before(window.to)};
-}
 
 } // namespace rasterwalk

@@ -33,6 +33,7 @@ void tell_pixel_tests(const Drawing& d, int triangle) {
 }
 
 std::int64_t count_pixel_tests(const Frame& frame, const TestedPolygon& tested) {
+    if (tested.triangles.empty()) return 0;
     const Rectangle area = drawn_area(frame);
     std::int64_t count = 0;
     for (const TestedTriangle& triangle : tested.triangles) {

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <algorithm>
+#include <climits>
+#include <optional>
+
+#include "pipeline/cursor.h"
+#include "stages/rectangle.h"
+
+namespace rasterwalk {
+
+/// Which part of a frame is drawn: the moments from `from` up to, not including, `to`, and of them
+/// only what falls in the scissor. Limits what is written and who is told; never the numbers.
+struct DrawWindow {
+    Cursor from = cursor_begin;
+    Cursor to = cursor_end;
+    std::optional<Rectangle> scissor;
+};
+
+/// The end of a window that holds a triangle to its last moment, and nothing of the next.
+constexpr Cursor behind_triangle(int triangle) {
+    return {triangle, phase_list.back().phase, INT_MAX, 0};
+}
+
+/// The part [first, last) of `count` pieces of a phase that begin in the window. `piece` is the
+/// first piece of the phase; `field` is the member of the cursor that counts its pieces.
+struct PieceRange {
+    int first, last;
+};
+inline PieceRange clamp_to_window(const DrawWindow& window, Cursor piece, int Cursor::*field,
+                                  int count) {
+    // A cursor of this triangle and phase bounds the loop by its own count; any other lies wholly
+    // before or wholly after all pieces.
+    const auto begun_before = [&](const Cursor& bound) {
+        const bool same_line = bound.pass == piece.pass && bound.triangle == piece.triangle &&
+                               bound.phase == piece.phase &&
+                               (field == &Cursor::index || bound.index == piece.index);
+        if (!same_line) return bound > piece ? count : 0;
+        const int whole = std::clamp(bound.*field, 0, count);
+        const bool within_piece = field == &Cursor::index && bound.step > 0;
+        return within_piece ? std::min(whole + 1, count) : whole;
+    };
+    return {begun_before(window.from), begun_before(window.to)};
+}
+
+} // namespace rasterwalk
