@@ -268,7 +268,7 @@ std::optional<Formula> Maker::pixel(std::string_view corner, std::string_view pa
     if (!frame.is_drawn(history.triangle) || (part != "column" && part != "row"))
         return std::nullopt;
     const std::vector<CutCorner> corners = corners_before(history);
-    const std::span<const ScreenVertex> pixels = frame.triangle_vertices(history.triangle);
+    const PolygonCorners pixels = frame.triangle_vertices(history.triangle);
     const int i = index_of(corner, std::min(corners.size(), pixels.size()));
     if (i < 0) return std::nullopt;
     const ScreenVertex& pixel = pixels[static_cast<std::size_t>(i)];

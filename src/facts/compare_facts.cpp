@@ -35,8 +35,8 @@ Value vertices_elsewhere(const Facts& facts, int) {
     int elsewhere = 0;
     for (int t = 0; t < std::min(a.triangle_count(), b.triangle_count()); ++t) {
         if (!a.is_drawn(t) || !b.is_drawn(t) || a.is_cut(t) || b.is_cut(t)) continue;
-        const std::span<const ScreenVertex> in_a = a.triangle_vertices(t);
-        const std::span<const ScreenVertex> in_b = b.triangle_vertices(t);
+        const PolygonCorners in_a = a.triangle_vertices(t);
+        const PolygonCorners in_b = b.triangle_vertices(t);
         for (std::size_t v = 0; v < std::min(in_a.size(), in_b.size()); ++v)
             elsewhere += in_a[v].column != in_b[v].column || in_a[v].row != in_b[v].row ? 1 : 0;
     }

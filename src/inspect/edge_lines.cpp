@@ -16,7 +16,7 @@ class EdgePixels : public SampleSink {
 
     EdgePixels(const Frame& frame, int triangle) {
         if (!frame.is_drawn(triangle)) return;
-        const std::span<const ScreenVertex> vertices = frame.triangle_vertices(triangle);
+        const PolygonCorners vertices = frame.triangle_vertices(triangle);
         edges_.resize(vertices.size());
         // Where coverage walks no edges they are those of stage `edges`.
         const Stages walking = walking_edges(frame.stages);
@@ -48,7 +48,7 @@ EdgeEnds count_edge_ends(const Frame& frame) {
     for (int t = 0; t < frame.triangle_count(); ++t) {
         const EdgePixels pixels(frame, t);
         for (std::size_t e = 0; e < pixels.edges().size(); ++e) {
-            const std::span<const ScreenVertex> v = frame.triangle_vertices(t);
+            const PolygonCorners v = frame.triangle_vertices(t);
             const ScreenVertex& end = v[(e + 1) % v.size()];
             const std::vector<glm::ivec2>& edge = pixels.edges()[e];
             ++ends.edges;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <span>
 #include <utility>
 
 #include "stages/active_edges.h"
@@ -21,8 +20,7 @@ struct Stretch {
 };
 
 /// From top to bottom.
-void add_stretches(const Frame& frame, std::span<const ScreenVertex> corners,
-                   std::vector<Stretch>& all) {
+void add_stretches(const Frame& frame, PolygonCorners corners, std::vector<Stretch>& all) {
     for (const InsideSpan& span :
          active_edge_spans(corners, edge_rules(frame.settings, {}), frame.stages))
         all.push_back({span.row, span.left.column, span.right.column});
@@ -138,7 +136,7 @@ PolygonByWay by_way(const std::vector<Stretch>& covered, const std::vector<Stret
 bool goes_on(const Frame& frame, int triangle, const std::vector<ScreenVertex>& outline) {
     if (!frame.is_drawn(triangle) || frame.is_cut(triangle)) return false;
     if (outline.empty()) return true;
-    const std::span<const ScreenVertex> corners = frame.triangle_vertices(triangle);
+    const PolygonCorners corners = frame.triangle_vertices(triangle);
     return corners[0].position == outline.front().position &&
            corners[1].position == outline.back().position;
 }
@@ -156,9 +154,9 @@ std::vector<ScreenVertex> outline_of(const Frame& frame, int triangle) {
     for (int i = 0; i < found->triangle_count; ++i) {
         const int t = found->first_triangle + i;
         if (!goes_on(frame, t, outline)) return {};
-        const std::span<const ScreenVertex> corners = frame.triangle_vertices(t);
-        const auto known = outline.empty() ? corners.begin() : corners.end() - 1;
-        outline.insert(outline.end(), known, corners.end());
+        const PolygonCorners corners = frame.triangle_vertices(t);
+        for (std::size_t c = outline.empty() ? 0 : corners.size() - 1; c < corners.size(); ++c)
+            outline.push_back(corners[c]);
     }
     return outline;
 }

@@ -112,7 +112,7 @@ void keep_tested(const Frame& frame, int triangle, const Cursor& to, PolygonRows
     }
 }
 
-std::vector<InsideSpan> inside_spans(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
+std::vector<InsideSpan> inside_spans(PolygonCorners vertices, const EdgeRules& rules,
                                      const Stages& stages) {
     if (stages.compute_polygon_rows != rows_by_active_edges) return {};
     return active_edge_spans(vertices, rules, stages);
@@ -140,8 +140,8 @@ RowHistory row_history(const Frame& frame, int triangle, const Cursor& to) {
     return history;
 }
 
-RowHistory row_history(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                       const Stages& stages, int samples) {
+RowHistory row_history(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
+                       int samples) {
     RowHistory history;
     HistoryMaker maker(history, [&](const EdgeSample&) { return history.samples < samples; });
     PolygonRows table;

@@ -12,6 +12,7 @@
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
 #include "stages/active_edges.h"
+#include "stages/polygon_corners.h"
 #include "stages/polygon_rows.h"
 
 namespace rasterwalk {
@@ -60,8 +61,8 @@ RowHistory row_history(const Frame& frame, int triangle, const Cursor& to = curs
 
 /// The table of a polygon of at least one vertex, after the first `samples` of the samples of its
 /// edges, of all edges in order.
-RowHistory row_history(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                       const Stages& stages, int samples = INT_MAX);
+RowHistory row_history(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
+                       int samples = INT_MAX);
 
 /// The samples of a drawn triangle's edges that come before `to`, in order, and what each did.
 std::vector<EdgeSample> edge_samples(const Frame& frame, int triangle,

@@ -17,7 +17,7 @@ constexpr std::size_t corner_behind(std::size_t corner) {
 }
 
 SnappedCorners snapped_corners(const Frame& frame, int triangle) {
-    const std::span<const ScreenVertex> vertices = frame.triangle_vertices(triangle);
+    const PolygonCorners vertices = frame.triangle_vertices(triangle);
     SnappedCorners corners;
     for (std::size_t i = 0; i < corners.size(); ++i)
         corners[i] = frame.stages.snap(vertices[i]);

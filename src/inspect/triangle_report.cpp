@@ -13,7 +13,7 @@ TriangleReport triangle_report(const Frame& frame, int triangle, const Cursor& t
     report.clip = clip_history(frame, triangle);
     if (!frame.is_drawn(triangle)) return report;
     report.rows = row_history(frame, triangle, to);
-    const std::span<const ScreenVertex> pixels = frame.triangle_vertices(triangle);
+    const PolygonCorners pixels = frame.triangle_vertices(triangle);
     report.edges.resize(pixels.size());
     for (std::size_t e = 0; e < pixels.size(); ++e) {
         report.edges[e].from = pixels[e];

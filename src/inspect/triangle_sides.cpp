@@ -41,7 +41,7 @@ TriangleSides triangle_sides(const Frame& frame, int triangle) {
     return sides;
 }
 
-std::optional<ArrowProducts> arrows_of(std::span<const ScreenVertex> corners) {
+std::optional<ArrowProducts> arrows_of(PolygonCorners corners) {
     if (corners.size() != static_cast<std::size_t>(triangle_corners)) return std::nullopt;
     const auto arrow_to = [&](std::size_t i) {
         return glm::dvec2(corners[i].column - corners[0].column, corners[i].row - corners[0].row);

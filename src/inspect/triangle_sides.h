@@ -3,9 +3,9 @@
 // Where a triangle of the scene lies, and which side of it is seen: what reject, clip and cull ask.
 
 #include <optional>
-#include <span>
 
 #include "inspect/clip_history.h"
+#include "stages/polygon_corners.h"
 
 namespace rasterwalk {
 
@@ -32,6 +32,6 @@ struct ArrowProducts {
 };
 
 /// None of a polygon that clipping has given more or fewer than three corners.
-std::optional<ArrowProducts> arrows_of(std::span<const ScreenVertex> corners);
+std::optional<ArrowProducts> arrows_of(PolygonCorners corners);
 
 } // namespace rasterwalk

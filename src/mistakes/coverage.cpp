@@ -13,8 +13,7 @@ int edge_sample_count_shifted(const ScreenVertex& a, const ScreenVertex& b) {
     return std::max({std::abs(a.column - b.column + 1), std::abs(a.row - b.row + 1), 1});
 }
 
-void begin_rows_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                           PolygonRows& rows) {
+void begin_rows_at_picture(PolygonCorners vertices, const EdgeRules& rules, PolygonRows& rows) {
     begin_polygon_rows(vertices, rules, rows);
     // Where no sample comes, such a row is drawn with what it was begun with.
     RowEnd end;
@@ -24,7 +23,7 @@ void begin_rows_at_picture(std::span<const ScreenVertex> vertices, const EdgeRul
     rows.right.assign(rows.right.size(), end);
 }
 
-Rectangle polygon_box_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
+Rectangle polygon_box_at_picture(PolygonCorners vertices, const EdgeRules& rules,
                                  const Stages& stages) {
     Rectangle box = polygon_box(vertices, rules, stages);
     box.left = std::min(box.left, rules.picture_width);

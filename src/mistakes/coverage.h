@@ -5,6 +5,7 @@
 
 #include "stages/edge_functions.h"
 #include "stages/fill_rule.h"
+#include "stages/polygon_corners.h"
 #include "stages/polygon_rows.h"
 #include "stages/snap.h"
 
@@ -19,11 +20,10 @@ int edge_sample_count_shifted(const ScreenVertex& a, const ScreenVertex& b);
 
 /// B6, in the slot begin_polygon_rows: the left ends start at the picture's width and the right
 /// ends at 0, which is not extreme enough: phantom pixels for polygons beside the picture.
-void begin_rows_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                           PolygonRows& rows);
+void begin_rows_at_picture(PolygonCorners vertices, const EdgeRules& rules, PolygonRows& rows);
 
 /// The box that goes with begin_rows_at_picture: rows also reach to where their ends started.
-Rectangle polygon_box_at_picture(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
+Rectangle polygon_box_at_picture(PolygonCorners vertices, const EdgeRules& rules,
                                  const Stages& stages);
 
 /// B27, in the slot find_row: asks every row of the table whether it is the one. The answer is the

@@ -135,7 +135,7 @@ std::vector<WireEdge> find_wires(const Frame& frame) {
     std::vector<WireEdge> wires;
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
-        const std::span<const ScreenVertex> v = frame.triangle_vertices(t);
+        const PolygonCorners v = frame.triangle_vertices(t);
         for (std::size_t e = 0; e < v.size(); ++e) {
             const ScreenVertex& a = v[e];
             const ScreenVertex& b = v[(e + 1) % v.size()];

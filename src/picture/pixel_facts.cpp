@@ -78,7 +78,7 @@ Neighbours find_neighbours(const Frame& frame) {
     std::vector<std::pair<int, int>> pairs; // later, earlier
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const Side& later = sides[i];
-        const std::span<const ScreenVertex> v = frame.triangle_vertices(later.triangle);
+        const PolygonCorners v = frame.triangle_vertices(later.triangle);
         const GridPoint a = standing_point(frame, v[(later.opposite + 1) % triangle_corners]);
         const GridPoint b = standing_point(frame, v[(later.opposite + 2) % triangle_corners]);
         const int on_side = side_of_line(a, b, standing_point(frame, v[later.opposite]));

@@ -44,7 +44,8 @@ std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle,
     VertexRules rules = vertex_rules(settings, frame.scene->space);
     rules.occluders = occluders_of(frame);
     FramePreparation(mesh, rules, other).advance();
-    return std::move(other.vertices);
+    const PolygonCorners corners = other.triangle_vertices(0);
+    return {corners.begin(), corners.end()};
 }
 
 int triangle_in(const Frame& frame, const Frame& other, int triangle_of_other) {

@@ -3,7 +3,6 @@
 #include <array>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "settings/choose_stages.h"
 #include "settings/depth_words.h"
 #include "settings/settings.h"
+#include "stages/polygon_corners.h"
 
 namespace rasterwalk {
 
@@ -36,7 +36,7 @@ struct Frame {
     std::vector<ClipVertex> shaded;         ///< the vertices of the mesh in clip space
     std::vector<ProjectedVertex> projected; ///< the same, projected
     std::vector<TriangleIndices> triangles; ///< of the mesh: which vertices are their corners
-    std::vector<ScreenVertex> vertices;     ///< the corners of the polygons, one after another
+    std::vector<ScreenVertex> vertices;     ///< corners of those that are cut, one after another
     bool blends = false;                    ///< something is half transparent, and drawn so
     Occluders occluders;                    ///< what casts shadows; empty where nothing does
     bool bends = false;                     ///< normal maps bend normals somewhere
@@ -88,9 +88,11 @@ struct Frame {
             triangles[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(corner)]);
     }
     /// The corners of what is drawn of a triangle; of one that is not drawn, as far as known.
-    std::span<const ScreenVertex> triangle_vertices(int triangle) const {
-        const Polygon& polygon = polygons[static_cast<std::size_t>(triangle)];
-        return {vertices.data() + polygon.first, static_cast<std::size_t>(polygon.count)};
+    PolygonCorners triangle_vertices(int triangle) const {
+        const auto t = static_cast<std::size_t>(triangle);
+        const Polygon& polygon = polygons[t];
+        if (!polygon.is_cut) return {projected, triangles[t]};
+        return std::span{vertices.data() + polygon.first, static_cast<std::size_t>(polygon.count)};
     }
 };
 

@@ -32,7 +32,9 @@ void take_scene(const Scene& scene, int tessellation, Frame& frame) {
 
 FramePreparation::FramePreparation(const Mesh& mesh, const VertexRules& rules, Frame& frame)
     : mesh_(&mesh), frame_(&frame), volume_(rules), rays_(sight_rays(rules)),
-      rotation_(camera_rotation(rules.camera)) {
+      rotation_(camera_rotation(rules.camera)),
+      asks_corners_(frame.stages.reject != reject_nothing || frame.stages.clip != clip_nothing ||
+                    frame.stages.cull != cull_nothing) {
     frame.triangles = mesh.triangles();
     frame.shaded.clear();
     frame.projected.clear();
@@ -40,7 +42,6 @@ FramePreparation::FramePreparation(const Mesh& mesh, const VertexRules& rules, F
     frame.polygons.clear();
     frame.shaded.reserve(mesh.vertices().size());
     frame.projected.reserve(mesh.vertices().size());
-    frame.vertices.reserve(triangle_corners * mesh.triangles().size());
     frame.polygons.reserve(mesh.triangles().size());
 }
 
@@ -56,17 +57,17 @@ double FramePreparation::work() const {
 
 void FramePreparation::advance(const WorkLimit& limit) {
     const double part = limit.of(work());
-    const auto count = [&](double work, double each, std::size_t left) {
+    const auto count_of = [&](double work, double each, std::size_t left) {
         const double share = std::clamp(work / each, 1.0, static_cast<double>(left) + 1.0);
         return std::min(static_cast<std::size_t>(share), left);
     };
     const std::size_t vertices =
-        count(part, vertex_preparation, mesh_->vertices().size() - frame_->projected.size());
+        count_of(part, vertex_preparation, mesh_->vertices().size() - frame_->projected.size());
     shade_vertices(vertices);
     if (frame_->projected.size() < mesh_->vertices().size()) return;
     const double left = part - vertex_preparation * static_cast<double>(vertices);
     make_polygons(
-        count(left, triangle_preparation, mesh_->triangles().size() - frame_->polygons.size()));
+        count_of(left, triangle_preparation, mesh_->triangles().size() - frame_->polygons.size()));
 }
 
 void FramePreparation::shade_vertices(std::size_t count) {
@@ -84,18 +85,24 @@ void FramePreparation::make_polygons(std::size_t count) {
         frame_->polygons.push_back(make(static_cast<int>(frame_->polygons.size())));
 }
 
-/// Reject, clip, cull and project; appends the corners to the frame's.
+/// Reject, clip, cull and project. What is cut has its corners appended to the frame's.
 Polygon FramePreparation::make(int triangle) {
     Polygon polygon{static_cast<int>(frame_->vertices.size()), 0, Rejection::none, false};
-    clip(triangle, polygon);
-    if (polygon.rejection == Rejection::none)
-        polygon.rejection = frame_->stages.cull(corners_, volume_.rules, rays_, nullptr);
-    if (polygon.is_cut) {
-        for (const ClipVertex& corner : corners_)
-            add(frame_->stages.project(corner, volume_.rules, frame_->stages, nullptr), polygon);
-    } else {
+    if (asks_corners_) {
+        clip(triangle, polygon);
+        if (polygon.rejection == Rejection::none)
+            polygon.rejection = frame_->stages.cull(corners_, volume_.rules, rays_, nullptr);
+    }
+    if (!polygon.is_cut) {
         for (int corner = 0; corner < triangle_corners; ++corner)
-            add(frame_->given_vertex(triangle, corner), polygon);
+            count(frame_->given_vertex(triangle, corner), polygon);
+        return polygon;
+    }
+    for (const ClipVertex& corner : corners_) {
+        const ProjectedVertex projected =
+            frame_->stages.project(corner, volume_.rules, frame_->stages, nullptr);
+        count(projected, polygon);
+        frame_->vertices.push_back(projected.pixel);
     }
     return polygon;
 }
@@ -112,9 +119,8 @@ void FramePreparation::clip(int triangle, Polygon& polygon) {
     polygon.is_cut = clipped.is_cut && polygon.rejection == Rejection::none;
 }
 
-void FramePreparation::add(const ProjectedVertex& corner, Polygon& polygon) {
+void FramePreparation::count(const ProjectedVertex& corner, Polygon& polygon) {
     if (polygon.rejection == Rejection::none) polygon.rejection = corner.rejection;
-    frame_->vertices.push_back(corner.pixel);
     ++polygon.count;
 }
 

@@ -31,13 +31,14 @@ class FramePreparation {
     void make_polygons(std::size_t count);
     Polygon make(int triangle);
     void clip(int triangle, Polygon& polygon);
-    void add(const ProjectedVertex& corner, Polygon& polygon);
+    static void count(const ProjectedVertex& corner, Polygon& polygon);
 
     const Mesh* mesh_;
     Frame* frame_;
     ViewVolume volume_;
     SightRays rays_;
     glm::mat3 rotation_;
+    bool asks_corners_;               ///< for them alone the corners are gathered
     std::vector<ClipVertex> corners_; ///< of the polygon on its way
 };
 

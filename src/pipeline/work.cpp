@@ -51,7 +51,7 @@ Box in_picture(const Box& box, Viewport picture) {
 }
 
 /// Of a polygon without dents, as a fan of triangles about its first corner.
-double twice_the_area(std::span<const ScreenVertex> v) {
+double twice_the_area(PolygonCorners v) {
     double area = 0.0;
     for_each_fan_corners(v.size(), [&](std::size_t a, std::size_t b, std::size_t c) {
         const glm::dvec2 p(v[b].column - v[a].column, v[b].row - v[a].row);
@@ -68,7 +68,7 @@ double samples_of(const Box& box) {
 /// The fragments of a drawn triangle. Its box is taken to be filled evenly.
 FragmentEstimate fragments_of(const Frame& frame, int triangle) {
     if (!has_fragments(frame.settings.stage)) return {};
-    const std::span<const ScreenVertex> v = frame.triangle_vertices(triangle);
+    const PolygonCorners v = frame.triangle_vertices(triangle);
     const Viewport& picture = frame.settings.viewport;
     const Box box = box_of(frame, triangle);
     const Box walked = part_in(box, frame.stages.walked_area(picture));

@@ -54,8 +54,8 @@ bool has_inside(std::span<const GridPoint> points) {
 class ActiveEdges {
   public:
     /// @param points where the vertices stand
-    ActiveEdges(std::span<const ScreenVertex> vertices, std::span<const GridPoint> points,
-                const EdgeRules& rules, const Stages& stages)
+    ActiveEdges(PolygonCorners vertices, std::span<const GridPoint> points, const EdgeRules& rules,
+                const Stages& stages)
         : carried_(rules.carried) {
         const auto owns = [&](const EdgeDirection& side) { return stages.edge_owns_points(side); };
         owned_ = {owns(left_side), owns(right_side)};
@@ -126,8 +126,8 @@ class ActiveEdges {
 
 } // namespace
 
-std::vector<InsideSpan> active_edge_spans(std::span<const ScreenVertex> vertices,
-                                          const EdgeRules& rules, const Stages& stages) {
+std::vector<InsideSpan> active_edge_spans(PolygonCorners vertices, const EdgeRules& rules,
+                                          const Stages& stages) {
     std::vector<GridPoint> points;
     snap_corners(vertices, stages, points);
     const Rectangle box = touched_pixels(points);
@@ -140,8 +140,8 @@ std::vector<InsideSpan> active_edge_spans(std::span<const ScreenVertex> vertices
     return all;
 }
 
-void rows_by_active_edges(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                          const Stages& stages, PolygonRows& rows, SampleSink* sink) {
+void rows_by_active_edges(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
+                          PolygonRows& rows, SampleSink* sink) {
     snap_corners(vertices, stages, rows.points);
     const Rectangle box = touched_pixels(rows.points);
     empty_table(box.top, box.bottom - box.top, rows);

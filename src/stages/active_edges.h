@@ -21,9 +21,9 @@
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // section 3.6.3, the scan-line algorithm with edge table and active-edge table.
 
-#include <span>
 #include <vector>
 
+#include "stages/polygon_corners.h"
 #include "stages/polygon_rows.h"
 
 namespace rasterwalk {
@@ -38,14 +38,14 @@ struct InsideSpan {
 
 /// All stretches of a polygon, from top to bottom and from left to right; none overlaps another.
 /// @param vertices at least one
-std::vector<InsideSpan> active_edge_spans(std::span<const ScreenVertex> vertices,
-                                          const EdgeRules& rules, const Stages& stages);
+std::vector<InsideSpan> active_edge_spans(PolygonCorners vertices, const EdgeRules& rules,
+                                          const Stages& stages);
 
 /// The slot compute_polygon_rows. A table has one left and one right end a row: of a polygon with
 /// dents it holds the first and the last of active_edge_spans(). What the pipeline draws has none,
 /// but where the snap to whole pixels bends a cut polygon inward. There the ends of a row can be a
 /// pixel other than those of a fan, which fills the dent (fan.h).
-void rows_by_active_edges(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                          const Stages& stages, PolygonRows& rows, SampleSink* sink);
+void rows_by_active_edges(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
+                          PolygonRows& rows, SampleSink* sink);
 
 } // namespace rasterwalk

@@ -159,8 +159,7 @@ RowEnd weighted_end(const TestedPolygon& polygon, const TestedTriangle& triangle
     return end;
 }
 
-void set_up_tests(std::span<const ScreenVertex> vertices, const Stages& stages,
-                  TestedPolygon& polygon) {
+void set_up_tests(PolygonCorners vertices, const Stages& stages, TestedPolygon& polygon) {
     polygon.corners.clear();
     polygon.triangles.clear();
     for (const ScreenVertex& v : vertices)
@@ -173,8 +172,8 @@ void set_up_tests(std::span<const ScreenVertex> vertices, const Stages& stages,
     });
 }
 
-void rows_by_edge_functions(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                            const Stages& stages, PolygonRows& rows, SampleSink* sink) {
+void rows_by_edge_functions(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
+                            PolygonRows& rows, SampleSink* sink) {
     const Rectangle box = snapped_box(vertices, rules, stages);
     empty_table(box.top, box.bottom - box.top, rows);
     set_up_tests(vertices, stages, rows.tested);

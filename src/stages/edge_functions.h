@@ -35,6 +35,7 @@
 #include <vector>
 
 #include "stages/fill_rule.h"
+#include "stages/polygon_corners.h"
 #include "stages/rectangle.h"
 #include "stages/row_end.h"
 #include "stages/snap.h"
@@ -159,14 +160,13 @@ RowEnd weighted_end(const TestedPolygon& polygon, const TestedTriangle& triangle
 /// Snaps the corners and sets up the edge functions.
 /// @param vertices at least one
 /// @param polygon  is reused to save allocations
-void set_up_tests(std::span<const ScreenVertex> vertices, const Stages& stages,
-                  TestedPolygon& polygon);
+void set_up_tests(PolygonCorners vertices, const Stages& stages, TestedPolygon& polygon);
 
 /// The slot compute_polygon_rows: the first and the last pixel inside in every row of the box, and
 /// the polygon's edge functions. There are no edge samples to tell of: what is done is test_pixel()
 /// of every pixel of the box.
-void rows_by_edge_functions(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                            const Stages& stages, PolygonRows& rows, SampleSink* sink);
+void rows_by_edge_functions(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
+                            PolygonRows& rows, SampleSink* sink);
 
 /// The slot row_fragments: each fragment's values as the weighted sum of the corners' values.
 void fragments_by_weights(const Stages& stages, const Row& row, int first, VaryingSet carried,

@@ -66,9 +66,9 @@ void walk_edge(const LineEnd& a, const LineEnd& b, const LinePart& part, const S
 
 } // namespace
 
-Rectangle polygon_box(std::span<const ScreenVertex> vertices, const EdgeRules&, const Stages&) {
+Rectangle polygon_box(PolygonCorners vertices, const EdgeRules&, const Stages&) {
     Rectangle box{vertices[0].column, vertices[0].row, vertices[0].column + 1, vertices[0].row + 1};
-    for (const ScreenVertex& vertex : vertices.subspan(1)) {
+    for (const ScreenVertex& vertex : vertices) {
         box.left = std::min(box.left, vertex.column);
         box.right = std::max(box.right, vertex.column + 1);
         box.top = std::min(box.top, vertex.row);
@@ -90,8 +90,7 @@ void empty_table(int first_row, int count, PolygonRows& rows) {
         end.column = empty_right;
 }
 
-void begin_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules&,
-                        PolygonRows& rows) {
+void begin_polygon_rows(PolygonCorners vertices, const EdgeRules&, PolygonRows& rows) {
     const auto [top, bottom] = std::minmax_element(
         vertices.begin(), vertices.end(),
         [](const ScreenVertex& a, const ScreenVertex& b) { return a.row < b.row; });
@@ -104,8 +103,8 @@ RowWrite add_edge_sample(const Fragment& sample, VaryingSet carried, const Stage
     return enter_sample(sample.column, sample.row, sample, has_varyings, stages, rows);
 }
 
-void compute_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                          const Stages& stages, PolygonRows& rows, SampleSink* sink) {
+void compute_polygon_rows(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
+                          PolygonRows& rows, SampleSink* sink) {
     stages.begin_polygon_rows(vertices, rules, rows);
     if (sink != nullptr) sink->begin_rows(rows);
     const bool has_varyings = !(rules.carried == VaryingSet{});

@@ -19,11 +19,11 @@
 
 #include <climits>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "stages/edge_functions.h"
 #include "stages/lines.h"
+#include "stages/polygon_corners.h"
 #include "stages/rectangle.h"
 #include "stages/row_end.h"
 #include "stages/screen_vertex.h"
@@ -99,16 +99,14 @@ struct FoundRow {
 };
 
 /// All pixels that the rows of a polygon can reach, but for the rounding errors of the walk.
-Rectangle polygon_box(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                      const Stages& stages);
+Rectangle polygon_box(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages);
 
 /// Gives the table so many empty rows, `first_row` of the picture and those below it. The values at
 /// the ends of an empty row say nothing.
 void empty_table(int first_row, int count, PolygonRows& rows);
 
 /// Empties the table and gives it one row for every row between the highest and the lowest vertex.
-void begin_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                        PolygonRows& rows);
+void begin_polygon_rows(PolygonCorners vertices, const EdgeRules& rules, PolygonRows& rows);
 
 /// Finds a row of the picture in the table: by its own number, row - first_row.
 inline FoundRow find_row(int row, const PolygonRows& rows) {
@@ -126,7 +124,7 @@ RowWrite add_edge_sample(const Fragment& sample, VaryingSet carried, const Stage
 /// @param vertices at least one
 /// @param stages   the table whose functions walk the edges and find the rows
 /// @param sink     is told of every sample, or null
-void compute_polygon_rows(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                          const Stages& stages, PolygonRows& rows, SampleSink* sink);
+void compute_polygon_rows(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
+                          PolygonRows& rows, SampleSink* sink);
 
 } // namespace rasterwalk

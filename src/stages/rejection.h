@@ -87,11 +87,10 @@ constexpr const RejectionWords& words(Rejection rejection) {
     return rejection_list[static_cast<std::size_t>(rejection)];
 }
 
-/// What has become of a triangle on its way to the picture: its corners in a list of vertices.
-/// Clipping can leave any number of them; of a triangle that it rejects they are those of the
-/// scene.
+/// What has become of a triangle on its way to the picture. Its corners are those of the scene, but
+/// where clipping has cut it and left any number of others.
 struct Polygon {
-    int first = 0; ///< its first corner in the list
+    int first = 0; ///< where it is cut, its first corner in the list of such corners
     int count = 0; ///< corners; the edges go from each to the next and from the last to the first
     Rejection rejection = Rejection::none; ///< why it is not drawn, or none
     bool is_cut = false;                   ///< its corners are no longer those of the scene

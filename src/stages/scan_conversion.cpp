@@ -75,7 +75,7 @@ bool holds_centre(const FanTriangle& triangle) {
            first_row_from(std::min({a.x, b.x, c.x})) <= last_row_to(std::max({a.x, b.x, c.x}));
 }
 
-void convert_triangle(const FanTriangle& triangle, std::span<const ScreenVertex> vertices,
+void convert_triangle(const FanTriangle& triangle, PolygonCorners vertices,
                       ScanConversion& conversion) {
     if (triangle.area == 0 || !holds_centre(triangle)) return;
     const std::array<std::size_t, 3> order = from_top_to_bottom(triangle);
@@ -129,8 +129,8 @@ void convert_triangle(const FanTriangle& triangle, std::span<const ScreenVertex>
 
 } // namespace
 
-void rows_by_scan_conversion(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                             const Stages& stages, PolygonRows& rows, SampleSink* sink) {
+void rows_by_scan_conversion(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
+                             PolygonRows& rows, SampleSink* sink) {
     snap_corners(vertices, stages, rows.points);
     const Rectangle box = touched_pixels(rows.points);
     empty_table(box.top, box.bottom - box.top, rows);

@@ -25,14 +25,13 @@
 // section 3.6.3, on which pixels belong to a span; C. Hecker, "Perspective Texture Mapping", Game
 // Developer Magazine, 1995, on centres and ceil.
 
-#include <span>
-
+#include "stages/polygon_corners.h"
 #include "stages/polygon_rows.h"
 
 namespace rasterwalk {
 
 /// The slot compute_polygon_rows. There are no edge samples to tell of.
-void rows_by_scan_conversion(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                             const Stages& stages, PolygonRows& rows, SampleSink* sink);
+void rows_by_scan_conversion(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
+                             PolygonRows& rows, SampleSink* sink);
 
 } // namespace rasterwalk

@@ -40,8 +40,7 @@ GridPoint snap_to_subpixel(const ScreenVertex& vertex) {
     return {nearest_part(vertex.position.x, parts), nearest_part(vertex.position.y, parts)};
 }
 
-void snap_corners(std::span<const ScreenVertex> vertices, const Stages& stages,
-                  std::vector<GridPoint>& points) {
+void snap_corners(PolygonCorners vertices, const Stages& stages, std::vector<GridPoint>& points) {
     points.clear();
     for (const ScreenVertex& vertex : vertices)
         points.push_back(stages.snap(vertex));
@@ -59,10 +58,9 @@ Rectangle touched_pixels(std::span<const GridPoint> points) {
     return {box.left, box.top, box.right + 1, box.bottom + 1};
 }
 
-Rectangle snapped_box(std::span<const ScreenVertex> vertices, const EdgeRules&,
-                      const Stages& stages) {
+Rectangle snapped_box(PolygonCorners vertices, const EdgeRules&, const Stages& stages) {
     GridPoint least = stages.snap(vertices[0]), most = least;
-    for (const ScreenVertex& vertex : vertices.subspan(1)) {
+    for (const ScreenVertex& vertex : vertices) {
         const GridPoint point = stages.snap(vertex);
         least = {std::min(least.x, point.x), std::min(least.y, point.y)};
         most = {std::max(most.x, point.x), std::max(most.y, point.y)};

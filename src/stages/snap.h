@@ -20,6 +20,7 @@
 #include <span>
 #include <vector>
 
+#include "stages/polygon_corners.h"
 #include "stages/rectangle.h"
 #include "stages/screen_vertex.h"
 
@@ -63,8 +64,7 @@ GridPoint snap_to_subpixel(const ScreenVertex& vertex);
 
 /// Where the corners of a polygon stand, by the slot `snap`.
 /// @param points receives them, in place of what it holds
-void snap_corners(std::span<const ScreenVertex> vertices, const Stages& stages,
-                  std::vector<GridPoint>& points);
+void snap_corners(PolygonCorners vertices, const Stages& stages, std::vector<GridPoint>& points);
 
 /// All pixels that the box of these points touches.
 /// @param points at least one
@@ -72,7 +72,6 @@ Rectangle touched_pixels(std::span<const GridPoint> points);
 
 /// All pixels that the box of the snapped corners touches: the slot polygon_box of coverage that
 /// begins at the grid.
-Rectangle snapped_box(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                      const Stages& stages);
+Rectangle snapped_box(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages);
 
 } // namespace rasterwalk

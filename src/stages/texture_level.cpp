@@ -39,7 +39,7 @@ std::array<Value, 2> change_per_pixel(const ScreenTriangle& t, const Value& a, c
 
 } // namespace
 
-TextureSlope texture_slope(std::span<const ScreenVertex> vertices, const Stages& stages) {
+TextureSlope texture_slope(PolygonCorners vertices, const Stages& stages) {
     ScreenTriangle largest{};
     for (std::size_t i = 2; i < vertices.size(); ++i) {
         ScreenTriangle t{&vertices[0], &vertices[i - 1], &vertices[i], {}, {}, 0.0};

@@ -22,11 +22,10 @@
 // OpenGL Graphics System, version 4.6 (core profile), section 8.14.1, scale factor and level of
 // detail, rho and lambda.
 
-#include <span>
-
 #include <glm/vec2.hpp>
 
 #include "scene/texture.h"
+#include "stages/polygon_corners.h"
 #include "stages/screen_vertex.h"
 
 namespace rasterwalk {
@@ -45,7 +44,7 @@ struct TextureSlope {
 
 /// The slope over a polygon, by the largest triangle of its fan: all of them lie in one plane. All
 /// 0 where none has an area on the screen.
-TextureSlope texture_slope(std::span<const ScreenVertex> vertices, const Stages& stages);
+TextureSlope texture_slope(PolygonCorners vertices, const Stages& stages);
 
 /// How far the place in the texture moves from a pixel to the one on its right, and to the one
 /// below: derivatives, parts of the texture's width and height.

@@ -61,7 +61,7 @@ bool is_back(const Scene& scene, int triangle, const Settings& settings) {
 }
 
 /// The fragments of a polygon's row table, by its definition, that lie beside the picture.
-std::int64_t outside_of(std::span<const ScreenVertex> polygon, const Viewport& picture) {
+std::int64_t outside_of(PolygonCorners polygon, const Viewport& picture) {
     int ignored = 0;
     std::int64_t outside = 0;
     for (const auto& [row, ends] : row_table(polygon, {}, ignored)) {

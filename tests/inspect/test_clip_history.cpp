@@ -280,7 +280,7 @@ TEST_CASE("The polygon of the history is what the frame draws, and culling what 
             culled += history.cull.is_back ? 1 : 0;
             if (!frame.is_cut(t)) continue;
             ++cut;
-            const std::span<const ScreenVertex> drawn = frame.triangle_vertices(t);
+            const PolygonCorners drawn = frame.triangle_vertices(t);
             REQUIRE(drawn.size() == history.polygon.size());
             for (std::size_t i = 0; i < drawn.size(); ++i) {
                 const ProjectedVertex projected = frame.stages.project(

@@ -144,7 +144,7 @@ void check_triangle(const Frame& frame, const Told& told, int triangle) {
     for (const int i : {0, list.count() / 2, list.count() - 1})
         CHECK(event_text(list, i).starts_with(to_text(event_cursor(list, i)) + "  "));
     // The microscope shows the edges as stage `edges` draws them.
-    const std::span<const ScreenVertex> v = frame.triangle_vertices(triangle);
+    const PolygonCorners v = frame.triangle_vertices(triangle);
     CHECK(microscope(v[0], v[1], edge_rules(frame.settings), frame.stages).count ==
           edge_sample_count(v[0], v[1]));
 }
@@ -322,7 +322,7 @@ TEST_CASE("A vertex that is moved into the picture is moved under every snap") {
             settings_of(scene, {Stage::fill}, {Coverage::edge_functions, FillRule::top_left, snap});
         settings.outside_picture = OutsidePicture::clamped;
         const Frame frame = prepare_frame(scene, settings);
-        const std::span<const ScreenVertex> v = frame.triangle_vertices(0);
+        const PolygonCorners v = frame.triangle_vertices(0);
         CHECK(frame.stages.snap(v[0]) == GridPoint{pixel_centre(0), pixel_centre(0)});
         CHECK(frame.stages.snap(v[1]) == GridPoint{pixel_centre(15), pixel_centre(2)});
         CHECK(frame.stages.snap(v[2]) == GridPoint{pixel_centre(4), pixel_centre(11)});

@@ -56,7 +56,7 @@ TEST_CASE("Samples that Bresenham puts elsewhere than Interpolate, edge by edge"
     const Frame a = room_with(LineAlgorithm::interpolate), b = room_with(LineAlgorithm::bresenham);
     std::int64_t sum = 0;
     for (int t = 0; t < a.triangle_count(); ++t) {
-        const std::span<const ScreenVertex> v = a.triangle_vertices(t);
+        const PolygonCorners v = a.triangle_vertices(t);
         const std::vector<std::int64_t> counts = different_samples(a, b, t);
         REQUIRE(counts.size() == 3);
         for (std::size_t e = 0; e < 3; ++e) {

@@ -129,21 +129,20 @@ LightTerms green_light(const glm::vec3& place, const glm::vec3& normal, const gl
     terms.reflected = {0.0f, 0.5f, 0.0f};
     return terms;
 }
-void rows_from_column_three(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                            PolygonRows& rows) {
+void rows_from_column_three(PolygonCorners vertices, const EdgeRules& rules, PolygonRows& rows) {
     begin_polygon_rows(vertices, rules, rows);
     for (RowEnd& end : rows.left)
         end.column = 3;
 }
-Rectangle everywhere(std::span<const ScreenVertex>, const EdgeRules&, const Stages&) {
+Rectangle everywhere(PolygonCorners, const EdgeRules&, const Stages&) {
     return {-9999, -9999, 9999, 9999};
 }
 FoundRow all_but_the_first(int row, const PolygonRows& rows) {
     const FoundRow found = find_row(row, rows);
     return {found.index == 0 ? -1 : found.index, 2};
 }
-void rows_by_rows(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                  const Stages& stages, PolygonRows& rows, SampleSink* sink) {
+void rows_by_rows(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
+                  PolygonRows& rows, SampleSink* sink) {
     Stages other = stages;
     other.edge_sample_count = edge_sample_count_by_rows;
     compute_polygon_rows(vertices, rules, other, rows, sink);
@@ -322,7 +321,7 @@ void check_tables(const Frame& frame, const Story& story, int triangle) {
 }
 
 void check_microscope(const Frame& frame, const Story& story, int triangle) {
-    const std::span<const ScreenVertex> v = frame.triangle_vertices(triangle);
+    const PolygonCorners v = frame.triangle_vertices(triangle);
     const std::vector<EdgeSample> told = told_samples(story, triangle);
     for (std::size_t e = 0; e < v.size(); ++e) {
         const EdgeMicroscope edge =
@@ -523,8 +522,8 @@ TEST_CASE("Clipping and culling show in polygons, reports, counts and the compar
         // What is clipped away is shown as the scene has it.
         if (rejection == Rejection::clipped_away) {
             CHECK_FALSE(frame.is_cut(t));
-            const std::span<const ScreenVertex> as_given = usual.triangle_vertices(t);
-            const std::span<const ScreenVertex> shown = frame.triangle_vertices(t);
+            const PolygonCorners as_given = usual.triangle_vertices(t);
+            const PolygonCorners shown = frame.triangle_vertices(t);
             CHECK(std::equal(shown.begin(), shown.end(), as_given.begin(), as_given.end()));
         }
     }

@@ -384,7 +384,7 @@ TEST_CASE("B10: the first row and the first column are black, and nothing else")
 
 TEST_CASE("B11: an int step runs level, upright or at 45 degrees") {
     const Runs runs("B11");
-    const std::span<const ScreenVertex> v = runs.wrong.triangle_vertices(0);
+    const PolygonCorners v = runs.wrong.triangle_vertices(0);
     for (int e = 0; e < 3; ++e) {
         const ScreenVertex &a = v[e], &b = v[(e + 1) % 3];
         const LineStep line = runs.wrong.stages.line_step(
@@ -674,7 +674,7 @@ TEST_CASE("B27: the same picture to the last bit, and rows times samples looked 
     std::int64_t samples = 0, comparisons = 0;
     const std::vector<PolygonRows> tables = tables_of(runs.correct);
     for (int t = 0; t < runs.correct.triangle_count(); ++t) {
-        const std::span<const ScreenVertex> v = runs.correct.triangle_vertices(t);
+        const PolygonCorners v = runs.correct.triangle_vertices(t);
         for (int e = 0; e < 3; ++e) {
             const int count = edge_sample_count(v[e], v[(e + 1) % 3], EdgeSamples::longest_axis);
             samples += count;

@@ -68,7 +68,7 @@ TEST_CASE("The right table has no difference, and its polygon is found") {
     CHECK(about == "the polygon (10,5) (5,10) (15,15)");
     const Scene scene = lab_room();
     const Frame frame = prepare_frame(scene, default_settings(scene));
-    const std::span<const ScreenVertex> vertices = frame.triangle_vertices(14);
+    const PolygonCorners vertices = frame.triangle_vertices(14);
     const std::string text = table_text({vertices.begin(), vertices.end()}, handout);
     CHECK(diagnose(text, {}, &about).is_same());
     CHECK(about == "triangles[14] (short block)");

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <set>
-#include <span>
 #include <string>
 
 #include "lessons/lesson.h"
@@ -105,7 +104,7 @@ PREDICTIONS_TEST("Lesson 20: lines in whole numbers", "20-bresenham", "which-sid
     int dda_different = 0, dda_ties = 0;
     std::set<int> same_triangles; // by Interpolate and Bresenham
     for (int t = 0; t < lab.triangle_count(); ++t) {
-        const std::span<const ScreenVertex> v = lab.triangle_vertices(t);
+        const PolygonCorners v = lab.triangle_vertices(t);
         const int different_before = different;
         for (std::size_t e = 0; e < 3; ++e) {
             const ScreenVertex &a = v[e], &b = v[(e + 1) % 3];

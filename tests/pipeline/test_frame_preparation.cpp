@@ -17,6 +17,10 @@ void require_same_frame(const Frame& frame, const Frame& expected) {
     REQUIRE(frame.triangles == expected.triangles);
     REQUIRE(frame.shaded.size() == expected.shaded.size());
     REQUIRE(frame.projected.size() == expected.projected.size());
+    for (std::size_t i = 0; i < frame.projected.size(); ++i) {
+        INFO("vertex " << i);
+        REQUIRE(same_bits(frame.projected[i].pixel, expected.projected[i].pixel));
+    }
     REQUIRE(frame.polygons == expected.polygons);
     REQUIRE(frame.vertices.size() == expected.vertices.size());
     for (std::size_t i = 0; i < frame.vertices.size(); ++i) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <vector>
 
 #include "support/cut_frames.h"
@@ -71,8 +70,7 @@ Scene many_triangles(int count) {
 int tables_begun = 0;
 
 /// Begins a row table as always, and counts how often.
-void count_tables(std::span<const ScreenVertex> vertices, const EdgeRules& rules,
-                  PolygonRows& rows) {
+void count_tables(PolygonCorners vertices, const EdgeRules& rules, PolygonRows& rows) {
     ++tables_begun;
     begin_polygon_rows(vertices, rules, rows);
 }

@@ -28,8 +28,7 @@ Frame pentagon(const Scene& scene, const StripStep& step) {
     settings.line_walk = LineWalk::exact; // so that no sample strays
     Frame frame = prepare_frame(scene, settings);
     const glm::ivec2 places[corner_count] = {{12, 1}, {22, 8}, {18, 19}, {5, 17}, {2, 7}};
-    const ScreenVertex from = frame.vertices[0];
-    frame.vertices.clear();
+    const ScreenVertex from = frame.given_vertex(0, 0).pixel;
     for (const glm::ivec2& place : places) {
         frame.vertices.push_back(from);
         frame.vertices.back().column = place.x;

@@ -20,8 +20,7 @@ static_assert(!takes<decltype(project), Vertex, VertexRules, Stages, VertexSpace
 static_assert(!takes<decltype(project), ScreenVertex, VertexRules, Stages, VertexSpaces*>);
 static_assert(
     takes<decltype(cull_nothing), std::span<const ClipVertex>, VertexRules, SightRays, CullTest*>);
-static_assert(!takes<decltype(cull_nothing), std::span<const ScreenVertex>, VertexRules, SightRays,
-                     CullTest*>);
+static_assert(!takes<decltype(cull_nothing), PolygonCorners, VertexRules, SightRays, CullTest*>);
 
 // Coverage begins with vertices on the screen; a sample of an edge becomes the end of a row.
 static_assert(takes<decltype(edge_sample_count), ScreenVertex, ScreenVertex>);

@@ -8,6 +8,7 @@
 
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
+#include "stages/polygon_corners.h"
 #include "support/clip_oracle.h"
 #include "support/walks.h"
 
@@ -18,7 +19,7 @@ namespace rasterwalk::test {
 inline void add_tests(const Frame& frame, int t, std::vector<Cursor>& moments) {
     const Settings& settings = frame.settings;
     const int first = settings.bounds == Bounds::excludes_zero ? 1 : 0;
-    const std::span<const ScreenVertex> v = frame.triangle_vertices(t);
+    const PolygonCorners v = frame.triangle_vertices(t);
     // In pixels, on the grid that is set; whole pixels stand at their centres. Who asks pixels at
     // their corners asks as if everything stood half a pixel further on.
     const double moved = settings.pixel_sample == PixelSample::corner ? 0.5 : 0.0;
@@ -68,7 +69,7 @@ inline std::vector<Cursor> all_moments(const Frame& frame) {
         const bool is_asked = settings.cull != Cull::none && settings.cull != Cull::fragment_normal;
         if (is_asked && !is_clipped_away) moments.push_back({t, Phase::cull, 0, 0});
         if (settings.stage == Stage::points || is_clipped_away || is_culled) continue;
-        const std::span<const ScreenVertex> vertices = frame.triangle_vertices(t);
+        const PolygonCorners vertices = frame.triangle_vertices(t);
         const int corners = static_cast<int>(vertices.size());
         const bool is_walked =
             settings.coverage == Coverage::rows || settings.stage == Stage::edges;

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <cstdlib>
 #include <map>
-#include <span>
 #include <vector>
 
+#include "stages/polygon_corners.h"
 #include "support/walks.h"
 
 namespace rasterwalk::test {
@@ -112,8 +112,8 @@ struct RowEnds {
 };
 
 /// The row table of a polygon by its definition; `outside` counts samples beyond its rows.
-inline std::map<int, RowEnds> row_table(std::span<const ScreenVertex> vertices,
-                                        const WalkRules& rules, int& outside) {
+inline std::map<int, RowEnds> row_table(PolygonCorners vertices, const WalkRules& rules,
+                                        int& outside) {
     std::map<int, RowEnds> rows;
     int top = INT_MAX, bottom = INT_MIN;
     for (const ScreenVertex& vertex : vertices) {

@@ -11,6 +11,7 @@
 #include "inspect/row_history.h"
 #include "pipeline/observer.h"
 #include "settings/choose_stages.h"
+#include "stages/polygon_corners.h"
 
 namespace rasterwalk::test {
 
@@ -87,17 +88,17 @@ inline RowWrite add_edge_sample(const Fragment& sample, PolygonRows& rows) {
     return rasterwalk::add_edge_sample(sample, VaryingSet::all(), Stages{}, rows);
 }
 
-inline void compute_polygon_rows(std::span<const ScreenVertex> vertices, const Settings& settings,
+inline void compute_polygon_rows(PolygonCorners vertices, const Settings& settings,
                                  PolygonRows& rows) {
     const Stages stages = choose_stages(settings);
     stages.compute_polygon_rows(vertices, edge_rules(settings), stages, rows, nullptr);
 }
-inline void compute_polygon_rows(std::span<const ScreenVertex> vertices, const WalkRules& rules,
+inline void compute_polygon_rows(PolygonCorners vertices, const WalkRules& rules,
                                  PolygonRows& rows) {
     compute_polygon_rows(vertices, settings_of(rules), rows);
 }
 
-inline RowHistory row_history(std::span<const ScreenVertex> vertices, const WalkRules& rules,
+inline RowHistory row_history(PolygonCorners vertices, const WalkRules& rules,
                               int samples = INT_MAX) {
     const Settings settings = settings_of(rules);
     return rasterwalk::row_history(vertices, edge_rules(settings), choose_stages(settings),

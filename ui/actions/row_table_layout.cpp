@@ -4,7 +4,6 @@
 #include <array>
 #include <climits>
 #include <cmath>
-#include <span>
 #include <string>
 
 #include "session/canvas_view.h"
@@ -70,10 +69,9 @@ Widest widest_texts(const Ui& ui, const TableForm& form) {
 
 /// Is 1/z the same at all vertices of the triangle on show? Then it says nothing of its rows.
 bool has_one_depth(const Ui& ui) {
-    const std::span<const ScreenVertex> vertices =
-        ui.results.a.frame.triangle_vertices(*ui.results.a.triangle);
+    const PolygonCorners vertices = ui.results.a.frame.triangle_vertices(*ui.results.a.triangle);
     return std::all_of(vertices.begin(), vertices.end(), [&](const ScreenVertex& vertex) {
-        return vertex.inv_w == vertices.front().inv_w;
+        return vertex.inv_w == vertices[0].inv_w;
     });
 }
 

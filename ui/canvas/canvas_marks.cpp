@@ -90,7 +90,7 @@ float walked_share(const RowHistory& history, int edge) {
 
 /// The true edges: straight lines between the vertices, as far as they are walked; what is still to
 /// come is dashed.
-void draw_true_edges(const Marks& m, std::span<const ScreenVertex> vertices) {
+void draw_true_edges(const Marks& m, PolygonCorners vertices) {
     const int edges = static_cast<int>(vertices.size());
     for (int e = 0; e < edges; ++e) {
         const ImVec2 a = m.at(vertices[e]), b = m.at(vertices[(e + 1) % edges]);
@@ -155,7 +155,7 @@ void draw_vertex_labels(const Marks& m, const std::vector<VertexLabel>& labels) 
 }
 
 /// Where each vertex fell before it was rounded, joined to the pixel it became.
-void draw_vertices(const Marks& m, int triangle, std::span<const ScreenVertex> vertices) {
+void draw_vertices(const Marks& m, int triangle, PolygonCorners vertices) {
     const Frame& frame = m.run.frame;
     const glm::mat3 rotation = camera_rotation(frame.settings.camera);
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
@@ -291,7 +291,7 @@ std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, Im
     if (has_clip) draw_clip_marks(m, *run.clip);
     const bool has_edges =
         has_triangle && is_marked && (run.clip == nullptr || !is_before_edges(m, *run.clip));
-    std::span<const ScreenVertex> vertices;
+    PolygonCorners vertices;
     if (has_edges) {
         vertices = frame.triangle_vertices(*ui.results.a.triangle);
         if (m.is_large() && frame.settings.stage >= Stage::edges) draw_row_ends(m);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "base/element_names.h"
@@ -235,7 +234,7 @@ void find_lines(Cells& cells) {
     const Marks& m = cells.marks;
     const RunResults& a = cells.ui.results.a;
     if (!a.triangle || !a.frame.is_drawn(*a.triangle)) return;
-    const std::span<const ScreenVertex> vertices = a.frame.triangle_vertices(*a.triangle);
+    const PolygonCorners vertices = a.frame.triangle_vertices(*a.triangle);
     for (std::size_t v = 0; v < vertices.size(); ++v)
         cells.lines.emplace_back(m.at(vertices[v]), m.at(vertices[(v + 1) % vertices.size()]));
 }

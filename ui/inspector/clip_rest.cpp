@@ -106,8 +106,7 @@ std::string culling_text(const ClipPage& page, const std::vector<CullAnswer>& an
 void draw_clip_rest(const ClipPage& page) {
     const std::vector<CutCorner> corners = corners_before(page.history);
     if (page.history.planes.empty() || page.history.polygon.empty()) return;
-    const std::span<const ScreenVertex> pixels =
-        page.frame.triangle_vertices(page.history.triangle);
+    const PolygonCorners pixels = page.frame.triangle_vertices(page.history.triangle);
     const bool has_pixels =
         page.frame.is_drawn(page.history.triangle) && pixels.size() == corners.size();
     draw_clip_title(page, "The polygon that remains", "divided by w: pixels");

@@ -40,7 +40,7 @@ void look_at_edge(Ui& ui) {
         view.edge = done->index;
     }
     const Frame& frame = ui.results.a.frame;
-    const std::span<const ScreenVertex> v = frame.triangle_vertices(*ui.results.a.triangle);
+    const PolygonCorners v = frame.triangle_vertices(*ui.results.a.triangle);
     view.edge = std::min(view.edge, static_cast<int>(v.size()) - 1);
     const auto edge_of = static_cast<std::size_t>(view.edge);
     const ScreenVertex& a = v[edge_of];

@@ -133,7 +133,7 @@ TEST_CASE("Of a clipped triangle the marks are at the corners and samples of wha
     PicturePlace place = driver.ui.canvas.place;
     place.scale = 40.0f;
     const std::vector<ImVec2> marks = corners_of_marks(driver, frame, cursor_end, {}, place);
-    const std::span<const ScreenVertex> corners = frame.triangle_vertices(0);
+    const PolygonCorners corners = frame.triangle_vertices(0);
     REQUIRE(corners.size() == 4);
     for (const ScreenVertex& corner : corners) {
         CAPTURE(corner.column, corner.row);
@@ -161,7 +161,7 @@ TEST_CASE("At a low zoom the outline is whole where it is walked, and dashed whe
     place.scale = 7.5f;
     const Cursor cursor{0, Phase::edges, 1, 6}; // edge 1 has 11 samples
     const std::vector<ImVec2> corners = corners_of_marks(driver, frame, cursor, {}, place);
-    const std::span<const ScreenVertex> v = frame.triangle_vertices(0);
+    const PolygonCorners v = frame.triangle_vertices(0);
     const auto at = [&](int i) {
         return ImVec2(place.origin.x + place.scale * (static_cast<float>(v[i].column) + 0.5f),
                       place.origin.y + place.scale * (static_cast<float>(v[i].row) + 0.5f));
