@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include "pipeline/draw.h"
@@ -33,9 +34,12 @@ TEST_CASE("A frame in place of another has nothing of the other") {
     const Settings of_room = default_settings(room);
     const auto is_same = [](const Frame& a, const Frame& b) {
         bool same = a.scene == b.scene && a.settings == b.settings && a.stages == b.stages &&
-                    a.polygons == b.polygons && a.vertices.size() == b.vertices.size();
-        for (std::size_t i = 0; same && i < a.vertices.size(); ++i)
-            same = same_bits(a.vertices[i], b.vertices[i]);
+                    a.polygons == b.polygons;
+        for (int t = 0; same && t < a.triangle_count(); ++t) {
+            const PolygonCorners in_a = a.triangle_vertices(t), in_b = b.triangle_vertices(t);
+            same = std::equal(in_a.begin(), in_a.end(), in_b.begin(), in_b.end(),
+                              [](const auto& p, const auto& q) { return same_bits(p, q); });
+        }
         return same;
     };
     Frame frame;
@@ -68,8 +72,8 @@ TEST_CASE("A triangle with one faulty vertex is left out whole, for its first fa
     CHECK(rejections == std::vector<Rejection>{Rejection::none, Rejection::behind_camera,
                                                Rejection::behind_camera, Rejection::not_finite,
                                                Rejection::too_far_out, Rejection::too_far_out});
-    for (std::size_t t = 0; t < frame.polygons.size(); ++t)
-        CHECK(frame.polygons[t].first == static_cast<int>(triangle_corners * t));
+    for (const Polygon& polygon : frame.polygons)
+        CHECK(polygon.count == triangle_corners);
     const Framebuffer framebuffer = draw_frame(frame);
     for (const std::int32_t owner : framebuffer.owner)
         CHECK(owner <= 0);
