@@ -523,6 +523,11 @@ RASTERWALK_INLINE std::int32_t end_of_run(const std::int32_t* owner, std::int32_
     return end;
 }
 
+/// Red, green and blue in lanes.
+struct Colour3 {
+    Floats red, green, blue;
+};
+
 RASTERWALK_INLINE Ints packed(const Floats& red, const Floats& green, const Floats& blue) {
     const Floats most = all(255.0f);
     return to_ints(smaller(red, most)) << 16 | to_ints(smaller(green, most)) << 8 |
@@ -578,19 +583,23 @@ RASTERWALK_INLINE void walk_row(const LargeRows& rows, int k, float* inv_z, Draw
 RASTERWALK_INLINE void draw_flat_row(const LargeRows& rows, int k, std::int32_t number_in_scene,
                                      bool has_owner, const RowPlanes& row) {
     const LargeTriangle& triangle = *rows.triangle;
-    const float q0 = rows.quadratic_0[k], q1 = rows.quadratic_1[k], q2 = triangle.reach_square;
+    // Taken before the loop: it writes to memory, and the compiler cannot know that not to these.
+    const Floats q0 = all(rows.quadratic_0[k]), q1 = all(rows.quadratic_1[k]),
+                 q2 = all(triangle.reach_square);
+    const Colour3 gain{all(triangle.gain[0]), all(triangle.gain[1]), all(triangle.gain[2])};
+    const Colour3 ambient{all(triangle.ambient[0]), all(triangle.ambient[1]),
+                          all(triangle.ambient[2])};
     const Ints owner = all(~number_in_scene);
     walk_row(rows, k, row.inv_z,
-             [&](const Ints& mask, std::uint32_t bits, std::int32_t x, const Floats& depth,
+             [=](const Ints& mask, std::uint32_t bits, std::int32_t x, const Floats& depth,
                  const Floats& column) RASTERWALK_LAMBDA {
                  const Floats reach2 = (column * q2 + q1) * column + q0;
                  const Floats t = depth * rough_inverse_root(reach2);
                  const Floats share = t * t * t;
-                 const auto channel = [&](int i) RASTERWALK_LAMBDA {
-                     return share * triangle.gain[i] + triangle.ambient[i];
-                 };
-                 store_where(mask, bits, packed(channel(0), channel(1), channel(2)),
-                             row.colour + x);
+                 const Ints colour =
+                     packed(share * gain.red + ambient.red, share * gain.green + ambient.green,
+                            share * gain.blue + ambient.blue);
+                 store_where(mask, bits, colour, row.colour + x);
                  if (has_owner) store_where(mask, bits, owner, row.owner + x);
              });
 }
@@ -611,10 +620,6 @@ RASTERWALK_INLINE std::int32_t wrapped(std::int32_t texel, std::int32_t count, W
     if (rest < 0) rest += period;
     return rest < count ? rest : period - 1 - rest;
 }
-
-struct Colour3 {
-    Floats red, green, blue;
-};
 
 /// The colour of a texture at a place in each lane.
 RASTERWALK_INLINE Colour3 texture_colour(const Texels& texture, const View& view, const Floats& u,
