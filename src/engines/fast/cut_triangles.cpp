@@ -1,5 +1,6 @@
 #include "engines/fast/cut_triangles.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <tuple>
@@ -19,8 +20,22 @@ struct CutCorner {
     glm::dvec3 place; ///< in the camera's space
     fast::Record normal, colour, texcoord;
     fast::VertexLight light;
+    glm::vec3 reflected; ///< of the light at it, where corners have colours and light
     std::int32_t vertex; ///< of the mesh; -1: none
 };
+
+/// Light is worked out at vertices, and vertices have colours of their own.
+bool has_lit_colours(const FastMesh& mesh, const fast::View& view) {
+    return view.light_at == fast::LightAt::vertices && !mesh.colours.empty();
+}
+
+/// What a white corner reflects of its light, beside the highlight.
+glm::vec3 arriving_light(const fast::VertexLight& light, const fast::View& view) {
+    glm::vec3 arriving;
+    for (int i = 0; i < 3; ++i)
+        arriving[i] = light.diffuse * view.power[i] + view.indirect[i];
+    return arriving;
+}
 
 fast::Record mix(const fast::Record& p, const fast::Record& q, float t) {
     const auto between = [t](float a, float b) { return a + t * (b - a); };
@@ -43,18 +58,25 @@ CutCorner cut_edge(const CutCorner& p, double a, const CutCorner& q, double b) {
             {between(p.light.diffuse, q.light.diffuse),
              between(p.light.highlight, q.light.highlight),
              {}},
+            p.reflected + part * (q.reflected - p.reflected),
             -1};
 }
 
 using CutPolygon = std::vector<CutCorner>;
 
-/// The part of a polygon on the side of a plane on which `distance` is not below 0.
+/// The part of a polygon on the side of a plane on which `distance` is not below 0. A vertex that
+/// is on the screen stays, whatever rounding and the margin of the guard band say: neighbours that
+/// are not cut have their edges there.
 template <class Distance>
 CutPolygon cut(const CutPolygon& polygon, Distance distance) {
+    const auto distance_of = [&](const CutCorner& corner) {
+        const double given = distance(corner.place);
+        return corner.vertex >= 0 ? std::max(given, 0.0) : given;
+    };
     CutPolygon kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const CutCorner &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
-        const double a = distance(from.place), b = distance(to.place);
+        const double a = distance_of(from), b = distance_of(to);
         if (a >= 0.0) kept.push_back(from);
         if ((a >= 0.0) != (b >= 0.0)) kept.push_back(cut_edge(from, a, to, b));
     }
@@ -70,11 +92,17 @@ CutCorner corner_of(const FastMesh& mesh, const fast::View& view, std::int32_t v
         return glm::dot(place, glm::dvec3(axis[0], axis[1], axis[2]));
     };
     const bool is_on_screen = mesh.screen[i].inv_z > 0.0f;
+    glm::vec3 reflected(0.0f);
+    if (has_lit_colours(mesh, view)) {
+        const fast::Record& colour = mesh.colours[i];
+        reflected = glm::vec3(colour.a, colour.b, colour.c) * arriving_light(mesh.light[i], view);
+    }
     return {{along(view.axes[0]), along(view.axes[1]), along(view.axes[2])},
             mesh.normals[i],
             mesh.colours.empty() ? fast::Record{} : mesh.colours[i],
             mesh.texcoords[i],
             mesh.light[i],
+            reflected,
             is_on_screen ? vertex : -1};
 }
 
@@ -90,6 +118,16 @@ CutPolygon cut_to_view(CutPolygon polygon, const fast::View& view) {
     return cut(polygon, [&](const glm::dvec3& p) { return bottom * p.z - f * p.y; });
 }
 
+/// A colour that reflects so much of the light. Light goes from corner to corner as a whole: the
+/// product of two mixtures, of light and of colour, would be another.
+fast::Record colour_of(const CutCorner& corner, const fast::View& view) {
+    const glm::vec3 arriving = arriving_light(corner.light, view);
+    const auto share = [&](int i) {
+        return arriving[i] > 0.0f ? corner.reflected[i] / arriving[i] : 0.0f;
+    };
+    return {share(0), share(1), share(2), 0.0f};
+}
+
 std::int32_t add_vertex(const CutCorner& corner, const fast::View& view, FastMesh& mesh) {
     if (corner.vertex >= 0) return corner.vertex;
     const double inv_z = 1.0 / corner.place.z, scale = view.focal_length * inv_z;
@@ -103,7 +141,10 @@ std::int32_t add_vertex(const CutCorner& corner, const fast::View& view, FastMes
     mesh.normals.push_back(corner.normal);
     mesh.texcoords.push_back(corner.texcoord);
     mesh.light.push_back(corner.light);
-    if (!mesh.colours.empty()) mesh.colours.push_back(corner.colour);
+    if (has_lit_colours(mesh, view))
+        mesh.colours.push_back(colour_of(corner, view));
+    else if (!mesh.colours.empty())
+        mesh.colours.push_back(corner.colour);
     return static_cast<std::int32_t>(mesh.screen.size() - 1);
 }
 
