@@ -266,6 +266,9 @@ void FastEngine::draw(const Settings& settings, FastPicture& picture) {
     if (s.options.keeps_planes) {
         picture.inv_z.resize(pixels);
         picture.owner.resize(pixels);
+    } else {
+        picture.inv_z.clear();
+        picture.owner.clear();
     }
     if (is_dense) s.visible.resize(pixels);
     const fast::Planes planes{.stride = static_cast<std::int32_t>(picture.stride),

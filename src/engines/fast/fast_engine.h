@@ -28,8 +28,8 @@ struct FastPicture {
     Viewport size{0, 0};
     std::size_t stride = 0;
     AlignedVector<std::uint32_t> colour; ///< 0x00RRGGBB; black where nothing is drawn
-    AlignedVector<float> inv_z;          ///< 1/z of the camera's space; 0: nothing
-    AlignedVector<std::int32_t> owner;   ///< triangle of the scene; -1: nothing
+    AlignedVector<float> inv_z;          ///< 1/z of the camera's space; 0: nothing; empty: not kept
+    AlignedVector<std::int32_t> owner;   ///< triangle of the scene; -1: nothing; empty: not kept
 
     std::size_t at(int column, int row) const {
         return static_cast<std::size_t>(row) * stride + static_cast<std::size_t>(column);

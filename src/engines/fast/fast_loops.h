@@ -257,8 +257,8 @@ void sort_triangles(const Mesh& mesh, const View& view, std::int32_t first, std:
     }
 }
 
-/// Three edge functions and the plane of 1/z of a triangle in each lane, at the first pixel of its
-/// box. Each edge lies opposite of the corner of its number.
+/// Three edge functions and the plane of 1/z of a triangle in each lane, at the first pixel of what
+/// the picture shows of its box. Each edge lies opposite of the corner of its number.
 struct SetUpLanes {
     Ints edge[3];           ///< at least 0 inside: 1 is taken away where the edge is not owned
     Ints right[3], down[3]; ///< what an edge function grows by
@@ -317,6 +317,15 @@ RASTERWALK_INLINE Ints is_shown(const SetUpLanes& set, const View& view) {
     return view.culls_backs != 0 ? set.is_front : set.has_area;
 }
 
+/// The rows of a box that bands above have drawn. 1/z is counted from the first row in the picture,
+/// not in the band: else the bits of a picture would depend on where its bands begin.
+RASTERWALK_INLINE Ints rows_above(const BoxLanes& box, const Band& band, SetUpLanes& set) {
+    const Ints rows = larger(all(band.first_row) - box.top, Ints{});
+    for (int e = 0; e < 3; ++e)
+        set.edge[e] += set.down[e] * rows;
+    return rows;
+}
+
 /// Triangles of at most `size` pixels on each side, which all lanes go through pixel by pixel.
 template <int size>
 RASTERWALK_INLINE void draw_boxes(const Mesh& mesh, const View& view, const TriangleList& list,
@@ -328,8 +337,10 @@ RASTERWALK_INLINE void draw_boxes(const Mesh& mesh, const View& view, const Tria
     Visible mine[tests * lane_count];
     for (std::int32_t i = 0; i < list.count; i += lane_count) {
         const TriangleLanes triangle = load_triangles(mesh, list, i);
-        const BoxLanes box = part_of(box_of(triangle), view.width, band.first_row, band.end_row);
-        SetUpLanes set = set_up(triangle, box);
+        const BoxLanes whole = part_of(box_of(triangle), view.width, 0, view.height);
+        const BoxLanes box = part_of(whole, view.width, band.first_row, band.end_row);
+        SetUpLanes set = set_up(triangle, whole);
+        const Floats first_row = to_floats(rows_above(whole, band, set));
         const std::uint32_t drawn =
             sign_bits(is_shown(set, view) & first_lanes(list.count - i) & (box.height > Ints{}));
         if (drawn == 0) continue;
@@ -340,13 +351,13 @@ RASTERWALK_INLINE void draw_boxes(const Mesh& mesh, const View& view, const Tria
             for (int test = 0; test < tests; ++row) {
                 const std::uint32_t has_row = drawn & sign_bits(all(row) < box.height);
                 Ints edge[3] = {set.edge[0], set.edge[1], set.edge[2]};
-                Floats depth = set.inv_z;
+                Floats depth = set.inv_z + (first_row + static_cast<float>(row)) * set.inv_z_down;
                 for (int column = 0; column < size; ++column, ++test) {
                     const std::uint64_t inside = ~sign_bits(edge[0] | edge[1] | edge[2]) & has_row &
                                                  sign_bits(all(column) < box.width);
                     covered |= inside << (test * lane_count);
-                    const Floats seen = smaller(larger(depth, set.farthest), set.nearest);
-                    const LongLanes pair = join_halves(number, bits_of(seen));
+                    const Floats inv_z = smaller(larger(depth, set.farthest), set.nearest);
+                    const LongLanes pair = join_halves(number, bits_of(inv_z));
                     store_longs(pair.first, mine + test * lane_count);
                     store_longs(pair.second, mine + test * lane_count + lane_count / 2);
                     store(at_left + column, pixels + test * lane_count);
@@ -354,7 +365,6 @@ RASTERWALK_INLINE void draw_boxes(const Mesh& mesh, const View& view, const Tria
                     for (int e = 0; e < 3; ++e)
                         edge[e] += set.right[e];
                 }
-                set.inv_z += set.inv_z_down;
                 at_left += planes.stride;
                 for (int e = 0; e < 3; ++e)
                     set.edge[e] += set.down[e];
@@ -389,13 +399,15 @@ void draw_medium(const Mesh& mesh, const View& view, const TriangleList& list, c
     std::int32_t left[lane_count], top[lane_count], width[lane_count], height[lane_count];
     std::int32_t edges[3][lane_count], rights[3][lane_count], downs[3][lane_count];
     float depths[lane_count], depth_rights[lane_count], depth_downs[lane_count];
-    float nearests[lane_count], farthests[lane_count];
+    float nearests[lane_count], farthests[lane_count], first_rows[lane_count];
     const Ints lanes = lane_numbers();
     const Floats lane_steps = to_floats(lanes);
     for (std::int32_t i = 0; i < list.count; i += lane_count) {
         const TriangleLanes triangle = load_triangles(mesh, list, i);
-        const BoxLanes box = part_of(box_of(triangle), view.width, band.first_row, band.end_row);
-        const SetUpLanes set = set_up(triangle, box);
+        const BoxLanes whole = part_of(box_of(triangle), view.width, 0, view.height);
+        const BoxLanes box = part_of(whole, view.width, band.first_row, band.end_row);
+        SetUpLanes set = set_up(triangle, whole);
+        store(to_floats(rows_above(whole, band, set)), first_rows);
         std::uint32_t drawn =
             sign_bits(is_shown(set, view) & first_lanes(list.count - i) & (box.height > Ints{}));
         store(box.left, left);
@@ -421,12 +433,12 @@ void draw_medium(const Mesh& mesh, const View& view, const TriangleList& list, c
                 edge[e] = all(edges[e][t]) + lanes * rights[e][t];
                 right[e] = all(rights[e][t] * lane_count);
             }
-            Floats depth = all(depths[t]) + lane_steps * depth_rights[t];
+            const Floats at_left = all(depths[t]) + lane_steps * depth_rights[t];
             const Floats depth_right = all(depth_rights[t] * static_cast<float>(lane_count));
             Visible* seen = planes.visible + top[t] * planes.stride + left[t];
             for (int row = 0; row < height[t]; ++row, seen += planes.stride) {
                 Ints e0 = edge[0], e1 = edge[1], e2 = edge[2];
-                Floats z = depth;
+                Floats z = at_left + (first_rows[t] + static_cast<float>(row)) * depth_downs[t];
                 for (int column = 0; column < width[t]; column += lane_count) {
                     const Ints is_inside =
                         ~((e0 | e1 | e2) >> 31) & (lanes < all(width[t] - column));
@@ -443,7 +455,6 @@ void draw_medium(const Mesh& mesh, const View& view, const TriangleList& list, c
                 }
                 for (int e = 0; e < 3; ++e)
                     edge[e] += downs[e][t];
-                depth += depth_downs[t];
             }
         }
     }

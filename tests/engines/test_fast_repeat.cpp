@@ -1,0 +1,157 @@
+// What must not change a bit of the fast engine's picture: how many threads draw it, whether depth
+// and owner are kept, and what the engine has drawn before.
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "engines/fast/fast_engine.h"
+#include "engines/fast/simd_level.h"
+#include "scene/scene.h"
+#include "settings/setting_table.h"
+#include "settings/settings.h"
+#include "support/choices.h"
+#include "support/effort.h"
+#include "support/fast_pictures.h"
+#include "support/made_scene.h"
+#include "support/random.h"
+#include "tests/support/catch.h"
+
+using namespace rasterwalk;
+using namespace rasterwalk::test;
+
+namespace {
+
+/// A scene and the settings of a picture of it.
+struct FastShot {
+    std::string name;
+    Settings settings;
+};
+
+Settings settings_at(const Scene& scene, const char* shading, Viewport size) {
+    Settings settings = default_settings(scene);
+    settings.stage = Stage::shade;
+    settings.normal_map = NormalMapUse::off;
+    set_from_text(settings, shading);
+    settings.camera.focal_length *=
+        static_cast<float>(size.width) / static_cast<float>(settings.viewport.width);
+    settings.viewport = size;
+    return settings;
+}
+
+/// Pictures that have little in common: of other sizes, with cut triangles, with other light.
+std::vector<FastShot> shots_of(const Scene& scene) {
+    std::vector<FastShot> shots{
+        {"own", settings_at(scene, "shading=phong", {203, 151})},
+        {"gouraud", settings_at(scene, "shading=gouraud", {90, 240})},
+        {"inside", settings_at(scene, "shading=phong", {160, 120})},
+        {"inside, gouraud", settings_at(scene, "shading=gouraud", {97, 61})},
+        {"tiny", settings_at(scene, "shading=unlit", {5, 2})},
+        {"lamp at the camera", settings_at(scene, "shading=phong", {64, 64})},
+        {"nothing", settings_at(scene, "shading=phong", {33, 33})}};
+    shots[2].settings.camera.position += glm::vec3(0.1f, 0.2f, 2.4f);
+    shots[2].settings.camera.yaw += 0.6f;
+    shots[3].settings.camera.position += glm::vec3(-0.2f, 0.1f, 3.0f);
+    shots[3].settings.camera.focal_length *= 0.3f;
+    shots[5].settings.light.place = LampPlace::camera;
+    // All lies behind the camera.
+    shots[6].settings.camera.position.z += 1000.0f;
+    return shots;
+}
+
+std::vector<Scene> scenes_to_repeat() {
+    return {lesson_scene("lab-room"), lesson_scene("checkered-room"), lesson_scene("corridor"),
+            lesson_scene("cylinder"), made_scene(3000)};
+}
+
+/// The colours of a picture alone, row by row.
+std::vector<std::uint32_t> colours_of(const FastPicture& picture) {
+    std::vector<std::uint32_t> colours;
+    for (int row = 0; row < picture.size.height; ++row) {
+        for (int column = 0; column < picture.size.width; ++column)
+            colours.push_back(picture.colour[picture.at(column, row)]);
+    }
+    return colours;
+}
+
+} // namespace
+
+TEST_CASE("The fast engine's picture is the same bits with one thread, two and three") {
+    int painted = 0;
+    for (const Scene& scene : scenes_to_repeat()) {
+        for (const SimdLevel level : simd_levels()) {
+            FastEngine two(scene, {.level = level, .threads = 2});
+            FastEngine three(scene, {.level = level, .threads = 3});
+            // From the second picture on bands are as high as the one before lets them be.
+            for (int round = 0; round < rounds(5, 2); ++round) {
+                for (const FastShot& shot : shots_of(scene)) {
+                    CAPTURE(scene.name, word_of(level), shot.name, round);
+                    const FastPicture one = fast_picture(scene, shot.settings, {.level = level});
+                    FastPicture picture;
+                    two.draw(shot.settings, picture);
+                    CHECK(first_other_bits(one, picture) == "");
+                    three.draw(shot.settings, picture);
+                    CHECK(first_other_bits(one, picture) == "");
+                    const std::vector<std::uint32_t> colours = colours_of(one);
+                    painted += std::any_of(colours.begin(), colours.end(),
+                                           [](std::uint32_t colour) { return colour != 0; });
+                }
+            }
+        }
+    }
+    CHECK(painted > 20);
+}
+
+TEST_CASE("The fast engine's picture is the same whether depth and owner are kept or not") {
+    for (const Scene& scene : scenes_to_repeat()) {
+        for (const SimdLevel level : simd_levels()) {
+            for (const int threads : {1, 2}) {
+                FastEngine engine(scene,
+                                  {.level = level, .threads = threads, .keeps_planes = false});
+                FastPicture picture;
+                for (const FastShot& shot : shots_of(scene)) {
+                    CAPTURE(scene.name, word_of(level), threads, shot.name);
+                    engine.draw(shot.settings, picture);
+                    const FastPicture kept = fast_picture(scene, shot.settings, {.level = level});
+                    CHECK(colours_of(picture) == colours_of(kept));
+                    CHECK(picture.owner.empty());
+                    CHECK(picture.inv_z.empty());
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("What the fast engine has drawn before leaves nothing in its next picture") {
+    Random random(821);
+    for (const Scene& scene : scenes_to_repeat()) {
+        for (const SimdLevel level : simd_levels()) {
+            for (const int threads : {1, 3}) {
+                FastEngine engine(scene, {.level = level, .threads = threads});
+                FastPicture picture;
+                const std::vector<FastShot> shots = shots_of(scene);
+                std::string before = "nothing yet";
+                for (int i = 0; i < rounds(60, 12); ++i) {
+                    const FastShot& shot = shots[static_cast<std::size_t>(
+                        random.integer(0, static_cast<int>(shots.size()) - 1))];
+                    CAPTURE(scene.name, word_of(level), threads, before, shot.name);
+                    engine.draw(shot.settings, picture);
+                    const FastPicture fresh = fast_picture(scene, shot.settings, {.level = level});
+                    CHECK(first_other_bits(fresh, picture) == "");
+                    before = shot.name;
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("A picture that kept depth and owner drops them when an engine does not keep them") {
+    const Scene room = lesson_scene("lab-room");
+    const Settings large = settings_at(room, "shading=phong", {80, 60});
+    FastPicture picture = fast_picture(room, large, {});
+    CHECK_FALSE(picture.owner.empty());
+    FastEngine(room, {.keeps_planes = false})
+        .draw(settings_at(room, "shading=phong", {200, 100}), picture);
+    CHECK(picture.owner.empty());
+    CHECK(picture.inv_z.empty());
+}
