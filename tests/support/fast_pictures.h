@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "engines/fast/fast_engine.h"
 #include "pipeline/framebuffer.h"
@@ -32,7 +33,10 @@ struct FastDifference {
     std::string words() const;
 };
 /// @param steps a whole picture
-FastDifference difference(const FastPicture& fast, const Framebuffer& steps);
+/// @param met   what cast_rays() says of its pixels: those near an outline are not compared; none:
+///              all are
+FastDifference difference(const FastPicture& fast, const Framebuffer& steps,
+                          const std::vector<int>& met = {});
 
 /// The first pixel at which colour, depth or owner are not the same bits, in words; empty if there
 /// is none. What lies beside the picture in its rows is not looked at.
