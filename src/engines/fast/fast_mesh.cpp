@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include <glm/common.hpp>
+
 namespace rasterwalk {
 
 namespace {
@@ -23,6 +25,11 @@ float tame(float value) {
 }
 fast::Record record(const glm::vec3& v) {
     return {tame(v.x), tame(v.y), tame(v.z), 0.0f};
+}
+/// Shares of light, from which bytes are made without asking whether they are below 0.
+glm::vec3 shares(const glm::vec3& v) {
+    constexpr float largest_share = 1e6f;
+    return glm::clamp(glm::vec3(tame(v.x), tame(v.y), tame(v.z)), 0.0f, largest_share);
 }
 
 std::int32_t padded(std::size_t count) {
@@ -46,7 +53,7 @@ void add_vertices(const Mesh& mesh, FastMesh& fast) {
         fast.z.push_back(place.z);
         fast.normals.push_back(record(vertex.normal));
         fast.texcoords.push_back({tame(vertex.texcoord.x), tame(vertex.texcoord.y), 0.0f, 0.0f});
-        if (has_colours) fast.colours.push_back(record(vertex.reflectance));
+        if (has_colours) fast.colours.push_back(record(shares(vertex.reflectance)));
         if (shines) fast.exponents.push_back(tame(vertex.shine.exponent));
     }
     fast.screen.resize(static_cast<std::size_t>(fast.vertex_count));
@@ -59,21 +66,14 @@ class MaterialList {
     explicit MaterialList(std::vector<fast::Material>& list) : list_(list) {}
 
     std::int32_t index_of(const Vertex& corner, bool has_colours, int texture) {
-        const glm::vec3 &r = corner.reflectance, &s = corner.shine.specular;
-        const Key key{tame(r.x),
-                      tame(r.y),
-                      tame(r.z),
-                      tame(s.x),
-                      tame(s.y),
-                      tame(s.z),
-                      tame(corner.shine.exponent),
-                      has_colours,
-                      texture};
+        const glm::vec3 r = shares(corner.reflectance), s = shares(corner.shine.specular);
+        const Key key{r.x,         r.y,    r.z, s.x, s.y, s.z, tame(corner.shine.exponent),
+                      has_colours, texture};
         const auto [place, is_new] = known_.try_emplace(key, static_cast<int>(list_.size()));
         if (is_new) {
             const bool shines = s != glm::vec3(0.0f);
-            list_.push_back({{tame(r.x), tame(r.y), tame(r.z)},
-                             {tame(s.x), tame(s.y), tame(s.z)},
+            list_.push_back({{r.x, r.y, r.z},
+                             {s.x, s.y, s.z},
                              tame(corner.shine.exponent),
                              shines ? 1 : 0,
                              has_colours ? 1 : 0,
