@@ -23,6 +23,8 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
     const auto unknown = [](std::string_view what) {
         return "the fast engine does not know " + std::string(what);
     };
+    if (settings.stage < Stage::depth) return unknown("stages before depth");
+    if (settings.tessellation != 1) return unknown("tessellation");
     if (settings.projection_mix != 0.0f) return unknown("any projection but perspective");
     if (shading_rule(settings) == Shading::flat) return unknown("shading=flat");
     if (has_alpha(scene) && settings.blend != Blend::off)
@@ -38,9 +40,17 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
     // What is right by the lab's rules: everything else is a mistake, or another way to be right.
     for (const auto& [name, right] :
          {std::pair<std::string_view, std::string_view>{"depth_test", "inverse_z"},
+          {"depth_format", "inv_z"},
+          {"depth_clear", "0"},
+          {"depth_epsilon", "0"},
+          {"depth_index", "row_major"},
           {"interpolation", "perspective"},
           {"rotation", "row_vector"},
           {"image_axes", "right_way"},
+          {"outside_picture", "kept"},
+          {"translation", "last_column"},
+          {"normal_w", "zero"},
+          {"bounds", "inside"},
           {"texel_rule", "right"},
           {"light.direction", "to_light"},
           {"light.falloff", "sphere"},
