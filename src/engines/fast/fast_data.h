@@ -199,7 +199,8 @@ struct Loops {
 };
 
 const Loops& scalar_loops();
-#if defined(__x86_64__)
+/// Defined by CMakeLists.txt, which then compiles each file for its instructions.
+#if defined(RASTERWALK_X86_LOOPS)
 const Loops& sse2_loops();
 const Loops& clones_loops();
 const Loops& avx2_loops();

@@ -22,7 +22,7 @@ const fast::Loops& loops_of(SimdLevel level) {
     switch (level) {
     case SimdLevel::scalar:
         break;
-#if defined(__x86_64__)
+#if defined(RASTERWALK_X86_LOOPS)
     case SimdLevel::sse2:
         return fast::sse2_loops();
     case SimdLevel::clones:

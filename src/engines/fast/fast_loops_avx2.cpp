@@ -1,4 +1,4 @@
-#if defined(__x86_64__)
+#if defined(RASTERWALK_X86_LOOPS)
 
 #define RASTERWALK_LANES 8
 #define RASTERWALK_NAMES_INSTRUCTIONS 1

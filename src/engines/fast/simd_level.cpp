@@ -4,7 +4,7 @@ namespace rasterwalk {
 
 std::vector<SimdLevel> simd_levels() {
     std::vector<SimdLevel> levels{SimdLevel::scalar};
-#if defined(__x86_64__)
+#if defined(RASTERWALK_X86_LOOPS)
     levels.push_back(SimdLevel::sse2);
     // All that the loops are compiled for: what -march=x86-64-v3 and -v4 allow.
     __builtin_cpu_init();
