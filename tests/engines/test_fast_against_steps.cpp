@@ -2,12 +2,15 @@
 // models of the project, from several places, under every kind of light and texture that it knows.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "engines/fast/fast_engine.h"
 #include "engines/fast/fast_view.h"

@@ -9,12 +9,15 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
 
 #include "engines/fast/fast_data.h"
 #include "engines/fast/fast_engine.h"
 #include "engines/fast/simd_level.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
+#include "stages/vertex_shader.h"
 #include "support/effort.h"
 #include "support/fast_pictures.h"
 #include "support/random.h"

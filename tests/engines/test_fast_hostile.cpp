@@ -11,6 +11,8 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
 
 #include "base/error.h"
 #include "base/limits.h"
