@@ -5,19 +5,15 @@
 
 #include "base/error.h"
 #include "engines/own_engines.h"
-#include "scene/read_scene.h"
-#include "session/content.h"
+#include "support/samples.h"
 #include "tests/support/catch.h"
 
 using namespace rasterwalk;
+using rasterwalk::test::lab_room;
 
 namespace {
 
 const Viewport small_size{60, 40};
-
-Scene lab_room() {
-    return read_scene(lessons_folder() + '/' + std::string(usual_scene));
-}
 
 /// How a made peer draws wrongly.
 struct Fault {
