@@ -218,9 +218,10 @@ TEST_CASE("A triangle's report is the row table in one go, sample by sample") {
         variant.apply(settings);
         const Frame frame = prepare_frame(scene, settings);
         CAPTURE(variant.name);
-        PolygonRows direct;
         for (int t = 0; t < frame.triangle_count(); ++t) {
             CAPTURE(t);
+            // A new table: of rows that no sample reaches only the columns are emptied.
+            PolygonRows direct;
             const TriangleReport report = triangle_report(frame, t);
             CHECK(report.rejection == frame.rejection(t));
             if (!frame.is_drawn(t)) {

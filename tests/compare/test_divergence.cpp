@@ -170,7 +170,8 @@ void for_each_pair(const Scene& scene, std::size_t fewest, int apart,
     if (effort() >= 0.5) apart = 1;
     for (const Setting& setting : setting_table()) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
-        if (choice == nullptr) continue;
+        // Another engine has no moments.
+        if (choice == nullptr || setting.name == "engine") continue;
         for (int stage = begin++ % apart; stage < stage_count; stage += apart) {
             if (setting.name == "stage" && stage > 0) break;
             Settings settings = default_settings(scene);

@@ -143,9 +143,12 @@ std::vector<int> rays_for_cut(const Frame& frame) {
 bool has_far_textures(const Frame& frame) {
     if (!is_textured(frame)) return false;
     constexpr float far = 2048.0f; // pixels
-    return std::any_of(frame.vertices.begin(), frame.vertices.end(), [](const ScreenVertex& v) {
-        return std::abs(v.position.x) > far || std::abs(v.position.y) > far;
-    });
+    for (int t = 0; t < frame.triangle_count(); ++t) {
+        for (const ScreenVertex& v : frame.triangle_vertices(t)) {
+            if (std::abs(v.position.x) > far || std::abs(v.position.y) > far) return true;
+        }
+    }
+    return false;
 }
 
 /// Draws at every level and by the steps, and holds one against the other.

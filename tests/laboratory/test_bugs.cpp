@@ -466,12 +466,15 @@ TEST_CASE("B14: the triangle with a vertex in column -1 is missing, and no other
 TEST_CASE("B15: vertices are moved to the border, and the wall is bent") {
     const Runs runs("B15");
     int moved = 0;
-    for (std::size_t v = 0; v < runs.wrong.vertices.size(); ++v) {
-        const ScreenVertex &wrong = runs.wrong.vertices[v], &correct = runs.correct.vertices[v];
-        CHECK(wrong.column == std::clamp(correct.column, 0, 199));
-        CHECK(wrong.row == std::clamp(correct.row, 0, 159));
-        CHECK(wrong.inv_w == correct.inv_w);
-        moved += wrong.column != correct.column ? 1 : 0;
+    for (int t = 0; t < runs.wrong.triangle_count(); ++t) {
+        for (int i = 0; i < triangle_corners; ++i) {
+            const ScreenVertex& wrong = runs.wrong.given_vertex(t, i).pixel;
+            const ScreenVertex& correct = runs.correct.given_vertex(t, i).pixel;
+            CHECK(wrong.column == std::clamp(correct.column, 0, 199));
+            CHECK(wrong.row == std::clamp(correct.row, 0, 159));
+            CHECK(wrong.inv_w == correct.inv_w);
+            moved += wrong.column != correct.column ? 1 : 0;
+        }
     }
     CHECK(moved == 3);
     CHECK(runs.different_pixels() > 2000);

@@ -35,6 +35,7 @@ std::string assignment_refusal(const std::string& assignment) {
 TEST_CASE("The table holds exactly the settings that are promised, each with help") {
     const std::vector<std::string_view> promised{"stage",
                                                  "shading",
+                                                 "engine",
                                                  "tessellation",
                                                  "rounding",
                                                  "vertex_rounding",
