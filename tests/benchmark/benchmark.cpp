@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "camera_benchmark.h"
 #include "compare/compare.h"
+#include "frame_benchmark.h"
 #include "inspect/culling_cost.h"
 #include "inspect/pixel_history.h"
 #include "model_benchmark.h"
@@ -39,7 +40,8 @@ using namespace rasterwalk;
 constexpr const char* usage =
     "usage: rasterwalk-benchmark [REPETITIONS]\n"
     "       rasterwalk-benchmark camera [--steps N] [--against FILE] [NAME...]\n"
-    "       rasterwalk-benchmark models [--against FILE] [NAME...]";
+    "       rasterwalk-benchmark models [--against FILE] [NAME...]\n"
+    "       rasterwalk-benchmark frames [NAME...]";
 
 /// How long one thing took, over all its repetitions.
 struct Measurement {
@@ -248,6 +250,10 @@ int main(int argc, char** argv) {
         }
         if (!words.empty() && words.front() == "models") {
             print_model_times(model_options({words.begin() + 1, words.end()}));
+            return 0;
+        }
+        if (!words.empty() && words.front() == "frames") {
+            print_frame_times({words.begin() + 1, words.end()});
             return 0;
         }
         if (words.size() > 1) throw UsageError(usage);

@@ -10,13 +10,11 @@
 
 #include "bare_interface.h"
 #include "base/error.h"
+#include "benchmark_sessions.h"
 #include "figures.h"
 #include "pipeline/timeline.h"
-#include "session/content.h"
 #include "session/results.h"
 #include "session/second_run.h"
-#include "settings/setting_table.h"
-#include "support/made_scene.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
 
@@ -30,8 +28,6 @@ extern "C" [[gnu::noinline]] void measured_work(const std::function<void()>& wor
 namespace rasterwalk {
 
 namespace {
-
-constexpr int made_triangles = 200'000;
 
 /// A step of the camera to the side, radians: so small that the picture is nearly the same.
 constexpr float turn = 0.001f;
@@ -67,30 +63,6 @@ class Figures {
     const CameraBenchmark& options_;
     KnownFigures other_;
 };
-
-Session room() {
-    return open_session(lessons_folder() + "/scenes/lab-room.toml");
-}
-
-Session made() {
-    Session session = room();
-    set_scene(session, test::made_scene(made_triangles));
-    return session;
-}
-
-/// The room on a picture of 4096 x 4096 pixels.
-Session wide() {
-    Session session = room();
-    set_from_text(session.a.settings, "viewport.size=4096x4096");
-    set_from_text(session.a.settings, "camera.focal_length=4096");
-    return session;
-}
-
-void compare_with_affine(Session& session) {
-    Settings other = session.a.settings;
-    set_from_text(other, "interpolation=affine");
-    compare_with(session, other);
-}
 
 /// What follows from the session, without the window: a step of the camera, a moment of time. All
 /// of it, also what the window leaves for the next frames.

@@ -13,6 +13,7 @@
 
 #include "bare_interface.h"
 #include "base/error.h"
+#include "benchmark_sessions.h"
 #include "figures.h"
 #include "pipeline/timeline.h"
 #include "scene/model_scene.h"
@@ -22,7 +23,6 @@
 #include "session/results.h"
 #include "session/second_run.h"
 #include "session/session.h"
-#include "settings/setting_table.h"
 #include "ui/app/app.h"
 #include "ui/ui.h"
 
@@ -138,9 +138,7 @@ void measure_model(const MeasuredModel& model, const KnownFigures& others) {
     interface.ui.session.selection.pixel = {250, 2}; // the sky: nothing is drawn here
     print("turn-uncovered", longest_while(interface, turn_camera));
     interface.ui.session.selection.pixel = std::nullopt;
-    Settings affine = interface.ui.session.a.settings;
-    set_from_text(affine, "interpolation=affine");
-    compare_with(interface.ui.session, affine);
+    compare_with_affine(interface.ui.session);
     longest_frame(interface);
     print("turn-comparing", longest_while(interface, [](Ui& ui, int i) {
               turn_camera(ui, i);

@@ -1,0 +1,21 @@
+#pragma once
+
+// What the benchmarks open.
+
+#include "session/session.h"
+
+namespace rasterwalk {
+
+/// The lab's room, 500 x 500 pixels.
+Session room();
+
+/// 200,000 made triangles on as many pixels.
+Session made();
+
+/// The room on a picture of 4096 x 4096 pixels.
+Session wide();
+
+/// Run A beside one that interpolates without perspective.
+void compare_with_affine(Session& session);
+
+} // namespace rasterwalk

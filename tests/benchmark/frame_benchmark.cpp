@@ -1,0 +1,155 @@
+#include "frame_benchmark.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <optional>
+
+#include "bare_interface.h"
+#include "base/error.h"
+#include "benchmark_sessions.h"
+#include "session/results.h"
+#include "ui/app/app.h"
+#include "ui/ui.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A step of the camera to the side, radians, and how many of them go the same way: the scene stays
+/// in sight.
+constexpr float frame_turn = 0.01f;
+constexpr int turns_one_way = 30;
+
+/// Turns that are measured. Some go before, so that memory is taken and tables are filled.
+constexpr int turns = 60;
+constexpr int turns_before = 6;
+
+/// By the clock and by the processor, milliseconds.
+struct Time {
+    double clock = 0.0, processor = 0.0;
+
+    Time& operator+=(const Time& more) {
+        clock += more.clock;
+        processor += more.processor;
+        return *this;
+    }
+};
+
+Time frame_time(BareInterface& interface) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t processor = std::clock();
+    interface.frame();
+    const std::chrono::duration<double, std::milli> passed =
+        std::chrono::steady_clock::now() - start;
+    return {passed.count(),
+            1000.0 * static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC};
+}
+
+Time longest(const std::vector<Time>& frames) {
+    Time most;
+    for (const Time& frame : frames) {
+        most.clock = std::max(most.clock, frame.clock);
+        most.processor = std::max(most.processor, frame.processor);
+    }
+    return most;
+}
+
+Time median(const std::vector<Time>& frames) {
+    const auto middle = [&](double Time::*member) {
+        std::vector<double> times;
+        for (const Time& frame : frames)
+            times.push_back(frame.*member);
+        std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
+        return times[times.size() / 2];
+    };
+    return {middle(&Time::clock), middle(&Time::processor)};
+}
+
+/// What the last turn leaves to do.
+struct Rest {
+    Time longest; ///< frame
+    Time whole;   ///< until the picture is whole
+    Time all;     ///< until everything is worked out
+};
+
+/// Can time be walked through all of the picture that is asked for?
+bool is_whole(const Results& results) {
+    return !results.a.is_frame_late && results.a.is_drawn();
+}
+
+void turn_once(Session& session, int i) {
+    const bool is_back = (i + turns_one_way / 2) / turns_one_way % 2 != 0;
+    session.a.settings.camera.yaw += is_back ? -frame_turn : frame_turn;
+}
+
+/// Frames until there is nothing left to do.
+Rest come_to_rest(BareInterface& interface) {
+    Rest rest;
+    std::vector<Time> frames;
+    std::optional<Time> whole;
+    do {
+        if (!whole && is_whole(interface.ui.results)) whole = rest.all;
+        frames.push_back(frame_time(interface));
+        rest.all += frames.back();
+    } while (is_working(interface.ui.results) || is_animating(interface.ui));
+    rest.whole = whole.value_or(rest.all);
+    rest.longest = longest(frames);
+    return rest;
+}
+
+struct FrameCase {
+    const char* name;
+    Session (*open)();
+    bool is_comparing;
+};
+
+constexpr FrameCase frame_cases[] = {
+    {"room", room, false},          {"room-comparing", room, true}, {"made", made, false},
+    {"made-comparing", made, true}, {"wide", wide, false},          {"wide-comparing", wide, true},
+};
+
+void measure_frames(const FrameCase& one) {
+    BareInterface interface(one.open());
+    come_to_rest(interface);
+    Rest begun;
+    if (one.is_comparing) {
+        compare_with_affine(interface.ui.session);
+        begun = come_to_rest(interface);
+    }
+    std::vector<Time> frames;
+    for (int i = 0; i < turns_before + turns; ++i) {
+        turn_once(interface.ui.session, i);
+        const Time time = frame_time(interface);
+        if (i >= turns_before) frames.push_back(time);
+    }
+    const Rest rest = come_to_rest(interface);
+    std::printf("%-16s", one.name);
+    for (const Time& time :
+         {median(frames), longest(frames), rest.longest, rest.whole, rest.all, begun.longest})
+        std::printf(" %8.1f |%7.1f", time.clock, time.processor);
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+} // namespace
+
+void print_frame_times(const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        if (std::none_of(std::begin(frame_cases), std::end(frame_cases),
+                         [&](const FrameCase& one) { return one.name == name; }))
+            throw UsageError("there is no case '" + name + "'.");
+    }
+    std::printf("%-16s", "ms, clock | cpu");
+    for (const char* column : {"median turn", "longest turn", "longest then", "picture whole",
+                               "all is done", "B is begun"})
+        std::printf(" %17s", column);
+    std::printf("\n");
+    for (const FrameCase& one : frame_cases) {
+        if (names.empty() || std::find(names.begin(), names.end(), one.name) != names.end())
+            measure_frames(one);
+    }
+}
+
+} // namespace rasterwalk
