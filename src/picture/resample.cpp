@@ -1,8 +1,12 @@
 #include "picture/resample.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 namespace rasterwalk {
 
@@ -12,6 +16,10 @@ namespace {
 struct Cover {
     int first, last;             ///< old ones, last included
     float first_part, last_part; ///< of these two, how much; those between are covered whole
+
+    float part_of(int old) const {
+        return old == first ? first_part : old == last ? last_part : 1.0f;
+    }
 };
 
 /// For the new ones from `begin` up to, not including, `end`.
@@ -33,39 +41,89 @@ std::vector<Cover> covers_of(int side, int begin, int end, float scale) {
 
 using Line = std::vector<float>; ///< red, green, blue times opacity, opacity: four numbers a pixel
 
-/// Adds a part of a row of the picture, from this column on, to the line.
-void add_row(const Image& image, int row, int column, float part, Line& line) {
-    const std::uint8_t* from = image.rgba.data() + 4 * (static_cast<std::size_t>(row) *
-                                                            static_cast<std::size_t>(image.width) +
-                                                        static_cast<std::size_t>(column));
+/// Pixels of one row, four bytes each.
+using RowPixels = std::span<const std::uint8_t>;
+
+bool is_opaque(RowPixels row) {
+    std::array<std::uint8_t, 4> common{255, 255, 255, 255};
+    for (std::size_t i = 0; i < row.size(); i += 4) {
+        for (std::size_t c = 0; c < 4; ++c)
+            common[c] &= row[i + c];
+    }
+    return common[3] == 255;
+}
+
+/// What a pixel of this opacity, 0 to 255, counts for where this part of it is covered.
+float weight_of(float part, std::uint8_t opacity) {
+    return part * static_cast<float>(opacity) * (1.0f / 255.0f);
+}
+
+/// Adds a part of a row to the line.
+void add_row(RowPixels row, float part, Line& line) {
     for (std::size_t i = 0; i < line.size(); i += 4) {
-        const float opacity = part * static_cast<float>(from[i + 3]) * (1.0f / 255.0f);
+        const float weight = weight_of(part, row[i + 3]);
         for (std::size_t c = 0; c < 3; ++c)
-            line[i + c] += opacity * static_cast<float>(from[i + c]);
-        line[i + 3] += opacity;
+            line[i + c] += weight * static_cast<float>(row[i + c]);
+        line[i + 3] += weight;
     }
 }
 
-std::uint8_t as_byte(float value) {
-    return static_cast<std::uint8_t>(std::clamp(value + 0.5f, 0.0f, 255.0f));
+/// The same of an opaque row, where all pixels count the same, but leaves what it adds to every
+/// opacity to `opacity`: so all numbers are alike, and the compiler takes many at once.
+void add_opaque_row(RowPixels row, float part, Line& line, float& opacity) {
+    const float weight = weight_of(part, 255);
+    for (std::size_t i = 0; i < line.size(); ++i)
+        line[i] += weight * static_cast<float>(row[i]);
+    opacity += weight;
 }
 
-/// One new pixel from the columns of the line that it covers.
-/// @param begin the column that the line begins with
-void write_pixel(const Line& line, int begin, const Cover& cover, float area, std::uint8_t* to) {
-    float sum[4] = {0, 0, 0, 0};
-    for (int column = cover.first; column <= cover.last; ++column) {
-        const float part = column == cover.first  ? cover.first_part
-                           : column == cover.last ? cover.last_part
-                                                  : 1.0f;
-        const float* const from = line.data() + 4 * static_cast<std::size_t>(column - begin);
-        for (int c = 0; c < 4; ++c)
+/// The mean of the rows that one new row covers.
+/// @param column of the picture with which the line begins
+void add_rows(const Image& image, const Cover& rows, int column, Line& line) {
+    const auto pixels = [&](int row) {
+        const std::size_t at =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width);
+        return RowPixels(image.rgba)
+            .subspan(4 * (at + static_cast<std::size_t>(column)), line.size());
+    };
+    bool are_opaque = true;
+    for (int row = rows.first; row <= rows.last && are_opaque; ++row)
+        are_opaque = is_opaque(pixels(row));
+    std::fill(line.begin(), line.end(), 0.0f);
+    float opacity = 0.0f;
+    for (int row = rows.first; row <= rows.last; ++row) {
+        if (are_opaque)
+            add_opaque_row(pixels(row), rows.part_of(row), line, opacity);
+        else
+            add_row(pixels(row), rows.part_of(row), line);
+    }
+    for (std::size_t i = 3; are_opaque && i < line.size(); i += 4)
+        line[i] = opacity;
+}
+
+/// One new pixel from the columns of the line that it covers, its numbers 0 to 255.
+/// @param from the first of these columns
+void mix_pixel(const float* from, const Cover& columns, float area, float* to) {
+    std::array<float, 4> sum;
+    for (std::size_t c = 0; c < 4; ++c)
+        sum[c] = columns.first_part * from[c];
+    for (int column = columns.first + 1; column <= columns.last; ++column) {
+        from += 4;
+        const float part = columns.part_of(column);
+        for (std::size_t c = 0; c < 4; ++c)
             sum[c] += part * from[c];
     }
     const float per_opacity = sum[3] > 0.0f ? 1.0f / sum[3] : 0.0f;
-    for (int c = 0; c < 3; ++c)
-        to[c] = as_byte(sum[c] * per_opacity);
-    to[3] = as_byte(255.0f * sum[3] * area);
+    for (std::size_t c = 0; c < 3; ++c)
+        to[c] = sum[c] * per_opacity;
+    to[3] = 255.0f * sum[3] * area;
+}
+
+/// A whole line at once, which is faster than a number here and there.
+void write_bytes(const Line& line, std::uint8_t* to) {
+    for (std::size_t i = 0; i < line.size(); ++i)
+        to[i] = static_cast<std::uint8_t>(
+            static_cast<std::int32_t>(std::clamp(line[i] + 0.5f, 0.0f, 255.0f)));
 }
 
 } // namespace
@@ -93,22 +151,19 @@ void resample_part(const Image& image, float scale, const Rectangle& window,
     const std::vector<Cover> rows = covers_of(image.height, changed.top, changed.bottom, scale);
     const int begin = columns.front().first, end = columns.back().last + 1;
     Line line(4 * static_cast<std::size_t>(end - begin));
+    Line new_line(4 * columns.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Cover& cover = rows[i];
-        std::fill(line.begin(), line.end(), 0.0f);
-        add_row(image, cover.first, begin, cover.first_part, line);
-        for (int row = cover.first + 1; row < cover.last; ++row)
-            add_row(image, row, begin, 1.0f, line);
-        if (cover.last > cover.first) add_row(image, cover.last, begin, cover.last_part, line);
+        add_rows(image, rows[i], begin, line);
         const std::size_t to_row =
             i + static_cast<std::size_t>(changed.top) - static_cast<std::size_t>(window.top);
-        std::uint8_t* to =
+        std::uint8_t* const to =
             result.rgba.data() + 4 * (to_row * static_cast<std::size_t>(result.width) +
                                       static_cast<std::size_t>(changed.left - window.left));
-        for (const Cover& column : columns) {
-            write_pixel(line, begin, column, scale * scale, to);
-            to += 4;
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+            const auto first = static_cast<std::size_t>(columns[k].first - begin);
+            mix_pixel(line.data() + 4 * first, columns[k], scale * scale, new_line.data() + 4 * k);
         }
+        write_bytes(new_line, to);
     }
 }
 

@@ -146,4 +146,33 @@ TEST_CASE("A part that is resampled anew is the same as in the whole") {
     }
 }
 
+TEST_CASE("An opaque picture comes to the same bytes as one that has to look at every opacity") {
+    std::mt19937 random(8);
+    for (const float scale : {0.13f, 0.5f, 0.77f, 1.0f, 1.3f, 1.77f, 2.6f}) {
+        CAPTURE(scale);
+        constexpr int width = 61, height = 47;
+        Image opaque{width, height, {}};
+        // The same with a column of glass behind it: no row of it is opaque.
+        Image bordered{width + 1, height, {}};
+        for (int row = 0; row < height; ++row) {
+            for (int column = 0; column < width; ++column) {
+                for (int c = 0; c < 4; ++c) {
+                    const auto byte = static_cast<std::uint8_t>(c == 3 ? 255 : random() % 256);
+                    opaque.rgba.push_back(byte);
+                    bordered.rgba.push_back(byte);
+                }
+            }
+            bordered.rgba.insert(bordered.rgba.end(), {9, 9, 9, 0});
+        }
+        const Image quick = resampled(opaque, scale), careful = resampled(bordered, scale);
+        int wrong = 0;
+        for (int row = 0; row < quick.height; ++row) {
+            // Up to the column that the glass may touch.
+            for (int column = 0; column < static_cast<int>(width * scale) - 1; ++column)
+                wrong += rgba(quick, column, row) == rgba(careful, column, row) ? 0 : 1;
+        }
+        CHECK(wrong == 0);
+    }
+}
+
 } // namespace rasterwalk
