@@ -84,6 +84,10 @@ void update_difference_image(const std::vector<float>& values, float limit, cons
 /// What it takes to count a pixel, beside a fragment.
 inline constexpr double count_pixel_work = 0.5;
 
+/// A moment or a row that is drawn, told of and compared takes so many times the work of one that
+/// is drawn.
+inline constexpr double compare_work_factor = 3.0;
+
 /// Two runs compared over the whole frame, or up to a moment.
 struct Comparison {
     PixelDifference pixels;
@@ -110,7 +114,7 @@ class ComparisonWork {
     void advance(const WorkLimit& limit = {});
 
     /// Is everything compared? It is too before anything was begun.
-    bool is_done() const { return walk_ == nullptr && pictures_ == nullptr; }
+    bool is_done() const { return stage_ == ComparisonStage::done; }
 
     /// How many triangles are compared, and how many there are.
     int triangles_done() const { return done_; }
@@ -120,21 +124,32 @@ class ComparisonWork {
     const Comparison& found() const { return found_; }
 
   private:
+    /// What is done, in this order. Of runs without a moment in common the pictures are drawn
+    /// instead of cleared and walked through.
+    enum class ComparisonStage : std::uint8_t { estimated, cleared, walked, drawn, counted, done };
+
     /// Both pictures on their way.
     struct PicturePair {
         Replay a{0}, b{0}; ///< without copies of earlier moments
     };
 
+    bool advance_stage(const WorkLimit& limit);
+    bool estimate(const WorkLimit& limit);
+    bool clear_pictures(const WorkLimit& limit);
     double missing_work() const;
+    bool walk(const WorkLimit& limit);
     void end_triangles();
-    bool count_pixels(const Framebuffer& a, const Framebuffer& b, const WorkLimit& limit);
-    void draw_pictures(const WorkLimit& limit);
+    bool draw_pictures(const WorkLimit& limit);
+    bool count_pixels(const WorkLimit& limit);
+    void end();
 
     const Frame* a_ = nullptr;
     const Frame* b_ = nullptr;
     Cursor to_;
     FrameWork work_a_, work_b_;
-    std::unique_ptr<RunWalk> walk_;         ///< null: no moments are left to compare
+    ComparisonStage stage_ = ComparisonStage::done;
+    RunPictures cleared_;                   ///< what the walk will draw in
+    std::unique_ptr<RunWalk> walk_;         ///< of the stages `walked` and `counted`
     std::unique_ptr<PicturePair> pictures_; ///< in its place where only those are compared
     DivergenceCollector divergences_;
     PolygonRows rows_a_, rows_b_; ///< kept to save allocations

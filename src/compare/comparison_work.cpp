@@ -1,15 +1,17 @@
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 #include "compare/compare.h"
 #include "compare/divergence_text.h"
+#include "pipeline/clearing.h"
 
 namespace rasterwalk {
 
 namespace {
 
-/// A moment or a row that is drawn, told of and compared takes so many times the work of one that
-/// is drawn.
-constexpr double work_factor = 3.0;
+/// Pictures of more than this are not kept for the next comparison.
+constexpr std::size_t most_kept_bytes = std::size_t{32} << 20;
 
 /// The finished row table of a triangle; without rows if the run makes none.
 void make_rows(const Frame& frame, int triangle, PolygonRows& rows) {
@@ -39,25 +41,24 @@ std::int64_t different_rows(const PolygonRows& a, const PolygonRows& b) {
 } // namespace
 
 void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to) {
+    end();
     a_ = &a;
     b_ = &b;
     to_ = to;
-    work_a_.begin(a);
-    work_b_.begin(b);
-    walk_ = nullptr;
-    pictures_ = nullptr;
+    work_a_.start(a);
+    work_b_.start(b);
+    stage_ = ComparisonStage::estimated;
     divergences_ = {};
     pixels_ = {};
     done_ = 0;
     triangles_ = std::min(a.triangle_count(), std::max(to.triangle, 0));
     found_ = {};
     if (have_same_triangles(a, b)) {
-        walk_ = std::make_unique<RunWalk>(a, b, to);
+        begin_clearing(cleared_.a, a);
+        begin_clearing(cleared_.b, b);
         return;
     }
     pictures_ = std::make_unique<PicturePair>();
-    pictures_->a.begin(a);
-    pictures_->b.begin(b);
     const Cursor first = cursor_begin;
     found_.divergences.count = 1;
     found_.divergences.first = {first, DivergenceKind::other, false, other_triangles_text(a, b)};
@@ -66,10 +67,32 @@ void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to) {
         {first.triangle, first.phase, DivergenceKind::other, 1, first, first}};
 }
 
+/// Keeps the memory of the pictures for the next comparison, unless it is much.
+void ComparisonWork::end() {
+    stage_ = ComparisonStage::done;
+    if (walk_ != nullptr) cleared_ = walk_->take_pictures();
+    walk_ = nullptr;
+    pictures_ = nullptr;
+    if (cleared_.a.bytes() > most_kept_bytes) cleared_ = {};
+}
+
+bool ComparisonWork::estimate(const WorkLimit& limit) {
+    for (FrameWork* const work : {&work_a_, &work_b_}) {
+        if (work->is_done()) continue;
+        work->advance(limit);
+        if (!work->is_done()) return false;
+    }
+    return true;
+}
+
+bool ComparisonWork::clear_pictures(const WorkLimit& limit) {
+    return clear_rows(cleared_.a, limit) && clear_rows(cleared_.b, limit);
+}
+
 double ComparisonWork::missing_work() const {
     const Cursor from{walk_->triangle(), Phase::vertices, 0, 0};
-    return work_factor * (work_a_.before(to_) - work_a_.before(from) + work_b_.before(to_) -
-                          work_b_.before(from));
+    return compare_work_factor * (work_a_.before(to_) - work_a_.before(from) + work_b_.before(to_) -
+                                  work_b_.before(from));
 }
 
 /// Counts the rows of the triangles that the walk has left behind.
@@ -82,20 +105,33 @@ void ComparisonWork::end_triangles() {
     }
 }
 
-/// A's and then B's; compares them once both are done.
-void ComparisonWork::draw_pictures(const WorkLimit& limit) {
+/// A's and then B's. False: something is left.
+bool ComparisonWork::draw_pictures(const WorkLimit& limit) {
     const WorkLimit part{.at_once = limit.at_once, .slice = limit.slice};
-    const Framebuffer& picture_a = pictures_->a.toward(to_, part);
+    pictures_->a.toward(to_, part);
     done_ = std::min(pictures_->a.drawn().triangle, triangles_);
-    if (pictures_->a.drawn() < to_) return;
-    const Framebuffer& picture_b = pictures_->b.toward(to_, part);
-    if (pictures_->b.drawn() < to_) return;
-    if (count_pixels(picture_a, picture_b, limit)) pictures_ = nullptr;
+    if (pictures_->a.drawn() < to_) return false;
+    pictures_->b.toward(to_, part);
+    return !(pictures_->b.drawn() < to_);
+}
+
+/// Goes through the moments of both runs. False: some are left.
+bool ComparisonWork::walk(const WorkLimit& limit) {
+    const bool is_little = missing_work() <= limit.at_once;
+    const auto end = static_cast<double>(walk_->work()) + limit.slice / compare_work_factor;
+    while (!walk_->is_done() && (is_little || static_cast<double>(walk_->work()) < end)) {
+        divergences_.walk_part(*a_, *b_, *walk_, found_.divergences);
+        end_triangles();
+    }
+    if (!walk_->is_done()) return false;
+    end_triangles();
+    return true;
 }
 
 /// The pixels are counted when both pictures are drawn. False: some are left.
-bool ComparisonWork::count_pixels(const Framebuffer& a, const Framebuffer& b,
-                                  const WorkLimit& limit) {
+bool ComparisonWork::count_pixels(const WorkLimit& limit) {
+    const Framebuffer& a = walk_ != nullptr ? walk_->picture_a() : pictures_->a.at(to_);
+    const Framebuffer& b = walk_ != nullptr ? walk_->picture_b() : pictures_->b.at(to_);
     const int rows = rows_within(limit, count_pixel_work, a.size, pixels_.rows());
     pixels_.count_to(a, b, pixels_.rows() + rows);
     if (pixels_.rows() < a.size.height) return false;
@@ -103,18 +139,43 @@ bool ComparisonWork::count_pixels(const Framebuffer& a, const Framebuffer& b,
     return true;
 }
 
-void ComparisonWork::advance(const WorkLimit& limit) {
-    if (pictures_ != nullptr) draw_pictures(limit);
-    if (walk_ == nullptr) return;
-    const bool is_little = missing_work() <= limit.at_once;
-    const auto end = static_cast<double>(walk_->work()) + limit.slice / work_factor;
-    while (!walk_->is_done() && (is_little || static_cast<double>(walk_->work()) < end)) {
-        divergences_.walk_part(*a_, *b_, *walk_, found_.divergences);
-        end_triangles();
+/// Goes on with the stage on its way, and leads to the next. False: something is left of it.
+bool ComparisonWork::advance_stage(const WorkLimit& limit) {
+    switch (stage_) {
+    case ComparisonStage::estimated:
+        if (!estimate(limit)) return false;
+        if (pictures_ != nullptr) {
+            pictures_->a.begin(*a_, work_a_);
+            pictures_->b.begin(*b_, work_b_);
+        }
+        stage_ = pictures_ != nullptr ? ComparisonStage::drawn : ComparisonStage::cleared;
+        return true;
+    case ComparisonStage::cleared:
+        if (!clear_pictures(limit)) return false;
+        walk_ = std::make_unique<RunWalk>(*a_, *b_, to_, std::exchange(cleared_, {}));
+        stage_ = ComparisonStage::walked;
+        return true;
+    case ComparisonStage::walked:
+        if (!walk(limit)) return false;
+        stage_ = ComparisonStage::counted;
+        return true;
+    case ComparisonStage::drawn:
+        if (!draw_pictures(limit)) return false;
+        stage_ = ComparisonStage::counted;
+        return true;
+    case ComparisonStage::counted:
+        if (!count_pixels(limit)) return false;
+        end();
+        return true;
+    case ComparisonStage::done:
+        return false;
     }
-    if (!walk_->is_done()) return;
-    end_triangles();
-    if (count_pixels(walk_->picture_a(), walk_->picture_b(), limit)) walk_ = nullptr;
+    return false;
+}
+
+void ComparisonWork::advance(const WorkLimit& limit) {
+    while (advance_stage(limit)) {
+    }
 }
 
 Comparison compare_runs(const Frame& a, const Frame& b, const Cursor& to) {

@@ -165,10 +165,13 @@ bool merge(EventRecorder& a, EventRecorder& b, const PairVisitor& visit) {
 } // namespace
 
 RunWalk::RunWalk(const Frame& a, const Frame& b, const Cursor& to)
-    : a_(a), b_(b), to_(to), recorder_a_(a), recorder_b_(b) {
-    clear(picture_a_, a);
-    clear(picture_b_, b);
+    : RunWalk(a, b, to, RunPictures()) {
+    clear(pictures_.a, a);
+    clear(pictures_.b, b);
 }
+
+RunWalk::RunWalk(const Frame& a, const Frame& b, const Cursor& to, RunPictures pictures)
+    : a_(a), b_(b), to_(to), pictures_(std::move(pictures)), recorder_a_(a), recorder_b_(b) {}
 
 bool RunWalk::is_done() const {
     return next_.triangle >= a_.triangle_count() || next_ >= to_;
@@ -177,8 +180,8 @@ bool RunWalk::is_done() const {
 void RunWalk::skip_to(int triangle) {
     const Cursor to = std::min(to_, {triangle, Phase::vertices, 0, 0});
     if (next_ >= to) return;
-    draw(a_, {next_, to, {}}, picture_a_);
-    draw(b_, {next_, to, {}}, picture_b_);
+    draw(a_, {next_, to, {}}, pictures_.a);
+    draw(b_, {next_, to, {}}, pictures_.b);
     next_ = {triangle, Phase::vertices, 0, 0};
 }
 
@@ -222,8 +225,8 @@ bool RunWalk::walk_part(const PairVisitor& visit) {
     const Cursor end = std::min(next_, to_);
     recorder_a_.clear();
     recorder_b_.clear();
-    draw(a_, {from, end, {}}, picture_a_, &recorder_a_);
-    draw(b_, {from, end, {}}, picture_b_, &recorder_b_);
+    draw(a_, {from, end, {}}, pictures_.a, &recorder_a_);
+    draw(b_, {from, end, {}}, pictures_.b, &recorder_b_);
     work_ += static_cast<std::int64_t>(recorder_a_.count() + recorder_b_.count()) +
              remade_rows(a_, from.triangle) + remade_rows(b_, from.triangle);
     return merge(recorder_a_, recorder_b_, visit);

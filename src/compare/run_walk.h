@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "pipeline/frame.h"
@@ -97,12 +98,22 @@ class EventRecorder : public Observer {
     std::size_t vertex_ = 0, clip_ = 0, cull_ = 0, sample_ = 0, test_ = 0, fragment_ = 0;
 };
 
+/// The pictures of two runs, side by side.
+struct RunPictures {
+    Framebuffer a, b;
+};
+
 /// A walk through two runs of the same scene, with viewports of the same size.
 class RunWalk {
   public:
     /// @param a, b must live as long
     /// @param to   nothing is drawn from there on
     RunWalk(const Frame& a, const Frame& b, const Cursor& to);
+    /// The same in pictures that are clear already.
+    RunWalk(const Frame& a, const Frame& b, const Cursor& to, RunPictures pictures);
+
+    /// Hands the pictures out, so that their memory can be used again; nothing may follow.
+    RunPictures take_pictures() { return std::move(pictures_); }
 
     /// Draws everything before this triangle without telling anyone.
     void skip_to(int triangle);
@@ -120,8 +131,8 @@ class RunWalk {
     std::int64_t work() const { return work_; }
 
     /// The pictures so far.
-    const Framebuffer& picture_a() const { return picture_a_; }
-    const Framebuffer& picture_b() const { return picture_b_; }
+    const Framebuffer& picture_a() const { return pictures_.a; }
+    const Framebuffer& picture_b() const { return pictures_.b; }
 
   private:
     Cursor part_end() const;
@@ -132,7 +143,7 @@ class RunWalk {
     Cursor to_;
     Cursor next_ = cursor_begin; ///< where the next part begins
     std::int64_t work_ = 0;
-    Framebuffer picture_a_, picture_b_;
+    RunPictures pictures_;
     EventRecorder recorder_a_, recorder_b_;
 };
 

@@ -122,13 +122,6 @@ Rectangle box_around(const OutsideEye& eye, std::span<const glm::dvec3> corners,
     return is_empty(box) ? Rectangle{} : box;
 }
 
-Rectangle around(const Rectangle& a, const Rectangle& b) {
-    if (is_empty(a)) return b;
-    if (is_empty(b)) return a;
-    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
-            std::max(a.bottom, b.bottom)};
-}
-
 SeenLine seen_line(const OutsideEye& eye, glm::dvec3 from, glm::dvec3 to) {
     SeenLine line;
     if (!is_finite(from) || !is_finite(to)) return line;

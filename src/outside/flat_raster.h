@@ -108,8 +108,6 @@ class PolygonSpans {
 Rectangle box_around(const OutsideEye& eye, std::span<const glm::dvec3> corners,
                      const Rectangle& area);
 
-/// The smallest rectangle around both.
-Rectangle around(const Rectangle& a, const Rectangle& b);
 
 /// Calls paint(const SampleHit&) for every sample that a flat convex polygon covers, in front of
 /// others or not. Of which area a sample is asked makes no difference to it.

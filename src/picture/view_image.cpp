@@ -135,7 +135,15 @@ glm::vec<3, std::uint8_t> overdraw_colour(std::uint32_t fragments, std::uint32_t
 
 Image view_image(const Framebuffer& framebuffer, View view,
                  const std::optional<DepthInterval>& depths) {
-    Image image{framebuffer.size.width, framebuffer.size.height, {}};
+    Image image;
+    make_view_image(framebuffer, view, depths, image);
+    return image;
+}
+
+void make_view_image(const Framebuffer& framebuffer, View view,
+                     const std::optional<DepthInterval>& depths, Image& image) {
+    image.width = framebuffer.size.width;
+    image.height = framebuffer.size.height;
     image.rgba.resize(4 * framebuffer.colour.size());
     Scales scales;
     if (view == View::depth) {
@@ -147,7 +155,6 @@ Image view_image(const Framebuffer& framebuffer, View view,
             scales.most = std::max(scales.most, overdraw);
     }
     paint(framebuffer, view, scales, {0, 0, image.width, image.height}, image);
-    return image;
 }
 
 bool is_by_pixel(View view) {

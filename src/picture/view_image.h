@@ -99,6 +99,13 @@ glm::vec3 shown_colour(const glm::vec3& colour, float (*visible_channel)(float))
 Image view_image(const Framebuffer& framebuffer, View view,
                  const std::optional<DepthInterval>& depths = std::nullopt);
 
+/// The same into an image that is there, whose memory is used again.
+void make_view_image(const Framebuffer& framebuffer, View view,
+                     const std::optional<DepthInterval>& depths, Image& image);
+
+/// What it takes to colour a pixel of a view, beside a fragment.
+inline constexpr double view_pixel_work = 0.4;
+
 /// Does each pixel of the view follow from the same pixel of the planes alone?
 bool is_by_pixel(View view);
 

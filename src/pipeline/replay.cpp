@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "pipeline/clearing.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -41,28 +43,57 @@ Cursor behind_triangles_before(const Cursor& cursor) {
 void Replay::begin(const Frame& frame) {
     frame_ = &frame;
     work_.begin(frame);
-    clear_frame();
+    begin_clear();
 }
 
 void Replay::begin(const Frame& frame, FrameWork& work) {
     frame_ = &frame;
     std::swap(work_, work);
     work_.follow(frame);
-    clear_frame();
+    begin_clear();
 }
 
-void Replay::clear_frame() {
+/// What is drawn in waits to be cleared, where that is all that has to be done.
+void Replay::begin_clear() {
     cursor_ = tallied_ = cursor_begin;
     tally_ = {};
     has_gone_back_ = false;
-    clear(framebuffer_, *frame_);
+    // Nobody may find the owner of a pixel among the triangles, and there is none.
+    const bool may_wait = framebuffer_.size == frame_->settings.viewport &&
+                          framebuffer_.rules == picture_rules(*frame_) &&
+                          owners_ == frame_->triangle_count();
+    owners_ = frame_->triangle_count();
+    if (may_wait) {
+        uncleared_ = around(uncleared_, touched_);
+    } else {
+        clear(framebuffer_, *frame_);
+        uncleared_ = {};
+        begun_ = whole_picture(*frame_);
+    }
+    touched_ = {};
     place_marks();
 }
 
+/// The first rows of what is left to clear.
+void Replay::clear_some(const WorkLimit& limit) {
+    const Viewport left{uncleared_.right - uncleared_.left, uncleared_.bottom - uncleared_.top};
+    Rectangle part = uncleared_;
+    part.bottom = part.top + rows_within(limit, clear_pixel_work, left, 0);
+    clear_part(framebuffer_, part);
+    changed_ = around(changed_, part);
+    uncleared_.top = part.bottom;
+    if (is_empty(uncleared_)) uncleared_ = {};
+}
+
 void Replay::place_marks() {
-    marks_.clear();
     const std::size_t bytes = framebuffer_.bytes();
     const std::size_t room = bytes > 0 ? budget_ / bytes : 0;
+    for (Mark& mark : marks_) {
+        if (mark.is_laid()) spare_.push_back(std::move(mark.copy));
+    }
+    marks_.clear();
+    const bool fit = !spare_.empty() && spare_.front().bytes() == bytes;
+    if (!fit || spare_.size() > room) spare_.clear();
     if (room == 0) return;
     const double total = work_.total();
     const double spacing = std::max(smallest_spacing, total / (static_cast<double>(room) + 1.0));
@@ -82,10 +113,9 @@ bool Replay::is_held(const Cursor& cursor, const WorkLimit& limit) const {
 }
 
 const Framebuffer& Replay::toward(const Cursor& cursor, const WorkLimit& limit) {
-    if (is_held(cursor, limit)) {
-        changed_ = {};
-        return framebuffer_;
-    }
+    changed_ = std::exchange(begun_, Rectangle{});
+    if (!is_clear()) clear_some(limit);
+    if (!is_clear() || is_held(cursor, limit)) return framebuffer_;
     const Mark* const mark = last_laid(cursor);
     const Cursor before = cursor_;
     if (cursor < cursor_) {
@@ -95,9 +125,13 @@ const Framebuffer& Replay::toward(const Cursor& cursor, const WorkLimit& limit) 
         cursor_ = mark->cursor;
     }
     lay_and_draw(part_end(cursor, limit));
-    changed_ = Rectangle{};
     if (before != cursor_) {
-        changed_ = changed_between(std::min(before, cursor_), std::max(before, cursor_));
+        const Rectangle drawn =
+            changed_between(std::min(before, cursor_), std::max(before, cursor_));
+        changed_ = around(changed_, drawn);
+        // A transposed depth buffer is written elsewhere.
+        const bool is_in_place = framebuffer_.rules.depth_cell == PictureRules{}.depth_cell;
+        touched_ = around(touched_, is_in_place ? drawn : whole_picture(*frame_));
     }
     return framebuffer_;
 }
@@ -206,6 +240,14 @@ void Replay::restore(const Rectangle& pixels, const Mark* mark) {
     }
 }
 
+/// One whose memory can be used, or an empty one.
+Framebuffer Replay::spare_copy() {
+    if (spare_.empty()) return {};
+    Framebuffer copy = std::move(spare_.back());
+    spare_.pop_back();
+    return copy;
+}
+
 /// Draws from where the framebuffer stands to the cursor, and lays copies on the way.
 void Replay::lay_and_draw(const Cursor& cursor) {
     Mark* last_passed = nullptr;
@@ -218,6 +260,7 @@ void Replay::lay_and_draw(const Cursor& cursor) {
         const bool is_wanted = mark.on_first_way || (has_gone_back_ && &mark == last_passed);
         if (!is_wanted) continue;
         draw_on(mark.cursor);
+        mark.copy = spare_copy();
         mark.copy = framebuffer_;
     }
     draw_on(cursor);
@@ -245,6 +288,8 @@ std::size_t Replay::keyframe_bytes() const {
     std::size_t bytes = 0;
     for (const Mark& mark : marks_)
         bytes += mark.copy.bytes();
+    for (const Framebuffer& copy : spare_)
+        bytes += copy.bytes();
     return bytes;
 }
 

@@ -35,13 +35,21 @@ class Replay {
 
     /// Goes toward the cursor as far as the limit allows, and stays where it is if it is_held().
     /// The framebuffer has everything before drawn() drawn; valid until the next call.
+    /// As long as it is not clear it is cleared first, even if it is_held(): until then it has,
+    /// where it is not empty, pixels of the frame before.
     const Framebuffer& toward(const Cursor& cursor, const WorkLimit& limit);
     const Cursor& drawn() const { return cursor_; }
+
+    /// Is there nothing left in the framebuffer of the frame before?
+    bool is_clear() const { return is_empty(uncleared_); }
+    /// Has the framebuffer everything before the cursor, and nothing else?
+    bool is_at(const Cursor& cursor) const { return is_clear() && cursor_ == cursor; }
 
     /// Is there more left to draw up to the cursor than the limit allows to begin?
     bool is_held(const Cursor& cursor, const WorkLimit& limit) const;
 
-    /// All pixels that the last call has changed lie in this rectangle, of any plane.
+    /// All pixels that the last call has changed lie in this rectangle, of any plane; after the
+    /// first one since begin() also those that begin() has.
     const Rectangle& changed() const { return changed_; }
 
     /// What has been drawn of the frame so far, everything once, and the moment up to which that
@@ -63,7 +71,9 @@ class Replay {
 
         bool is_laid() const { return !copy.depth.empty(); }
     };
-    void clear_frame();
+    void begin_clear();
+    void clear_some(const WorkLimit& limit);
+    Framebuffer spare_copy();
     void place_marks();
     const Mark* last_laid(const Cursor& cursor) const;
     Rectangle changed_between(const Cursor& from, const Cursor& to) const;
@@ -78,9 +88,14 @@ class Replay {
     Framebuffer framebuffer_;
     Cursor cursor_ = cursor_begin;
     Rectangle changed_;
+    Rectangle uncleared_; ///< pixels of the frame before lie in it
+    Rectangle touched_;   ///< all pixels that are not empty lie in it, or in uncleared_
+    Rectangle begun_;     ///< what begin() has changed, until changed() tells it
+    int owners_ = 0;      ///< triangles that the owners of the frame before were among
     DrawTally tally_;
     Cursor tallied_ = cursor_begin;
-    std::vector<Mark> marks_; ///< in order of time
+    std::vector<Mark> marks_;        ///< in order of time
+    std::vector<Framebuffer> spare_; ///< copies of the frame before: their memory is used
     std::size_t budget_;
     bool has_gone_back_ = false;
 };

@@ -29,9 +29,10 @@ struct WorkLimit {
 /// @return at least one of those that are left
 int rows_within(const WorkLimit& limit, double of_pixel, Viewport size, int done);
 
-/// The limit of one update of the window: the lessons' scenes are done at once, what is larger a
-/// few hundredths of a second at a time.
-inline constexpr WorkLimit frame_limit{.at_once = 4'000'000.0, .slice = 1'000'000.0};
+/// The limit of each kind of work in one update of the window: the lessons' scenes are drawn at
+/// once, what is larger about a hundredth of a second at a time. An update does several kinds, and
+/// is to take no longer than 50 milliseconds.
+inline constexpr WorkLimit frame_limit{.at_once = 1'000'000.0, .slice = 1'000'000.0};
 
 /// How many fragments a frame makes, estimated from the areas of its triangles.
 struct FragmentEstimate {

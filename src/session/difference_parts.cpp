@@ -33,20 +33,13 @@ Rectangle changed_since(std::uint64_t compared, const RunResults& run) {
     return is_known ? run.picture_changed : Rectangle{0, 0, size.width, size.height};
 }
 
-Rectangle both(const Rectangle& a, const Rectangle& b) {
-    if (pixels_of(a) == 0.0) return b;
-    if (pixels_of(b) == 0.0) return a;
-    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
-            std::max(a.bottom, b.bottom)};
-}
-
 /// Begins again with the pictures on show; of large ones not with what is as it was.
 void begin(View view, bool is_little, const WorkLimit& limit, Results& results) {
     ComparisonResults& comparison = results.comparison;
     DifferenceProgress& progress = comparison.progress;
     const Framebuffer &a = *results.a.framebuffer, &b = *results.b->framebuffer;
     const Rectangle changed =
-        both(changed_since(progress.of_a, results.a), changed_since(progress.of_b, *results.b));
+        around(changed_since(progress.of_a, results.a), changed_since(progress.of_b, *results.b));
     const bool is_step = !is_little && progress.view == view && is_by_pixel(view) &&
                          value_work * pixels_of(changed) <= limit.slice;
     if (is_step) {

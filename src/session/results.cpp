@@ -93,6 +93,12 @@ bool prepare_runs(const Session& session, const WorkLimit& limit, Results& resul
     return prepare_run(session.scene, *session.b, limit, *results.b) && is_ready;
 }
 
+/// How much work it is to compare the whole frames.
+double comparison_work(const Results& results) {
+    return compare_work_factor *
+           (results.a.replay.work().total() + results.b->replay.work().total());
+}
+
 void update_second_run(const Session& session, const RunChanges& a, bool are_ready,
                        const WorkLimit& limit, Results& results) {
     results.no_comparison =
@@ -114,7 +120,10 @@ void update_second_run(const Session& session, const RunChanges& a, bool are_rea
     ComparisonResults& comparison = results.comparison;
     if (a.frame || b.frame) comparison.work.begin(results.a.frame, results.b->frame);
     const bool was_done = comparison.work.is_done();
-    if (results.a.is_drawn() && results.b->is_drawn()) comparison.work.advance(limit);
+    const bool are_drawn = results.a.is_drawn() && results.b->is_drawn();
+    // Nor in an update with much other work.
+    const bool was_much = (a.picture || b.picture) && comparison_work(results) > limit.at_once;
+    if (are_drawn && !was_much) comparison.work.advance(limit);
     // The scale of the difference follows the whole frames.
     const bool new_scale = !was_done && comparison.work.is_done();
     update_difference(session.view, new_scale, limit, results);
@@ -162,10 +171,10 @@ bool finish(const Session& session, Results& results) {
 }
 
 bool is_working(const Results& results) {
-    if (results.a.is_frame_late || results.a.is_drawing()) return true;
+    if (results.a.is_frame_late || !results.a.is_complete()) return true;
     if (results.history_work) return true;
     if (!results.b) return false;
-    if (results.b->is_frame_late || results.b->is_drawing()) return true;
+    if (results.b->is_frame_late || !results.b->is_complete()) return true;
     if (!results.comparison.progress.is_done) return true;
     const bool are_drawn = results.a.is_drawn() && results.b->is_drawn();
     return are_drawn && !results.comparison.work.is_done();

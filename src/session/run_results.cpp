@@ -137,20 +137,43 @@ PolygonRows whole_rows(const Frame& frame, int triangle) {
     return rows;
 }
 
-/// Makes the picture anew, or only what the replay has just changed of it.
-/// @param is_same_view it shows the same of the framebuffer as before
-void update_picture(View view, const std::optional<DepthInterval>& depths, bool is_same_view,
+/// Does the picture show the same of the framebuffer as before, pixel by pixel?
+bool is_same_view(View view, const std::optional<DepthInterval>& depths,
+                  const RunResults& results) {
+    const Framebuffer& framebuffer = *results.framebuffer;
+    return is_by_pixel(view) && results.view == view && results.depth_range == depths &&
+           results.rules == framebuffer.rules && results.picture.width == framebuffer.size.width &&
+           results.picture.height == framebuffer.size.height;
+}
+
+/// Paints what has changed of the picture; of much the first rows.
+void paint_changes(View view, const WorkLimit& limit, RunResults& results) {
+    const Rectangle& all = results.unpainted;
+    const Viewport size{all.right - all.left, all.bottom - all.top};
+    Rectangle part = all;
+    if (!is_empty(all)) part.bottom = all.top + rows_within(limit, view_pixel_work, size, 0);
+    update_view_image(*results.framebuffer, view, part, results.picture);
+    results.picture_before = results.picture_number;
+    results.picture_changed = part;
+    results.unpainted.top = part.bottom;
+    if (is_empty(results.unpainted)) results.unpainted = {};
+}
+
+/// Makes the picture anew, or only what has changed of it.
+void update_picture(View view, const std::optional<DepthInterval>& depths, const WorkLimit& limit,
                     RunResults& results) {
-    if (is_same_view && is_by_pixel(view)) {
-        results.picture_before = results.picture_number;
-        results.picture_changed = results.replay.changed();
-        update_view_image(*results.framebuffer, view, results.picture_changed, results.picture);
+    const bool is_same = is_same_view(view, depths, results);
+    results.view = std::nullopt; // the same holds here
+    if (is_same) {
+        paint_changes(view, limit, results);
     } else {
         results.picture_before = 0;
-        results.picture = view_image(*results.framebuffer, view, depths);
+        make_view_image(*results.framebuffer, view, depths, results.picture);
+        results.unpainted = {};
     }
     results.view = view;
     results.depth_range = depths;
+    results.rules = results.framebuffer->rules;
 }
 
 } // namespace
@@ -249,20 +272,21 @@ RunChanges update_run(const Session& session, const Run& run, bool takes_frame,
         shared != nullptr ? moment_of_shared(*shared, session.cursor, results) : session.cursor;
     changes.moment = update_cursor(wanted, changes.frame, results);
     results.is_held = results.replay.is_held(results.cursor, limit);
-    const bool draws_on = changes.moment || !(results.is_drawn() || results.is_held);
+    const bool draws_on = changes.moment || results.is_drawing();
     const std::optional<DepthInterval> depths =
         shared != nullptr ? shared->depths : session.depth_range;
-    const bool is_same_view =
-        !changes.frame && results.view == session.view && results.depth_range == depths;
-    changes.picture = draws_on || !is_same_view;
-    // Noted as shown only when it is: what throws is made whole next time.
-    if (changes.picture) results.view = std::nullopt;
+    const std::optional<View> view_before = results.view;
     if (draws_on) {
+        results.view = std::nullopt; // what throws is painted whole next time
         results.framebuffer = &results.replay.toward(results.cursor, limit);
+        results.unpainted = around(results.unpainted, results.replay.changed());
+        results.view = view_before;
         if (changes.frame || !results.has_all_troubles) update_troubles(limit, results);
     }
+    const bool is_other_view = results.view != session.view || results.depth_range != depths;
+    changes.picture = draws_on || is_other_view || !is_empty(results.unpainted);
     if (changes.picture) {
-        update_picture(session.view, depths, is_same_view, results);
+        update_picture(session.view, depths, limit, results);
         results.picture_number = ++numbers;
     }
     const std::optional<int> triangle =

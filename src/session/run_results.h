@@ -62,6 +62,8 @@ struct RunResults {
     std::uint64_t picture_before = 0;         ///< the picture with this number differs from it only
                                               ///< in these pixels; 0: nothing is known
     Rectangle picture_changed;
+    Rectangle unpainted; ///< in it lie all pixels of `picture` that are still those of another moment:
+                         ///< of a large picture not all are painted in one update
     std::optional<int> triangle; ///< that the inspector shows: selected, or of the picked pixel in
                                  ///< a whole picture, or being drawn, or first
     RowHistory rows;             ///< row table of that triangle, as far as it is made at the cursor
@@ -80,12 +82,15 @@ struct RunResults {
     NextFrame next;
     std::optional<View> view;                 ///< that `picture` shows
     std::optional<DepthInterval> depth_range; ///< that it colours
+    PictureRules rules;                       ///< by which it is coloured
     Replay replay;
 
     /// Is everything before the cursor drawn? What is too much work for one update is not.
-    bool is_drawn() const { return replay.drawn() == cursor; }
+    bool is_drawn() const { return replay.is_at(cursor); }
     /// Is it being drawn, by further updates?
-    bool is_drawing() const { return !is_drawn() && !is_held; }
+    bool is_drawing() const { return !replay.is_clear() || (!is_drawn() && !is_held); }
+    /// Is it drawn and painted as far as it is to be?
+    bool is_complete() const { return !is_drawing() && is_empty(unpainted); }
 };
 
 /// What of a run's results is new.

@@ -22,4 +22,12 @@ constexpr Rectangle intersection(const Rectangle& a, const Rectangle& b) {
             std::min(a.bottom, b.bottom)};
 }
 
+/// The smallest rectangle around both; one without pixels does not count.
+constexpr Rectangle around(const Rectangle& a, const Rectangle& b) {
+    if (is_empty(a)) return b;
+    if (is_empty(b)) return a;
+    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
+            std::max(a.bottom, b.bottom)};
+}
+
 } // namespace rasterwalk

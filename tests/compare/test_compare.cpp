@@ -160,3 +160,36 @@ TEST_CASE("A slice of a comparison ends where only row tables are made") {
     work.advance({0.0, 10'000.0});
     CHECK(work.triangles_done() == 1);
 }
+
+TEST_CASE("A comparison in parts finds what one at once does, in the memory of the one before") {
+    const Scene scene = test::lab_room();
+    Settings settings = default_settings(scene);
+    settings.viewport = {90, 70};
+    settings.camera.focal_length = 70.0f;
+    ComparisonWork work;
+    for (const std::string_view other :
+         {"rounding=floor", "interpolation=affine", "tessellation=2", "depth_test=off"}) {
+        CAPTURE(other);
+        settings.camera.yaw += 0.05f;
+        const Frame a = prepare_frame(scene, settings);
+        Settings changed = settings;
+        set_from_text(changed, other);
+        const Frame b = prepare_frame(scene, changed);
+        // One that is not taken to its end leaves nothing behind.
+        work.begin(b, a);
+        for (int i = 0; i < 30; ++i)
+            work.advance({0.0, 500.0});
+        work.begin(a, b);
+        int parts = 0;
+        for (; !work.is_done(); ++parts) {
+            REQUIRE(parts < 100'000);
+            work.advance({0.0, 500.0});
+        }
+        CHECK(parts > 30);
+        const Comparison whole = compare_runs(a, b);
+        CHECK(work.found().pixels == whole.pixels);
+        CHECK(work.found().pixels == pixel_difference(draw_frame(a), draw_frame(b)));
+        CHECK(work.found().different_rows == whole.different_rows);
+        CHECK(work.found().divergences.count == whole.divergences.count);
+    }
+}

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/replay.h"
+#include "settings/setting_table.h"
 #include "support/bits.h"
 #include "support/cut_frames.h"
 #include "support/effort.h"
@@ -294,5 +295,50 @@ TEST_CASE("The tally has every fragment and every row table once, whichever way 
         CHECK(replay.tally().first_outside == whole.first_outside);
         CHECK(replay.tally().rows_looked_at == whole.rows_looked_at);
         CHECK(replay.tallied() == cursor_end);
+    }
+}
+
+TEST_CASE(
+    "Over the frame before another one is drawn as if over nothing, however small the parts") {
+    Random random(45);
+    const Scene scene = crowded_scene(60);
+    Replay replay;
+    Framebuffer shown; // kept up to date by what the replay says has changed
+    clear(shown, {64, 48});
+    Settings settings = default_settings(scene);
+    for (int i = 0; i < rounds(200, 60); ++i) {
+        const bool is_transposed = random.integer(0, 3) == 0;
+        set_from_text(settings, is_transposed ? "depth_index=transposed" : "depth_index=row_major");
+        settings.camera.yaw += 0.02f;
+        if (random.integer(0, 9) == 0) settings.viewport.width = 60 + random.integer(0, 4);
+        const Frame frame = prepare_frame(scene, settings);
+        const double slice = random.number(50, 4'000);
+        const Cursor to{random.integer(0, frame.triangle_count()), Phase::rows, 1, 0};
+        CAPTURE(i, slice, to_text(to));
+        replay.begin(frame);
+        const int parts = random.integer(0, 30); // the next frame may come before the end
+        for (int part = 0; part < parts; ++part) {
+            const Framebuffer& now = replay.toward(to, {0.0, slice});
+            if (!(shown.size == now.size)) shown = now;
+            const Rectangle& changed = replay.changed();
+            for (int row = changed.top; row < changed.bottom; ++row) {
+                for (int column = changed.left; column < changed.right; ++column) {
+                    const std::size_t at = now.at(column, row);
+                    shown.colour[at] = now.colour[at];
+                    shown.owner[at] = now.owner[at];
+                }
+            }
+            REQUIRE(shown.colour == now.colour);
+            REQUIRE(shown.owner == now.owner);
+            for (const std::int32_t owner : now.owner)
+                REQUIRE(owner < frame.triangle_count());
+        }
+        if (random.integer(0, 1) == 0) continue;
+        for (int part = 0; !replay.is_at(to); ++part) {
+            REQUIRE(part < 10'000);
+            replay.toward(to, {0.0, slice});
+        }
+        require_at(replay, to, drawn_from_start(frame, to));
+        shown = replay.at(to);
     }
 }

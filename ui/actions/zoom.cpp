@@ -12,7 +12,7 @@ namespace rasterwalk {
 namespace {
 
 /// Around the triangle, pixels of the picture.
-constexpr float around = 0.5f;
+constexpr float room_around = 0.5f;
 
 } // namespace
 
@@ -25,9 +25,9 @@ void zoom_to_triangle(Ui& ui) {
     for (const ScreenVertex& vertex :
          ui.results.a.frame.triangle_vertices(*ui.results.a.triangle)) {
         const auto column = static_cast<float>(vertex.column), row = static_cast<float>(vertex.row);
-        part = {std::min(part.left, column - around), std::min(part.top, row - around),
-                std::max(part.right, column + 1.0f + around),
-                std::max(part.bottom, row + 1.0f + around)};
+        part = {std::min(part.left, column - room_around), std::min(part.top, row - room_around),
+                std::max(part.right, column + 1.0f + room_around),
+                std::max(part.bottom, row + 1.0f + room_around)};
     }
     const ImVec2 low = widget->second.top_left, high = widget->second.bottom_right;
     const PicturePlace place = fit_part(ui, part, low, high).place;
