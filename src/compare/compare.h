@@ -14,6 +14,7 @@
 #include "base/image.h"
 #include "compare/divergence.h"
 #include "compare/run_walk.h"
+#include "engines/fast_planes.h"
 #include "picture/view_image.h"
 #include "pipeline/frame.h"
 #include "pipeline/framebuffer.h"
@@ -102,8 +103,8 @@ struct Comparison {
 
 /// Two runs being compared, part by part. Draws both side by side and holds them against each other
 /// moment by moment: takes some times both frames' drawing, and the memory of two pictures. Of runs
-/// that cut the scene into other triangles only the pictures are compared, and one divergence says
-/// so: no moment of one is a moment of the other.
+/// that cut the scene into other triangles, or of which one is drawn by the fast engine, only the
+/// pictures are compared, and one divergence says so: no moment of one is a moment of the other.
 class ComparisonWork {
   public:
     /// Begins anew. The frames must be of the same scene, have viewports of the same size, and live
@@ -128,9 +129,20 @@ class ComparisonWork {
     /// instead of cleared and walked through.
     enum class ComparisonStage : std::uint8_t { estimated, cleared, walked, drawn, counted, done };
 
-    /// Both pictures on their way.
+    /// One of two pictures on its way.
+    struct PictureWork {
+        /// False: something is left.
+        bool advance(const Frame& frame, const Cursor& to, const WorkLimit& limit);
+        const Framebuffer& picture(const Cursor& to) {
+            return is_fast ? fast.planes : steps.at(to);
+        }
+
+        bool is_fast = false; ///< drawn by the fast engine, or else by the steps
+        FastPlanes fast;
+        Replay steps{0}; ///< without copies of earlier moments
+    };
     struct PicturePair {
-        Replay a{0}, b{0}; ///< without copies of earlier moments
+        PictureWork a, b;
     };
 
     bool advance_stage(const WorkLimit& limit);

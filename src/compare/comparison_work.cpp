@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <string>
 #include <utility>
 
 #include "compare/compare.h"
 #include "compare/divergence_text.h"
+#include "engines/engine_picture.h"
 #include "pipeline/clearing.h"
 
 namespace rasterwalk {
@@ -53,15 +56,18 @@ void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to) {
     done_ = 0;
     triangles_ = std::min(a.triangle_count(), std::max(to.triangle, 0));
     found_ = {};
-    if (have_same_triangles(a, b)) {
+    const std::string no_moments = no_moments_text(a, b, to);
+    if (no_moments.empty()) {
         begin_clearing(cleared_.a, a);
         begin_clearing(cleared_.b, b);
         return;
     }
     pictures_ = std::make_unique<PicturePair>();
+    pictures_->a.is_fast = is_drawn_fast(*a.scene, a.settings, to);
+    pictures_->b.is_fast = is_drawn_fast(*b.scene, b.settings, to);
     const Cursor first = cursor_begin;
     found_.divergences.count = 1;
-    found_.divergences.first = {first, DivergenceKind::other, false, other_triangles_text(a, b)};
+    found_.divergences.first = {first, DivergenceKind::other, false, no_moments};
     found_.divergences.first_beyond_rounding = found_.divergences.first;
     found_.divergences.groups = {
         {first.triangle, first.phase, DivergenceKind::other, 1, first, first}};
@@ -105,14 +111,23 @@ void ComparisonWork::end_triangles() {
     }
 }
 
+bool ComparisonWork::PictureWork::advance(const Frame& frame, const Cursor& to,
+                                          const WorkLimit& limit) {
+    if (is_fast) {
+        // The frame outlives the work, and its scene with it.
+        advance_fast_planes({std::shared_ptr<void>(), frame.scene}, frame, limit, fast);
+        return fast.is_whole;
+    }
+    steps.toward(to, {.at_once = limit.at_once, .slice = limit.slice});
+    return !(steps.drawn() < to);
+}
+
 /// A's and then B's. False: something is left.
 bool ComparisonWork::draw_pictures(const WorkLimit& limit) {
-    const WorkLimit part{.at_once = limit.at_once, .slice = limit.slice};
-    pictures_->a.toward(to_, part);
-    done_ = std::min(pictures_->a.drawn().triangle, triangles_);
-    if (pictures_->a.drawn() < to_) return false;
-    pictures_->b.toward(to_, part);
-    return !(pictures_->b.drawn() < to_);
+    const bool is_a_drawn = pictures_->a.advance(*a_, to_, limit);
+    const Cursor& drawn = pictures_->a.steps.drawn();
+    done_ = is_a_drawn ? triangles_ : std::min(drawn.triangle, triangles_);
+    return is_a_drawn && pictures_->b.advance(*b_, to_, limit);
 }
 
 /// Goes through the moments of both runs. False: some are left.
@@ -130,12 +145,15 @@ bool ComparisonWork::walk(const WorkLimit& limit) {
 
 /// The pixels are counted when both pictures are drawn. False: some are left.
 bool ComparisonWork::count_pixels(const WorkLimit& limit) {
-    const Framebuffer& a = walk_ != nullptr ? walk_->picture_a() : pictures_->a.at(to_);
-    const Framebuffer& b = walk_ != nullptr ? walk_->picture_b() : pictures_->b.at(to_);
+    const Framebuffer& a = walk_ != nullptr ? walk_->picture_a() : pictures_->a.picture(to_);
+    const Framebuffer& b = walk_ != nullptr ? walk_->picture_b() : pictures_->b.picture(to_);
     const int rows = rows_within(limit, count_pixel_work, a.size, pixels_.rows());
     pixels_.count_to(a, b, pixels_.rows() + rows);
     if (pixels_.rows() < a.size.height) return false;
     found_.pixels = pixels_.found();
+    // Two pictures of the fast engine that are the same are no divergence.
+    const bool are_fast = pictures_ != nullptr && pictures_->a.is_fast && pictures_->b.is_fast;
+    if (are_fast && found_.pixels.different == 0) found_.divergences = {};
     return true;
 }
 
@@ -145,8 +163,8 @@ bool ComparisonWork::advance_stage(const WorkLimit& limit) {
     case ComparisonStage::estimated:
         if (!estimate(limit)) return false;
         if (pictures_ != nullptr) {
-            pictures_->a.begin(*a_, work_a_);
-            pictures_->b.begin(*b_, work_b_);
+            pictures_->a.steps.begin(*a_, work_a_);
+            pictures_->b.steps.begin(*b_, work_b_);
         }
         stage_ = pictures_ != nullptr ? ComparisonStage::drawn : ComparisonStage::cleared;
         return true;

@@ -1,10 +1,20 @@
 #include "engines/engine_picture.h"
 
-#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
+#include "engines/fast/fast_view.h"
+#include "pipeline/clearing.h"
 #include "pipeline/draw.h"
 
 namespace rasterwalk {
+
+namespace {
+
+/// To clear a pixel and copy another into it takes so many times the work of clearing it.
+constexpr double copy_factor = 4.0;
+
+} // namespace
 
 bool is_drawn_fast(const Scene& scene, const Settings& settings, const Cursor& to) {
     return settings.engine == Engine::fast && to == cursor_end &&
@@ -12,9 +22,19 @@ bool is_drawn_fast(const Scene& scene, const Settings& settings, const Cursor& t
 }
 
 void copy_picture(const FastPicture& picture, const Frame& frame, Framebuffer& planes) {
-    clear(planes, frame);
+    begin_clearing(planes, frame);
+    copy_rows(picture, {}, planes);
+}
+
+bool copy_rows(const FastPicture& picture, const WorkLimit& limit, Framebuffer& planes) {
+    const auto rows = [&] {
+        return static_cast<int>(planes.owner.size() / static_cast<std::size_t>(picture.size.width));
+    };
+    const int first = rows();
+    const WorkLimit of_clearing{limit.at_once / copy_factor, limit.slice / copy_factor};
+    const bool is_whole = clear_rows(planes, of_clearing);
     constexpr float of_byte = 255.0f;
-    for (int row = 0; row < picture.size.height; ++row) {
+    for (int row = first; row < rows(); ++row) {
         const std::size_t from = picture.at(0, row), to = planes.at(0, row);
         for (std::size_t i = 0; i < static_cast<std::size_t>(picture.size.width); ++i) {
             const std::int32_t owner = picture.owner[from + i];
@@ -26,6 +46,24 @@ void copy_picture(const FastPicture& picture, const Frame& frame, Framebuffer& p
             planes.colour[to + i] = {channel(16), channel(8), channel(0)};
             planes.depth[to + i] = picture.inv_z[from + i];
             planes.owner[to + i] = owner;
+        }
+    }
+    return is_whole;
+}
+
+void copy_image(const FastPicture& picture, Image& image) {
+    image.width = picture.size.width;
+    image.height = picture.size.height;
+    const auto width = static_cast<std::size_t>(image.width);
+    image.rgba.resize(4 * width * static_cast<std::size_t>(image.height));
+    for (int row = 0; row < image.height; ++row) {
+        const std::uint32_t* const from = picture.colour.data() + picture.at(0, row);
+        std::uint8_t* const to = image.rgba.data() + 4 * width * static_cast<std::size_t>(row);
+        for (std::size_t i = 0; i < width; ++i) {
+            to[4 * i + 0] = static_cast<std::uint8_t>(from[i] >> 16);
+            to[4 * i + 1] = static_cast<std::uint8_t>(from[i] >> 8);
+            to[4 * i + 2] = static_cast<std::uint8_t>(from[i]);
+            to[4 * i + 3] = 255;
         }
     }
 }
@@ -45,7 +83,7 @@ bool FastRun::draw(const std::shared_ptr<const Scene>& scene, const Settings& se
     if (shows(scene, settings)) return false;
     settings_ = std::nullopt;
     if (scene_ != scene) {
-        engine_.emplace(*scene);
+        engine_.emplace(*scene, options_);
         scene_ = scene;
     }
     engine_->draw(settings, picture_);

@@ -5,10 +5,12 @@
 #include <memory>
 #include <optional>
 
+#include "base/image.h"
 #include "engines/fast/fast_engine.h"
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
 #include "pipeline/framebuffer.h"
+#include "pipeline/work.h"
 
 namespace rasterwalk {
 
@@ -21,12 +23,22 @@ bool is_drawn_fast(const Scene& scene, const Settings& settings, const Cursor& t
 /// @param frame of the same scene and settings: says how planes begin
 void copy_picture(const FastPicture& picture, const Frame& frame, Framebuffer& planes);
 
+/// The same from the top as far as the limit allows, in planes that begin_clearing() has begun.
+/// @return are all rows copied?
+bool copy_rows(const FastPicture& picture, const WorkLimit& limit, Framebuffer& planes);
+
+/// The picture as it is shown, without planes.
+/// @param image its memory is used again
+void copy_image(const FastPicture& picture, Image& image);
+
 /// Draws everything before a moment, by the engine of the settings.
 void draw_by_engine(const Frame& frame, const Cursor& to, Framebuffer& planes);
 
 /// A fast engine that follows a scene and its settings.
 class FastRun {
   public:
+    explicit FastRun(const FastOptions& options = {}) : options_(options) {}
+
     /// Draws, unless the last picture was of the same.
     /// @return the picture is another one
     bool draw(const std::shared_ptr<const Scene>& scene, const Settings& settings);
@@ -38,6 +50,7 @@ class FastRun {
     }
 
   private:
+    FastOptions options_;
     std::shared_ptr<const Scene> scene_; ///< null: nothing is drawn yet
     std::optional<Settings> settings_;
     std::optional<FastEngine> engine_;

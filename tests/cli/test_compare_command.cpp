@@ -49,6 +49,18 @@ TEST_CASE("A difference is exit code 1, with its place, its cause and its size")
                              "first_divergence    t0/v0\n    other value, floor: vertices[0]:"));
 }
 
+TEST_CASE("Of a run of the fast engine the picture is compared") {
+    const CliRun result = compare({"--b", "engine=fast"});
+    CHECK(result.exit_code == 1);
+    CHECK_THAT(result.out, StartsWith("A: engine=steps\nB: engine=fast\n"));
+    CHECK_THAT(result.out, ContainsSubstring("divergences         1\n"));
+    CHECK_THAT(result.out,
+               ContainsSubstring("run B is drawn by the fast engine, which has no moments"));
+    const CliRun begun = compare({"--b", "engine=fast", "--to", "t12"});
+    CHECK(begun.exit_code == 0);
+    CHECK_THAT(begun.out, ContainsSubstring("divergences         0\n"));
+}
+
 TEST_CASE("A bug of the laboratory is compared with the correct run") {
     const CliRun result = run({"compare", "--bug", "B9"});
     CHECK(result.exit_code == 1);

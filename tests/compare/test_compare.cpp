@@ -1,5 +1,6 @@
 #include "compare/compare.h"
 #include "compare/run_walk.h"
+#include "engines/engine_picture.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 
@@ -192,4 +193,38 @@ TEST_CASE("A comparison in parts finds what one at once does, in the memory of t
         CHECK(work.found().different_rows == whole.different_rows);
         CHECK(work.found().divergences.count == whole.divergences.count);
     }
+}
+
+TEST_CASE("Runs of the fast engine are compared by their pictures, in parts too") {
+    const Scene scene = test::lab_room();
+    Settings settings = default_settings(scene);
+    settings.viewport = {90, 70};
+    settings.camera.focal_length = 70.0f;
+    const Frame steps = prepare_frame(scene, settings);
+    settings.engine = Engine::fast;
+    const Frame fast = prepare_frame(scene, settings);
+    Framebuffer planes;
+    draw_by_engine(fast, cursor_end, planes);
+    const PixelDifference expected = pixel_difference(planes, draw_frame(steps));
+    CHECK(expected.different > 0);
+    ComparisonWork work;
+    work.begin(fast, steps);
+    int parts = 0;
+    for (; !work.is_done(); ++parts)
+        work.advance({100.0, 1'000.0});
+    CHECK(parts > 10);
+    CHECK(work.found().pixels == expected);
+    CHECK(work.triangles_done() == work.triangles());
+    REQUIRE(work.found().divergences.first);
+    CHECK(work.found().divergences.first->text.starts_with("run A is drawn by the fast engine"));
+    CHECK_FALSE(next_divergence(fast, steps, cursor_begin));
+    CHECK_FALSE(previous_divergence(fast, steps, cursor_end));
+
+    CHECK(compare_runs(fast, fast).is_same());
+    const Comparison begun = compare_runs(fast, steps, {12, Phase::vertices, 0, 0});
+    CHECK(begun.is_same()); // before the end the steps draw both
+    settings.camera.yaw = 0.1f;
+    const Comparison turned = compare_runs(fast, prepare_frame(scene, settings));
+    CHECK(turned.pixels.different > 0);
+    CHECK(turned.divergences.first->text.starts_with("both runs are drawn by the fast engine"));
 }

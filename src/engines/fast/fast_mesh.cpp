@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
+#include <functional>
+#include <string_view>
 
 #include <glm/common.hpp>
 
@@ -60,32 +60,35 @@ void add_vertices(const Mesh& mesh, FastMesh& fast) {
     fast.light.resize(static_cast<std::size_t>(fast.vertex_count));
 }
 
-/// Materials that are alike become one.
+/// Materials that are alike become one, as far as a small table remembers them: where nearly every
+/// triangle has its own, to remember all would take longer than everything else.
 class MaterialList {
   public:
     explicit MaterialList(std::vector<fast::Material>& list) : list_(list) {}
 
     std::int32_t index_of(const Vertex& corner, bool has_colours, int texture) {
         const glm::vec3 r = shares(corner.reflectance), s = shares(corner.shine.specular);
-        const Key key{r.x,         r.y,    r.z, s.x, s.y, s.z, tame(corner.shine.exponent),
-                      has_colours, texture};
-        const auto [place, is_new] = known_.try_emplace(key, static_cast<int>(list_.size()));
-        if (is_new) {
-            const bool shines = s != glm::vec3(0.0f);
-            list_.push_back({{r.x, r.y, r.z},
-                             {s.x, s.y, s.z},
-                             tame(corner.shine.exponent),
-                             shines ? 1 : 0,
-                             has_colours ? 1 : 0,
-                             texture});
+        const bool shines = s != glm::vec3(0.0f);
+        const fast::Material material{
+            {r.x, r.y, r.z}, {s.x, s.y, s.z},     tame(corner.shine.exponent),
+            shines ? 1 : 0,  has_colours ? 1 : 0, texture};
+        const std::string_view bytes = bytes_of(material);
+        std::int32_t& known = known_[std::hash<std::string_view>()(bytes) % known_.size()];
+        if (known < 0 || bytes_of(list_[static_cast<std::size_t>(known)]) != bytes) {
+            known = static_cast<std::int32_t>(list_.size());
+            list_.push_back(material);
         }
-        return place->second;
+        return known;
     }
 
   private:
-    using Key = std::tuple<float, float, float, float, float, float, float, bool, int>;
+    static std::string_view bytes_of(const fast::Material& material) {
+        static_assert(sizeof material == 10 * sizeof(std::int32_t)); // it has no gaps
+        return {reinterpret_cast<const char*>(&material), sizeof material};
+    }
+
     std::vector<fast::Material>& list_;
-    std::map<Key, std::int32_t> known_;
+    std::vector<std::int32_t> known_ = std::vector<std::int32_t>(1024, -1); ///< by their hash
 };
 
 void add_triangles(const Scene& scene, FastMesh& fast) {

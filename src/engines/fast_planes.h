@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include "engines/engine_picture.h"
+#include "pipeline/frame.h"
+#include "pipeline/framebuffer.h"
+#include "pipeline/work.h"
+#include "scene/scene.h"
+
+namespace rasterwalk {
+
+/// The planes of a run whose settings ask for the fast engine.
+struct FastPlanes {
+    FastRun engine;
+    Framebuffer planes;
+    bool is_whole = false; ///< all rows of the frame's picture are copied; until then only some
+                           ///< rows may be there
+};
+
+/// Draws a frame, and copies its picture from the top as far as the limit allows; does nothing
+/// where that is whole. For another frame `is_whole` is to be made false.
+/// @param scene that of the frame, or what tessellation makes of it
+void advance_fast_planes(const std::shared_ptr<const Scene>& scene, const Frame& frame,
+                         const WorkLimit& limit, FastPlanes& fast);
+
+} // namespace rasterwalk
