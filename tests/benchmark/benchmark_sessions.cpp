@@ -30,10 +30,14 @@ Session wide() {
     return session;
 }
 
-void compare_with_affine(Session& session) {
+void compare_with_setting(Session& session, const char* assignment) {
     Settings other = session.a.settings;
-    set_from_text(other, "interpolation=affine");
+    set_from_text(other, assignment);
     compare_with(session, other);
+}
+
+void compare_with_affine(Session& session) {
+    compare_with_setting(session, "interpolation=affine");
 }
 
 } // namespace rasterwalk

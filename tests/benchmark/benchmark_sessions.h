@@ -15,7 +15,10 @@ Session made();
 /// The room on a picture of 4096 x 4096 pixels.
 Session wide();
 
-/// Run A beside one that interpolates without perspective.
+/// Run A beside one that differs in a setting, "name=value".
+void compare_with_setting(Session& session, const char* assignment);
+
+/// Beside one that interpolates without perspective.
 void compare_with_affine(Session& session);
 
 } // namespace rasterwalk

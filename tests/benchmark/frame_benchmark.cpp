@@ -4,13 +4,17 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <functional>
 #include <optional>
 
 #include "bare_interface.h"
 #include "base/error.h"
 #include "benchmark_sessions.h"
 #include "session/results.h"
+#include "session/second_run.h"
+#include "settings/setting_table.h"
 #include "ui/app/app.h"
+#include "ui/canvas/large_frame.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -37,14 +41,18 @@ struct Time {
     }
 };
 
-Time frame_time(BareInterface& interface) {
+Time time_of(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t processor = std::clock();
-    interface.frame();
+    work();
     const std::chrono::duration<double, std::milli> passed =
         std::chrono::steady_clock::now() - start;
     return {passed.count(),
             1000.0 * static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC};
+}
+
+Time frame_time(BareInterface& interface) {
+    return time_of([&] { interface.frame(); });
 }
 
 Time longest(const std::vector<Time>& frames) {
@@ -99,35 +107,58 @@ Rest come_to_rest(BareInterface& interface) {
     return rest;
 }
 
+/// The fast engine can stand in for both runs of `-comparing`, and not for run B of `-affine`.
 struct FrameCase {
     const char* name;
     Session (*open)();
-    bool is_comparing;
+    const char* a; ///< a setting of run A
+    const char* b; ///< in which run B differs; null: there is no run B
 };
 
+constexpr const char* by_steps = "engine=steps";
+constexpr const char* by_fast = "engine=fast";
+constexpr const char* per_vertex = "stage=vertex_light";
+constexpr const char* affine = "interpolation=affine";
+
 constexpr FrameCase frame_cases[] = {
-    {"room", room, false},          {"room-comparing", room, true}, {"made", made, false},
-    {"made-comparing", made, true}, {"wide", wide, false},          {"wide-comparing", wide, true},
+    {"room", room, by_steps, nullptr},
+    {"room-affine", room, by_steps, affine},
+    {"made", made, by_steps, nullptr},
+    {"made-comparing", made, by_steps, per_vertex},
+    {"made-affine", made, by_steps, affine},
+    {"made-fast", made, by_fast, nullptr},
+    {"made-to-fast", made, by_steps, by_fast},
+    {"wide", wide, by_steps, nullptr},
+    {"wide-comparing", wide, by_steps, per_vertex},
+    {"wide-affine", wide, by_steps, affine},
+    {"wide-fast", wide, by_fast, nullptr},
 };
 
 void measure_frames(const FrameCase& one) {
     BareInterface interface(one.open());
+    Ui& ui = interface.ui;
+    set_from_text(ui.session.a.settings, one.a);
     come_to_rest(interface);
     Rest begun;
-    if (one.is_comparing) {
-        compare_with_affine(interface.ui.session);
+    if (one.b != nullptr) {
+        compare_with_setting(ui.session, one.b);
         begun = come_to_rest(interface);
     }
-    std::vector<Time> frames;
+    std::vector<Time> updates, frames;
     for (int i = 0; i < turns_before + turns; ++i) {
-        turn_once(interface.ui.session, i);
-        const Time time = frame_time(interface);
-        if (i >= turns_before) frames.push_back(time);
+        turn_once(ui.session, i);
+        carry_changes_to_b(ui.session);
+        const Time of_update = time_of([&] { update(ui.session, ui.results, work_limit(ui)); });
+        Time of_frame = frame_time(interface);
+        of_frame += of_update;
+        if (i < turns_before) continue;
+        updates.push_back(of_update);
+        frames.push_back(of_frame);
     }
     const Rest rest = come_to_rest(interface);
     std::printf("%-16s", one.name);
-    for (const Time& time :
-         {median(frames), longest(frames), rest.longest, rest.whole, rest.all, begun.longest})
+    for (const Time& time : {median(updates), median(frames), longest(frames), rest.longest,
+                             rest.whole, rest.all, begun.longest})
         std::printf(" %8.1f |%7.1f", time.clock, time.processor);
     std::printf("\n");
     std::fflush(stdout);
@@ -142,8 +173,8 @@ void print_frame_times(const std::vector<std::string>& names) {
             throw UsageError("there is no case '" + name + "'.");
     }
     std::printf("%-16s", "ms, clock | cpu");
-    for (const char* column : {"median turn", "longest turn", "longest then", "picture whole",
-                               "all is done", "B is begun"})
+    for (const char* column : {"median update", "median turn", "longest turn", "longest then",
+                               "picture whole", "all is done", "B is begun"})
         std::printf(" %17s", column);
     std::printf("\n");
     for (const FrameCase& one : frame_cases) {
