@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engines/fast/fast_view.h"
 #include "session/difference_parts.h"
 
 namespace rasterwalk {
@@ -135,7 +136,90 @@ WorkLimit half_slices(WorkLimit limit) {
     return limit;
 }
 
+/// Can the fast engine stand in for the steps of this run? What lies beside the picture is still
+/// that of the frame on show: it must be of the same triangles and size.
+bool may_preview(const Session& session, const Run& run, const RunResults& results) {
+    return results.run && results.scene == session.scene &&
+           results.run->settings.viewport == run.settings.viewport &&
+           results.run->settings.tessellation == run.settings.tessellation &&
+           fast_engine_refuses(*results.frame.scene, run.settings).empty();
+}
+
+/// For both runs or neither, so that they are seen from the same place.
+bool may_preview(const Session& session, const Results& results) {
+    if (session.view != View::colour || session.cursor != cursor_end) return false;
+    if (!may_preview(session, session.a, results.a)) return false;
+    if (!session.b) return true;
+    return session.compare_view != CompareView::difference && results.b &&
+           may_preview(session, *session.b, *results.b);
+}
+
+/// Calls this with each run and its results.
+template <class Visitor>
+void for_each_run(const Session& session, Results& results, const Visitor& visit) {
+    visit(session.a, results.a);
+    if (session.b && results.b) visit(*session.b, *results.b);
+}
+
+/// Are there steps that have not drawn what is asked for yet, but are to?
+bool are_steps_behind(const Session& session, Results& results) {
+    bool are_behind = false;
+    for_each_run(session, results, [&](const Run& run, const RunResults& of) {
+        const bool is_late = !is_on_show(session.scene, run, of);
+        are_behind = are_behind || is_late || !of.is_complete();
+    });
+    return are_behind;
+}
+
+/// Is it known that the steps need more than one update for the pictures?
+bool is_much_to_draw(const WorkLimit& limit, const Results& results) {
+    const auto is_much = [&](const RunResults& of) {
+        return of.preview.is_shown || of.replay.work().total() > limit.at_once;
+    };
+    return is_much(results.a) || (results.b && is_much(*results.b));
+}
+
+void show_previews(const Session& session, Results& results) {
+    for_each_run(session, results, [&](const Run& run, RunResults& of) {
+        show_preview(of.drawn_scene(), run.settings, results.numbers, of.preview);
+    });
+}
+
+void hide_previews(Results& results) {
+    results.a.preview.is_shown = false;
+    if (results.b) results.b->preview.is_shown = false;
+}
+
+/// While the hand moves: previews alone, if the steps could not follow. False: they can, or there
+/// are none to be had.
+bool follow_hand(const Session& session, const WorkLimit& limit, Results& results) {
+    const bool steps_wait = results.hand.has_moved() && may_preview(session, results) &&
+                            is_much_to_draw(limit, results) && are_steps_behind(session, results);
+    if (!steps_wait) return false;
+    for_each_run(session, results, [&](const Run& run, RunResults& of) {
+        of.is_frame_late = !is_on_show(session.scene, run, of);
+    });
+    show_previews(session, results);
+    return true;
+}
+
+/// After the steps have done their part of an update: what the hand has left them to do is not
+/// seen before it is done.
+void update_previews(const Session& session, Results& results) {
+    const bool are_wanted = results.hand.has_moved() || results.a.preview.is_shown;
+    const bool is_held = results.a.is_held || (results.b && results.b->is_held);
+    if (are_wanted && !is_held && may_preview(session, results) &&
+        are_steps_behind(session, results)) {
+        show_previews(session, results);
+    } else {
+        hide_previews(results);
+    }
+}
+
 bool update_within(const Session& session, const WorkLimit& limit, Results& results) {
+    const std::uint64_t preview_before = results.a.preview.number;
+    results.hand.moves(session);
+    if (follow_hand(session, limit, results)) return results.a.preview.number != preview_before;
     const bool are_ready = prepare_runs(session, limit, results);
     const RunChanges changes =
         update_run(session, session.a, are_ready, nullptr, limit, results.numbers, results.a);
@@ -153,6 +237,7 @@ bool update_within(const Session& session, const WorkLimit& limit, Results& resu
     update_ground(results);
     update_history(session, changes, limit, results);
     update_second_run(session, changes, are_ready, limit, results);
+    update_previews(session, results);
     return changes.picture;
 }
 

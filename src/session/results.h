@@ -12,6 +12,7 @@
 #include "picture/view_image.h"
 #include "pipeline/leap.h"
 #include "session/depth_view.h"
+#include "session/preview.h"
 #include "session/run_results.h"
 #include "session/session.h"
 
@@ -71,14 +72,17 @@ struct Results {
     std::optional<HistoryWork> history_work; ///< makes it, once the picture is
                                              ///< drawn; none: there is nothing to do
     FrameLength length;                      ///< of the frame of A
+    HandWatch hand;                          ///< tells when previews are wanted
     std::uint64_t numbers = 0;               ///< the last one that a frame or a picture got
 };
 
 /// Brings the results up to date; does nothing where the session asks for what is already there.
 /// What is too much work for the limit is done in parts: each further call does one, as long as
 /// is_working(); what is more than the limit allows to begin is held. While a frame of many
-/// triangles is prepared all results are still those of the frame before. Returns true if the
-/// picture of A changed.
+/// triangles is prepared all results are still those of the frame before. While the hand moves
+/// what takes the steps more than one update they wait, and previews are shown where the fast
+/// engine does not refuse; when it rests the steps begin, and the previews stay until their
+/// pictures are whole. Returns true if the picture of A changed.
 bool update(const Session& session, Results& results, const WorkLimit& limit = frame_limit);
 
 /// The same with all the work at once.

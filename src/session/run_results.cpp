@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/numbers.h"
+#include "engines/engine_picture.h"
+#include "engines/fast/fast_view.h"
 #include "inspect/stats.h"
 #include "pipeline/draw.h"
 #include "pipeline/timeline.h"
@@ -51,11 +53,6 @@ Cursor moment_of_shared(const SharedView& shared, const Cursor& wanted, const Ru
     return {triangle_in(results.frame, *shared.frame, wanted.triangle), Phase::vertices, 0, 0};
 }
 
-bool is_shown(const std::shared_ptr<const Scene>& scene, const Run& run,
-              const RunResults& results) {
-    return results.scene == scene && results.run == run;
-}
-
 bool have_same_size(const std::optional<Run>& a, const Run& b) {
     return a && a->settings.viewport == b.settings.viewport;
 }
@@ -92,6 +89,7 @@ bool take_next(RunResults& results) {
     std::swap(results.frame, next.frame);
     results.scene = next.scene;
     results.replay.begin(results.frame, next.work);
+    results.fast.is_whole = false;
     std::swap(results.run, next.run);
     return true;
 }
@@ -159,6 +157,25 @@ void paint_changes(View view, const WorkLimit& limit, RunResults& results) {
     if (is_empty(results.unpainted)) results.unpainted = {};
 }
 
+/// Draws as far as the limit allows, by the engine that draws the moment. Until the fast engine's
+/// planes are whole those of the steps are on show, with nothing drawn.
+void draw_some(const WorkLimit& limit, RunResults& results) {
+    Replay& replay = results.replay;
+    const Framebuffer* const before = results.framebuffer;
+    if (!results.is_fast || !results.fast.is_whole) {
+        const Cursor to = results.is_fast ? replay.drawn() : results.cursor;
+        results.framebuffer = &replay.toward(to, limit);
+    }
+    if (results.is_fast) {
+        advance_fast_planes(results.drawn_scene(), results.frame, limit, results.fast);
+        if (results.fast.is_whole) results.framebuffer = &results.fast.planes;
+    }
+    const bool is_same = !results.is_fast && results.framebuffer == before;
+    const Viewport size = results.framebuffer->size;
+    const Rectangle whole{0, 0, size.width, size.height};
+    results.unpainted = around(results.unpainted, is_same ? replay.changed() : whole);
+}
+
 /// Makes the picture anew, or only what has changed of it.
 void update_picture(View view, const std::optional<DepthInterval>& depths, const WorkLimit& limit,
                     RunResults& results) {
@@ -198,16 +215,22 @@ int lesson_of(Rejection rejection) {
 
 } // namespace
 
+bool is_on_show(const std::shared_ptr<const Scene>& scene, const Run& run,
+                const RunResults& results) {
+    return results.scene == scene && results.run == run;
+}
+
 bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, const WorkLimit& limit,
                  RunResults& results) {
     NextFrame& next = results.next;
-    if (is_shown(scene, run, results)) {
+    if (is_on_show(scene, run, results)) {
         next.run = std::nullopt;
         return true;
     }
     // What lies beside the frame relies on its scene and size: with another one nothing waits.
     const bool is_alike = results.scene == scene && have_same_size(results.run, run);
-    const bool is_begun = is_alike && next.scene == scene && have_same_size(next.run, run);
+    const bool may_go_on = is_alike && next.scene == scene && have_same_size(next.run, run);
+    const bool is_begun = may_go_on && (next.run == run || !results.preview.is_shown);
     if (!is_begun) begin_next(scene, run, results);
     // Noted as begun only when it could go on.
     const Run target = is_begun ? *next.run : run;
@@ -221,6 +244,11 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
     std::vector<Trouble> troubles;
     for (SettingFault& fault : setting_faults(frame.settings, *frame.given))
         troubles.push_back({std::move(fault.sentence), std::move(fault.in_short)});
+    if (frame.settings.engine == Engine::fast) {
+        const std::string refusal = fast_engine_refuses(*frame.scene, frame.settings);
+        if (!refusal.empty())
+            troubles.push_back({refusal + ": the steps draw", "engine=fast: the steps draw"});
+    }
     const LeftOut left_out = count_left_out(frame);
     for (const RejectionWords& reason : rejection_list) {
         const int count = left_out.of(reason.rejection);
@@ -266,20 +294,20 @@ RunChanges update_run(const Session& session, const Run& run, bool takes_frame,
                       RunResults& results) {
     RunChanges changes;
     changes.frame = takes_frame && take_next(results);
-    results.is_frame_late = !is_shown(session.scene, run, results);
+    results.is_frame_late = !is_on_show(session.scene, run, results);
     if (changes.frame) results.frame_number = ++numbers;
     const Cursor wanted =
         shared != nullptr ? moment_of_shared(*shared, session.cursor, results) : session.cursor;
     changes.moment = update_cursor(wanted, changes.frame, results);
-    results.is_held = results.replay.is_held(results.cursor, limit);
+    results.is_fast = is_drawn_fast(*results.frame.scene, results.frame.settings, results.cursor);
+    results.is_held = !results.is_fast && results.replay.is_held(results.cursor, limit);
     const bool draws_on = changes.moment || results.is_drawing();
     const std::optional<DepthInterval> depths =
         shared != nullptr ? shared->depths : session.depth_range;
     const std::optional<View> view_before = results.view;
     if (draws_on) {
         results.view = std::nullopt; // what throws is painted whole next time
-        results.framebuffer = &results.replay.toward(results.cursor, limit);
-        results.unpainted = around(results.unpainted, results.replay.changed());
+        draw_some(limit, results);
         results.view = view_before;
         if (changes.frame || !results.has_all_troubles) update_troubles(limit, results);
     }

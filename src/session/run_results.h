@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "engines/fast_planes.h"
 #include "inspect/row_history.h"
 #include "picture/view_image.h"
 #include "pipeline/frame.h"
@@ -14,6 +15,7 @@
 #include "pipeline/replay.h"
 #include "pipeline/run.h"
 #include "session/inspected.h"
+#include "session/preview.h"
 #include "session/session.h"
 
 namespace rasterwalk {
@@ -62,8 +64,8 @@ struct RunResults {
     std::uint64_t picture_before = 0;         ///< the picture with this number differs from it only
                                               ///< in these pixels; 0: nothing is known
     Rectangle picture_changed;
-    Rectangle unpainted; ///< in it lie all pixels of `picture` that are still those of another moment:
-                         ///< of a large picture not all are painted in one update
+    Rectangle unpainted; ///< in it lie all pixels of `picture` that are still those of another
+                         ///< moment: of a large picture not all are painted in one update
     std::optional<int> triangle; ///< that the inspector shows: selected, or of the picked pixel in
                                  ///< a whole picture, or being drawn, or first
     RowHistory rows;             ///< row table of that triangle, as far as it is made at the cursor
@@ -74,6 +76,9 @@ struct RunResults {
     bool is_frame_late = false;    ///< the session asks for another frame, which is being prepared
     bool is_held =
         false; ///< more is left to draw than the limit of the last update allows to begin
+    bool is_fast = false; ///< the fast engine draws this moment, not the steps: the settings ask
+                          ///< for it, and it is the whole picture
+    Preview preview;      ///< while it is shown, in the place of `picture`
 
     // Of what this was made.
     std::shared_ptr<const Scene> scene; ///< keeps the given scene of the frame alive; null before
@@ -84,11 +89,15 @@ struct RunResults {
     std::optional<DepthInterval> depth_range; ///< that it colours
     PictureRules rules;                       ///< by which it is coloured
     Replay replay;
+    FastPlanes fast; ///< of the frame while `is_fast`
 
     /// Is everything before the cursor drawn? What is too much work for one update is not.
-    bool is_drawn() const { return replay.is_at(cursor); }
+    bool is_drawn() const { return is_fast ? fast.is_whole : replay.is_at(cursor); }
     /// Is it being drawn, by further updates?
-    bool is_drawing() const { return !replay.is_clear() || (!is_drawn() && !is_held); }
+    bool is_drawing() const {
+        if (is_fast) return !fast.is_whole;
+        return !replay.is_clear() || (!is_drawn() && !is_held);
+    }
     /// Is it drawn and painted as far as it is to be?
     bool is_complete() const { return !is_drawing() && is_empty(unpainted); }
 };
@@ -106,6 +115,10 @@ struct RunChanges {
 /// @param tally what its row tables come to
 std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tally);
 
+/// Is this what is on show?
+bool is_on_show(const std::shared_ptr<const Scene>& scene, const Run& run,
+                const RunResults& results);
+
 /// The row table of a triangle, as far as it is made at the cursor; empty if it is not drawn.
 RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor);
 
@@ -119,7 +132,7 @@ struct SharedView {
 /// Goes on preparing the frame that is asked for, if it is another one than that on show. Of the
 /// same scene and size it is prepared in parts where the limit asks for it, and what is begun is
 /// ended even if meanwhile another is asked for: while a camera turns without rest something is
-/// seen. To be called by update() alone.
+/// seen. Beside a preview it is not ended. To be called by update() alone.
 /// @return is the frame ready to be shown, or on show?
 bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, const WorkLimit& limit,
                  RunResults& results);

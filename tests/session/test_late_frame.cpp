@@ -11,10 +11,12 @@ namespace {
 /// So little that the made scene takes several updates to prepare, and several to draw.
 constexpr WorkLimit little{2'000.0, 3'000.0};
 
+/// By a rule that the fast engine does not know: there are no previews.
 Session session_of_many() {
     Session session;
     session.scene = std::make_shared<const Scene>(test::made_scene(400));
     session.a.settings = default_settings(*session.scene);
+    session.a.settings.interpolation = Interpolation::affine;
     return session;
 }
 

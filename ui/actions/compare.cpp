@@ -185,7 +185,10 @@ std::string grouped(std::int64_t number) {
     return digits;
 }
 
-std::string work_words(const Results& results) {
+namespace {
+
+/// What the steps are working at.
+std::string steps_words(const Results& results) {
     const auto words = [](const char* what, int done, int of) {
         return std::string(what) + " " + grouped(done) + " of " + grouped(of) + " " +
                unit_for(grouped(of), "triangles");
@@ -208,6 +211,14 @@ std::string work_words(const Results& results) {
     }
     const ComparisonWork& work = results.comparison.work;
     return work.is_done() ? "" : words("compared", work.triangles_done(), work.triangles());
+}
+
+} // namespace
+
+std::string work_words(const Results& results) {
+    if (!results.a.preview.is_shown) return steps_words(results);
+    if (results.hand.has_moved()) return "fast engine, while it moves";
+    return "fast engine, until the steps have drawn: " + steps_words(results);
 }
 
 std::vector<std::string> difference_forms(const PixelDifference& pixels) {

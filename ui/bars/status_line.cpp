@@ -112,6 +112,7 @@ void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
             ? "\nIt is too much work for one frame of the window, and goes on."
             : "\nThe program guards against this and goes on" + lesson_words(trouble.lessons) + ".";
     name_widget(ui, "status.trouble", trouble.text + about);
+    note_text(ui, "status.trouble", words);
     if (!action.empty()) {
         const float x = ImGui::GetItemRectMax().x + gap;
         ImGui::SetCursorScreenPos({x, y});

@@ -280,8 +280,14 @@ std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, Im
     const Marks m{ui, run, list, low, high, ui.options.text_scale, run.place.scale};
     const Frame& frame = run.frame;
     std::vector<VertexLabel> labels;
-    draw_tested_pixels(m);
+    // All that is marked lies where the frame before has it.
+    const bool is_old = ui.results.a.preview.is_shown && ui.results.a.is_frame_late;
+    if (!is_old) draw_tested_pixels(m);
     if (m.is_large()) draw_grid(m);
+    if (is_old) {
+        if (m.is_large()) draw_ruler(m);
+        return labels;
+    }
     draw_point_rings(m);
     const bool has_triangle = ui.results.a.triangle && frame.is_drawn(*ui.results.a.triangle);
     const bool is_picked = ui.session.selection.triangle.has_value();

@@ -326,7 +326,8 @@ float numbers_zoom(const Ui& ui, CellNumbers numbers) {
 void draw_cells(Ui& ui, const Pane& seen, const std::vector<VertexLabel>& labels) {
     const float scale = ui.canvas.place.scale;
     const CanvasView& canvas = ui.session.canvas;
-    if (scale < cell_zoom) return;
+    // A preview has no numbers.
+    if (scale < cell_zoom || ui.results.a.preview.is_shown) return;
     const ShownRun run = run_a(ui);
     Cells cells{
         ui, {ui, run, nullptr, seen.low, seen.high, ui.options.text_scale, scale}, {}, labels, {}};

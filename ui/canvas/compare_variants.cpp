@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ui/actions/compare.h"
+#include "ui/canvas/picture_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/small_pictures.h"
 #include "ui/widgets/style.h"
@@ -47,10 +48,9 @@ std::array<Variant, 3> variants_of(const Ui& ui) {
     const std::int64_t count = pixels.shown > 0 ? pixels.shown : pixels.different;
     const std::string differ =
         count == 0 ? "no pixel" : grouped(count) + (count == 1 ? " pixel" : " pixels");
-    return {{{CompareView::run_a, "A", "A", run_forms(ui.session, false), &results.a.picture,
-              results.a.picture_number},
-             {CompareView::run_b, "B", "B", run_forms(ui.session, true), &results.b->picture,
-              results.b->picture_number},
+    const NumberedPicture a = picture_on_show(results.a), b = picture_on_show(*results.b);
+    return {{{CompareView::run_a, "A", "A", run_forms(ui.session, false), &a.image, a.number},
+             {CompareView::run_b, "B", "B", run_forms(ui.session, true), &b.image, b.number},
              {CompareView::difference,
               "Difference",
               "B − A",

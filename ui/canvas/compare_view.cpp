@@ -11,6 +11,7 @@
 #include "ui/canvas/canvas_marks.h"
 #include "ui/canvas/compare_titles.h"
 #include "ui/canvas/overlays.h"
+#include "ui/canvas/picture_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
 #include "ui/widgets/picture_texture.h"
@@ -140,8 +141,7 @@ void show_textures(Ui& ui, const Pane& canvas) {
     }
     if (view != CompareView::run_b) show_ground(ui, canvas.low, canvas.high);
     if (view != CompareView::run_a) {
-        show_texture(ui, ui.compare.picture,
-                     {b.picture, b.picture_number, b.picture_before, b.picture_changed},
+        show_texture(ui, ui.compare.picture, picture_on_show(b),
                      ui.compare.place_of_b.value_or(place), canvas.low, canvas.high);
     }
 }

@@ -7,6 +7,7 @@
 
 #include "picture/colour_map.h"
 #include "picture/overlay.h"
+#include "ui/canvas/picture_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/picture_texture.h"
 #include "ui/widgets/style.h"
@@ -288,15 +289,14 @@ void draw_wires(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
 
 void show_ground(Ui& ui, ImVec2 low, ImVec2 high) {
     const Results& results = ui.results;
-    const RunResults& a = results.a;
-    const bool is_grey = !results.ground.rgba.empty();
-    const NumberedPicture picture =
-        is_grey ? NumberedPicture{results.ground, results.ground_number}
-                : NumberedPicture{a.picture, a.picture_number, a.picture_before, a.picture_changed};
+    const bool is_grey = !results.ground.rgba.empty() && !results.a.preview.is_shown;
+    const NumberedPicture picture = is_grey ? NumberedPicture{results.ground, results.ground_number}
+                                            : picture_on_show(results.a);
     show_texture(ui, ui.canvas.picture, picture, ui.canvas.place, low, high);
 }
 
 void draw_overlays(Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
+    if (ui.results.a.preview.is_shown) return; // they lie over the steps' picture
     const OverlayPicture& picture = ui.results.overlay;
     if (!picture.image.rgba.empty()) {
         show_texture(ui, ui.canvas.overlay, {picture.image, ui.results.overlay_number},

@@ -67,6 +67,11 @@ std::vector<RowTableLayout> place_pictures(Ui& ui, const Panes& panes) {
     return std::move(placed.tables);
 }
 
+NumberedPicture picture_on_show(const RunResults& run) {
+    if (run.preview.is_shown) return {run.preview.picture, run.preview.number};
+    return {run.picture, run.picture_number, run.picture_before, run.picture_changed};
+}
+
 ImVec2 picture_point(const PicturePlace& place, ImVec2 screen) {
     return {(screen.x - place.origin.x) / place.scale, (screen.y - place.origin.y) / place.scale};
 }

@@ -4,9 +4,11 @@
 
 #include <imgui.h>
 
+#include "session/run_results.h"
 #include "ui/actions/row_table_layout.h"
 #include "ui/canvas/compare_view.h"
 #include "ui/widgets/picture_state.h"
+#include "ui/widgets/picture_texture.h"
 
 namespace rasterwalk {
 
@@ -16,6 +18,9 @@ struct Ui;
 /// below A's. They fit, or are zoomed.
 /// @return the row tables that may stand beside them, the roomiest first
 std::vector<RowTableLayout> place_pictures(Ui& ui, const Panes& panes);
+
+/// The picture of a run: the preview while that is shown.
+NumberedPicture picture_on_show(const RunResults& run);
 
 /// Where a point of the screen lies in the picture, pixels of the picture.
 ImVec2 picture_point(const PicturePlace& place, ImVec2 screen);

@@ -173,6 +173,39 @@ TEST_CASE("What is too much work for one frame of the window goes on in the next
     CHECK_FALSE(a.is_drawn());
 }
 
+TEST_CASE("While a large picture turns it is said that the fast engine draws it") {
+    Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
+    set_scene(session, test::made_scene(60'000));
+    Driver driver(std::move(session));
+    const RunResults& a = driver.ui.results.a;
+    const auto told = [&] {
+        const auto place = driver.ui.widgets.find("status.trouble");
+        return place != driver.ui.widgets.end() ? place->second.text : std::string();
+    };
+    const auto come_to_rest = [&] {
+        for (int i = 0; is_working(driver.ui.results); ++i) {
+            REQUIRE(i < 500);
+            driver.hand.frames(1);
+        }
+    };
+    come_to_rest();
+    CHECK(told().find("fast engine") == std::string::npos);
+    for (int i = 0; i < 3; ++i) {
+        driver.ui.session.a.settings.camera.yaw += 0.01f;
+        driver.hand.frames(1);
+        CHECK(told() == "fast engine, while it moves");
+        CHECK(driver.ui.canvas.picture.number == a.preview.number);
+    }
+    while (driver.ui.results.hand.has_moved())
+        driver.hand.frames(1);
+    CHECK(told().starts_with("fast engine, until the steps have drawn: "));
+    CHECK(driver.ui.canvas.picture.number == a.preview.number);
+    come_to_rest();
+    driver.hand.frames(1);
+    CHECK(told().find("fast engine") == std::string::npos);
+    CHECK(driver.ui.canvas.picture.number == a.picture_number);
+}
+
 TEST_CASE("What was done is not said in the colour of what could not be done") {
     const test::TemporaryFolder folder;
     Driver driver;

@@ -1,0 +1,30 @@
+#include "session/preview.h"
+
+#include <algorithm>
+
+namespace rasterwalk {
+
+void show_preview(const std::shared_ptr<const Scene>& scene, const Settings& settings,
+                  std::uint64_t& numbers, Preview& preview) {
+    preview.is_shown = false;
+    if (preview.engine.draw(scene, settings)) {
+        copy_image(preview.engine.picture(), preview.picture);
+        preview.number = ++numbers;
+    }
+    preview.is_shown = true;
+}
+
+bool HandWatch::moves(const Session& session) {
+    const bool is_same = scene_ == session.scene && a_ == session.a && b_ == session.b;
+    if (is_same || scene_ == nullptr) {
+        updates_at_rest_ = std::min(updates_at_rest_ + 1, updates_of_rest);
+    } else {
+        updates_at_rest_ = 0;
+    }
+    scene_ = session.scene;
+    a_ = session.a;
+    b_ = session.b;
+    return has_moved();
+}
+
+} // namespace rasterwalk
