@@ -70,7 +70,9 @@ TEST_CASE("A frame of very many fragments in the picture waits, is drawn in part
     driver.hand.click("canvas.draw_it");
     CHECK_FALSE(run.is_held);
     driver.ui.session.a.settings.camera.position.z = -0.001f;
-    driver.hand.frames(2);
+    driver.hand.frames(1);
+    while (run.preview.is_shown)
+        driver.hand.frames(1);
     CHECK(run.is_held);
     CHECK(run.replay.drawn() == cursor_begin);
 }
