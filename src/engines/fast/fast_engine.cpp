@@ -4,6 +4,7 @@
 #include <chrono>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -87,8 +88,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 } // namespace
 
 struct FastEngine::State {
-    State(const Scene& scene, const FastOptions& with)
-        : options(with), loops(loops_of(with.level)), mesh(fast_mesh(scene)), pool(with.threads) {
+    State(FastMesh to_draw, const FastOptions& with)
+        : options(with), loops(loops_of(with.level)), mesh(std::move(to_draw)), pool(with.threads) {
         const auto bands = static_cast<std::size_t>(pool.count());
         // One more than there are threads: what cutting makes is sorted by itself.
         found.resize((bands + 1) * bands);
@@ -240,22 +241,32 @@ void FastEngine::State::set_borders(int height) {
     borders = std::move(next);
 }
 
-FastEngine::FastEngine(const Scene& scene, const FastOptions& options) {
+FastEngine::FastEngine(const Scene& scene, const FastOptions& options)
+    : FastEngine(fast_mesh(scene), options) {}
+
+FastEngine::FastEngine(FastMesh mesh, const FastOptions& options) {
     const std::vector<SimdLevel> levels = simd_levels();
     if (std::find(levels.begin(), levels.end(), options.level) == levels.end())
         throw UsageError("this machine or build has no " + std::string(word_of(options.level)));
-    state_ = std::make_unique<State>(scene, options);
+    state_ = std::make_unique<State>(std::move(mesh), options);
 }
 
 FastEngine::~FastEngine() = default;
 FastEngine::FastEngine(FastEngine&&) noexcept = default;
 FastEngine& FastEngine::operator=(FastEngine&&) noexcept = default;
 
+FastMesh& FastEngine::mesh() {
+    return state_->mesh;
+}
+
 void FastEngine::draw(const Settings& settings, FastPicture& picture) {
+    draw(fast_view(settings), picture);
+}
+
+void FastEngine::draw(const fast::View& view, FastPicture& picture) {
     State& s = *state_;
-    const fast::View view = fast_view(settings);
     const auto lanes = static_cast<std::size_t>(most_lanes);
-    picture.size = settings.viewport;
+    picture.size = {view.width, view.height};
     // A group of lanes may begin at the last pixel of a row.
     picture.stride = (static_cast<std::size_t>(view.width) + 2 * lanes - 1) / lanes * lanes;
     const std::size_t pixels = picture.stride * static_cast<std::size_t>(view.height);

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "engines/fast/aligned.h"
+#include "engines/fast/fast_mesh.h"
 #include "engines/fast/fast_view.h"
 #include "engines/fast/simd_level.h"
 #include "scene/scene.h"
@@ -40,6 +41,7 @@ class FastEngine {
   public:
     /// Throws UsageError if the level is not one of this machine.
     explicit FastEngine(const Scene& scene, const FastOptions& options = {});
+    explicit FastEngine(FastMesh mesh, const FastOptions& options = {});
     ~FastEngine();
     FastEngine(FastEngine&&) noexcept;
     FastEngine& operator=(FastEngine&&) noexcept;
@@ -47,6 +49,10 @@ class FastEngine {
     /// Draws the scene. What fast_engine_refuses() names is drawn as if it were not asked for.
     /// @param picture its memory is used again
     void draw(const Settings& settings, FastPicture& picture);
+    void draw(const fast::View& view, FastPicture& picture);
+
+    /// What is drawn; it may be another between two pictures.
+    FastMesh& mesh();
 
   private:
     struct State;

@@ -14,11 +14,6 @@ namespace {
 /// Larger places would leave the range of floats on their way to the screen.
 constexpr float largest_place = 1e15f;
 
-bool is_place(const glm::vec3& p) {
-    return std::abs(p.x) <= largest_place && std::abs(p.y) <= largest_place &&
-           std::abs(p.z) <= largest_place;
-}
-
 /// What no calculation can go wrong with: 0 in place of what is no number.
 float tame(float value) {
     return std::abs(value) <= largest_place ? value : 0.0f;
@@ -37,27 +32,37 @@ std::int32_t padded(std::size_t count) {
     return static_cast<std::int32_t>((count + lanes - 1) / lanes * lanes);
 }
 
+void add_places(const std::vector<Vertex>& vertices, FastMesh& fast) {
+    fast.vertex_count = padded(vertices.size());
+    const auto count = static_cast<std::size_t>(fast.vertex_count);
+    for (AlignedVector<float>* of_axis : {&fast.x, &fast.y, &fast.z})
+        of_axis->resize(count);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const glm::vec3& place = vertices[i].position;
+        if (!is_place(place)) continue;
+        fast.x[i] = place.x;
+        fast.y[i] = place.y;
+        fast.z[i] = place.z;
+    }
+    fast.screen.resize(count);
+    fast.light.resize(count);
+}
+
 void add_vertices(const Mesh& mesh, FastMesh& fast) {
     const std::vector<Vertex>& vertices = mesh.vertices();
     const std::size_t count = vertices.size();
-    fast.vertex_count = padded(count);
+    add_places(vertices, fast);
     const bool has_colours = mesh.differences().colours;
     const bool shines = std::any_of(vertices.begin(), vertices.end(), [](const Vertex& vertex) {
         return vertex.shine.specular != glm::vec3(0.0f);
     });
     for (std::size_t i = 0; i < static_cast<std::size_t>(fast.vertex_count); ++i) {
         const Vertex vertex = i < count ? vertices[i] : Vertex{};
-        const glm::vec3 place = is_place(vertex.position) ? vertex.position : glm::vec3(0.0f);
-        fast.x.push_back(place.x);
-        fast.y.push_back(place.y);
-        fast.z.push_back(place.z);
         fast.normals.push_back(record(vertex.normal));
         fast.texcoords.push_back({tame(vertex.texcoord.x), tame(vertex.texcoord.y), 0.0f, 0.0f});
         if (has_colours) fast.colours.push_back(record(shares(vertex.reflectance)));
         if (shines) fast.exponents.push_back(tame(vertex.shine.exponent));
     }
-    fast.screen.resize(static_cast<std::size_t>(fast.vertex_count));
-    fast.light.resize(static_cast<std::size_t>(fast.vertex_count));
 }
 
 /// Materials that are alike become one, as far as a small table remembers them: where nearly every
@@ -124,6 +129,11 @@ std::uint32_t packed(const glm::vec3& texel) {
 
 } // namespace
 
+bool is_place(const glm::vec3& place) {
+    return std::abs(place.x) <= largest_place && std::abs(place.y) <= largest_place &&
+           std::abs(place.z) <= largest_place;
+}
+
 FastMesh fast_mesh(const Scene& scene) {
     FastMesh mesh;
     add_vertices(scene.mesh, mesh);
@@ -137,6 +147,20 @@ FastMesh fast_mesh(const Scene& scene) {
         mesh.textures.push_back({texels.data(), base.width, base.height});
     }
     return mesh;
+}
+
+FastMesh fast_mesh_of_places(const Mesh& mesh) {
+    FastMesh places;
+    add_places(mesh.vertices(), places);
+    places.normals.resize(places.screen.size());
+    places.texcoords.resize(places.screen.size());
+    places.materials.push_back({.reflectance = {1.0f, 1.0f, 1.0f},
+                                .specular = {0.0f, 0.0f, 0.0f},
+                                .exponent = 1.0f,
+                                .has_highlight = 0,
+                                .has_colours = 0,
+                                .texture = -1});
+    return places;
 }
 
 void FastMesh::drop_cut() {

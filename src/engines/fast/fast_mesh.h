@@ -3,8 +3,11 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "engines/fast/aligned.h"
 #include "engines/fast/fast_data.h"
+#include "scene/mesh.h"
 #include "scene/scene.h"
 
 namespace rasterwalk {
@@ -33,7 +36,15 @@ struct FastMesh {
     fast::Mesh view();
 };
 
+/// Can a vertex be drawn here? Not where a coordinate is no number, or so large that it would leave
+/// the range of floats on its way to the screen.
+bool is_place(const glm::vec3& place);
+
 /// Triangles with a corner that is no place are left out.
 FastMesh fast_mesh(const Scene& scene);
+
+/// The places of a mesh alone, and no triangles between them yet; those are to be of material 0,
+/// which is white.
+FastMesh fast_mesh_of_places(const Mesh& mesh);
 
 } // namespace rasterwalk

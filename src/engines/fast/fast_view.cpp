@@ -15,6 +15,11 @@ bool is_asked(std::string_view name, std::string_view word, const Settings& sett
     return setting != nullptr && value_text(*setting, settings) == word;
 }
 
+void set(const glm::vec3& from, float (&to)[3]) {
+    for (int i = 0; i < 3; ++i)
+        to[i] = from[i];
+}
+
 } // namespace
 
 std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
@@ -64,23 +69,30 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
     return {};
 }
 
-fast::View fast_view(const Settings& settings) {
+fast::View fast_view(const FastEye& eye) {
     fast::View view{};
-    view.width = settings.viewport.width;
-    view.height = settings.viewport.height;
-    const auto set = [](const glm::vec3& from, float(&to)[3]) {
-        for (int i = 0; i < 3; ++i)
-            to[i] = from[i];
-    };
-    const Light light = light_rule(settings);
-    const glm::mat3 rotation = camera_rotation(settings.camera);
-    set(settings.camera.position, view.eye);
+    view.width = eye.size.width;
+    view.height = eye.size.height;
+    set(eye.position, view.eye);
     for (int i = 0; i < 3; ++i)
-        set(rotation[i], view.axes[i]);
-    view.focal_length = settings.camera.focal_length;
-    view.middle[0] = static_cast<float>(settings.viewport.width / 2);
-    view.middle[1] = static_cast<float>(settings.viewport.height / 2);
-    view.near = settings.near;
+        set(eye.rotation[i], view.axes[i]);
+    view.focal_length = eye.focal_length;
+    view.middle[0] = eye.middle.x;
+    view.middle[1] = eye.middle.y;
+    view.near = eye.near;
+    view.light_at = fast::LightAt::nowhere;
+    return view;
+}
+
+fast::View fast_view(const Settings& settings) {
+    const Viewport& size = settings.viewport;
+    const Light light = light_rule(settings);
+    fast::View view = fast_view({.size = size,
+                                 .position = settings.camera.position,
+                                 .rotation = camera_rotation(settings.camera),
+                                 .focal_length = settings.camera.focal_length,
+                                 .middle = {size.width / 2, size.height / 2},
+                                 .near = settings.near});
     set(light.position, view.lamp);
     set(light.power, view.power);
     set(light.indirect, view.indirect);

@@ -2,6 +2,10 @@
 
 #include <string>
 
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
 #include "engines/fast/fast_data.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
@@ -16,5 +20,18 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings);
 
 /// Camera, light and rules as the loops take them.
 fast::View fast_view(const Settings& settings);
+
+/// A pinhole camera alone.
+struct FastEye {
+    Viewport size;
+    glm::vec3 position{0.0f};
+    glm::mat3 rotation{1.0f};  ///< R, for row vectors
+    float focal_length = 1.0f; ///< pixels
+    glm::vec2 middle{0.0f};    ///< where it looks, pixels from the picture's corner
+    float near = 1e-3f;        ///< what is nearer is cut off, world units
+};
+
+/// The view of it, without light and textures; it culls nothing.
+fast::View fast_view(const FastEye& eye);
 
 } // namespace rasterwalk

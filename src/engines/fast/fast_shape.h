@@ -1,0 +1,33 @@
+#pragma once
+
+// Where surfaces are, not how they look: the fast engine's depth and owners, for whoever colours
+// what is seen by rules of its own.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engines/fast/fast_data.h"
+#include "engines/fast/fast_engine.h"
+#include "engines/fast/fast_view.h"
+#include "scene/mesh.h"
+
+namespace rasterwalk {
+
+class FastShape {
+  public:
+    /// Takes the places of the mesh, which need not live longer.
+    explicit FastShape(const Mesh& mesh);
+
+    /// Draws some of the triangles, both sides of each; those with a corner that is no place are
+    /// left out.
+    /// @param numbers of triangles of the mesh
+    /// @param picture its inv_z and owner are what was asked for; its colour means nothing
+    void draw(const FastEye& eye, std::span<const std::int32_t> numbers, FastPicture& picture);
+
+  private:
+    std::vector<fast::Corners> triangles_; ///< of the mesh
+    FastEngine engine_;
+};
+
+} // namespace rasterwalk
