@@ -1,6 +1,7 @@
 #include "outside/outside_drawing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -8,6 +9,8 @@
 #include <glm/geometric.hpp>
 
 #include "outside/filled_part.h"
+#include "outside/seen_box.h"
+#include "outside/seen_line.h"
 #include "outside/seen_pane.h"
 #include "outside/seen_texture.h"
 
@@ -18,17 +21,21 @@ namespace {
 /// A picture of more samples than this is drawn with one a pixel, or with larger pixels.
 constexpr std::int64_t most_samples = 3'000'000;
 
-/// What is drawn at most of a scene that never gets done, samples.
+/// No side has more samples than the engine's guard band leaves room for.
+constexpr int longest_side = 8000;
+static_assert(longest_side < fast::guard_band);
+
+/// What is drawn at most of a scene that never gets done.
 constexpr std::int64_t most_work = 2'000'000'000;
 
-/// What a triangle costs before its first sample, samples.
-constexpr std::int64_t triangle_work = 100;
+/// What a triangle costs before its first sample, and a sample of the box around it.
+constexpr double triangle_work = 20.0, sample_work = 0.02;
 
 /// A small scene is drawn whole, unless its triangles are hostile: half a room is no room.
 constexpr std::int64_t small_scene_factor = 6;
 
 /// A surface must win against the same surface, worked out once more.
-constexpr double same_surface = 1.0005;
+constexpr float same_surface = 1.0005f;
 
 /// How much is seen of the picture where nothing is drawn: it is a pane of glass there.
 constexpr float glass = 0.4f;
@@ -67,34 +74,46 @@ glm::vec3 over_ground(const OutsideStyle& style, const glm::vec3& colour, float 
     return glm::mix(style.ground, glm::clamp(colour, 0.0f, 1.0f), share);
 }
 
-bool has_texture(const OutsideSubject& subject, int triangle) {
-    return is_textured(subject.frame) && texture_of(*subject.frame.scene, triangle) != nullptr;
+/// None if it has no texture that is shown.
+SeenTexture seen_texture(const OutsideSubject& subject, int triangle, const OutsideEye& eye) {
+    if (!is_textured(subject.frame)) return {};
+    return {subject.frame, triangle, seen_corners(*subject.scene, triangle, eye), eye};
 }
 
-/// In the space of the eye.
-std::array<glm::dvec3, triangle_corners> seen_corners(const WorldTriangle& triangle,
-                                                      const OutsideEye& eye) {
-    std::array<glm::dvec3, triangle_corners> corners;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        corners[i] = eye.seen(triangle.corners[i]);
-    return corners;
+bool is_triangle_of(const Scene& scene, std::optional<int> triangle) {
+    return triangle && *triangle >= 0 && *triangle < scene.triangle_count();
 }
 
-SeenPolygon seen_triangle(const WorldTriangle& triangle, const OutsideEye& eye) {
-    return clipped_to_near(seen_corners(triangle, eye), eye.near_distance);
+/// What it costs to draw a triangle, at most: as if it lay as near as its first corner allows.
+std::int64_t work_of(const WorldTriangle& triangle, const OutsideEye& eye, glm::ivec2 size) {
+    const double extent = triangle.extent;
+    const double z = glm::dot(glm::dvec3(triangle.corner) - eye.position, eye.rotation[2]);
+    const double side = eye.focal_length * extent / std::max(z - extent, eye.near_distance);
+    const auto within = [side](int most) { return side < most ? side : most; };
+    return static_cast<std::int64_t>(triangle_work + sample_work * within(size.x) * within(size.y));
 }
 
-SeenTexture seen_texture(const OutsideSubject& subject, int triangle, const WorldTriangle& world,
-                         const OutsideEye& eye) {
-    if (!has_texture(subject, triangle)) return {};
-    return {subject.frame, triangle, seen_corners(world, eye), eye};
+/// The camera of the fast engine for a part of the eye's picture.
+/// @param eye in samples
+FastEye fast_eye(const OutsideEye& eye, const Rectangle& samples) {
+    return {.size = {samples.right - samples.left, samples.bottom - samples.top},
+            .position = eye.position,
+            .rotation = eye.rotation,
+            .focal_length = static_cast<float>(eye.focal_length),
+            .middle = eye.middle - glm::dvec2(samples.left, samples.top),
+            .near = static_cast<float>(eye.near_distance)};
+}
+
+/// The place that a sample shows, in the space of the eye.
+glm::dvec3 place_at(const OutsideEye& eye, int column, int row, float inv_z) {
+    return eye.ray({column + 0.5, row + 0.5}) / static_cast<double>(inv_z);
 }
 
 /// Tells of places on a triangle whether they lie in what clipping leaves of it.
 class InsideTest {
   public:
-    /// @param seen three corners or more of the triangle, in the space of the eye
-    InsideTest(const SeenClipping& clipping, std::span<const glm::dvec3> seen,
+    /// @param seen the corners of the triangle, in the space of the eye
+    InsideTest(const SeenClipping& clipping, const std::array<glm::dvec3, triangle_corners>& seen,
                const OutsideEye& eye)
         : is_cut_(clipping.is_cut) {
         const glm::dvec3 normal = glm::cross(seen[1] - seen[0], seen[2] - seen[0]);
@@ -125,6 +144,45 @@ class InsideTest {
 
 } // namespace
 
+/// The colours of triangles that are not at work.
+class OutsideDrawing::BasePainter {
+  public:
+    BasePainter(const OutsideDrawing& drawing, const OutsideSubject& subject,
+                const OutsideStyle& style)
+        : drawing_(drawing), subject_(subject), style_(style),
+          is_ordered_(subject.scene->triangle_count() <= most_ordered),
+          has_textures_(is_textured(subject.frame)) {}
+
+    /// Where it has no texture.
+    std::uint32_t plain(int triangle) const { return shown(triangle, glm::vec3(1.0f)); }
+
+    /// At a sample. Those of one triangle are quickest one after the other.
+    std::uint32_t at(int triangle, int column, int row, float inv_z) {
+        const std::uint32_t colour = drawing_.colours_[static_cast<std::size_t>(triangle)];
+        if (!has_textures_) return colour;
+        if (triangle != last_) texture_ = seen_texture(subject_, triangle, drawing_.sample_eye_);
+        last_ = triangle;
+        if (!texture_.is_there()) return colour;
+        return shown(triangle, texture_.at(place_at(drawing_.sample_eye_, column, row, inv_z)));
+    }
+
+  private:
+    std::uint32_t shown(int triangle, const glm::vec3& texture) const {
+        const bool is_coming =
+            !subject_.frame.is_drawn(triangle) || (is_ordered_ && triangle >= drawing_.begun_);
+        const glm::vec3& own = drawing_.triangles_[static_cast<std::size_t>(triangle)].colour;
+        return packed_colour(
+            over_ground(style_, own * texture, is_coming ? style_.coming : style_.drawn));
+    }
+
+    const OutsideDrawing& drawing_;
+    const OutsideSubject& subject_;
+    const OutsideStyle& style_;
+    bool is_ordered_, has_textures_;
+    int last_ = -1;
+    SeenTexture texture_;
+};
+
 bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& look,
                             std::int64_t work_at_once) {
     take_scene(subject);
@@ -134,6 +192,10 @@ bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& lo
     if (base_key_ != base) {
         begin_base(look);
         begun_ = begun;
+        const BasePainter painter(*this, subject, look.style);
+        colours_.resize(static_cast<std::size_t>(count));
+        for (int triangle = 0; triangle < count; ++triangle)
+            colours_[static_cast<std::size_t>(triangle)] = painter.plain(triangle);
     }
     base_key_ = base;
     const MomentKey moment{subject.cursor, subject.triangle, subject.picture_number};
@@ -177,10 +239,8 @@ Rectangle OutsideDrawing::changed_by(const OutsideSubject& subject, const Moment
 }
 
 Rectangle OutsideDrawing::box_of_triangle(std::optional<int> triangle) const {
-    if (!triangle || *triangle < 0 || *triangle >= scene_->triangle_count()) return {};
-    const SeenPolygon seen = seen_triangle(world_triangle(*scene_, *triangle), sample_eye_);
-    if (seen.count < triangle_corners) return {};
-    return box_around(sample_eye_, seen.all(), base_.all());
+    if (!is_triangle_of(*scene_, triangle)) return {};
+    return box_around(sample_eye_, seen_corners(*scene_, *triangle, sample_eye_), base_.all());
 }
 
 /// Gives those triangles another colour that have been begun since, or are still to come again.
@@ -189,38 +249,21 @@ Rectangle OutsideDrawing::colour_anew(const OutsideSubject& subject, const Outsi
                                       int begun) {
     const int first = std::min(begun, begun_), end = std::max(begun, begun_);
     begun_ = begun;
+    BasePainter painter(*this, subject, style);
     Rectangle box;
-    std::vector<std::uint32_t> colours;
     for (int triangle = first; triangle < end; ++triangle) {
         box = around(box, box_of_triangle(triangle));
-        const WorldTriangle world = world_triangle(*scene_, triangle);
-        const BaseColour colour = base_colour(subject, style, triangle, world);
-        colours.push_back(colour.at(glm::vec3(1.0f)));
-        paint_texture_anew(subject, colour, triangle, world);
+        colours_[static_cast<std::size_t>(triangle)] = painter.plain(triangle);
     }
     for (int row = box.top; row < box.bottom; ++row) {
         for (int column = box.left; column < box.right; ++column) {
             const std::size_t sample = base_.at(column, row);
             const std::int32_t id = base_.id[sample];
             if (id < first || id >= end || (base_.colour[sample] & line_flag) != 0) continue;
-            if (has_texture(subject, id)) continue;
-            base_.colour[sample] = colours[static_cast<std::size_t>(id - first)];
+            base_.colour[sample] = painter.at(id, column, row, base_.inv_z[sample]);
         }
     }
     return box;
-}
-
-/// The same of a triangle with a texture, whose samples have a colour each.
-void OutsideDrawing::paint_texture_anew(const OutsideSubject& subject, const BaseColour& colour,
-                                        int triangle, const WorldTriangle& world) {
-    if (!has_texture(subject, triangle)) return;
-    const SeenPolygon seen = seen_triangle(world, sample_eye_);
-    if (seen.count < triangle_corners) return;
-    const SeenTexture texture = seen_texture(subject, triangle, world, sample_eye_);
-    for_each_sample(sample_eye_, seen.all(), base_.size.x, base_.all(), [&](const SampleHit& hit) {
-        if (base_.id[hit.index] == triangle && (base_.colour[hit.index] & line_flag) == 0)
-            base_.colour[hit.index] = colour.at(texture.at(hit.place()));
-    });
 }
 
 /// Lays over these samples of the base what belongs to the moment.
@@ -250,6 +293,8 @@ void OutsideDrawing::take_scene(const OutsideSubject& subject) {
         scene_ = subject.scene;
         things_.box = box_of(*scene_);
         outline_ = outline_of(*scene_);
+        triangles_ = world_triangles(*scene_);
+        shape_.emplace(scene_->mesh);
         base_key_ = std::nullopt;
         shown_number_ = 0; // pictures of another session may have the same numbers
     }
@@ -262,9 +307,10 @@ void OutsideDrawing::take_scene(const OutsideSubject& subject) {
 void OutsideDrawing::begin_base(const OutsideLook& look) {
     const glm::ivec2 size = glm::max(look.size, glm::ivec2(1));
     const std::int64_t pixels = static_cast<std::int64_t>(size.x) * size.y;
-    samples_ = 4 * pixels <= most_samples ? 2 : 1;
+    const int side = std::max(size.x, size.y);
+    samples_ = 4 * pixels <= most_samples && 2 * side <= longest_side ? 2 : 1;
     pixel_size_ = 1;
-    while (pixels / pixel_size_ / pixel_size_ > most_samples)
+    while (pixels / pixel_size_ / pixel_size_ > most_samples || side / pixel_size_ > longest_side)
         ++pixel_size_;
     image_.width = std::max(size.x / pixel_size_, 1);
     image_.height = std::max(size.y / pixel_size_, 1);
@@ -274,54 +320,44 @@ void OutsideDrawing::begin_base(const OutsideLook& look) {
           packed_colour(look.style.ground));
     base_is_done_ = false;
     moment_key_ = std::nullopt;
+    at_work_.triangle = std::nullopt;
     next_ = 0;
     work_ = 0;
 }
 
-void OutsideDrawing::draw_base(const OutsideSubject& subject, const OutsideStyle& style,
-                               std::int64_t work_at_once) {
-    const int count = subject.scene->triangle_count();
+/// Those that are to be drawn in one call.
+std::vector<std::int32_t> OutsideDrawing::next_triangles(std::int64_t work_at_once) {
+    const int count = scene_->triangle_count();
     const std::int64_t end =
         work_ + work_at_once * (count <= most_ordered ? small_scene_factor : 1);
-    while (next_ < count && work_ < end)
-        work_ += triangle_work + draw_triangle(subject, style, triangle_in_turn(next_++, count));
+    std::vector<std::int32_t> numbers;
+    while (next_ < count && work_ < end) {
+        const int number = triangle_in_turn(next_++, count);
+        const WorldTriangle& triangle = triangles_[static_cast<std::size_t>(number)];
+        if (is_culled(triangle, eye_.position, things_.plane.eye)) continue;
+        numbers.push_back(number);
+        work_ += work_of(triangle, sample_eye_, base_.size);
+    }
     base_is_done_ = next_ >= count || work_ >= most_work;
+    return numbers;
+}
+
+void OutsideDrawing::draw_base(const OutsideSubject& subject, const OutsideStyle& style,
+                               std::int64_t work_at_once) {
+    shape_->draw(fast_eye(sample_eye_, base_.all()), next_triangles(work_at_once), seen_);
+    BasePainter painter(*this, subject, style);
+    for (int row = 0; row < base_.size.y; ++row) {
+        for (int column = 0; column < base_.size.x; ++column) {
+            const std::size_t from = seen_.at(column, row), to = base_.at(column, row);
+            const float inv_z = seen_.inv_z[from];
+            const int triangle = seen_.owner[from];
+            if (triangle < 0 || !(inv_z > base_.inv_z[to])) continue;
+            base_.inv_z[to] = inv_z;
+            base_.id[to] = triangle;
+            base_.colour[to] = painter.at(triangle, column, row, inv_z);
+        }
+    }
     if (base_is_done_) draw_outline(style);
-}
-
-std::int64_t OutsideDrawing::draw_triangle(const OutsideSubject& subject, const OutsideStyle& style,
-                                           int triangle) {
-    const Scene& scene = *subject.scene;
-    const WorldTriangle world = world_triangle(scene, triangle);
-    if (is_culled(world, eye_.position, things_.plane.eye)) return 0;
-    const SeenPolygon seen = seen_triangle(world, sample_eye_);
-    if (seen.count < triangle_corners) return 0;
-    const BaseColour base_colour_of = base_colour(subject, style, triangle, world);
-    const std::uint32_t colour = base_colour_of.at(glm::vec3(1.0f));
-    const SeenTexture texture = seen_texture(subject, triangle, world, sample_eye_);
-    return for_each_sample(
-        sample_eye_, seen.all(), base_.size.x, base_.all(), [&](const SampleHit& hit) {
-            const auto inv_z = static_cast<float>(hit.inv_z);
-            if (!(inv_z > base_.inv_z[hit.index])) return;
-            base_.inv_z[hit.index] = inv_z;
-            base_.colour[hit.index] =
-                texture.is_there() ? base_colour_of.at(texture.at(hit.place())) : colour;
-            base_.id[hit.index] = triangle;
-        });
-}
-
-/// The colour of a triangle that is not the one at work.
-OutsideDrawing::BaseColour OutsideDrawing::base_colour(const OutsideSubject& subject,
-                                                       const OutsideStyle& style, int triangle,
-                                                       const WorldTriangle& world) const {
-    const bool is_coming = !subject.frame.is_drawn(triangle) ||
-                           (scene_->triangle_count() <= most_ordered && triangle >= begun_);
-    return {style.ground, own_colour(*scene_, triangle) * shade_of(world),
-            is_coming ? style.coming : style.drawn};
-}
-
-std::uint32_t OutsideDrawing::BaseColour::at(const glm::vec3& texture) const {
-    return packed_colour(glm::mix(ground, glm::clamp(own * texture, 0.0f, 1.0f), share));
 }
 
 void OutsideDrawing::draw_outline(const OutsideStyle& style) {
@@ -332,46 +368,60 @@ void OutsideDrawing::draw_outline(const OutsideStyle& style) {
     }
 }
 
+void OutsideDrawing::find_triangle_at_work(std::optional<int> triangle) {
+    if (triangle == at_work_.triangle) return;
+    at_work_.triangle = triangle;
+    at_work_.box = box_of_triangle(triangle);
+    if (is_empty(at_work_.box)) return;
+    const std::array<std::int32_t, 1> number{*triangle};
+    shape_->draw(fast_eye(sample_eye_, at_work_.box), number, at_work_.picture);
+}
+
 void OutsideDrawing::draw_triangle_at_work(const OutsideSubject& subject, const OutsideStyle& style,
                                            const Rectangle& samples) {
     const Scene& scene = *subject.scene;
-    if (!subject.triangle || *subject.triangle < 0 || *subject.triangle >= scene.triangle_count()) {
-        return;
-    }
+    if (!is_triangle_of(scene, subject.triangle)) return;
     const int triangle = *subject.triangle;
-    const WorldTriangle world = world_triangle(scene, triangle);
-    const SeenPolygon seen = seen_triangle(world, sample_eye_);
-    if (seen.count < triangle_corners) return;
-    const SeenTexture texture = seen_texture(subject, triangle, world, sample_eye_);
+    find_triangle_at_work(triangle);
+    const Rectangle& box = at_work_.box;
+    const Rectangle area = intersection(box, samples);
+    if (is_empty(area)) return;
+    const SeenTexture texture = seen_texture(subject, triangle, sample_eye_);
     const FilledPart filled(subject.frame, subject.cursor, triangle);
     const glm::vec3 own = own_colour(scene, triangle);
     const std::uint32_t lit = packed_colour(over_ground(style, own, 1.0f));
     const std::uint32_t dark = packed_colour(over_ground(style, own, style.drawn));
     const std::uint32_t cut_off =
         packed_colour(over_ground(style, style.cut_off, style.cut_off_share));
-    const InsideTest inside(subject.clipping, seen.all(), sample_eye_);
+    const InsideTest inside(subject.clipping, seen_corners(scene, triangle, sample_eye_),
+                            sample_eye_);
     const PicturePlane& plane = things_.plane;
     // From the space of the eye outside to that of the camera.
     const glm::dvec3 shift = (sample_eye_.position - plane.eye) * plane.rotation;
-    for_each_sample(sample_eye_, seen.all(), grid_.size.x, samples, [&](const SampleHit& hit) {
-        if (hit.inv_z * same_surface < static_cast<double>(grid_.inv_z[hit.index])) return;
-        grid_.inv_z[hit.index] = static_cast<float>(hit.inv_z);
-        grid_.id[hit.index] = triangle;
-        if (inside.is_cut() && !inside.has(hit.place())) {
-            grid_.colour[hit.index] = cut_off;
-            return;
-        }
+    const auto colour_at = [&](const glm::dvec3& place) {
+        if (inside.is_cut() && !inside.has(place)) return cut_off;
         bool is_filled = filled.is_whole();
         if (!is_filled && !filled.is_empty()) {
-            const glm::dvec3 turned = (sample_eye_.rotation * hit.place()) * plane.rotation;
+            const glm::dvec3 turned = (sample_eye_.rotation * place) * plane.rotation;
             const std::optional<glm::dvec2> pixel = plane.pixel_of(turned + shift);
             is_filled = pixel && filled.has(*pixel);
         }
-        grid_.colour[hit.index] =
-            !texture.is_there() ? (is_filled ? lit : dark)
-                                : packed_colour(over_ground(style, own * texture.at(hit.place()),
-                                                            is_filled ? 1.0f : style.drawn));
-    });
+        if (!texture.is_there()) return is_filled ? lit : dark;
+        return packed_colour(
+            over_ground(style, own * texture.at(place), is_filled ? 1.0f : style.drawn));
+    };
+    for (int row = area.top; row < area.bottom; ++row) {
+        for (int column = area.left; column < area.right; ++column) {
+            const std::size_t from = at_work_.picture.at(column - box.left, row - box.top);
+            const std::size_t to = grid_.at(column, row);
+            const float inv_z = at_work_.picture.inv_z[from];
+            if (at_work_.picture.owner[from] < 0 || inv_z * same_surface < grid_.inv_z[to])
+                continue;
+            grid_.inv_z[to] = inv_z;
+            grid_.id[to] = triangle;
+            grid_.colour[to] = colour_at(place_at(sample_eye_, column, row, inv_z));
+        }
+    }
 }
 
 /// The picture in blocks, of which no more than what has changed is made anew.
@@ -397,20 +447,26 @@ void OutsideDrawing::draw_picture(const OutsideSubject& subject, const Rectangle
     const std::optional<SeenPane> pane = seen_pane(things_.plane, sample_eye_);
     if (!pane) return;
     shrink_picture(subject, pane->samples_a_pixel);
-    const auto paint = [&](const SampleHit& hit) {
-        // Seen almost along itself the pane has no depth that could be worked out.
-        if (!(hit.inv_z > 0.0) || hit.inv_z < static_cast<double>(grid_.inv_z[hit.index])) return;
-        const glm::dvec2 place = pane->pixel_of(hit.place());
-        if (!std::isfinite(place.x) || !std::isfinite(place.y)) return;
-        const auto column =
-            static_cast<int>(std::clamp(place.x, 0.0, static_cast<double>(size.width - 1)));
-        const auto row =
-            static_cast<int>(std::clamp(place.y, 0.0, static_cast<double>(size.height - 1)));
-        grid_.inv_z[hit.index] = static_cast<float>(hit.inv_z);
-        grid_.id[hit.index] = first_pixel_id - (row * size.width + column);
-        grid_.colour[hit.index] = laid_over(shown_.at(column, row), grid_.colour[hit.index]);
-    };
-    for_each_sample(sample_eye_, pane->polygon.all(), grid_.size.x, samples, paint);
+    const Rectangle box = box_around(sample_eye_, pane->corners, samples);
+    for (int row = box.top; row < box.bottom; ++row) {
+        for (int column = box.left; column < box.right; ++column) {
+            const glm::dvec3 ray = sample_eye_.ray({column + 0.5, row + 0.5});
+            const double inv_z = glm::dot(pane->inv_z, ray);
+            const std::size_t sample = grid_.at(column, row);
+            // Seen almost along itself the pane has no depth that could be worked out.
+            if (!(inv_z > 0.0) || inv_z * sample_eye_.near_distance > 1.0 ||
+                inv_z < static_cast<double>(grid_.inv_z[sample]))
+                continue;
+            const glm::dvec2 place = pane->pixel_of(ray / inv_z);
+            if (!(place.x >= 0.0 && place.y >= 0.0 && place.x < size.width &&
+                  place.y < size.height))
+                continue;
+            const glm::ivec2 pixel(place);
+            grid_.inv_z[sample] = static_cast<float>(inv_z);
+            grid_.id[sample] = first_pixel_id - (pixel.y * size.width + pixel.x);
+            grid_.colour[sample] = laid_over(shown_.at(pixel.x, pixel.y), grid_.colour[sample]);
+        }
+    }
 }
 
 /// Makes those pixels of the image anew that these samples lie in.

@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "base/image.h"
-#include "outside/flat_raster.h"
+#include "engines/fast/fast_shape.h"
 #include "outside/outline.h"
 #include "outside/outside_eye.h"
+#include "outside/sample_grid.h"
 #include "outside/seen_clipping.h"
 #include "outside/shrunken_picture.h"
 #include "outside/world_triangle.h"
@@ -68,8 +69,8 @@ struct OutsidePick {
 /// at once, unless its triangles are large.
 inline constexpr int most_ordered = 5'000;
 
-/// What one update draws at most, samples; that takes some 10 ms. A triangle costs as much as some
-/// of them before its first.
+/// What one update draws at most, in parts of some 4 ns each: it takes some 10 ms, and what it
+/// takes to go through the samples.
 inline constexpr std::int64_t outside_work_at_once = 2'500'000;
 
 class OutsideDrawing {
@@ -114,46 +115,45 @@ class OutsideDrawing {
     void begin_base(const OutsideLook& look);
     void draw_base(const OutsideSubject& subject, const OutsideStyle& style,
                    std::int64_t work_at_once);
-    std::int64_t draw_triangle(const OutsideSubject& subject, const OutsideStyle& style,
-                               int triangle);
+    std::vector<std::int32_t> next_triangles(std::int64_t work_at_once);
     void draw_outline(const OutsideStyle& style);
-    /// The colour of a triangle that is not the one at work.
-    struct BaseColour {
-        glm::vec3 ground, own;
-        float share; ///< of its own over the ground
-
-        /// @param texture there; white: none
-        std::uint32_t at(const glm::vec3& texture) const;
-    };
-    BaseColour base_colour(const OutsideSubject& subject, const OutsideStyle& style, int triangle,
-                           const WorldTriangle& world) const;
-    void paint_texture_anew(const OutsideSubject& subject, const BaseColour& colour, int triangle,
-                            const WorldTriangle& world);
+    class BasePainter;
     Rectangle box_of_triangle(std::optional<int> triangle) const;
     Rectangle colour_anew(const OutsideSubject& subject, const OutsideStyle& style, int begun);
     Rectangle changed_by(const OutsideSubject& subject, const MomentKey& now,
                          const MomentKey& last) const;
     void compose(const OutsideSubject& subject, const OutsideStyle& style,
                  const Rectangle& samples);
+    void find_triangle_at_work(std::optional<int> triangle);
     void draw_triangle_at_work(const OutsideSubject& subject, const OutsideStyle& style,
                                const Rectangle& samples);
     void shrink_picture(const OutsideSubject& subject, double samples_a_pixel);
     void draw_picture(const OutsideSubject& subject, const Rectangle& samples);
     void resolve(const Rectangle& samples);
 
-    std::shared_ptr<const Scene> scene_; ///< to which box and outline belong
+    std::shared_ptr<const Scene> scene_; ///< to which all up to the box of the things belong
     std::vector<OutlineEdge> outline_;
+    std::vector<WorldTriangle> triangles_;
+    std::optional<FastShape> shape_;
     OutsideThings things_;
     OutsideEye eye_;        ///< in screen pixels
     OutsideEye sample_eye_; ///< in samples
     std::optional<BaseKey> base_key_;
     std::optional<MomentKey> moment_key_;
-    SampleGrid base_; ///< the triangles of the scene
-    SampleGrid grid_; ///< and what lies over them
+    std::vector<std::uint32_t> colours_; ///< of all triangles, where they have no texture
+    FastPicture seen_;                   ///< those that were drawn last
+    SampleGrid base_;                    ///< the triangles of the scene
+    SampleGrid grid_;                    ///< and what lies over them
+    /// The triangle at work by itself, also where others stand before it.
+    struct AtWork {
+        std::optional<int> triangle; ///< none: not found yet
+        Rectangle box;               ///< of the samples that the picture shows
+        FastPicture picture;
+    } at_work_;
     bool base_is_done_ = true;
     int next_ = 0;          ///< how many triangles are drawn
     int begun_ = 0;         ///< those before have the colour of what is drawn
-    std::int64_t work_ = 0; ///< on this base so far, samples
+    std::int64_t work_ = 0; ///< on this base so far
     int samples_ = 1;       ///< across a pixel of the image
     int pixel_size_ = 1;
     ShrunkenPicture shown_;

@@ -27,6 +27,8 @@ struct OutsideEye {
     glm::dvec2 pixel(const glm::dvec3& place) const {
         return middle + (focal_length / place.z) * glm::dvec2(place.x, place.y);
     }
+    /// The ray through a place in its picture, pixels, in its space; z is 1.
+    glm::dvec3 ray(const glm::dvec2& pixel) const { return {(pixel - middle) / focal_length, 1.0}; }
     /// Where a place of the world is in its picture, pixels; none if it is too near or behind.
     std::optional<glm::dvec2> pixel_of(const glm::dvec3& world) const;
 };

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "outside/flat_raster.h"
+#include "outside/seen_line.h"
 
 namespace rasterwalk {
 

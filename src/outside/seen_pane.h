@@ -1,12 +1,12 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "outside/flat_raster.h"
 #include "outside/outside_eye.h"
 #include "outside/picture_plane.h"
 #include "stages/rectangle.h"
@@ -15,18 +15,18 @@ namespace rasterwalk {
 
 /// The pane of glass with the picture, as an eye sees it.
 struct SeenPane {
-    SeenPolygon polygon;          ///< what is not too near, in the space of the eye
-    glm::dvec3 corner{0.0};       ///< the first of the picture, in the space of the eye
-    glm::dvec3 right{0.0};        ///< one pixel to the right and
-    glm::dvec3 down{0.0};         ///< one down, as they lie on the pane
-    glm::dvec3 across{0.0};       ///< the product with these counts the pixels to the right
-    glm::dvec3 along{0.0};        ///< and down
+    std::array<glm::dvec3, 4> corners{}; ///< of the picture, in the space of the eye
+    glm::dvec3 right{0.0};               ///< one pixel to the right and
+    glm::dvec3 down{0.0};                ///< one down, as they lie on the pane
+    glm::dvec3 across{0.0};              ///< the product with these counts the pixels to the right
+    glm::dvec3 along{0.0};               ///< and down
+    glm::dvec3 inv_z{0.0};        ///< the product with a ray is 1/z where the ray meets its plane
     double samples_a_pixel = 1.0; ///< across, about
 
-    /// Of a place on it, in the space of the eye: pixels from the corner of the picture; may lie a
-    /// little outside, or be no number.
+    /// Of a place on its plane, in the space of the eye: pixels from the corner of the picture; may
+    /// lie outside of it, or be no number.
     glm::dvec2 pixel_of(const glm::dvec3& place) const {
-        return {glm::dot(place - corner, across), glm::dot(place - corner, along)};
+        return {glm::dot(place - corners[0], across), glm::dot(place - corners[0], along)};
     }
 };
 

@@ -1,22 +1,28 @@
 #pragma once
 
-// A triangle of the scene as it stands in the world, and how it is coloured from outside.
+// The triangles of the scene as they stand in the world, and how they are coloured from outside.
 
 #include <array>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "outside/outside_eye.h"
 #include "scene/scene.h"
 
 namespace rasterwalk {
 
+/// What is asked of every triangle for every view.
 struct WorldTriangle {
-    std::array<glm::dvec3, triangle_corners> corners;
-    glm::dvec3 normal{0.0}; ///< into the room and out of the blocks; not of unit length
+    glm::vec3 corner{0.0f}; ///< the first
+    glm::vec3 normal{0.0f}; ///< into the room and out of the blocks; not of unit length
+    glm::vec3 colour{0.0f}; ///< the mean of its vertices, shaded, so that neighbouring sides are
+                            ///< told apart
+    float extent = 0.0f;    ///< the longest side of the box around it, world units
 };
 
-/// @param triangle of the scene; must be one
-WorldTriangle world_triangle(const Scene& scene, int triangle);
+/// All triangles of the scene, in its order.
+std::vector<WorldTriangle> world_triangles(const Scene& scene);
 
 /// Is this a wall that the eye would see from its back, and the camera from its front? It stands
 /// between the eye and the room.
@@ -25,7 +31,8 @@ bool is_culled(const WorldTriangle& triangle, const glm::dvec3& eye, const glm::
 /// The mean colour of its vertices, without light.
 glm::vec3 own_colour(const Scene& scene, int triangle);
 
-/// Lighter or darker by where it faces, so that neighbouring sides are told apart, 0..1.
-float shade_of(const WorldTriangle& triangle);
+/// The corners of a triangle of the scene in the space of the eye.
+std::array<glm::dvec3, triangle_corners> seen_corners(const Scene& scene, int triangle,
+                                                      const OutsideEye& eye);
 
 } // namespace rasterwalk

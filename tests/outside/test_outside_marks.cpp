@@ -8,8 +8,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "outside/flat_raster.h"
 #include "outside/outline.h"
+#include "outside/seen_line.h"
 #include "support/effort.h"
 #include "support/samples.h"
 #include "tests/support/catch.h"

@@ -295,7 +295,7 @@ TEST_CASE("What clipping takes of the triangle at work has another colour from o
     // Pixels of the triangle differ where, and only where, they lie nearer than the near plane.
     int taken = 0, kept = 0;
     const PicturePlane& plane = cut.things().plane;
-    const WorldTriangle world = world_triangle(room, 1);
+    const WorldTriangle world = world_triangles(room)[1];
     const OutsideEye& eye = cut.eye();
     for (int y = 0; y < look.size.y; ++y) {
         for (int x = 0; x < look.size.x; ++x) {
@@ -304,8 +304,8 @@ TEST_CASE("What clipping takes of the triangle at work has another colour from o
             const glm::dvec3 ray =
                 eye.rotation *
                 glm::dvec3((glm::dvec2(middle) - eye.middle) / eye.focal_length, 1.0);
-            const double t = glm::dot(world.normal, world.corners[0] - eye.position) /
-                             glm::dot(world.normal, ray);
+            const glm::dvec3 normal(world.normal), corner(world.corner);
+            const double t = glm::dot(normal, corner - eye.position) / glm::dot(normal, ray);
             const double depth = plane.in_camera(eye.position + t * ray).z;
             if (std::abs(depth - 0.1) < 0.03) continue; // near the cut
             const std::size_t byte =

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "stages/rectangle.h"
+
+namespace rasterwalk {
+
+/// What the eye sees of each sample of its picture, row by row from the top.
+struct SampleGrid {
+    glm::ivec2 size{0, 0};
+    std::vector<float> inv_z;          ///< 1/z of the eye's space, larger is nearer; 0: nothing
+    std::vector<std::uint32_t> colour; ///< bytes red, green, blue from the lowest; the fourth is
+                                       ///< for whoever draws, and is not seen
+    std::vector<std::int32_t> id;      ///< of what is seen; -1: nothing
+
+    std::size_t at(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(size.x) +
+               static_cast<std::size_t>(column);
+    }
+    Rectangle all() const { return {0, 0, size.x, size.y}; }
+};
+
+/// Makes all samples see nothing but this colour.
+void clear(SampleGrid& grid, glm::ivec2 size, std::uint32_t colour);
+
+/// A colour as the samples have it.
+/// @param colour red, green, blue; cut at 0 and 1
+std::uint32_t packed_colour(const glm::vec3& colour);
+
+} // namespace rasterwalk
