@@ -29,7 +29,7 @@ static_assert(longest_side < fast::guard_band);
 constexpr std::int64_t most_work = 2'000'000'000;
 
 /// What a triangle costs before its first sample, and a sample of the box around it.
-constexpr double triangle_work = 20.0, sample_work = 0.02;
+constexpr double triangle_work = 40.0, sample_work = 0.02;
 
 /// A small scene is drawn whole, unless its triangles are hostile: half a room is no room.
 constexpr std::int64_t small_scene_factor = 6;
@@ -107,6 +107,28 @@ FastEye fast_eye(const OutsideEye& eye, const Rectangle& samples) {
 /// The place that a sample shows, in the space of the eye.
 glm::dvec3 place_at(const OutsideEye& eye, int column, int row, float inv_z) {
     return eye.ray({column + 0.5, row + 0.5}) / static_cast<double>(inv_z);
+}
+
+/// The pixels of a row: the mean of `a_side` x `a_side` samples each.
+/// @param stride samples from row to row
+template <int a_side>
+void resolve_row(const std::uint32_t* from, int stride, int pixels, std::uint8_t* to) {
+    // One sample or four: their mean is a shift. Red and blue are summed in one number.
+    constexpr int shift = a_side == 2 ? 2 : 0;
+    for (int i = 0; i < pixels; ++i, from += a_side, to += 4) {
+        std::uint32_t red_blue = 0, green = 0;
+        for (int y = 0; y < a_side; ++y) {
+            for (int x = 0; x < a_side; ++x) {
+                const std::uint32_t colour = from[y * stride + x];
+                red_blue += colour & 0xFF00FFU;
+                green += (colour >> 8) & 0xFFU;
+            }
+        }
+        to[0] = static_cast<std::uint8_t>((red_blue & 0xFFFFU) >> shift);
+        to[1] = static_cast<std::uint8_t>(green >> shift);
+        to[2] = static_cast<std::uint8_t>((red_blue >> 16) >> shift);
+        to[3] = 255;
+    }
 }
 
 /// Tells of places on a triangle whether they lie in what clipping leaves of it.
@@ -191,11 +213,10 @@ bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& lo
     const int begun = count <= most_ordered ? std::clamp(subject.cursor.triangle, 0, count) : count;
     if (base_key_ != base) {
         begin_base(look);
+        const bool has_colours = base_key_ && base_key_->frame_number == base.frame_number &&
+                                 base_key_->look.style == look.style && begun_ == begun;
         begun_ = begun;
-        const BasePainter painter(*this, subject, look.style);
-        colours_.resize(static_cast<std::size_t>(count));
-        for (int triangle = 0; triangle < count; ++triangle)
-            colours_[static_cast<std::size_t>(triangle)] = painter.plain(triangle);
+        if (!has_colours) colour_all(subject, look.style);
     }
     base_key_ = base;
     const MomentKey moment{subject.cursor, subject.triangle, subject.picture_number};
@@ -243,6 +264,13 @@ Rectangle OutsideDrawing::box_of_triangle(std::optional<int> triangle) const {
     return box_around(sample_eye_, seen_corners(*scene_, *triangle, sample_eye_), base_.all());
 }
 
+void OutsideDrawing::colour_all(const OutsideSubject& subject, const OutsideStyle& style) {
+    const BasePainter painter(*this, subject, style);
+    colours_.resize(triangles_.size());
+    for (std::size_t i = 0; i < colours_.size(); ++i)
+        colours_[i] = painter.plain(static_cast<int>(i));
+}
+
 /// Gives those triangles another colour that have been begun since, or are still to come again.
 /// @return the samples among which they lie
 Rectangle OutsideDrawing::colour_anew(const OutsideSubject& subject, const OutsideStyle& style,
@@ -269,10 +297,7 @@ Rectangle OutsideDrawing::colour_anew(const OutsideSubject& subject, const Outsi
 /// Lays over these samples of the base what belongs to the moment.
 void OutsideDrawing::compose(const OutsideSubject& subject, const OutsideStyle& style,
                              const Rectangle& samples) {
-    grid_.size = base_.size;
-    grid_.inv_z.resize(base_.inv_z.size());
-    grid_.colour.resize(base_.colour.size());
-    grid_.id.resize(base_.id.size());
+    resize(grid_, base_.size);
     const auto count = static_cast<std::size_t>(samples.right - samples.left);
     for (int row = samples.top; row < samples.bottom; ++row) {
         const auto first = static_cast<std::ptrdiff_t>(base_.at(samples.left, row));
@@ -285,7 +310,7 @@ void OutsideDrawing::compose(const OutsideSubject& subject, const OutsideStyle& 
     }
     draw_triangle_at_work(subject, style, samples);
     draw_picture(subject, samples);
-    resolve(samples);
+    if (!is_empty(samples)) resolve(samples);
 }
 
 void OutsideDrawing::take_scene(const OutsideSubject& subject) {
@@ -316,8 +341,7 @@ void OutsideDrawing::begin_base(const OutsideLook& look) {
     image_.height = std::max(size.y / pixel_size_, 1);
     eye_ = eye_of(look.view, things_, size, look.margin);
     sample_eye_ = scaled(eye_, static_cast<double>(samples_) / pixel_size_);
-    clear(base_, samples_ * glm::ivec2(image_.width, image_.height),
-          packed_colour(look.style.ground));
+    resize(base_, samples_ * glm::ivec2(image_.width, image_.height));
     base_is_done_ = false;
     moment_key_ = std::nullopt;
     at_work_.triangle = std::nullopt;
@@ -344,17 +368,19 @@ std::vector<std::int32_t> OutsideDrawing::next_triangles(std::int64_t work_at_on
 
 void OutsideDrawing::draw_base(const OutsideSubject& subject, const OutsideStyle& style,
                                std::int64_t work_at_once) {
+    const bool is_first = next_ == 0; // what the base holds is another one's
     shape_->draw(fast_eye(sample_eye_, base_.all()), next_triangles(work_at_once), seen_);
+    const std::uint32_t ground = packed_colour(style.ground);
     BasePainter painter(*this, subject, style);
     for (int row = 0; row < base_.size.y; ++row) {
         for (int column = 0; column < base_.size.x; ++column) {
             const std::size_t from = seen_.at(column, row), to = base_.at(column, row);
             const float inv_z = seen_.inv_z[from];
             const int triangle = seen_.owner[from];
-            if (triangle < 0 || !(inv_z > base_.inv_z[to])) continue;
+            if (!is_first && !(inv_z > base_.inv_z[to])) continue;
             base_.inv_z[to] = inv_z;
             base_.id[to] = triangle;
-            base_.colour[to] = painter.at(triangle, column, row, inv_z);
+            base_.colour[to] = triangle >= 0 ? painter.at(triangle, column, row, inv_z) : ground;
         }
     }
     if (base_is_done_) draw_outline(style);
@@ -473,29 +499,18 @@ void OutsideDrawing::draw_picture(const OutsideSubject& subject, const Rectangle
 void OutsideDrawing::resolve(const Rectangle& samples) {
     image_.rgba.resize(4 * static_cast<std::size_t>(image_.width) *
                        static_cast<std::size_t>(image_.height));
-    // One sample a pixel, or four: their mean is a shift. Red and blue are summed in one number.
-    const int shift = samples_ == 2 ? 2 : 0;
     const int left = samples.left / samples_, right = (samples.right + samples_ - 1) / samples_;
     const int top = samples.top / samples_, bottom = (samples.bottom + samples_ - 1) / samples_;
     for (int row = top; row < bottom; ++row) {
-        std::size_t byte =
-            4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) +
-                 static_cast<std::size_t>(left));
-        for (int column = left; column < right; ++column) {
-            std::uint32_t red_blue = 0, green = 0;
-            for (int y = 0; y < samples_; ++y) {
-                const std::size_t first = grid_.at(samples_ * column, samples_ * row + y);
-                for (int x = 0; x < samples_; ++x) {
-                    const std::uint32_t colour = grid_.colour[first + static_cast<std::size_t>(x)];
-                    red_blue += colour & 0xFF00FFU;
-                    green += (colour >> 8) & 0xFFU;
-                }
-            }
-            image_.rgba[byte++] = static_cast<std::uint8_t>((red_blue & 0xFFFFU) >> shift);
-            image_.rgba[byte++] = static_cast<std::uint8_t>(green >> shift);
-            image_.rgba[byte++] = static_cast<std::uint8_t>((red_blue >> 16) >> shift);
-            image_.rgba[byte++] = 255;
-        }
+        const std::uint32_t* const from = &grid_.colour[grid_.at(samples_ * left, samples_ * row)];
+        std::uint8_t* const to =
+            &image_
+                 .rgba[4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) +
+                            static_cast<std::size_t>(left))];
+        if (samples_ == 2)
+            resolve_row<2>(from, grid_.size.x, right - left, to);
+        else
+            resolve_row<1>(from, grid_.size.x, right - left, to);
     }
 }
 

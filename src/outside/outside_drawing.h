@@ -119,6 +119,7 @@ class OutsideDrawing {
     void draw_outline(const OutsideStyle& style);
     class BasePainter;
     Rectangle box_of_triangle(std::optional<int> triangle) const;
+    void colour_all(const OutsideSubject& subject, const OutsideStyle& style);
     Rectangle colour_anew(const OutsideSubject& subject, const OutsideStyle& style, int begun);
     Rectangle changed_by(const OutsideSubject& subject, const MomentKey& now,
                          const MomentKey& last) const;

@@ -6,13 +6,13 @@
 
 namespace rasterwalk {
 
-void clear(SampleGrid& grid, glm::ivec2 size, std::uint32_t colour) {
+void resize(SampleGrid& grid, glm::ivec2 size) {
     grid.size = glm::max(size, glm::ivec2(0));
     const std::size_t count =
         static_cast<std::size_t>(grid.size.x) * static_cast<std::size_t>(grid.size.y);
-    grid.inv_z.assign(count, 0.0f);
-    grid.colour.assign(count, colour);
-    grid.id.assign(count, -1);
+    grid.inv_z.resize(count);
+    grid.colour.resize(count);
+    grid.id.resize(count);
 }
 
 std::uint32_t packed_colour(const glm::vec3& colour) {

@@ -26,8 +26,8 @@ struct SampleGrid {
     Rectangle all() const { return {0, 0, size.x, size.y}; }
 };
 
-/// Makes all samples see nothing but this colour.
-void clear(SampleGrid& grid, glm::ivec2 size, std::uint32_t colour);
+/// Makes room for so many samples, of which nothing is known yet.
+void resize(SampleGrid& grid, glm::ivec2 size);
 
 /// A colour as the samples have it.
 /// @param colour red, green, blue; cut at 0 and 1
