@@ -94,10 +94,11 @@ void take_frame_figures(const Figures& figures, const std::string& scene, Sessio
     const std::string rest = scene + "-frame-at-rest", turning = scene + "-frame-turning",
                       moment = scene + "-frame-moment", outside_rest = scene + "-outside-at-rest",
                       outside_turning = scene + "-outside-turning",
+                      outside_whole = scene + "-outside-whole",
                       outside_moment = scene + "-outside-moment",
                       outside_triangle = scene + "-outside-triangle";
-    const auto all = {rest,           turning,         moment, outside_rest, outside_turning,
-                      outside_moment, outside_triangle};
+    const auto all = {rest,          turning,        moment,          outside_rest, outside_turning,
+                      outside_whole, outside_moment, outside_triangle};
     if (std::none_of(all.begin(), all.end(),
                      [&](const std::string& name) { return figures.is_wanted(name); })) {
         return;
@@ -138,6 +139,11 @@ void take_frame_figures(const Figures& figures, const std::string& scene, Sessio
         ui.session.canvas.outside.yaw += turn;
         frame();
     });
+    // All the frames until the whole scene is seen after a turn.
+    figures.take(outside_whole, [&] {
+        ui.session.canvas.outside.yaw += turn;
+        settle();
+    });
 }
 
 constexpr const char* figure_names[] = {
@@ -155,6 +161,7 @@ constexpr const char* figure_names[] = {
     "made-frame-turning",
     "room-outside-at-rest",
     "room-outside-turning",
+    "room-outside-whole",
     "room-frame-moment",
     "room-outside-moment",
     "room-outside-triangle",
@@ -166,10 +173,12 @@ constexpr const char* figure_names[] = {
     "wide-frame-moment",
     "wide-outside-at-rest",
     "wide-outside-turning",
+    "wide-outside-whole",
     "wide-outside-moment",
     "wide-outside-triangle",
     "made-outside-at-rest",
     "made-outside-turning",
+    "made-outside-whole",
 };
 
 } // namespace
