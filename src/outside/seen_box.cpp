@@ -34,11 +34,4 @@ Rectangle box_around(const OutsideEye& eye, std::span<const glm::dvec3> corners,
     return is_empty(box) ? Rectangle{} : box;
 }
 
-Rectangle around(const Rectangle& a, const Rectangle& b) {
-    if (is_empty(a)) return b;
-    if (is_empty(b)) return a;
-    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
-            std::max(a.bottom, b.bottom)};
-}
-
 } // namespace rasterwalk

@@ -18,7 +18,4 @@ namespace rasterwalk {
 Rectangle box_around(const OutsideEye& eye, std::span<const glm::dvec3> corners,
                      const Rectangle& area);
 
-/// The smallest rectangle around both.
-Rectangle around(const Rectangle& a, const Rectangle& b);
-
 } // namespace rasterwalk
