@@ -23,7 +23,7 @@ struct Asked {
     FactCache cache;
 
     Value value(std::string_view name) {
-        update(session, results);
+        finish(session, results);
         return Facts(session, results, &cache)(name);
     }
     double number(std::string_view name) {

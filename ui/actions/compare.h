@@ -59,8 +59,8 @@ std::string run_assignments(const Session& session, bool of_b);
 /// What toggle_compare() would do now: "A: the picture as it is, B: with light per vertex".
 std::string comparison_offered(const Session& session);
 
-/// How far the work is that one update did not finish: "compared 40 of 200 000 triangles"; while the
-/// fast engine's picture is shown, that it is. Empty if nothing is left to do.
+/// How far the work is that one update did not finish: "compared 40 of 200 000 triangles"; while
+/// the fast engine's picture is shown, that it is. Empty if nothing is left to do.
 std::string work_words(const Results& results);
 
 /// How far the pictures lie apart at the cursor, from the longest way to say it to the shortest:
