@@ -18,6 +18,8 @@ class PolygonCorners {
   public:
     PolygonCorners() = default;
 
+    // Any list of vertices is taken for the corners that it holds.
+    // NOLINTBEGIN(google-explicit-constructor)
     /// Vertices that lie side by side, all of them.
     PolygonCorners(std::span<const ScreenVertex> vertices)
         : side_by_side_(vertices.data()), size_(vertices.size()) {}
@@ -26,6 +28,7 @@ class PolygonCorners {
     template <std::size_t count>
     PolygonCorners(const std::array<ScreenVertex, count>& vertices)
         : PolygonCorners(std::span<const ScreenVertex>(vertices)) {}
+    // NOLINTEND(google-explicit-constructor)
 
     /// The corners of a triangle.
     PolygonCorners(const std::vector<ProjectedVertex>& of_mesh, const TriangleIndices& triangle)

@@ -53,6 +53,9 @@ def read_commands(path):
         source = pathlib.Path(os.path.relpath(entry["file"]))
         if source.parts[0] not in ("src", "ui"):
             continue
+        # One header, compiled for each level of instructions: the checks take vectors of lanes for what they are not.
+        if source.name.startswith("fast_loops_"):
+            continue
         words = shlex.split(entry["command"])
         compiler = next(i for i, word in enumerate(words) if re.search(r"(\+\+|cc|clang)(-\d+)?$", word))
         words = words[compiler:]

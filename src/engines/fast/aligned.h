@@ -14,7 +14,7 @@ struct CacheAligned {
 
     CacheAligned() = default;
     template <class Other>
-    CacheAligned(const CacheAligned<Other>&) {}
+    explicit CacheAligned(const CacheAligned<Other>&) {}
 
     static constexpr std::align_val_t line{64};
     Value* allocate(std::size_t count) {
