@@ -40,34 +40,6 @@ const fast::Loops& loops_of(SimdLevel level) {
     return fast::scalar_loops();
 }
 
-/// Some of a picture's triangles. Memory is kept from picture to picture.
-struct Triangles {
-    AlignedVector<std::int32_t> memory;
-    fast::TriangleList list{};
-
-    /// Empties it.
-    void reserve(std::size_t count) {
-        const std::size_t room =
-            (count + 2 * static_cast<std::size_t>(most_lanes)) & ~std::size_t{most_lanes - 1};
-        if (memory.size() < 4 * room) memory.resize(4 * room);
-        std::int32_t* const begin = memory.data();
-        list = {begin, begin + room, begin + 2 * room, begin + 3 * room, 0};
-    }
-    /// The lanes behind the last are read, but not drawn.
-    void pad() {
-        for (std::int32_t* of : {list.number, list.a, list.b, list.c})
-            std::fill_n(of + list.count, most_lanes, 0);
-    }
-    std::span<const std::int32_t> numbers() const {
-        return {list.number, static_cast<std::size_t>(list.count)};
-    }
-};
-
-/// What one thread has found of the triangles of one band.
-struct FoundTriangles {
-    Triangles tiny, small, medium, large;
-};
-
 /// A part of the vertices or triangles, in whole lanes.
 struct Share {
     std::int32_t first, end;
@@ -88,6 +60,34 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 } // namespace
 
 struct FastEngine::State {
+    /// Some of a picture's triangles. Memory is kept from picture to picture.
+    struct Triangles {
+        AlignedVector<std::int32_t> memory;
+        fast::TriangleList list{};
+
+        /// Empties it.
+        void reserve(std::size_t count) {
+            const std::size_t room =
+                (count + 2 * static_cast<std::size_t>(most_lanes)) & ~std::size_t{most_lanes - 1};
+            if (memory.size() < 4 * room) memory.resize(4 * room);
+            std::int32_t* const begin = memory.data();
+            list = {begin, begin + room, begin + 2 * room, begin + 3 * room, 0};
+        }
+        /// The lanes behind the last are read, but not drawn.
+        void pad() {
+            for (std::int32_t* of : {list.number, list.a, list.b, list.c})
+                std::fill_n(of + list.count, most_lanes, 0);
+        }
+        std::span<const std::int32_t> numbers() const {
+            return {list.number, static_cast<std::size_t>(list.count)};
+        }
+    };
+
+    /// What one thread has found of the triangles of one band.
+    struct FoundTriangles {
+        Triangles tiny, small, medium, large;
+    };
+
     State(FastMesh to_draw, const FastOptions& with)
         : options(with), loops(loops_of(with.level)), mesh(std::move(to_draw)), pool(with.threads) {
         const auto bands = static_cast<std::size_t>(pool.count());
