@@ -66,7 +66,7 @@ MeasurePlan plan_of(const EnginesOptions& options) {
     return plan;
 }
 
-/// By which somebody else measures the same.
+/// The command that repeats the measurement.
 std::string command_text(const EnginesOptions& options) {
     std::string text = "rasterwalk engines";
     const auto add = [&](std::string_view option, const std::string& value) {

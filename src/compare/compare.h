@@ -85,8 +85,8 @@ void update_difference_image(const std::vector<float>& values, float limit, cons
 /// What it takes to count a pixel, beside a fragment.
 inline constexpr double count_pixel_work = 0.5;
 
-/// A moment or a row that is drawn, told of and compared takes so many times the work of one that
-/// is drawn.
+/// Drawing a moment or a row, reporting it and comparing it takes so many times the work of drawing
+/// it alone.
 inline constexpr double compare_work_factor = 3.0;
 
 /// Two runs compared over the whole frame, or up to a moment.

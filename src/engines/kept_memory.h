@@ -2,10 +2,10 @@
 
 namespace rasterwalk {
 
-/// From now on memory that this process frees stays with it, where the library can do that. By
-/// default glibc gives large blocks back to the system, and whoever asks for one in each picture,
-/// as llvmpipe does for its scene, pays for its pages anew: a dense mesh then takes it four times
-/// as long on one thread. To be called by every program that is timed, before it asks for much.
+/// Makes this process keep the memory that it frees, where the C library can do that. By default
+/// glibc returns large blocks to the system, and a program that allocates one for each picture, as
+/// llvmpipe does for its scene, pays for the page faults every time: a dense mesh then takes four
+/// times as long on one thread. Every program that is timed calls this before it allocates much.
 void keep_freed_memory();
 
 } // namespace rasterwalk

@@ -61,7 +61,7 @@ struct Measurement {
 
 struct MeasureWatch {
     std::function<bool()> is_stopped;            ///< null: never
-    std::function<void(const std::string&)> say; ///< how far it is; null: nobody asks
+    std::function<void(const std::string&)> say; ///< is given the progress; may be null
 };
 
 using StartPeer = std::function<Peer(const PeerTask&)>;

@@ -29,7 +29,7 @@ ViewOptions parse_view_link(std::string_view fragment);
 /// lesson that is not in lessons_folder(), or if it would be longer than longest_view_link.
 std::string view_link(const Session& session);
 
-/// The link to the current step of the open lesson, without anything else that is on show. Empty if
+/// The link to the current step of the open lesson, and to nothing else in the view. Empty if
 /// no lesson is open, or if it is not in lessons_folder().
 std::string step_link(const Session& session);
 

@@ -16,7 +16,7 @@ struct SampleGrid {
     glm::ivec2 size{0, 0};
     std::vector<float> inv_z;          ///< 1/z of the eye's space, larger is nearer; 0: nothing
     std::vector<std::uint32_t> colour; ///< bytes red, green, blue from the lowest; the fourth is
-                                       ///< for whoever draws, and is not seen
+                                       ///< not shown, and drawing may use it
     std::vector<std::int32_t> id;      ///< of what is seen; -1: nothing
 
     std::size_t at(int column, int row) const {

@@ -7,7 +7,7 @@
 //   make it
 //     tell_pixel_tests   which pixels edge functions ask; leaves no mark       (tell_tests.cpp)
 //   show_row_ends    stage `rows`: both ends of each row                        (draw_marks.cpp)
-//   fill_rows        for each row, or where nobody watches all at once      (row_kernel.cpp):
+//   fill_rows        for each row, or without an observer all at once       (row_kernel.cpp):
 //     interpolate_row    its fragments, from the left to the right end         (fill_rows.cpp)
 //     pass_over_hidden   a row that is hidden altogether is only counted, without varyings
 //     is_culled          does the fragment belong to a back?

@@ -58,7 +58,7 @@ void Replay::begin_clear() {
     cursor_ = tallied_ = cursor_begin;
     tally_ = {};
     has_gone_back_ = false;
-    // Nobody may find the owner of a pixel among the triangles, and there is none.
+    // Old pixels stay for a while, and their owners must be triangles of this frame too.
     const bool may_wait = framebuffer_.size == frame_->settings.viewport &&
                           framebuffer_.rules == picture_rules(*frame_) &&
                           owners_ == frame_->triangle_count();

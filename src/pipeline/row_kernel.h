@@ -6,7 +6,7 @@
 // In:  the two ends of a row, and the surface it belongs to.
 // Out: its pixels in the planes, bit for bit as the functions of the table draw them.
 // Picture: an assembly line in place of one worker who takes each piece from the first to the last
-//          step. Nobody can watch a single piece on it, so it runs only where nobody does.
+//          step. A single piece cannot be followed on it, so it runs only without an observer.
 //
 // The running values of Interpolate are added up in its order, one after another; all that follows
 // concerns one pixel alone, and the compiler computes it for several pixels in one instruction.

@@ -6,9 +6,8 @@
 
 namespace rasterwalk {
 
-/// What draw() did with the triangles that it did not skip. What is told of row tables is told
-/// of the triangles that begin in the window, so that tallies of windows that follow each other can
-/// be added.
+/// What draw() did with the triangles that it did not skip. Row tables are counted for triangles
+/// that begin in the window, so the tallies of consecutive windows can be added.
 struct DrawTally {
     std::int64_t fragments = 0;         ///< that fell in the framebuffer and the scissor
     std::int64_t fragments_outside = 0; ///< beside the picture, of whole triangles

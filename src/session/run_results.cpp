@@ -176,7 +176,7 @@ void draw_some(const WorkLimit& limit, RunResults& results) {
     results.unpainted = around(results.unpainted, is_same ? replay.changed() : whole);
 }
 
-/// Makes the picture anew, or only what has changed of it.
+/// Paints the whole picture again, or only the part that has changed.
 void update_picture(View view, const std::optional<DepthInterval>& depths, const WorkLimit& limit,
                     RunResults& results) {
     const bool is_same = is_same_view(view, depths, results);

@@ -1,5 +1,5 @@
 // The program that `rasterwalk engines` asks for llvmpipe's times and pictures. How the two speak
-// is told in engines/llvmpipe_peer.h.
+// is described in engines/llvmpipe_peer.h.
 
 #include <cstdint>
 #include <exception>

@@ -3,8 +3,6 @@
 #define RASTERWALK_LANES 8
 #define RASTERWALK_NAMES_INSTRUCTIONS 1
 
-#include "engines/fast/lanes.h"
-
 #include "engines/fast/fast_loops.h"
 
 namespace rasterwalk::fast {

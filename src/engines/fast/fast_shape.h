@@ -1,7 +1,7 @@
 #pragma once
 
-// Where surfaces are, not how they look: the fast engine's depth and owners, for whoever colours
-// what is seen by rules of its own.
+// Where surfaces are, not how they look: depth and owners from the fast engine, for views that
+// colour what is seen by their own rules.
 
 #include <cstdint>
 #include <span>

@@ -1,12 +1,14 @@
-// Lanes: some numbers side by side, on which one instruction works.
+#pragma once
+
+// Lanes: several numbers side by side, on which one instruction works.
 //
-// Included by each fast_loops_*.cpp, which says how many lanes there are (RASTERWALK_LANES) and
-// whether instructions may be named where the compiler does not find them by itself
-// (RASTERWALK_NAMES_INSTRUCTIONS). There is no include guard's worth of sharing: each level has
-// lanes of its own, in a namespace without a name.
+// Each fast_loops_*.cpp defines how many lanes there are (RASTERWALK_LANES), and whether
+// instructions are named where the compiler does not find them by itself
+// (RASTERWALK_NAMES_INSTRUCTIONS). All of it is in an unnamed namespace, because each level needs
+// lanes of its own.
 //
-// Vectors as g++ and clang++ both know them: + - * / < work on all lanes; a comparison is -1 where
-// it is true and 0 elsewhere, so masks are whole numbers that & | ~ combine.
+// These are the vector types that g++ and clang++ share: + - * / < work on all lanes; a comparison
+// gives -1 where it is true and 0 elsewhere, so masks are whole numbers that & | ~ combine.
 
 #include <cstdint>
 
