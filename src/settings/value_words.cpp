@@ -18,6 +18,8 @@ constexpr SaidWord said_words[] = {
     {"", "round", "to the nearest"},
     {"vertex_rounding", "truncate_sum", "moved, then cut"},
     {"shading", "unlit", "nowhere"},
+    {"engine", "steps", "the steps"},
+    {"engine", "fast", "the fast engine"},
     {"shading", "flat", "once a triangle"},
     {"shading", "gouraud", "at the vertices"},
     {"shading", "phong", "at every pixel"},
