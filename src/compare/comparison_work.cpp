@@ -4,8 +4,10 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/numbers.h"
 #include "compare/compare.h"
-#include "compare/divergence_text.h"
 #include "engines/engine_picture.h"
 #include "pipeline/clearing.h"
 
@@ -39,6 +41,29 @@ std::int64_t different_rows(const PolygonRows& a, const PolygonRows& b) {
         different += same ? 0 : 1;
     }
     return different;
+}
+
+/// Which runs the fast engine draws, as the beginning of a sentence; empty if none.
+std::string fast_runs_text(const Frame& a, const Frame& b, const Cursor& to) {
+    const bool a_is_fast = is_drawn_fast(*a.scene, a.settings, to);
+    const bool b_is_fast = is_drawn_fast(*b.scene, b.settings, to);
+    if (a_is_fast && b_is_fast) return "both runs are drawn";
+    if (a_is_fast || b_is_fast) return std::string("run ") + (a_is_fast ? "A" : "B") + " is drawn";
+    return {};
+}
+
+/// Why no moment of the runs before this one can be compared: they cut the scene into other
+/// triangles, or the fast engine draws one of them. Empty if they can.
+std::string no_moments_text(const Frame& a, const Frame& b, const Cursor& to) {
+    const std::string fast_runs = fast_runs_text(a, b, to);
+    if (!fast_runs.empty()) {
+        return fast_runs +
+               " by the fast engine, which has no moments: only the pictures are compared.";
+    }
+    if (have_same_triangles(a, b)) return {};
+    return fmt::format("A draws {} for each of the scene, B {}: only the pictures are compared.",
+                       counted(a.triangles_of_each(), "triangle", "triangles"),
+                       b.triangles_of_each());
 }
 
 } // namespace
@@ -79,7 +104,7 @@ void ComparisonWork::end() {
     if (walk_ != nullptr) cleared_ = walk_->take_pictures();
     walk_ = nullptr;
     pictures_ = nullptr;
-    if (cleared_.a.bytes() > most_kept_bytes) cleared_ = {};
+    if (cleared_.a.bytes() + cleared_.b.bytes() > 2 * most_kept_bytes) cleared_ = {};
 }
 
 bool ComparisonWork::estimate(const WorkLimit& limit) {
@@ -163,8 +188,8 @@ bool ComparisonWork::advance_stage(const WorkLimit& limit) {
     case ComparisonStage::estimated:
         if (!estimate(limit)) return false;
         if (pictures_ != nullptr) {
-            pictures_->a.steps.begin(*a_, work_a_);
-            pictures_->b.steps.begin(*b_, work_b_);
+            if (!pictures_->a.is_fast) pictures_->a.steps.begin(*a_, work_a_);
+            if (!pictures_->b.is_fast) pictures_->b.steps.begin(*b_, work_b_);
         }
         stage_ = pictures_ != nullptr ? ComparisonStage::drawn : ComparisonStage::cleared;
         return true;

@@ -199,7 +199,7 @@ void DivergenceCollector::walk_part(const Frame& a, const Frame& b, RunWalk& wal
 }
 
 std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const Cursor& from) {
-    if (!no_moments_text(a, b, cursor_end).empty()) return std::nullopt;
+    if (!have_same_triangles(a, b)) return std::nullopt;
     std::optional<Divergence> found;
     RunWalk walk(a, b, cursor_end);
     walk.skip_to(from.triangle);
@@ -216,7 +216,7 @@ std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const 
 }
 
 std::optional<Divergence> previous_divergence(const Frame& a, const Frame& b, const Cursor& to) {
-    if (!no_moments_text(a, b, cursor_end).empty()) return std::nullopt;
+    if (!have_same_triangles(a, b)) return std::nullopt;
     // Forwards once to find where it is, and once more to stand there and tell about it.
     std::optional<Cursor> last;
     RunWalk walk(a, b, to);

@@ -10,7 +10,6 @@
 
 #include "base/element_names.h"
 #include "base/numbers.h"
-#include "engines/engine_picture.h"
 #include "inspect/clip_history.h"
 #include "inspect/pixel_tests.h"
 #include "inspect/row_history.h"
@@ -426,31 +425,6 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
         return row_text(a, b, moment);
     }
     return "";
-}
-
-namespace {
-
-/// Which of the runs are drawn by the fast engine; empty if neither is.
-std::string fast_runs_text(const Frame& a, const Frame& b, const Cursor& to) {
-    const bool a_is_fast = is_drawn_fast(*a.scene, a.settings, to);
-    const bool b_is_fast = is_drawn_fast(*b.scene, b.settings, to);
-    if (a_is_fast && b_is_fast) return "both runs are drawn";
-    if (a_is_fast || b_is_fast) return std::string("run ") + (a_is_fast ? "A" : "B") + " is drawn";
-    return {};
-}
-
-} // namespace
-
-std::string no_moments_text(const Frame& a, const Frame& b, const Cursor& to) {
-    const std::string fast_runs = fast_runs_text(a, b, to);
-    if (!fast_runs.empty()) {
-        return fast_runs +
-               " by the fast engine, which has no moments: only the pictures are compared.";
-    }
-    if (have_same_triangles(a, b)) return {};
-    return fmt::format("A draws {} for each of the scene, B {}: only the pictures are compared.",
-                       counted(a.triangles_of_each(), "triangle", "triangles"),
-                       b.triangles_of_each());
 }
 
 } // namespace rasterwalk

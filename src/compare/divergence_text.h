@@ -12,8 +12,4 @@ namespace rasterwalk {
 std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& moment,
                             DivergenceKind kind);
 
-/// Why no moment of the runs before this one can be compared: they cut the scene into other
-/// triangles, or the fast engine draws one of them. Empty if they can.
-std::string no_moments_text(const Frame& a, const Frame& b, const Cursor& to);
-
 } // namespace rasterwalk

@@ -33,7 +33,7 @@ bool copy_rows(const FastPicture& picture, const WorkLimit& limit, Framebuffer& 
     const int first = rows();
     const WorkLimit of_clearing{limit.at_once / copy_factor, limit.slice / copy_factor};
     const bool is_whole = clear_rows(planes, of_clearing);
-    constexpr float of_byte = 255.0f;
+    constexpr float largest_byte = 255.0f;
     for (int row = first; row < rows(); ++row) {
         const std::size_t from = picture.at(0, row), to = planes.at(0, row);
         for (std::size_t i = 0; i < static_cast<std::size_t>(picture.size.width); ++i) {
@@ -41,7 +41,7 @@ bool copy_rows(const FastPicture& picture, const WorkLimit& limit, Framebuffer& 
             if (owner < 0) continue;
             const std::uint32_t colour = picture.colour[from + i];
             const auto channel = [&](unsigned shift) {
-                return static_cast<float>(colour >> shift & 255u) / of_byte;
+                return static_cast<float>(colour >> shift & 255u) / largest_byte;
             };
             planes.colour[to + i] = {channel(16), channel(8), channel(0)};
             planes.depth[to + i] = picture.inv_z[from + i];
@@ -83,6 +83,7 @@ bool FastRun::draw(const std::shared_ptr<const Scene>& scene, const Settings& se
     if (shows(scene, settings)) return false;
     settings_ = std::nullopt;
     if (scene_ != scene) {
+        scene_ = nullptr; // in case memory runs out
         engine_.emplace(*scene, options_);
         scene_ = scene;
     }

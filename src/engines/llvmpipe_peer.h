@@ -5,9 +5,11 @@
 //
 //   its arguments                 WORKLOAD WIDTHxHEIGHT THREADS
 //   it says when it is ready      "ready NAME"
-//   asked "round FIRST COUNT"     draws pictures, says "PROCESSOR WALL", milliseconds for all of
-//   them asked "picture NUMBER"        "bytes COUNT", and then blue, green, red and nothing of each
-//   pixel at the end of its input       ends
+//   asked "round FIRST COUNT"     draws pictures, says "PROCESSOR WALL": milliseconds
+//
+//   asked "picture NUMBER"        "bytes COUNT", then blue, green, red, nothing per pixel
+//
+//   at the end of its input       ends
 //
 // What it cannot do is a sentence on its standard error, and an exit code of ExitCode.
 

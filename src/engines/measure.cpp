@@ -112,7 +112,7 @@ int take_turns(std::vector<Entrant>& entrants, int threads, int rounds, const Me
     return rounds;
 }
 
-/// Times of rounds that were broken off are not counted for anybody.
+/// The times of a round that was broken off count for no engine.
 void sum_up(std::vector<Entrant>& entrants, int rounds) {
     for (Entrant& entrant : entrants) {
         if (!entrant.engine) continue;

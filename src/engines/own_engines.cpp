@@ -1,6 +1,5 @@
 #include "engines/own_engines.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 // The engines of this program. The scene must live as long as the engine.
 
-/// The stages that can be walked through, without anybody who walks: vertices, cleared planes, all
+/// The stages that can be walked through, without an observer: vertices, cleared planes, all
 /// triangles. One thread.
 std::unique_ptr<TimedEngine> steps_engine(const Scene& scene, const Settings& settings);
 

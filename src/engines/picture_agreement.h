@@ -15,7 +15,8 @@ namespace rasterwalk {
 /// A picture of 8 bits a channel.
 struct EnginePicture {
     Viewport size;
-    std::vector<std::uint32_t> colour; ///< 0x00RRGGBB, row by row from the top
+    /// 0xXXRRGGBB, row by row from the top; the highest byte means nothing.
+    std::vector<std::uint32_t> colour;
 };
 
 /// How two pictures of the same size differ. A pixel differs if a channel does by more than 1/255:

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -212,13 +213,15 @@ bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& lo
     const int count = subject.scene->triangle_count();
     const int begun = count <= most_ordered ? std::clamp(subject.cursor.triangle, 0, count) : count;
     if (base_key_ != base) {
+        // Noted as begun only when it is: what throws is begun again next time.
+        const std::optional<BaseKey> before = std::exchange(base_key_, std::nullopt);
         begin_base(look);
-        const bool has_colours = base_key_ && base_key_->frame_number == base.frame_number &&
-                                 base_key_->look.style == look.style && begun_ == begun;
+        const bool has_colours = before && before->frame_number == base.frame_number &&
+                                 before->look.style == look.style && begun_ == begun;
         begun_ = begun;
         if (!has_colours) colour_all(subject, look.style);
+        base_key_ = base;
     }
-    base_key_ = base;
     const MomentKey moment{subject.cursor, subject.triangle, subject.picture_number};
     if (base_is_done_ && moment_key_ == moment) return false;
     // What has changed since the image was made. Nothing is known of one that is not made yet.
@@ -226,7 +229,11 @@ bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& lo
     Rectangle changed = is_whole ? base_.all() : changed_by(subject, moment, *moment_key_);
     moment_key_ = std::nullopt;
     changed = around(changed, colour_anew(subject, look.style, begun));
-    if (!base_is_done_) draw_base(subject, look.style, work_at_once);
+    if (!base_is_done_) {
+        base_key_ = std::nullopt; // likewise
+        draw_base(subject, look.style, work_at_once);
+        base_key_ = base;
+    }
     compose(subject, look.style, changed);
     moment_key_ = moment;
     ++number_;
@@ -315,13 +322,15 @@ void OutsideDrawing::compose(const OutsideSubject& subject, const OutsideStyle& 
 
 void OutsideDrawing::take_scene(const OutsideSubject& subject) {
     if (scene_ != subject.scene) {
-        scene_ = subject.scene;
-        things_.box = box_of(*scene_);
-        outline_ = outline_of(*scene_);
-        triangles_ = world_triangles(*scene_);
-        shape_.emplace(scene_->mesh);
+        const Scene& scene = *subject.scene;
+        scene_ = nullptr; // in case memory runs out
+        things_.box = box_of(scene);
+        outline_ = outline_of(scene);
+        triangles_ = world_triangles(scene);
+        shape_.emplace(scene.mesh);
         base_key_ = std::nullopt;
         shown_number_ = 0; // pictures of another session may have the same numbers
+        scene_ = subject.scene;
     }
     const Settings& settings = subject.frame.settings;
     things_.plane = picture_plane(settings.camera, settings.viewport, things_.box,
@@ -396,11 +405,13 @@ void OutsideDrawing::draw_outline(const OutsideStyle& style) {
 
 void OutsideDrawing::find_triangle_at_work(std::optional<int> triangle) {
     if (triangle == at_work_.triangle) return;
-    at_work_.triangle = triangle;
+    at_work_.triangle = std::nullopt; // in case memory runs out
     at_work_.box = box_of_triangle(triangle);
-    if (is_empty(at_work_.box)) return;
-    const std::array<std::int32_t, 1> number{*triangle};
-    shape_->draw(fast_eye(sample_eye_, at_work_.box), number, at_work_.picture);
+    if (!is_empty(at_work_.box)) {
+        const std::array<std::int32_t, 1> number{*triangle};
+        shape_->draw(fast_eye(sample_eye_, at_work_.box), number, at_work_.picture);
+    }
+    at_work_.triangle = triangle;
 }
 
 void OutsideDrawing::draw_triangle_at_work(const OutsideSubject& subject, const OutsideStyle& style,
@@ -450,7 +461,7 @@ void OutsideDrawing::draw_triangle_at_work(const OutsideSubject& subject, const 
     }
 }
 
-/// The picture in blocks, of which no more than what has changed is made anew.
+/// The picture in blocks; only those that have changed are made again.
 void OutsideDrawing::shrink_picture(const OutsideSubject& subject, double samples_a_pixel) {
     const Image& picture = subject.picture;
     const int block = block_size(picture, samples_a_pixel);
@@ -495,7 +506,7 @@ void OutsideDrawing::draw_picture(const OutsideSubject& subject, const Rectangle
     }
 }
 
-/// Makes those pixels of the image anew that these samples lie in.
+/// Makes the pixels of the image in which these samples lie.
 void OutsideDrawing::resolve(const Rectangle& samples) {
     image_.rgba.resize(4 * static_cast<std::size_t>(image_.width) *
                        static_cast<std::size_t>(image_.height));

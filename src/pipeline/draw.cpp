@@ -3,8 +3,7 @@
 //
 //   show_vertices    stage `points`: a mark for each vertex                     (draw_marks.cpp)
 //   tell_clip_and_cull   what has been done to it; leaves no mark            (tell_clipping.cpp)
-//   cover            the row table, and its tally (tally.cpp); stage `edges` shows the samples that
-//   make it
+//   cover            the row table and its tally; stage `edges` shows its samples    (tally.cpp)
 //     tell_pixel_tests   which pixels edge functions ask; leaves no mark       (tell_tests.cpp)
 //   show_row_ends    stage `rows`: both ends of each row                        (draw_marks.cpp)
 //   fill_rows        for each row, or without an observer all at once       (row_kernel.cpp):

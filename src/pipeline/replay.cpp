@@ -62,14 +62,15 @@ void Replay::begin_clear() {
     const bool may_wait = framebuffer_.size == frame_->settings.viewport &&
                           framebuffer_.rules == picture_rules(*frame_) &&
                           owners_ == frame_->triangle_count();
-    owners_ = frame_->triangle_count();
     if (may_wait) {
         uncleared_ = around(uncleared_, touched_);
     } else {
+        owners_ = -1; // if memory runs out here, the next frame is cleared whole
         clear(framebuffer_, *frame_);
         uncleared_ = {};
         begun_ = whole_picture(*frame_);
     }
+    owners_ = frame_->triangle_count();
     touched_ = {};
     place_marks();
 }
@@ -118,6 +119,8 @@ const Framebuffer& Replay::toward(const Cursor& cursor, const WorkLimit& limit) 
     if (!is_clear() || is_held(cursor, limit)) return framebuffer_;
     const Mark* const mark = last_laid(cursor);
     const Cursor before = cursor_;
+    // If memory runs out while it draws, any pixel may have been touched.
+    const Rectangle touched_before = std::exchange(touched_, whole_picture(*frame_));
     if (cursor < cursor_) {
         go_back(cursor, mark, limit);
     } else if (mark != nullptr && mark->cursor > cursor_) {
@@ -125,6 +128,7 @@ const Framebuffer& Replay::toward(const Cursor& cursor, const WorkLimit& limit) 
         cursor_ = mark->cursor;
     }
     lay_and_draw(part_end(cursor, limit));
+    touched_ = touched_before;
     if (before != cursor_) {
         const Rectangle drawn =
             changed_between(std::min(before, cursor_), std::max(before, cursor_));

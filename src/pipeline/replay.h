@@ -23,10 +23,10 @@ class Replay {
   public:
     explicit Replay(std::size_t budget_bytes = std::size_t{64} << 20) : budget_(budget_bytes) {}
 
-    /// Begins anew with this frame, which must live as long as the replay uses it.
+    /// Starts over with this frame, which must live as long as the replay uses it.
     void begin(const Frame& frame);
 
-    /// The same with its work, which somebody has estimated; that gets the memory of the one before
+    /// The same with its work, which is estimated already; that gets the memory of the one before
     /// in exchange.
     void begin(const Frame& frame, FrameWork& work);
 

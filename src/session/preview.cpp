@@ -14,7 +14,7 @@ void show_preview(const std::shared_ptr<const Scene>& scene, const Settings& set
     preview.is_shown = true;
 }
 
-bool HandWatch::moves(const Session& session) {
+void HandWatch::watch(const Session& session) {
     const bool is_same = scene_ == session.scene && a_ == session.a && b_ == session.b;
     if (is_same || scene_ == nullptr) {
         updates_at_rest_ = std::min(updates_at_rest_ + 1, updates_of_rest);
@@ -24,7 +24,6 @@ bool HandWatch::moves(const Session& session) {
     scene_ = session.scene;
     a_ = session.a;
     b_ = session.b;
-    return has_moved();
 }
 
 } // namespace rasterwalk

@@ -32,12 +32,12 @@ void show_preview(const std::shared_ptr<const Scene>& scene, const Settings& set
 /// Notices when the hand moves: when what is asked for changes from update to update.
 class HandWatch {
   public:
-    /// To be asked once in each update. The hand has come to rest when two updates have asked for
+    /// To be called once in each update. The hand has come to rest when two updates have asked for
     /// the same as the one before: a frame of the window in which it moves makes two, the first
     /// with what was asked for in the frame before.
-    bool moves(const Session& session);
+    void watch(const Session& session);
 
-    /// What moves() has said last.
+    /// Did the hand move, as the last update saw it?
     bool has_moved() const { return updates_at_rest_ < updates_of_rest; }
 
   private:

@@ -217,9 +217,12 @@ void update_previews(const Session& session, Results& results) {
 }
 
 bool update_within(const Session& session, const WorkLimit& limit, Results& results) {
-    const std::uint64_t preview_before = results.a.preview.number;
-    results.hand.moves(session);
-    if (follow_hand(session, limit, results)) return results.a.preview.number != preview_before;
+    const auto shown_preview = [&] {
+        return results.a.preview.is_shown ? results.a.preview.number : 0;
+    };
+    const std::uint64_t preview_before = shown_preview();
+    results.hand.watch(session);
+    if (follow_hand(session, limit, results)) return shown_preview() != preview_before;
     const bool are_ready = prepare_runs(session, limit, results);
     const RunChanges changes =
         update_run(session, session.a, are_ready, nullptr, limit, results.numbers, results.a);
@@ -238,7 +241,7 @@ bool update_within(const Session& session, const WorkLimit& limit, Results& resu
     update_history(session, changes, limit, results);
     update_second_run(session, changes, are_ready, limit, results);
     update_previews(session, results);
-    return changes.picture;
+    return changes.picture || shown_preview() != preview_before;
 }
 
 } // namespace

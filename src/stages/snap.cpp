@@ -11,7 +11,7 @@ namespace {
 
 /// The nearest of `parts` parts of a pixel, in 256ths. In double, which holds it without error.
 std::int64_t nearest_part(float place, int parts) {
-    // Rounded down by hand: std::floor() is a call on processors that it must do without.
+    // Rounded down by hand: without SSE4.1 std::floor() is a function call.
     const double above = static_cast<double>(place) * parts + 0.5;
     std::int64_t nearest = static_cast<std::int64_t>(above);
     if (static_cast<double>(nearest) > above) --nearest;

@@ -71,12 +71,12 @@ void outline_if_pointed_at(Ui& ui, std::string_view name, const ImRect& shown, b
     ImDrawList* const list = ImGui::GetForegroundDrawList();
     // At the border of the window it stays inside.
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const auto outline = [&](float gap, float alpha, float rounding, float thickness) {
+    const auto outline = [&](float gap, float alpha, float corner, float thickness) {
         const float inside = 0.5f * thickness;
         list->AddRect({std::max(shown.Min.x - gap, inside), std::max(shown.Min.y - gap, inside)},
                       {std::min(shown.Max.x + gap, window.x - inside),
                        std::min(shown.Max.y + gap, window.y - inside)},
-                      packed(colour, alpha), rounding, 0, thickness);
+                      packed(colour, alpha), corner, 0, thickness);
     };
     outline(6.0f * u, 0.35f, 8.0f * u, 3.0f * u);
     outline(3.0f * u, 1.0f, 6.0f * u, 2.0f * u);

@@ -1,13 +1,11 @@
 #include "engines/fast/cut_triangles.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 #include <vector>
 
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace rasterwalk {

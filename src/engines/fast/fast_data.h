@@ -69,8 +69,9 @@ enum class Wrap : std::int32_t { repeat, clamp, mirror };
 /// Where light is worked out.
 enum class LightAt : std::int32_t { nowhere, vertices, pixels };
 
-/// The mesh in arrays, one number of each vertex after the other. `first_cut` on stand vertices and
-/// triangles that cutting has made for one picture.
+/// The mesh in arrays, each number of all vertices side by side. From triangle_count on stand the
+/// triangles that cutting has made for one picture, and their vertices stand behind those of the
+/// scene.
 struct Mesh {
     const float *x, *y, *z;  ///< world
     const Record* normals;   ///< world, unit length; d is 0
@@ -82,8 +83,7 @@ struct Mesh {
     const Texels* textures;
     ScreenVertex* screen;
     VertexLight* light;          ///< only where LightAt is vertices
-    std::int32_t vertex_count;   ///< without those of cutting
-    std::int32_t triangle_count; ///< likewise
+    std::int32_t triangle_count; ///< without those of cutting
 };
 
 /// What is the same for a whole picture.
@@ -120,7 +120,7 @@ struct BandLists {
 /// In pixels.
 inline constexpr int tiny_size = 2, small_size = 4, medium_size = 64;
 
-/// The most edges of a large polygon: that of a triangle.
+/// The edges of a large triangle.
 inline constexpr int large_edges = 3;
 
 /// A large triangle, row by row between its edges.
@@ -199,7 +199,7 @@ struct Loops {
 };
 
 const Loops& scalar_loops();
-/// Defined by CMakeLists.txt, which then compiles each file for its instructions.
+// Defined by CMakeLists.txt, which then compiles each file for its instructions.
 #if defined(RASTERWALK_X86_LOOPS)
 const Loops& sse2_loops();
 const Loops& clones_loops();

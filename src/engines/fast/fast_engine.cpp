@@ -90,7 +90,7 @@ struct FastEngine::State {
 
     State(FastMesh to_draw, const FastOptions& with)
         : options(with), loops(loops_of(with.level)), mesh(std::move(to_draw)), pool(with.threads) {
-        const auto bands = static_cast<std::size_t>(pool.count());
+        const auto bands = static_cast<std::size_t>(band_count());
         // One more than there are threads: what cutting makes is sorted by itself.
         found.resize((bands + 1) * bands);
         cut.resize(bands);
@@ -115,7 +115,6 @@ struct FastEngine::State {
     FastOptions options;
     const fast::Loops& loops;
     FastMesh mesh;
-    WorkerPool pool;
     std::vector<int> borders;          ///< rows at which bands begin, and the height behind them
     std::vector<double> band_seconds;  ///< that the bands of the last picture took
     std::vector<FoundTriangles> found; ///< by thread, and then by band
@@ -125,6 +124,7 @@ struct FastEngine::State {
     AlignedVector<fast::Visible> visible;
     std::vector<AlignedVector<float>> row_inv_z; ///< a block of rows, where no planes are kept
     std::vector<AlignedVector<std::int32_t>> row_owner;
+    WorkerPool pool; ///< the last: its threads end before what they work on
 };
 
 void FastEngine::State::sort(const fast::View& view, int thread, const Share& triangles) {

@@ -188,7 +188,6 @@ fast::Mesh FastMesh::view() {
             .textures = textures.data(),
             .screen = screen.data(),
             .light = light.data(),
-            .vertex_count = vertex_count,
             .triangle_count = triangle_count};
 }
 

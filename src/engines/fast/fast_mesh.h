@@ -16,6 +16,11 @@ namespace rasterwalk {
 /// made it serves every picture of the scene. What cutting adds for one picture stands at the ends
 /// of the lists.
 struct FastMesh {
+    FastMesh() = default;
+    // Textures point to their texels, which a copy would not have.
+    FastMesh(FastMesh&&) = default;
+    FastMesh& operator=(FastMesh&&) = default;
+
     AlignedVector<float> x, y, z; ///< world
     AlignedVector<fast::Record> normals, colours, texcoords;
     AlignedVector<float> exponents; ///< empty: nothing shines

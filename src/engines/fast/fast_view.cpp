@@ -1,6 +1,8 @@
 #include "engines/fast/fast_view.h"
 
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "settings/setting_table.h"
 #include "stages/vertex_shader.h"
@@ -42,6 +44,7 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
         return unknown("mip maps: texture_filter=bilinear goes without");
     if (settings.cull != Cull::none && settings.cull != Cull::screen_area)
         return unknown("any culling but cull=screen_area");
+    if (settings.clip >= Clip::whole_only) return unknown("mistakes of clipping");
     // What is right by the lab's rules: everything else is a mistake, or another way to be right.
     for (const auto& [name, right] :
          {std::pair<std::string_view, std::string_view>{"depth_test", "inverse_z"},
@@ -56,6 +59,8 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
           {"translation", "last_column"},
           {"normal_w", "zero"},
           {"bounds", "inside"},
+          {"pixel_sample", "centre"},
+          {"weight_edge", "opposite"},
           {"texel_rule", "right"},
           {"light.direction", "to_light"},
           {"light.falloff", "sphere"},
@@ -63,7 +68,7 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
           {"light.renormalize", "on"},
           {"light.highlight", "right"},
           {"colour_over_one", "clamp"}}) {
-        if (find_setting(name) != nullptr && !is_asked(name, right, settings))
+        if (!is_asked(name, right, settings))
             return unknown(std::string(name) + " other than " + std::string(right));
     }
     return {};

@@ -2,14 +2,16 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <functional>
+#include <mutex>
 #include <thread>
 #include <vector>
 
 namespace rasterwalk {
 
-/// Threads that wait for work, each on a core of its own where the system lets them. They wait
-/// awake for a moment, since the next step of a picture follows at once, and then sleep.
+/// Threads that wait for work. They stay awake for a moment, since the next step of a picture
+/// follows at once, and then sleep. PinnedThreads can hold them to processors.
 class WorkerPool {
   public:
     /// @param count threads that work, the caller's among them; at least 1
@@ -20,17 +22,21 @@ class WorkerPool {
 
     int count() const { return static_cast<int>(threads_.size()) + 1; }
 
-    /// Calls work(i) for 0 <= i < count(), each on a thread of its own, and waits for all.
+    /// Calls work(i) for 0 <= i < count(), each on a thread of its own, and waits for all. If one
+    /// of them throws, all come to their end first; then the first exception is thrown here.
     void run(const std::function<void(int)>& work);
 
   private:
     void wait_for_work(int index);
+    void work_safely(int index);
 
     std::vector<std::thread> threads_;
     const std::function<void(int)>* work_ = nullptr;
     std::atomic<std::uint32_t> round_{0};
     std::atomic<int> working_{0};
     std::atomic<bool> is_over_{false};
+    std::mutex fault_guard_;
+    std::exception_ptr fault_; ///< of the round; null: none so far
 };
 
 } // namespace rasterwalk
