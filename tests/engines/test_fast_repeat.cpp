@@ -1,7 +1,8 @@
-// What must not change a bit of the fast engine's picture: how many threads draw it, whether depth
-// and owner are kept, and what the engine has drawn before.
+// What must not change a bit of the fast engine's picture: how many threads draw it, and what the
+// engine has drawn before. Whether depth and owner are kept changes no more than roundings.
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -102,21 +103,37 @@ TEST_CASE("The fast engine's picture is the same bits with one thread, two and t
     CHECK(painted > 20);
 }
 
+/// The largest difference of a channel.
+int largest_difference(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+    int largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (const int shift : {0, 8, 16}) {
+            const int of_a = static_cast<int>(a[i] >> shift & 255),
+                      of_b = static_cast<int>(b[i] >> shift & 255);
+            largest = std::max(largest, std::abs(of_a - of_b));
+        }
+    }
+    return largest;
+}
+
 TEST_CASE("The fast engine's picture is the same whether depth and owner are kept or not") {
     for (const Scene& scene : scenes_to_repeat()) {
         for (const SimdLevel level : simd_levels()) {
-            for (const int threads : {1, 2}) {
-                FastEngine engine(scene,
-                                  {.level = level, .threads = threads, .keeps_planes = false});
-                FastPicture picture;
-                for (const FastShot& shot : shots_of(scene)) {
-                    CAPTURE(scene.name, word_of(level), threads, shot.name);
-                    engine.draw(shot.settings, picture);
-                    const FastPicture kept = fast_picture(scene, shot.settings, {.level = level});
-                    CHECK(colours_of(picture) == colours_of(kept));
-                    CHECK(picture.owner.empty());
-                    CHECK(picture.inv_z.empty());
-                }
+            FastEngine one(scene, {.level = level, .keeps_planes = false});
+            FastEngine two(scene, {.level = level, .threads = 2, .keeps_planes = false});
+            FastPicture of_one, of_two;
+            for (const FastShot& shot : shots_of(scene)) {
+                CAPTURE(scene.name, word_of(level), shot.name);
+                one.draw(shot.settings, of_one);
+                two.draw(shot.settings, of_two);
+                CHECK((colours_of(of_one) == colours_of(of_two)));
+                const FastPicture kept = fast_picture(scene, shot.settings, {.level = level});
+                REQUIRE(kept.size == of_one.size);
+                // Without owners two triangles of one plane are drawn as one, whose numbers round
+                // otherwise.
+                CHECK(largest_difference(colours_of(of_one), colours_of(kept)) <= 1);
+                CHECK(of_one.owner.empty());
+                CHECK(of_one.inv_z.empty());
             }
         }
     }

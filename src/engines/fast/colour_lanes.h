@@ -16,10 +16,14 @@ struct Colour3 {
     Floats red, green, blue;
 };
 
-RASTERWALK_INLINE Ints packed(const Floats& red, const Floats& green, const Floats& blue) {
+RASTERWALK_INLINE Colour3 at_most_white(const Colour3& colour) {
     const Floats most = all(255.0f);
-    return to_ints(smaller(red, most)) << 16 | to_ints(smaller(green, most)) << 8 |
-           to_ints(smaller(blue, most));
+    return {smaller(colour.red, most), smaller(colour.green, most), smaller(colour.blue, most)};
+}
+/// As 0x00RRGGBB.
+/// @param colour each channel from 0 up to 255
+RASTERWALK_INLINE Ints packed(const Colour3& colour) {
+    return to_ints(colour.red) << 16 | to_ints(colour.green) << 8 | to_ints(colour.blue);
 }
 
 /// Puts down a group of colours: the first `count` of them.

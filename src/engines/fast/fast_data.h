@@ -120,12 +120,13 @@ struct BandLists {
 /// In pixels.
 inline constexpr int tiny_size = 2, small_size = 4, medium_size = 64;
 
-/// The edges of a large triangle.
-inline constexpr int large_edges = 3;
+/// The edges of a large triangle, or of two that are drawn as one.
+inline constexpr int large_edges = 4;
 
-/// A large triangle, row by row between its edges.
+/// A large triangle, row by row between its edges; or two that form a convex quadrilateral in one
+/// plane with one light.
 struct LargeTriangle {
-    std::int32_t number;
+    std::int32_t number; ///< of two: the first's
     std::int32_t first_row, end_row;
     double edge_x[large_edges], edge_y[large_edges], edge_slope[large_edges];
     std::int32_t edge_is_left[large_edges];
@@ -138,6 +139,7 @@ struct LargeTriangle {
     float reach_start[3], reach_right[3], reach_down[3];
     float reach_square;        ///< of reach_right
     float gain[3], ambient[3]; ///< red green blue, of 255
+    std::int32_t may_be_white; ///< can a channel come to more than 255?
 };
 
 /// How many rows the large triangles are worked out for at a time.

@@ -183,7 +183,7 @@ void FastEngine::State::draw_band(const fast::View& view, int band, fast::Planes
         const std::span<const std::int32_t> more = found_by(thread, band).large.numbers();
         numbers.insert(numbers.end(), more.begin(), more.end());
     }
-    set_up_large(numbers, view, mesh, large[b]);
+    set_up_large(numbers, view, mesh, planes.is_kept == 0, large[b]);
     rows[b].resize(large[b].size());
     const fast::Band part{.first_row = borders[b],
                           .end_row = borders[b + 1],

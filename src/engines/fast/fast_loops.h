@@ -36,18 +36,23 @@ using namespace rasterwalk::fast;
 /// What is seen of a row without the large triangles.
 RASTERWALK_INLINE void begin_row(const View& view, std::int32_t row, const Planes& planes,
                                  bool has_owner, const RowPlanes& to) {
+    if (planes.visible == nullptr) {
+        const auto bytes = static_cast<std::size_t>(view.width) * sizeof(float);
+        __builtin_memset(to.inv_z, 0, bytes);
+        __builtin_memset(to.colour, 0, bytes);
+        for (std::int32_t x = 0; has_owner && x < view.width; x += lane_count)
+            store(all(no_owner), to.owner + x);
+        return;
+    }
     for (std::int32_t x = 0; x < view.width; x += lane_count) {
-        Ints depth = {}, number = all(no_owner);
-        if (planes.visible != nullptr) {
-            const Visible* const from =
-                planes.visible + static_cast<std::int64_t>(row) * planes.stride + x;
-            const LongLanes seen{load_longs(from), load_longs(from + lane_count / 2)};
-            depth = upper_halves(seen);
-            number = choose(depth != Ints{}, ~lower_halves(seen), number);
-        }
+        const Visible* const from =
+            planes.visible + static_cast<std::int64_t>(row) * planes.stride + x;
+        const LongLanes seen{load_longs(from), load_longs(from + lane_count / 2)};
+        const Ints depth = upper_halves(seen);
         store(depth, to.inv_z + x);
         store(Ints{}, to.colour + x);
-        if (has_owner) store(number, to.owner + x);
+        if (has_owner)
+            store(choose(depth != Ints{}, ~lower_halves(seen), all(no_owner)), to.owner + x);
     }
 }
 

@@ -170,7 +170,7 @@ RASTERWALK_INLINE void store_where(const Ints& mask, const Lanes& lanes, Number*
 template <class Lanes, class Number>
 RASTERWALK_INLINE void store_where(const Ints& mask, std::uint32_t bits, const Lanes& lanes,
                                    Number* to) {
-    if (bits == all_bits)
+    if (__builtin_expect(bits == all_bits, 1))
         store(lanes, to);
     else
         store_where(mask, lanes, to);

@@ -103,10 +103,9 @@ RASTERWALK_INLINE void walk_row(const LargeRows& rows, int k, float* inv_z, Draw
     if (x < end) group(first_lanes(end - x));
 }
 
-/// A row of a triangle whose light has a closed form: large_triangle.h. Its colour is put at once,
-/// and light is worked out again where something nearer follows: the nearest triangles come first.
-RASTERWALK_INLINE void draw_flat_row(const LargeRows& rows, int k, std::int32_t number_in_scene,
-                                     bool has_owner, const RowPlanes& row) {
+template <bool has_owner, bool may_be_white>
+RASTERWALK_INLINE void draw_flat_row_as(const LargeRows& rows, int k, std::int32_t number_in_scene,
+                                        const RowPlanes& row) {
     const LargeTriangle& triangle = *rows.triangle;
     // Taken before the loop: it writes to memory, and the compiler cannot know that not to these.
     const Floats q0 = all(rows.quadratic_0[k]), q1 = all(rows.quadratic_1[k]),
@@ -121,12 +120,26 @@ RASTERWALK_INLINE void draw_flat_row(const LargeRows& rows, int k, std::int32_t 
                  const Floats reach2 = (column * q2 + q1) * column + q0;
                  const Floats t = depth * rough_inverse_root(reach2);
                  const Floats share = t * t * t;
-                 const Ints colour =
-                     packed(share * gain.red + ambient.red, share * gain.green + ambient.green,
-                            share * gain.blue + ambient.blue);
+                 const Colour3 lit{share * gain.red + ambient.red,
+                                   share * gain.green + ambient.green,
+                                   share * gain.blue + ambient.blue};
+                 const Ints colour = may_be_white ? packed(at_most_white(lit)) : packed(lit);
                  store_where(mask, bits, colour, row.colour + x);
-                 if (has_owner) store_where(mask, bits, owner, row.owner + x);
+                 if constexpr (has_owner) store_where(mask, bits, owner, row.owner + x);
              });
+}
+
+/// A row of a triangle whose light has a closed form: large_triangle.h. Its colour is put at once,
+/// and light is worked out again where something nearer follows: the nearest triangles come first.
+RASTERWALK_INLINE void draw_flat_row(const LargeRows& rows, int k, std::int32_t number_in_scene,
+                                     bool has_owner, const RowPlanes& row) {
+    // A loop each, so that none asks at every pixel.
+    if (has_owner)
+        draw_flat_row_as<true, true>(rows, k, number_in_scene, row);
+    else if (rows.triangle->may_be_white != 0)
+        draw_flat_row_as<false, true>(rows, k, number_in_scene, row);
+    else
+        draw_flat_row_as<false, false>(rows, k, number_in_scene, row);
 }
 
 /// A row of any other: whose pixels they are is noted, and shade_row() finds it there.

@@ -141,50 +141,125 @@ void set_flat_light(const Plane& plane, const fast::Material& material, const fa
     set(reach_along(ray_down), triangle.reach_down);
     triangle.reach_square = static_cast<float>(glm::dot(reach, reach));
     constexpr double pi = 3.14159265358979323846;
+    // Nowhere on the plane is more light than below the lamp: 1 / height^2. In float it comes to a
+    // little more; to how much is not known where the lamp is so low that reach^2 is the small
+    // difference of large numbers.
+    const double most_light = is_lit ? 1.25 / (height * height) : 0.0;
+    triangle.may_be_white = is_lit && height < 0.01 * glm::length(lamp) ? 1 : 0;
     for (int i = 0; i < 3; ++i) {
         triangle.gain[i] =
             is_lit
                 ? static_cast<float>(255.0 * material.reflectance[i] * view.power[i] / (4.0 * pi))
                 : 0.0f;
         triangle.ambient[i] = 255.0f * material.reflectance[i] * view.indirect[i];
+        const double most = most_light * triangle.gain[i] + triangle.ambient[i];
+        if (!(most < 255.0)) triangle.may_be_white = 1;
     }
     triangle.has_flat_light = 1;
+}
+
+using Triangle = std::array<Corner, 3>;
+
+Triangle screen_triangle(const fast::Corners& triangle, const FastMesh& mesh) {
+    const auto corner = [&](std::int32_t offset) {
+        const fast::ScreenVertex& v = mesh.screen[index_of(offset)];
+        return Corner{glm::dvec2(v.x, v.y) / static_cast<double>(fast::subpixels), v.inv_z};
+    };
+    return {corner(triangle.a), corner(triangle.b), corner(triangle.c)};
+}
+
+/// Twice the area of a triangle, above 0 if its corners go round clockwise on the screen. Without
+/// error: corners are whole numbers of 256ths.
+double double_area(const Corner& a, const Corner& b, const Corner& c) {
+    const glm::dvec2 ab = b.place - a.place, ac = c.place - a.place;
+    return ab.x * ac.y - ab.y * ac.x;
+}
+
+/// Two triangles as one polygon, if they have an edge in common and nothing of them is bent inward:
+/// the pixels between its four edges are then those of both.
+std::optional<std::array<Corner, 4>> quadrilateral(const Triangle& p, const Triangle& q) {
+    const auto are_same = [](const Corner& a, const Corner& b) {
+        return a.place == b.place && a.inv_z == b.inv_z;
+    };
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        for (std::size_t j = 0; j < q.size(); ++j) {
+            const Corner &from = p[i], &to = p[(i + 1) % 3], &beside = p[(i + 2) % 3];
+            if (!are_same(from, q[(j + 1) % 3]) || !are_same(to, q[j])) continue;
+            const Corner& across = q[(j + 2) % 3];
+            const double turn_from = double_area(beside, from, across),
+                         turn_to = double_area(across, to, beside);
+            const bool is_clockwise = double_area(from, to, beside) > 0.0;
+            const bool is_convex =
+                is_clockwise ? turn_from > 0.0 && turn_to > 0.0 : turn_from < 0.0 && turn_to < 0.0;
+            if (is_convex) return std::array{beside, from, across, to};
+        }
+    }
+    return std::nullopt;
+}
+
+/// Edges, rows and nearness.
+void set_edges(std::span<const Corner> corners, bool is_clockwise, int height,
+               fast::LargeTriangle& set) {
+    const auto [top, bottom] =
+        std::minmax_element(corners.begin(), corners.end(),
+                            [](const Corner& p, const Corner& q) { return p.place.y < q.place.y; });
+    set.first_row = std::max(first_row_from(top->place.y), 0);
+    set.end_row = std::min(first_row_from(bottom->place.y), height);
+    set.edge_count = 0;
+    set.nearest = 0.0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        add_edge(corners[i], corners[(i + 1) % corners.size()], is_clockwise, set);
+        set.nearest = std::max(set.nearest, corners[i].inv_z);
+    }
+}
+
+/// One triangle of the mesh; none if it shows no side.
+std::optional<fast::LargeTriangle> large_triangle(std::int32_t number, const fast::View& view,
+                                                  const FastMesh& mesh) {
+    const fast::Corners& triangle = mesh.triangles[static_cast<std::size_t>(number)];
+    const Triangle corners = screen_triangle(triangle, mesh);
+    const double area = double_area(corners[0], corners[1], corners[2]);
+    if (area == 0.0 || (area < 0.0 && view.culls_backs != 0)) return std::nullopt;
+    fast::LargeTriangle set{};
+    set.number = number;
+    set_edges(corners, area > 0.0, view.height, set);
+    set_depth(corners, area, set);
+    const fast::Material& material = mesh.materials[static_cast<std::size_t>(triangle.material)];
+    const fast::Corners& whole = whole_triangle(number, mesh);
+    if (is_flat(whole, material, mesh, view)) {
+        if (const std::optional<Plane> plane = flat_plane(whole, mesh, view))
+            set_flat_light(*plane, material, view, set);
+    }
+    return set;
+}
+
+/// Draws the second with the first, if that is the same.
+bool join(const fast::LargeTriangle& second, const fast::View& view, const FastMesh& mesh,
+          fast::LargeTriangle& first) {
+    if (first.has_flat_light == 0 || second.has_flat_light == 0) return false;
+    const fast::Corners &p = mesh.triangles[static_cast<std::size_t>(first.number)],
+                        &q = mesh.triangles[static_cast<std::size_t>(second.number)];
+    const auto normal = [&](std::int32_t corner) { return vector(mesh.normals[index_of(corner)]); };
+    if (p.material != q.material || normal(p.a) != normal(q.a)) return false;
+    const Triangle corners = screen_triangle(p, mesh);
+    const auto both = quadrilateral(corners, screen_triangle(q, mesh));
+    if (!both) return false;
+    set_edges(*both, double_area(corners[0], corners[1], corners[2]) > 0.0, view.height, first);
+    return true;
 }
 
 } // namespace
 
 void set_up_large(std::span<const std::int32_t> numbers, const fast::View& view,
-                  const FastMesh& mesh, std::vector<fast::LargeTriangle>& large) {
+                  const FastMesh& mesh, bool joins_two, std::vector<fast::LargeTriangle>& large) {
     large.clear();
+    bool may_join = false; // to the last one
     for (const std::int32_t number : numbers) {
-        const fast::Corners& triangle = mesh.triangles[static_cast<std::size_t>(number)];
-        const auto corner = [&](std::int32_t offset) {
-            const fast::ScreenVertex& v = mesh.screen[index_of(offset)];
-            return Corner{glm::dvec2(v.x, v.y) / static_cast<double>(fast::subpixels), v.inv_z};
-        };
-        const std::array<Corner, 3> corners{corner(triangle.a), corner(triangle.b),
-                                            corner(triangle.c)};
-        const auto& [a, b, c] = corners;
-        const glm::dvec2 ab = b.place - a.place, ac = c.place - a.place;
-        const double area = ab.x * ac.y - ab.y * ac.x;
-        if (area == 0.0 || (area < 0.0 && view.culls_backs != 0)) continue;
-        fast::LargeTriangle set{};
-        set.number = number;
-        const auto [top, bottom] = std::minmax({a.place.y, b.place.y, c.place.y});
-        set.first_row = std::max(first_row_from(top), 0);
-        set.end_row = std::min(first_row_from(bottom), view.height);
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            add_edge(corners[i], corners[(i + 1) % 3], area > 0.0, set);
-        set_depth(corners, area, set);
-        const fast::Material& material =
-            mesh.materials[static_cast<std::size_t>(triangle.material)];
-        const fast::Corners& whole = whole_triangle(number, mesh);
-        if (is_flat(whole, material, mesh, view)) {
-            if (const std::optional<Plane> plane = flat_plane(whole, mesh, view))
-                set_flat_light(*plane, material, view, set);
-        }
-        set.nearest = std::max({a.inv_z, b.inv_z, c.inv_z});
-        large.push_back(set);
+        const std::optional<fast::LargeTriangle> next = large_triangle(number, view, mesh);
+        if (!next) continue;
+        may_join = may_join && join(*next, view, mesh, large.back());
+        if (!may_join) large.push_back(*next);
+        may_join = joins_two && !may_join;
     }
     std::stable_sort(large.begin(), large.end(),
                      [](const fast::LargeTriangle& p, const fast::LargeTriangle& q) {

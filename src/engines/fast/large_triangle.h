@@ -25,9 +25,11 @@ namespace rasterwalk {
 
 /// Edges, plane of 1/z, and light where it has a closed form: a plain colour, one normal that is
 /// perpendicular to the triangle, light at pixels, no highlight.
-/// @param numbers of triangles of the mesh on the screen; those that show no side are left out
-/// @param large   is emptied first; then the nearest stands first
+/// @param numbers    of triangles of the mesh on the screen; those that show no side are left out
+/// @param joins_two  may two triangles that follow each other become one, if the same pixels then
+///                   have the same light? Their owners cannot be told apart any more
+/// @param large      is emptied first; then the nearest stands first
 void set_up_large(std::span<const std::int32_t> numbers, const fast::View& view,
-                  const FastMesh& mesh, std::vector<fast::LargeTriangle>& large);
+                  const FastMesh& mesh, bool joins_two, std::vector<fast::LargeTriangle>& large);
 
 } // namespace rasterwalk

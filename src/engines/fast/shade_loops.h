@@ -150,8 +150,8 @@ RASTERWALK_INLINE void shade_group(const Mesh& mesh, const View& view, const Row
                 if (shines) add_highlight(shares, of, view, lit);
             }
         }
-        result =
-            choose(same, packed(lit.red * 255.0f, lit.green * 255.0f, lit.blue * 255.0f), result);
+        const Colour3 bytes{lit.red * 255.0f, lit.green * 255.0f, lit.blue * 255.0f};
+        result = choose(same, packed(at_most_white(bytes)), result);
     }
     store_colours(result, count, colour + x);
 }
