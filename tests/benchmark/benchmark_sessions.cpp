@@ -1,5 +1,6 @@
 #include "benchmark_sessions.h"
 
+#include "engines/knot.h"
 #include "session/content.h"
 #include "session/second_run.h"
 #include "settings/setting_table.h"
@@ -20,6 +21,12 @@ Session room() {
 Session made() {
     Session session = room();
     set_scene(session, test::made_scene(made_triangles));
+    return session;
+}
+
+Session knot() {
+    Session session = room();
+    set_scene(session, knot_scene());
     return session;
 }
 

@@ -9,8 +9,11 @@ namespace rasterwalk {
 /// The lab's room, 500 x 500 pixels.
 Session room();
 
-/// 200,000 made triangles on as many pixels.
+/// 200,000 made triangles on as many pixels: 50 of them each, far behind each other.
 Session made();
+
+/// A model of 200,000 triangles that cover a few pixels each.
+Session knot();
 
 /// The room on a picture of 4096 x 4096 pixels.
 Session wide();
