@@ -41,6 +41,8 @@ class ModelBuilder {
         }
     }
 
+    /// Leaves out the faces that name a point that is not there. Of the others the corners name no
+    /// texture coordinate and no normal that is not there.
     void keep_sound_faces() {
         const auto is_wrong = [&](const ObjFace& face) {
             const std::string trouble = trouble_of(face);
@@ -53,6 +55,8 @@ class ModelBuilder {
         std::copy_if(file_.faces.begin(), file_.faces.end(), std::back_inserter(sound),
                      [&](const ObjFace& face) { return !is_wrong(face); });
         file_.faces = std::move(sound);
+        for (const ObjFace& face : file_.faces)
+            drop_what_is_missing(face);
     }
 
     void build() {
@@ -84,26 +88,41 @@ class ModelBuilder {
         return {ReadingPart::triangles, model_.mesh.triangle_count(), file_.triangles};
     }
 
-    /// What is wrong with a face now that everything has been read; empty: nothing.
+    static std::string is_not_there(std::size_t kind, int index, std::size_t count) {
+        return fmt::format("'f' names the {} {}, and there are {}; {}", indexed_kinds[kind].one,
+                           index + 1, count, indexed_kinds[kind].outcome);
+    }
+
+    /// What is wrong with the points of a face now that all are known; empty: nothing.
     std::string trouble_of(const ObjFace& face) const {
-        const std::array counts{file_.positions.size(), file_.texcoords.size(),
-                                file_.normals.size()};
         for (int i = 0; i < face.corner_count; ++i) {
-            const ObjCorner& corner = file_.corner(face, i);
-            const std::array indices{corner.position, corner.texcoord, corner.normal};
-            for (std::size_t kind = 0; kind < indices.size(); ++kind) {
-                if (indices[kind] < 0 || static_cast<std::size_t>(indices[kind]) < counts[kind])
-                    continue;
-                return fmt::format("'f' names the {} {}, and there are {}; {}",
-                                   indexed_kinds[kind].one, indices[kind] + 1, counts[kind],
-                                   face_left_out);
-            }
-            if (std::isnan(file_.positions[static_cast<std::size_t>(corner.position)].x)) {
+            const int position = file_.corner(face, i).position;
+            if (static_cast<std::size_t>(position) >= file_.positions.size())
+                return is_not_there(0, position, file_.positions.size());
+            if (std::isnan(file_.positions[static_cast<std::size_t>(position)].x)) {
                 return fmt::format("'f' names the point {}, which could not be read; {}",
-                                   corner.position + 1, face_left_out);
+                                   position + 1, face_left_out);
             }
         }
         return {};
+    }
+
+    void drop_what_is_missing(const ObjFace& face) {
+        const auto drop = [&](int& index, std::size_t kind, std::size_t count, ObjFaultKind fault) {
+            if (index < 0 || static_cast<std::size_t>(index) < count) return;
+            reporter_.fault(fault, model_.path, face.line,
+                            [&] { return is_not_there(kind, index, count); });
+            index = -1;
+        };
+        for (int i = 0; i < face.corner_count; ++i) {
+            ObjCorner& corner = file_.corners[static_cast<std::size_t>(face.first_corner + i)];
+            drop(corner.texcoord, 1, file_.texcoords.size(), ObjFaultKind::missing_texcoord);
+            drop(corner.normal, 2, file_.normals.size(), ObjFaultKind::missing_normal);
+            // That it could not be read has been told.
+            if (corner.texcoord >= 0 &&
+                std::isnan(file_.texcoords[static_cast<std::size_t>(corner.texcoord)].x))
+                corner.texcoord = -1;
+        }
     }
 
     bool needs_normal(const ObjCorner& corner) const {
@@ -175,7 +194,7 @@ class ModelBuilder {
         if (bare_.insert(material).second) {
             reporter_.fault(model_.path, face.line, [&] {
                 return fmt::format(
-                    "'f' names no texture coordinates, and the material {} has an "
+                    "not every corner of 'f' has a texture coordinate, and the material {} has an "
                     "image; such faces keep their colour.",
                     in_quotes(model_.materials[static_cast<std::size_t>(material)].name));
             });
@@ -202,11 +221,12 @@ class ModelBuilder {
     void add_face(const ObjFace& face, const Vertex& look, const std::vector<glm::vec3>& computed,
                   std::size_t first_computed, VertexJoin& join) {
         indices_.clear();
+        const bool is_painted = has_texcoords(face);
         for (int i = 0; i < face.corner_count; ++i) {
             const ObjCorner& corner = file_.corner(face, i);
             Vertex vertex = look;
             vertex.position = places_[static_cast<std::size_t>(i)];
-            if (corner.texcoord >= 0)
+            if (is_painted)
                 vertex.texcoord = file_.texcoords[static_cast<std::size_t>(corner.texcoord)];
             if (needs_normal(corner)) {
                 vertex.normal = computed[first_computed + static_cast<std::size_t>(i)];

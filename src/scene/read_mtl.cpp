@@ -81,6 +81,8 @@ class MtlReader {
             });
         }
         ObjMaterial& material = materials_.back();
+        const bool has_numbers = !is_bump && key != "map_kd";
+        if (has_numbers && tells_comma(word, rest)) return;
         if (key == "kd") return read_colour(word, rest, material.diffuse);
         if (key == "ks") return read_colour(word, rest, material.specular);
         if (key == "ns") return read_shininess(rest, material);
@@ -94,6 +96,16 @@ class MtlReader {
         material.bump_map_line = lines_.line();
         read_map(word, rest, material.bump_map, &material.bump_strength);
         material.bump_is_normal = key == "norm";
+    }
+
+    /// Is a word of a statement a number with a decimal comma? That is told.
+    bool tells_comma(std::string_view statement, std::string_view rest) {
+        std::string_view word = take_number_word(rest);
+        while (!word.empty() && !has_decimal_comma(word))
+            word = take_number_word(rest);
+        if (word.empty()) return false;
+        fault([&] { return decimal_comma_sentence(word, statement); });
+        return true;
     }
 
     void begin_material(std::string_view rest) {

@@ -41,7 +41,8 @@ struct ObjPart {
 };
 
 /// A model as its file has it: in its own axes and units, fronts counterclockwise, v of texcoords
-/// running up.
+/// running up. What a corner names and is not there costs only itself: a normal is computed, and
+/// without texture coordinates a face has no texture.
 struct ObjModel {
     std::string path;
     Mesh mesh;                  ///< reflectance and shine are the material's: Kd; Ks and Ns
