@@ -10,8 +10,10 @@
 #include <fmt/format.h>
 
 #include "base/limits.h"
+#include "base/numbers.h"
 #include "base/quoted.h"
 #include "scene/obj_normals.h"
+#include "scene/obj_places.h"
 #include "scene/polygon_cutter.h"
 
 namespace rasterwalk {
@@ -57,6 +59,19 @@ class ModelBuilder {
         file_.faces = std::move(sound);
         for (const ObjFace& face : file_.faces)
             drop_what_is_missing(face);
+    }
+
+    void place_points() {
+        ObjPlaces made = obj_places(file_);
+        file_.positions = {};
+        points_ = std::move(made.places);
+        model_.origin = made.origin;
+        if (made.origin == glm::dvec3(0.0)) return;
+        reporter_.note(model_.path, file_.faces.front().line,
+                       fmt::format("the model lies far from the origin: ({}, {}, {}) is "
+                                   "subtracted from all its points.",
+                                   shortest(made.origin.x), shortest(made.origin.y),
+                                   shortest(made.origin.z)));
     }
 
     void build() {
@@ -144,7 +159,7 @@ class ModelBuilder {
         }
         all.first_corner.push_back(static_cast<int>(all.positions.size()));
         if (!is_one_missing) return {};
-        return corner_normals(all, file_.positions, options_.crease_angle);
+        return corner_normals(all, points_, options_.crease_angle);
     }
 
     /// False if the face cannot be cut; that is told.
@@ -152,7 +167,7 @@ class ModelBuilder {
         places_.clear();
         for (int i = 0; i < face.corner_count; ++i) {
             const ObjCorner& corner = file_.corner(face, i);
-            places_.push_back(file_.positions[static_cast<std::size_t>(corner.position)]);
+            places_.push_back(points_[static_cast<std::size_t>(corner.position)]);
         }
         const PolygonCut how = cutter_.cut(places_);
         if (how == PolygonCut::refused) {
@@ -252,9 +267,10 @@ class ModelBuilder {
     ObjModel& model_;
     ObjImages images_{model_.materials, model_.textures, watched_, reporter_};
 
-    std::vector<int> material_of_; ///< each part of the file: index, or -1
-    std::set<int> bare_;           ///< materials with an image, of faces that cannot show it
-    int drawn_part_ = -1;          ///< of the face before
+    std::vector<glm::vec3> points_; ///< the positions of the file
+    std::vector<int> material_of_;  ///< each part of the file: index, or -1
+    std::set<int> bare_;            ///< materials with an image, of faces that cannot show it
+    int drawn_part_ = -1;           ///< of the face before
 
     PolygonCutter cutter_;
     std::vector<glm::vec3> places_; ///< of the face that is cut
@@ -268,6 +284,7 @@ void build_model(ObjStatements& file, const ObjOptions& options, WatchedSteps& w
     ModelBuilder builder(file, options, watched, reporter, model);
     builder.find_materials();
     builder.keep_sound_faces();
+    builder.place_points();
     builder.build();
 }
 

@@ -53,6 +53,11 @@ void ObjReporter::skip(std::string_view path, int line, std::string_view stateme
     }
 }
 
+void ObjReporter::note(std::string_view path, int line, std::string sentence) {
+    if (report_.notes.size() >= static_cast<std::size_t>(most_faults)) return;
+    report_.notes.push_back({visible_line(path), line, std::move(sentence)});
+}
+
 std::string fault_line(const ObjFault& fault) {
     std::string text = fmt::format("{}:{}: {}", fault.path, fault.line, fault.sentence);
     const std::int64_t more = fault.count - 1;
@@ -66,6 +71,13 @@ std::vector<std::string> fault_lines(const ObjReport& report) {
         lines.push_back(fault_line(fault));
     const std::int64_t left = faults_after(report, report.faults.size());
     if (left > 0) lines.push_back(counted(left, "more fault", "more faults") + " after these.");
+    return lines;
+}
+
+std::vector<std::string> note_lines(const ObjReport& report) {
+    std::vector<std::string> lines;
+    for (const ObjFault& note : report.notes)
+        lines.push_back(fault_line(note));
     return lines;
 }
 

@@ -62,7 +62,7 @@ static_assert(sizeof(ObjCounts) == obj_count_list.size() * sizeof(std::int64_t),
               "every count has its row");
 
 /// What there is to say of a statement, or of several that are alike: what is wrong and what is
-/// done instead.
+/// done instead, or what is right and easily overlooked.
 struct ObjFault {
     std::string path;       ///< of the model or of its materials, as messages show it
     int line = 0;           ///< of the first, from 1
@@ -86,6 +86,7 @@ struct ObjSkipped {
 struct ObjReport {
     ObjCounts counts;
     std::vector<ObjFault> faults;    ///< the first `most_faults` of them, in the order of reading
+    std::vector<ObjFault> notes;     ///< what is right and easily overlooked; as many at most
     std::vector<ObjSkipped> skipped; ///< in the order in which the kinds were met
 
     friend bool operator==(const ObjReport&, const ObjReport&) = default;
@@ -141,6 +142,9 @@ class ObjReporter {
         if (index < report_.faults.size()) ++report_.faults[index].count;
     }
 
+    /// Keeps a note if there is room.
+    void note(std::string_view path, int line, std::string sentence);
+
     /// Counts a statement that has no effect. Beyond `most_skipped_kinds` kinds all are one.
     /// @param statement its first word
     void skip(std::string_view path, int line, std::string_view statement, std::string_view why);
@@ -168,6 +172,9 @@ std::string fault_line(const ObjFault& fault);
 
 /// The faults as sentences with file:line; those that were not kept are counted in a last one.
 std::vector<std::string> fault_lines(const ObjReport& report);
+
+/// The notes as sentences with file:line.
+std::vector<std::string> note_lines(const ObjReport& report);
 
 /// The same of what was skipped: "m.obj:3: 4 statements 's' are skipped: ..."
 std::vector<std::string> skipped_lines(const ObjReport& report);

@@ -159,7 +159,7 @@ class StatementReader {
             if (!take_number_word(rest).empty())
                 reporter_.skip(path_, lines_.line(), "v", more_than_a_place);
         } else {
-            file_.positions.emplace_back(std::numeric_limits<float>::quiet_NaN());
+            file_.positions.emplace_back(std::numeric_limits<double>::quiet_NaN());
         }
     }
 

@@ -49,10 +49,10 @@ inline constexpr std::array indexed_kinds{
     IndexedKind{"normal", "normals", "the normal is computed."}};
 
 struct ObjStatements {
-    std::vector<glm::vec3> positions; ///< not a number where one could not be read
-    std::vector<glm::vec2> texcoords; ///< likewise
-    std::vector<glm::vec3> normals;   ///< unit length; zero where one is not to be used
-    std::vector<ObjCorner> corners;   ///< of all faces; may name what is not there
+    std::vector<glm::dvec3> positions; ///< not a number where one could not be read
+    std::vector<glm::vec2> texcoords;  ///< likewise
+    std::vector<glm::vec3> normals;    ///< unit length; zero where one is not to be used
+    std::vector<ObjCorner> corners;    ///< of all faces; may name what is not there
     std::vector<ObjFace> faces;
     std::vector<NamedPart> parts;
     int lines = 0;              ///< of the file

@@ -45,6 +45,7 @@ struct ObjPart {
 /// without texture coordinates a face has no texture.
 struct ObjModel {
     std::string path;
+    glm::dvec3 origin{0.0};     ///< subtracted from all positions of a model that lies far away
     Mesh mesh;                  ///< reflectance and shine are the material's: Kd; Ks and Ns
     std::vector<ObjPart> parts; ///< every triangle belongs to one of them, in order
     std::vector<ObjMaterial> materials;
