@@ -186,12 +186,36 @@ class ModelBuilder {
         return true;
     }
 
+    /// The share of light that the faces of a material give back. Where there is an image, some
+    /// programs write Kd 0 and mean 1.
+    glm::vec3 reflectance_of(const ObjMaterial& of) {
+        if (!is_invisible(of.diffuse)) return of.diffuse;
+        if (of.diffuse_map_line == 0) {
+            reporter_.note(of.file, of.diffuse_line,
+                           fmt::format("the material {} is black: its Kd is 0, and it has no "
+                                       "map_Kd.",
+                                       in_quotes(of.name)));
+            return of.diffuse;
+        }
+        reporter_.fault(of.file, of.diffuse_line, [] {
+            return "'Kd' 0 would leave nothing to see of map_Kd; it counts as 1.";
+        });
+        return glm::vec3(1.0f);
+    }
+
+    /// A corner with the look of a material and nothing else, made when its first face is drawn.
     /// White and dull where there is no material.
-    Vertex look_of(int material) const {
-        Vertex look;
-        if (material < 0) return look;
+    const Vertex& look_of(int material) {
+        const auto [known, is_new] = looks_.try_emplace(material);
+        Vertex& look = known->second;
+        if (!is_new || material < 0) return look;
         const ObjMaterial& of = model_.materials[static_cast<std::size_t>(material)];
-        look.reflectance = of.diffuse;
+        if (is_invisible(glm::vec3(of.alpha))) {
+            reporter_.note(of.file, of.alpha_line,
+                           fmt::format("the material {} is wholly transparent: its alpha is 0.",
+                                       in_quotes(of.name)));
+        }
+        look.reflectance = reflectance_of(of);
         look.shine = {of.specular, std::min(of.shininess, largest_exponent)};
         return look;
     }
@@ -270,6 +294,7 @@ class ModelBuilder {
     std::vector<glm::vec3> points_; ///< the positions of the file
     std::vector<int> material_of_;  ///< each part of the file: index, or -1
     std::set<int> bare_;            ///< materials with an image, of faces that cannot show it
+    std::map<int, Vertex> looks_;   ///< of the materials that are drawn
     int drawn_part_ = -1;           ///< of the face before
 
     PolygonCutter cutter_;

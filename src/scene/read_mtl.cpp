@@ -83,16 +83,17 @@ class MtlReader {
         ObjMaterial& material = materials_.back();
         const bool has_numbers = !is_bump && key != "map_kd";
         if (has_numbers && tells_comma(word, rest)) return;
-        if (key == "kd") return read_colour(word, rest, material.diffuse);
+        if (key == "kd") {
+            material.diffuse_line = lines_.line();
+            return read_colour(word, rest, material.diffuse);
+        }
         if (key == "ks") return read_colour(word, rest, material.specular);
         if (key == "ns") return read_shininess(rest, material);
         if (key == "d" || key == "tr") return read_alpha(key == "d", rest, material);
         if (key == "map_kd") {
-            material.file = path_;
             material.diffuse_map_line = lines_.line();
             return read_map(word, rest, material.diffuse_map, nullptr);
         }
-        material.file = path_;
         material.bump_map_line = lines_.line();
         read_map(word, rest, material.bump_map, &material.bump_strength);
         material.bump_is_normal = key == "norm";
@@ -121,6 +122,7 @@ class MtlReader {
         is_left_out_ = false;
         is_begun_ = true;
         materials_.push_back({});
+        materials_.back().file = path_;
         materials_.back().name = name.substr(0, longest_material_name);
         ++reporter_.report().counts.materials;
     }
@@ -172,6 +174,7 @@ class MtlReader {
             });
         }
         material.alpha = static_cast<float>(is_dissolve ? *number : 1.0 - *number);
+        material.alpha_line = lines_.line();
         material.has_dissolve = material.has_dissolve || is_dissolve;
     }
 
