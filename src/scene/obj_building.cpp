@@ -186,19 +186,21 @@ class ModelBuilder {
         return true;
     }
 
-    /// The share of light that the faces of a material give back. Where there is an image, some
-    /// programs write Kd 0 and mean 1.
+    /// The share of light that the faces of a material give back. Where an image or the points have
+    /// colours, some programs write Kd 0 and mean 1.
     glm::vec3 reflectance_of(const ObjMaterial& of) {
         if (!is_invisible(of.diffuse)) return of.diffuse;
-        if (of.diffuse_map_line == 0) {
+        const bool has_map = of.diffuse_map_line > 0;
+        if (!has_map && file_.colours.empty()) {
             reporter_.note(of.file, of.diffuse_line,
                            fmt::format("the material {} is black: its Kd is 0, and it has no "
                                        "map_Kd.",
                                        in_quotes(of.name)));
             return of.diffuse;
         }
-        reporter_.fault(of.file, of.diffuse_line, [] {
-            return "'Kd' 0 would leave nothing to see of map_Kd; it counts as 1.";
+        reporter_.fault(of.file, of.diffuse_line, [&] {
+            return fmt::format("'Kd' 0 would leave nothing to see of {}; it counts as 1.",
+                               has_map ? "map_Kd" : "the colours of the points");
         });
         return glm::vec3(1.0f);
     }
@@ -265,6 +267,8 @@ class ModelBuilder {
             const ObjCorner& corner = file_.corner(face, i);
             Vertex vertex = look;
             vertex.position = places_[static_cast<std::size_t>(i)];
+            if (!file_.colours.empty())
+                vertex.reflectance *= file_.colours[static_cast<std::size_t>(corner.position)];
             if (is_painted)
                 vertex.texcoord = file_.texcoords[static_cast<std::size_t>(corner.texcoord)];
             if (needs_normal(corner)) {

@@ -95,6 +95,7 @@ struct ObjReport {
 /// Faults of which a file may be full, so that all of a kind are told as one.
 enum class ObjFaultKind : std::uint8_t {
     position,            ///< a statement v that cannot be read
+    colour,              ///< what follows its point
     texcoord,            ///< a statement vt
     normal,              ///< a statement vn
     normal_of_no_length, ///< which has no direction
@@ -105,10 +106,11 @@ enum class ObjFaultKind : std::uint8_t {
     strange_corner,      ///< a corner names more than there is to name
 };
 template <>
-inline constexpr auto
-    enum_words<ObjFaultKind> = word_list("position", "texcoord", "normal", "normal_of_no_length",
-                                         "missing_texcoord", "missing_normal", "strange_texcoord",
-                                         "strange_normal", "strange_corner");
+inline constexpr auto enum_words<ObjFaultKind> = word_list("position", "colour", "texcoord",
+                                                           "normal", "normal_of_no_length",
+                                                           "missing_texcoord", "missing_normal",
+                                                           "strange_texcoord", "strange_normal",
+                                                           "strange_corner");
 static_assert(words_match<ObjFaultKind>);
 
 /// Fills a report while a model and its materials are read.

@@ -15,6 +15,7 @@
 #include "base/limits.h"
 #include "base/quoted.h"
 #include "scene/obj_words.h"
+#include "scene/point_colours.h"
 
 namespace rasterwalk {
 
@@ -59,7 +60,7 @@ constexpr UnusedStatement unused_statements[] = {
 };
 constexpr std::string_view unknown_statement = "it is no statement of a model";
 constexpr std::string_view more_than_a_place =
-    "what follows the three numbers of a point is not used";
+    "what follows the three numbers of a point is no colour, and not used";
 
 class StatementReader {
   public:
@@ -72,11 +73,19 @@ class StatementReader {
         while (lines_.next()) {
             std::string_view rest = lines_.text();
             const std::string_view word = take_word(rest);
-            if (!word.empty() && word.front() != '#') read_statement(word, rest);
+            if (word == "#MRGB")
+                colours_.add_polypaint(trimmed(rest));
+            else if (!word.empty() && word.front() != '#')
+                read_statement(word, rest);
             watched_.step([&] { return bytes_read(); });
         }
         watched_.ask(bytes_read());
         file_.lines = lines_.line_count();
+        file_.colours = colours_.colours(file_.positions.size());
+        if (colours_.are_bytes()) {
+            reporter_.note(path_, colours_.line_of_bytes(),
+                           "the colours of the points are taken to run to 255.");
+        }
         return std::move(file_);
     }
 
@@ -156,11 +165,33 @@ class StatementReader {
         std::array<double, 3> place{};
         if (read_numbers(ObjFaultKind::position, "v", rest, 3, place)) {
             file_.positions.emplace_back(place[0], place[1], place[2]);
-            if (!take_number_word(rest).empty())
-                reporter_.skip(path_, lines_.line(), "v", more_than_a_place);
+            read_colour(rest);
         } else {
             file_.positions.emplace_back(std::numeric_limits<double>::quiet_NaN());
         }
+    }
+
+    /// What follows the coordinates of the last point.
+    void read_colour(std::string_view rest) {
+        std::array<std::string_view, 5> words;
+        std::size_t count = 0;
+        while (count < words.size() && !(words[count] = take_number_word(rest)).empty())
+            ++count;
+        if (count == 0) return;
+        if (count != 3 && count != 4)
+            return reporter_.skip(path_, lines_.line(), "v", more_than_a_place);
+        std::array<double, 4> numbers{};
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::optional<double> number = parse_model_number(words[i]);
+            if (!number) {
+                return fault(ObjFaultKind::colour, [&] {
+                    return fmt::format("{} is no number of a colour; the point is white.",
+                                       in_quotes(words[i]));
+                });
+            }
+            numbers[i] = *number;
+        }
+        colours_.add(file_.positions.size() - 1, std::span(numbers).first(count), lines_.line());
     }
 
     void read_texcoord(std::string_view rest) {
@@ -334,6 +365,7 @@ class StatementReader {
     ObjLibraries& libraries_;
     ObjReporter& reporter_;
     ObjStatements file_;
+    PointColours colours_;
 
     std::string name_, material_; ///< of the faces to come
     int material_line_ = 0;

@@ -52,6 +52,7 @@ struct ObjStatements {
     std::vector<glm::dvec3> positions; ///< not a number where one could not be read
     std::vector<glm::vec2> texcoords;  ///< likewise
     std::vector<glm::vec3> normals;    ///< unit length; zero where one is not to be used
+    std::vector<glm::vec3> colours;    ///< of positions, 0..1; empty: none has one
     std::vector<ObjCorner> corners;    ///< of all faces; may name what is not there
     std::vector<ObjFace> faces;
     std::vector<NamedPart> parts;

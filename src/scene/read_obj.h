@@ -46,7 +46,7 @@ struct ObjPart {
 struct ObjModel {
     std::string path;
     glm::dvec3 origin{0.0};     ///< subtracted from all positions of a model that lies far away
-    Mesh mesh;                  ///< reflectance and shine are the material's: Kd; Ks and Ns
+    Mesh mesh;                  ///< reflectance: Kd times the point's colour; shine: Ks and Ns
     std::vector<ObjPart> parts; ///< every triangle belongs to one of them, in order
     std::vector<ObjMaterial> materials;
     std::vector<SharedTexture> textures; ///< each once, however many materials name it

@@ -136,6 +136,7 @@ TEST_CASE("What is wrong in a model is told with its line, and the rest is read"
         {"v 1,2,3 2 3", "'1,2,3' is no number that 'v' can have; it is left out."},
         {"vt 0 -0,5e1",
          "'-0,5e1' has a decimal comma, and numbers have a point here; 'vt' is left out."},
+        {"v 1 2 3 red 0 0", "'red' is no number of a colour; the point is white."},
         {"v +-1 2 3", "'+-1' is no number that 'v' can have; it is left out."},
         {"v 0x10 2 3", "'0x10' is no number that 'v' can have; it is left out."},
         {"v 1 2", "'v' needs 3 numbers, and has 2; it is left out."},
@@ -210,7 +211,7 @@ TEST_CASE("Statements that have no effect are counted by kind, with the line of 
               "are.",
               "m.obj:8: 1 statement 'zzz\\u001b[2J' is skipped: it is no statement of a model.",
               "m.obj:9: 1 statement 'v' is skipped: what follows the three numbers of a point is "
-              "not used."});
+              "no colour, and not used."});
 }
 
 TEST_CASE("A file without a face is refused, and says why") {
