@@ -18,7 +18,7 @@ struct ObjPlaces {
 
 /// The places of a model's positions. Far away is a model whose box, of the points that its faces
 /// name, has its middle farther than 16 times its longest half side from the origin along an axis;
-/// the origin is then that middle, in as round numbers as its size allows.
+/// the origin is then that middle, to a hundredth of that half side or better.
 /// @param file all its faces name positions that are there
 ObjPlaces obj_places(const ObjStatements& file);
 

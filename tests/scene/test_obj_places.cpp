@@ -117,7 +117,7 @@ TEST_CASE("Where a model lies far away, what is subtracted is a round number, an
     const Shell far{.rounded_to = 1.0 / 64.0, .move = {432100, 6543211, 100}};
     const ObjModel model = parse_obj(text_of(far), "m.obj");
     CHECK(glm::length(model.origin - far.move) < 1.0);
-    CHECK(model.origin == glm::round(model.origin * 10.0) / 10.0);
+    CHECK(model.origin == glm::round(model.origin * 256.0) / 256.0);
     CHECK(model.mesh.vertices()[0].position ==
           parse_obj(text_of({.rounded_to = 1.0 / 64.0, .move = far.move - model.origin}), "m.obj")
               .mesh.vertices()[0]
