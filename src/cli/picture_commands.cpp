@@ -22,8 +22,11 @@ namespace {
 
 void report_troubles(const Frame& frame, const LeftOut& left_out, std::ostream& err) {
     if (frame.scene->model_report) {
-        for (const std::string& line : fault_lines(*frame.scene->model_report))
-            err << "rasterwalk: " << line << '\n';
+        const ObjReport& report = *frame.scene->model_report;
+        for (const std::vector<std::string>& lines : {fault_lines(report), note_lines(report)}) {
+            for (const std::string& line : lines)
+                err << "rasterwalk: " << line << '\n';
+        }
     }
     for (const SettingFault& fault : setting_faults(frame.settings, *frame.given))
         err << "rasterwalk: " << fault.sentence << ".\n";
@@ -100,8 +103,10 @@ Json to_json(const ObjReport& report) {
     std::map<std::string_view, std::int64_t> counts; // by name
     for (const ObjCountInfo& info : obj_count_list)
         counts[info.name] = report.counts.*info.count;
-    return {
-        {"counts", counts}, {"faults", fault_lines(report)}, {"skipped", skipped_lines(report)}};
+    return {{"counts", counts},
+            {"faults", fault_lines(report)},
+            {"notes", note_lines(report)},
+            {"skipped", skipped_lines(report)}};
 }
 
 std::int64_t culled_count(const CullingCost& cost) {

@@ -34,6 +34,12 @@ struct Vertex {
     friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
+/// Is this, as a share of light or as an alpha, too little to be seen in a byte of a picture?
+inline bool is_invisible(const glm::vec3& share) {
+    constexpr float least = 0.5f / 255.0f;
+    return share.x < least && share.y < least && share.z < least;
+}
+
 /// Corners of a triangle as the scene gives it. What is drawn of it may have more, or none.
 inline constexpr int triangle_corners = 3;
 

@@ -39,7 +39,7 @@ std::vector<ModelStep> fitting_steps(const ModelBox& box) {
     const glm::vec3 half = (box.most - box.least) * 0.5f;
     const float longest = std::max({half.x, half.y, half.z});
     // What is smaller is a point: there is nothing to be seen larger.
-    constexpr float smallest = 1e-9f;
+    constexpr float smallest = 1e-30f;
     const float scale = longest > smallest ? 1.0f / longest : 1.0f;
     return {{ModelStepKind::translate, -middle}, {ModelStepKind::scale, {scale, -scale, -scale}}};
 }

@@ -10,8 +10,10 @@
 #include <fmt/format.h>
 
 #include "base/limits.h"
+#include "base/numbers.h"
 #include "base/quoted.h"
 #include "scene/obj_normals.h"
+#include "scene/obj_places.h"
 #include "scene/polygon_cutter.h"
 
 namespace rasterwalk {
@@ -41,6 +43,8 @@ class ModelBuilder {
         }
     }
 
+    /// Leaves out the faces that name a point that is not there. Of the others the corners name no
+    /// texture coordinate and no normal that is not there.
     void keep_sound_faces() {
         const auto is_wrong = [&](const ObjFace& face) {
             const std::string trouble = trouble_of(face);
@@ -53,6 +57,21 @@ class ModelBuilder {
         std::copy_if(file_.faces.begin(), file_.faces.end(), std::back_inserter(sound),
                      [&](const ObjFace& face) { return !is_wrong(face); });
         file_.faces = std::move(sound);
+        for (const ObjFace& face : file_.faces)
+            drop_what_is_missing(face);
+    }
+
+    void place_points() {
+        ObjPlaces made = obj_places(file_);
+        file_.positions = {};
+        points_ = std::move(made.places);
+        model_.origin = made.origin;
+        if (made.origin == glm::dvec3(0.0)) return;
+        reporter_.note(model_.path, file_.faces.front().line,
+                       fmt::format("the model lies far from the origin: ({}, {}, {}) is "
+                                   "subtracted from all its points.",
+                                   shortest(made.origin.x), shortest(made.origin.y),
+                                   shortest(made.origin.z)));
     }
 
     void build() {
@@ -84,26 +103,41 @@ class ModelBuilder {
         return {ReadingPart::triangles, model_.mesh.triangle_count(), file_.triangles};
     }
 
-    /// What is wrong with a face now that everything has been read; empty: nothing.
+    static std::string is_not_there(std::size_t kind, int index, std::size_t count) {
+        return fmt::format("'f' names the {} {}, and there are {}; {}", indexed_kinds[kind].one,
+                           index + 1, count, indexed_kinds[kind].outcome);
+    }
+
+    /// What is wrong with the points of a face now that all are known; empty: nothing.
     std::string trouble_of(const ObjFace& face) const {
-        const std::array counts{file_.positions.size(), file_.texcoords.size(),
-                                file_.normals.size()};
         for (int i = 0; i < face.corner_count; ++i) {
-            const ObjCorner& corner = file_.corner(face, i);
-            const std::array indices{corner.position, corner.texcoord, corner.normal};
-            for (std::size_t kind = 0; kind < indices.size(); ++kind) {
-                if (indices[kind] < 0 || static_cast<std::size_t>(indices[kind]) < counts[kind])
-                    continue;
-                return fmt::format("'f' names the {} {}, and there are {}; {}",
-                                   indexed_kinds[kind].one, indices[kind] + 1, counts[kind],
-                                   face_left_out);
-            }
-            if (std::isnan(file_.positions[static_cast<std::size_t>(corner.position)].x)) {
+            const int position = file_.corner(face, i).position;
+            if (static_cast<std::size_t>(position) >= file_.positions.size())
+                return is_not_there(0, position, file_.positions.size());
+            if (std::isnan(file_.positions[static_cast<std::size_t>(position)].x)) {
                 return fmt::format("'f' names the point {}, which could not be read; {}",
-                                   corner.position + 1, face_left_out);
+                                   position + 1, face_left_out);
             }
         }
         return {};
+    }
+
+    void drop_what_is_missing(const ObjFace& face) {
+        const auto drop = [&](int& index, std::size_t kind, std::size_t count, ObjFaultKind fault) {
+            if (index < 0 || static_cast<std::size_t>(index) < count) return;
+            reporter_.fault(fault, model_.path, face.line,
+                            [&] { return is_not_there(kind, index, count); });
+            index = -1;
+        };
+        for (int i = 0; i < face.corner_count; ++i) {
+            ObjCorner& corner = file_.corners[static_cast<std::size_t>(face.first_corner + i)];
+            drop(corner.texcoord, 1, file_.texcoords.size(), ObjFaultKind::missing_texcoord);
+            drop(corner.normal, 2, file_.normals.size(), ObjFaultKind::missing_normal);
+            // That it could not be read has been told.
+            if (corner.texcoord >= 0 &&
+                std::isnan(file_.texcoords[static_cast<std::size_t>(corner.texcoord)].x))
+                corner.texcoord = -1;
+        }
     }
 
     bool needs_normal(const ObjCorner& corner) const {
@@ -125,7 +159,7 @@ class ModelBuilder {
         }
         all.first_corner.push_back(static_cast<int>(all.positions.size()));
         if (!is_one_missing) return {};
-        return corner_normals(all, file_.positions, options_.crease_angle);
+        return corner_normals(all, points_, options_.crease_angle);
     }
 
     /// False if the face cannot be cut; that is told.
@@ -133,7 +167,7 @@ class ModelBuilder {
         places_.clear();
         for (int i = 0; i < face.corner_count; ++i) {
             const ObjCorner& corner = file_.corner(face, i);
-            places_.push_back(file_.positions[static_cast<std::size_t>(corner.position)]);
+            places_.push_back(points_[static_cast<std::size_t>(corner.position)]);
         }
         const PolygonCut how = cutter_.cut(places_);
         if (how == PolygonCut::refused) {
@@ -152,12 +186,38 @@ class ModelBuilder {
         return true;
     }
 
+    /// The share of light that the faces of a material give back. Where an image or the points have
+    /// colours, some programs write Kd 0 and mean 1.
+    glm::vec3 reflectance_of(const ObjMaterial& of) {
+        if (!is_invisible(of.diffuse)) return of.diffuse;
+        const bool has_map = of.diffuse_map_line > 0;
+        if (!has_map && file_.colours.empty()) {
+            reporter_.note(of.file, of.diffuse_line,
+                           fmt::format("the material {} is black: its Kd is 0, and it has no "
+                                       "map_Kd.",
+                                       in_quotes(of.name)));
+            return of.diffuse;
+        }
+        reporter_.fault(of.file, of.diffuse_line, [&] {
+            return fmt::format("'Kd' 0 would leave nothing to see of {}; it counts as 1.",
+                               has_map ? "map_Kd" : "the colours of the points");
+        });
+        return glm::vec3(1.0f);
+    }
+
+    /// A corner with the look of a material and nothing else, made when its first face is drawn.
     /// White and dull where there is no material.
-    Vertex look_of(int material) const {
-        Vertex look;
-        if (material < 0) return look;
+    const Vertex& look_of(int material) {
+        const auto [known, is_new] = looks_.try_emplace(material);
+        Vertex& look = known->second;
+        if (!is_new || material < 0) return look;
         const ObjMaterial& of = model_.materials[static_cast<std::size_t>(material)];
-        look.reflectance = of.diffuse;
+        if (is_invisible(glm::vec3(of.alpha))) {
+            reporter_.note(of.file, of.alpha_line,
+                           fmt::format("the material {} is wholly transparent: its alpha is 0.",
+                                       in_quotes(of.name)));
+        }
+        look.reflectance = reflectance_of(of);
         look.shine = {of.specular, std::min(of.shininess, largest_exponent)};
         return look;
     }
@@ -175,7 +235,7 @@ class ModelBuilder {
         if (bare_.insert(material).second) {
             reporter_.fault(model_.path, face.line, [&] {
                 return fmt::format(
-                    "'f' names no texture coordinates, and the material {} has an "
+                    "not every corner of 'f' has a texture coordinate, and the material {} has an "
                     "image; such faces keep their colour.",
                     in_quotes(model_.materials[static_cast<std::size_t>(material)].name));
             });
@@ -202,11 +262,14 @@ class ModelBuilder {
     void add_face(const ObjFace& face, const Vertex& look, const std::vector<glm::vec3>& computed,
                   std::size_t first_computed, VertexJoin& join) {
         indices_.clear();
+        const bool is_painted = has_texcoords(face);
         for (int i = 0; i < face.corner_count; ++i) {
             const ObjCorner& corner = file_.corner(face, i);
             Vertex vertex = look;
             vertex.position = places_[static_cast<std::size_t>(i)];
-            if (corner.texcoord >= 0)
+            if (!file_.colours.empty())
+                vertex.reflectance *= file_.colours[static_cast<std::size_t>(corner.position)];
+            if (is_painted)
                 vertex.texcoord = file_.texcoords[static_cast<std::size_t>(corner.texcoord)];
             if (needs_normal(corner)) {
                 vertex.normal = computed[first_computed + static_cast<std::size_t>(i)];
@@ -232,9 +295,11 @@ class ModelBuilder {
     ObjModel& model_;
     ObjImages images_{model_.materials, model_.textures, watched_, reporter_};
 
-    std::vector<int> material_of_; ///< each part of the file: index, or -1
-    std::set<int> bare_;           ///< materials with an image, of faces that cannot show it
-    int drawn_part_ = -1;          ///< of the face before
+    std::vector<glm::vec3> points_; ///< the positions of the file
+    std::vector<int> material_of_;  ///< each part of the file: index, or -1
+    std::set<int> bare_;            ///< materials with an image, of faces that cannot show it
+    std::map<int, Vertex> looks_;   ///< of the materials that are drawn
+    int drawn_part_ = -1;           ///< of the face before
 
     PolygonCutter cutter_;
     std::vector<glm::vec3> places_; ///< of the face that is cut
@@ -248,6 +313,7 @@ void build_model(ObjStatements& file, const ObjOptions& options, WatchedSteps& w
     ModelBuilder builder(file, options, watched, reporter, model);
     builder.find_materials();
     builder.keep_sound_faces();
+    builder.place_points();
     builder.build();
 }
 

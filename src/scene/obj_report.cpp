@@ -17,6 +17,14 @@ namespace {
 constexpr std::size_t longest_kind = 24;
 constexpr std::string_view further_kinds = "others";
 
+/// Faults that are not among the first ones of the list, nor counted with them.
+std::int64_t faults_after(const ObjReport& report, std::size_t first) {
+    std::int64_t left = report.counts.faults;
+    for (std::size_t i = 0; i < first; ++i)
+        left -= report.faults[i].count;
+    return left;
+}
+
 } // namespace
 
 bool ObjReporter::has_room() const {
@@ -45,19 +53,31 @@ void ObjReporter::skip(std::string_view path, int line, std::string_view stateme
     }
 }
 
+void ObjReporter::note(std::string_view path, int line, std::string sentence) {
+    if (report_.notes.size() >= static_cast<std::size_t>(most_faults)) return;
+    report_.notes.push_back({visible_line(path), line, std::move(sentence)});
+}
+
 std::string fault_line(const ObjFault& fault) {
-    return fmt::format("{}:{}: {}", fault.path, fault.line, fault.sentence);
+    std::string text = fmt::format("{}:{}: {}", fault.path, fault.line, fault.sentence);
+    const std::int64_t more = fault.count - 1;
+    if (more > 0) text += fmt::format(" There {} {} more like it.", more == 1 ? "is" : "are", more);
+    return text;
 }
 
 std::vector<std::string> fault_lines(const ObjReport& report) {
     std::vector<std::string> lines;
     for (const ObjFault& fault : report.faults)
         lines.push_back(fault_line(fault));
-    const std::int64_t kept = static_cast<std::int64_t>(report.faults.size());
-    if (report.counts.faults > kept) {
-        lines.push_back(counted(report.counts.faults - kept, "more fault", "more faults") +
-                        " after these.");
-    }
+    const std::int64_t left = faults_after(report, report.faults.size());
+    if (left > 0) lines.push_back(counted(left, "more fault", "more faults") + " after these.");
+    return lines;
+}
+
+std::vector<std::string> note_lines(const ObjReport& report) {
+    std::vector<std::string> lines;
+    for (const ObjFault& note : report.notes)
+        lines.push_back(fault_line(note));
     return lines;
 }
 
@@ -81,7 +101,7 @@ std::string fault_notice(const ObjReport& report) {
     const std::size_t told = std::min(report.faults.size(), most_told);
     for (std::size_t i = 0; i < told; ++i)
         add(fault_line(report.faults[i]));
-    const std::int64_t more = report.counts.faults - static_cast<std::int64_t>(told);
+    const std::int64_t more = faults_after(report, told);
     if (more > 0) add(counted(more, "more fault", "more faults") + " after that.");
     return notice;
 }

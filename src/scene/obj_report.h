@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/enum_words.h"
+
 namespace rasterwalk {
 
 /// How much a model file holds. In 64 bits: no file can make a count run over.
@@ -26,7 +28,7 @@ struct ObjCounts {
     std::int64_t parts = 0;            ///< runs of faces of one object, group and material
     std::int64_t materials = 0;        ///< statements newmtl
     std::int64_t textures = 0;         ///< images that are drawn: map_Kd, norm, bump
-    std::int64_t faults = 0;           ///< statements that are wrong
+    std::int64_t faults = 0;           ///< statements in which something is wrong
 
     friend bool operator==(const ObjCounts&, const ObjCounts&) = default;
 };
@@ -53,16 +55,19 @@ inline constexpr std::array obj_count_list{
     ObjCountInfo{"parts", "runs of faces of one object, group and material", &ObjCounts::parts},
     ObjCountInfo{"materials", "newmtl, in the files that mtllib names", &ObjCounts::materials},
     ObjCountInfo{"textures", "images that are drawn: map_Kd, norm, bump", &ObjCounts::textures},
-    ObjCountInfo{"faults", "statements that are wrong; they are left out", &ObjCounts::faults},
+    ObjCountInfo{"faults", "statements in which something is wrong; that is left out",
+                 &ObjCounts::faults},
 };
 static_assert(sizeof(ObjCounts) == obj_count_list.size() * sizeof(std::int64_t),
               "every count has its row");
 
-/// A statement that is wrong. It is left out, and what stands after it is read.
+/// What there is to say of a statement, or of several that are alike: what is wrong and what is
+/// done instead, or what is right and easily overlooked.
 struct ObjFault {
-    std::string path;     ///< of the model or of its materials, as messages show it
-    int line = 0;         ///< from 1
-    std::string sentence; ///< what is wrong and what is done instead; ends with a full stop
+    std::string path;       ///< of the model or of its materials, as messages show it
+    int line = 0;           ///< of the first, from 1
+    std::string sentence;   ///< of the first; ends with a full stop
+    std::int64_t count = 1; ///< statements of which it is said
 
     friend bool operator==(const ObjFault&, const ObjFault&) = default;
 };
@@ -81,10 +86,32 @@ struct ObjSkipped {
 struct ObjReport {
     ObjCounts counts;
     std::vector<ObjFault> faults;    ///< the first `most_faults` of them, in the order of reading
+    std::vector<ObjFault> notes;     ///< what is right and easily overlooked; as many at most
     std::vector<ObjSkipped> skipped; ///< in the order in which the kinds were met
 
     friend bool operator==(const ObjReport&, const ObjReport&) = default;
 };
+
+/// Faults of which a file may be full, so that all of a kind are told as one.
+enum class ObjFaultKind : std::uint8_t {
+    position,            ///< a statement v that cannot be read
+    colour,              ///< what follows its point
+    texcoord,            ///< a statement vt
+    normal,              ///< a statement vn
+    normal_of_no_length, ///< which has no direction
+    missing_texcoord,    ///< a face names one that is not there
+    missing_normal,      ///< likewise
+    strange_texcoord,    ///< a face has something else in its place
+    strange_normal,      ///< likewise
+    strange_corner,      ///< a corner names more than there is to name
+};
+template <>
+inline constexpr auto enum_words<ObjFaultKind> = word_list("position", "colour", "texcoord",
+                                                           "normal", "normal_of_no_length",
+                                                           "missing_texcoord", "missing_normal",
+                                                           "strange_texcoord", "strange_normal",
+                                                           "strange_corner");
+static_assert(words_match<ObjFaultKind>);
 
 /// Fills a report while a model and its materials are read.
 class ObjReporter {
@@ -100,6 +127,26 @@ class ObjReporter {
         if (has_room()) keep(path, line, say());
     }
 
+    /// Counts a fault of which a file may be full: of each kind the first is kept, and the others
+    /// are counted with it. Of one line a kind is told once.
+    /// @param path the same for all of a kind
+    template <class Say>
+    void fault(ObjFaultKind kind, std::string_view path, int line, Say say) {
+        Repeated& known = repeated_[static_cast<std::size_t>(kind)];
+        if (known.last_line == line) return;
+        known.last_line = line;
+        if (known.index < 0) {
+            known.index = static_cast<int>(report_.faults.size());
+            return fault(path, line, say);
+        }
+        ++report_.counts.faults;
+        const auto index = static_cast<std::size_t>(known.index);
+        if (index < report_.faults.size()) ++report_.faults[index].count;
+    }
+
+    /// Keeps a note if there is room.
+    void note(std::string_view path, int line, std::string sentence);
+
     /// Counts a statement that has no effect. Beyond `most_skipped_kinds` kinds all are one.
     /// @param statement its first word
     void skip(std::string_view path, int line, std::string_view statement, std::string_view why);
@@ -107,18 +154,29 @@ class ObjReporter {
     ObjReport& report() { return report_; }
 
   private:
+    /// What is known of a kind of fault that is told once.
+    struct Repeated {
+        int index = -1;    ///< of the first in the list, or where it had no room
+        int last_line = 0; ///< in which it was found
+    };
+
     bool has_room() const;
     void keep(std::string_view path, int line, std::string sentence);
 
     ObjReport& report_;
     std::map<std::string, std::size_t, std::less<>> kinds_; ///< the index in `skipped` by the word
+    std::array<Repeated, enum_words<ObjFaultKind>.size()> repeated_;
 };
 
-/// "m.obj:7: 'f' has 2 corners, and a face has at least three; it is left out."
+/// "m.obj:7: 'f' names the normal 1, and there are 0; it is computed. There are 11 more
+/// like it."
 std::string fault_line(const ObjFault& fault);
 
 /// The faults as sentences with file:line; those that were not kept are counted in a last one.
 std::vector<std::string> fault_lines(const ObjReport& report);
+
+/// The notes as sentences with file:line.
+std::vector<std::string> note_lines(const ObjReport& report);
 
 /// The same of what was skipped: "m.obj:3: 4 statements 's' are skipped: ..."
 std::vector<std::string> skipped_lines(const ObjReport& report);

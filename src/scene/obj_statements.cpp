@@ -15,6 +15,7 @@
 #include "base/limits.h"
 #include "base/quoted.h"
 #include "scene/obj_words.h"
+#include "scene/point_colours.h"
 
 namespace rasterwalk {
 
@@ -59,7 +60,7 @@ constexpr UnusedStatement unused_statements[] = {
 };
 constexpr std::string_view unknown_statement = "it is no statement of a model";
 constexpr std::string_view more_than_a_place =
-    "what follows the three numbers of a point is not used";
+    "what follows the three numbers of a point is no colour, and not used";
 
 class StatementReader {
   public:
@@ -72,11 +73,19 @@ class StatementReader {
         while (lines_.next()) {
             std::string_view rest = lines_.text();
             const std::string_view word = take_word(rest);
-            if (!word.empty() && word.front() != '#') read_statement(word, rest);
+            if (word == "#MRGB")
+                colours_.add_polypaint(trimmed(rest));
+            else if (!word.empty() && word.front() != '#')
+                read_statement(word, rest);
             watched_.step([&] { return bytes_read(); });
         }
         watched_.ask(bytes_read());
         file_.lines = lines_.line_count();
+        file_.colours = colours_.colours(file_.positions.size());
+        if (colours_.are_bytes()) {
+            reporter_.note(path_, colours_.line_of_bytes(),
+                           "the colours of the points are taken to run to 255.");
+        }
         return std::move(file_);
     }
 
@@ -89,6 +98,10 @@ class StatementReader {
     template <class Say>
     void fault(Say say) {
         reporter_.fault(path_, lines_.line(), say);
+    }
+    template <class Say>
+    void fault(ObjFaultKind kind, Say say) {
+        reporter_.fault(kind, path_, lines_.line(), say);
     }
     [[noreturn]] void refuse(const std::string& sentence) const {
         throw InputError(visible_line(path_), lines_.line(), sentence);
@@ -110,17 +123,19 @@ class StatementReader {
     }
 
     /// Reads as many numbers as there is room for.
+    /// @param kind of the faults
     /// @return how many there are; nothing, and a fault is told, if a word is no number or there
     /// are fewer than `fewest`
-    std::optional<int> read_numbers(std::string_view what, std::string_view& rest, int fewest,
-                                    std::span<double> numbers) {
+    std::optional<int> read_numbers(ObjFaultKind kind, std::string_view what,
+                                    std::string_view& rest, int fewest, std::span<double> numbers) {
         int count = 0;
         for (double& number : numbers) {
             const std::string_view word = take_number_word(rest);
             if (word.empty()) break;
             const std::optional<double> read = parse_model_number(word);
             if (!read) {
-                fault([&] {
+                fault(kind, [&] {
+                    if (has_decimal_comma(word)) return decimal_comma_sentence(word, what);
                     return fmt::format("{} is no number that '{}' can have; it is left out.",
                                        in_quotes(word), what);
                 });
@@ -130,7 +145,7 @@ class StatementReader {
             ++count;
         }
         if (count >= fewest) return count;
-        fault([&] {
+        fault(kind, [&] {
             return fmt::format("'{}' needs {} numbers, and has {}; it is left out.", what, fewest,
                                count);
         });
@@ -148,22 +163,44 @@ class StatementReader {
     void read_position(std::string_view rest) {
         check_room(file_.positions, indexed_kinds[0].many);
         std::array<double, 3> place{};
-        if (read_numbers("v", rest, 3, place)) {
+        if (read_numbers(ObjFaultKind::position, "v", rest, 3, place)) {
             file_.positions.emplace_back(place[0], place[1], place[2]);
-            if (!take_number_word(rest).empty())
-                reporter_.skip(path_, lines_.line(), "v", more_than_a_place);
+            read_colour(rest);
         } else {
-            file_.positions.emplace_back(std::numeric_limits<float>::quiet_NaN());
+            file_.positions.emplace_back(std::numeric_limits<double>::quiet_NaN());
         }
+    }
+
+    /// What follows the coordinates of the last point.
+    void read_colour(std::string_view rest) {
+        std::array<std::string_view, 5> words;
+        std::size_t count = 0;
+        while (count < words.size() && !(words[count] = take_number_word(rest)).empty())
+            ++count;
+        if (count == 0) return;
+        if (count != 3 && count != 4)
+            return reporter_.skip(path_, lines_.line(), "v", more_than_a_place);
+        std::array<double, 4> numbers{};
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::optional<double> number = parse_model_number(words[i]);
+            if (!number) {
+                return fault(ObjFaultKind::colour, [&] {
+                    return fmt::format("{} is no number of a colour; the point is white.",
+                                       in_quotes(words[i]));
+                });
+            }
+            numbers[i] = *number;
+        }
+        colours_.add(file_.positions.size() - 1, std::span(numbers).first(count), lines_.line());
     }
 
     void read_texcoord(std::string_view rest) {
         check_room(file_.texcoords, indexed_kinds[1].many);
         std::array<double, 2> place{};
-        if (read_numbers("vt", rest, 1, place)) {
+        if (read_numbers(ObjFaultKind::texcoord, "vt", rest, 1, place)) {
             file_.texcoords.emplace_back(place[0], place[1]);
         } else {
-            file_.texcoords.emplace_back(0.0f);
+            file_.texcoords.emplace_back(std::numeric_limits<float>::quiet_NaN());
         }
     }
 
@@ -171,16 +208,29 @@ class StatementReader {
         check_room(file_.normals, indexed_kinds[2].many);
         std::array<double, 3> way{};
         file_.normals.emplace_back(0.0f);
-        if (!read_numbers("vn", rest, 3, way)) return;
+        if (!read_numbers(ObjFaultKind::normal, "vn", rest, 3, way)) return;
         const glm::dvec3 normal(way[0], way[1], way[2]);
         const double length = glm::length(normal);
         if (length > 0.0) {
             file_.normals.back() = glm::vec3(normal / length);
             return;
         }
-        fault([] {
+        fault(ObjFaultKind::normal_of_no_length, [] {
             return "a normal of length 0 points nowhere; where it is named, it is computed.";
         });
+    }
+
+    /// Tells what is wrong with the index of a corner: each face without its point, but the others,
+    /// which cost no face, by kind.
+    template <class Say>
+    void index_fault(std::size_t kind, bool is_strange, Say say) {
+        if (kind == 0) return fault(say);
+        const bool is_texcoord = kind == 1;
+        if (is_strange) {
+            fault(is_texcoord ? ObjFaultKind::strange_texcoord : ObjFaultKind::strange_normal, say);
+        } else {
+            fault(is_texcoord ? ObjFaultKind::missing_texcoord : ObjFaultKind::missing_normal, say);
+        }
     }
 
     /// A part of a corner: "7", "-1", or nothing.
@@ -193,9 +243,9 @@ class StatementReader {
         const bool is_number = read.ptr == word.data() + word.size();
         const bool is_in_range = read.ec == std::errc{};
         if (!is_number || read.ec == std::errc::invalid_argument) {
-            fault([&] {
+            index_fault(kind, true, [&] {
                 return fmt::format("{} is no number of a {}; {}", in_quotes(word),
-                                   indexed_kinds[kind].one, face_left_out);
+                                   indexed_kinds[kind].one, indexed_kinds[kind].outcome);
             });
             return std::nullopt;
         }
@@ -203,18 +253,20 @@ class StatementReader {
         if (is_in_range && number > 0 && number <= static_cast<std::int64_t>(most_model_points))
             return static_cast<int>(number - 1);
         if (is_in_range && number < 0 && -known <= number) return static_cast<int>(known + number);
-        fault([&] {
+        index_fault(kind, false, [&] {
             if (is_in_range && number == 0) {
                 return fmt::format("{} are counted from 1, and 'f' names 0; {}",
-                                   indexed_kinds[kind].many, face_left_out);
+                                   indexed_kinds[kind].many, indexed_kinds[kind].outcome);
             }
             return fmt::format("'f' names the {} {}, and {} stand before it; {}",
-                               indexed_kinds[kind].one, word.substr(0, 24), count, face_left_out);
+                               indexed_kinds[kind].one, word.substr(0, 24), count,
+                               indexed_kinds[kind].outcome);
         });
         return std::nullopt;
     }
 
-    /// A corner: a, a/b, a//c or a/b/c.
+    /// A corner: a, a/b, a//c or a/b/c. Without a point there is none; what else is wrong is told,
+    /// and not named by the corner.
     bool read_corner(std::string_view word) {
         const std::array counts_before{file_.positions.size(), file_.texcoords.size(),
                                        file_.normals.size()};
@@ -224,16 +276,23 @@ class StatementReader {
             const std::size_t slash = std::min(rest.find('/'), rest.size());
             const std::optional<int> index =
                 read_index(rest.substr(0, slash), kind, counts_before[kind]);
-            if (!index) return false;
-            indices[kind] = *index;
+            if (kind == 0 && !index) return false;
+            indices[kind] = index.value_or(-1);
             rest.remove_prefix(std::min(slash + 1, rest.size()));
         }
-        if (indices[0] < 0 || !rest.empty()) {
+        if (indices[0] < 0) {
             fault([&] {
                 return fmt::format("{} is no corner: a, a/b, a//c or a/b/c; {}", in_quotes(word),
                                    face_left_out);
             });
             return false;
+        }
+        if (!rest.empty()) {
+            fault(ObjFaultKind::strange_corner, [&] {
+                return fmt::format("{} is no corner: a, a/b, a//c or a/b/c; what follows its third "
+                                   "part is not used.",
+                                   in_quotes(word));
+            });
         }
         file_.corners.push_back({indices[0], indices[1], indices[2]});
         return true;
@@ -306,6 +365,7 @@ class StatementReader {
     ObjLibraries& libraries_;
     ObjReporter& reporter_;
     ObjStatements file_;
+    PointColours colours_;
 
     std::string name_, material_; ///< of the faces to come
     int material_line_ = 0;

@@ -35,22 +35,25 @@ struct NamedPart {
     int material_line = 0;
 };
 
-/// What a corner names, for sentences.
-struct IndexedKind {
-    std::string_view one, many;
-};
-inline constexpr std::array indexed_kinds{IndexedKind{"point", "points"},
-                                          IndexedKind{"texture coordinate", "texture coordinates"},
-                                          IndexedKind{"normal", "normals"}};
-
-/// How a sentence about a wrong face ends.
+/// How a sentence about a face ends that is not drawn.
 inline constexpr std::string_view face_left_out = "the face is left out.";
 
+/// What a corner names, for sentences, and what becomes of a face that names a wrong one.
+struct IndexedKind {
+    std::string_view one, many, outcome;
+};
+inline constexpr std::array indexed_kinds{
+    IndexedKind{"point", "points", face_left_out},
+    IndexedKind{"texture coordinate", "texture coordinates",
+                "the face is drawn without texture coordinates."},
+    IndexedKind{"normal", "normals", "the normal is computed."}};
+
 struct ObjStatements {
-    std::vector<glm::vec3> positions; ///< not a number where one could not be read
-    std::vector<glm::vec2> texcoords;
-    std::vector<glm::vec3> normals; ///< unit length; zero where one is not to be used
-    std::vector<ObjCorner> corners; ///< of all faces; may name what is not there
+    std::vector<glm::dvec3> positions; ///< not a number where one could not be read
+    std::vector<glm::vec2> texcoords;  ///< likewise
+    std::vector<glm::vec3> normals;    ///< unit length; zero where one is not to be used
+    std::vector<glm::vec3> colours;    ///< of positions, 0..1; empty: none has one
+    std::vector<ObjCorner> corners;    ///< of all faces; may name what is not there
     std::vector<ObjFace> faces;
     std::vector<NamedPart> parts;
     int lines = 0;              ///< of the file

@@ -109,4 +109,22 @@ std::optional<double> parse_model_number(std::string_view word) {
     return number;
 }
 
+bool has_decimal_comma(std::string_view word) {
+    std::string pointed(word);
+    const std::size_t comma = pointed.find(',');
+    if (comma == pointed.npos) return false;
+    pointed[comma] = '.';
+    return parse_model_number(pointed).has_value();
+}
+
+std::string decimal_comma_sentence(std::string_view word, std::string_view statement) {
+    return in_quotes(word) + " has a decimal comma, and numbers have a point here; " +
+           in_quotes(statement) + " is left out.";
+}
+
+bool is_utf16(std::string_view text) {
+    return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") ||
+           (text.size() >= 2 && (text[0] == '\0') != (text[1] == '\0'));
+}
+
 } // namespace rasterwalk

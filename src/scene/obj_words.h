@@ -49,4 +49,13 @@ std::string_view take_number_word(std::string_view& text);
 /// no number, for nan and inf, and beyond `largest_model_coordinate`.
 std::optional<double> parse_model_number(std::string_view word);
 
+/// Is this a number with a decimal comma, "1,5", as programs write it under some locales?
+bool has_decimal_comma(std::string_view word);
+
+/// "'1,5' has a decimal comma, and numbers have a point here; 'v' is left out."
+std::string decimal_comma_sentence(std::string_view word, std::string_view statement);
+
+/// Is the text UTF-16? It has its byte order mark, or a zero in its first character.
+bool is_utf16(std::string_view text);
+
 } // namespace rasterwalk

@@ -81,19 +81,32 @@ class MtlReader {
             });
         }
         ObjMaterial& material = materials_.back();
-        if (key == "kd") return read_colour(word, rest, material.diffuse);
+        const bool has_numbers = !is_bump && key != "map_kd";
+        if (has_numbers && tells_comma(word, rest)) return;
+        if (key == "kd") {
+            material.diffuse_line = lines_.line();
+            return read_colour(word, rest, material.diffuse);
+        }
         if (key == "ks") return read_colour(word, rest, material.specular);
         if (key == "ns") return read_shininess(rest, material);
         if (key == "d" || key == "tr") return read_alpha(key == "d", rest, material);
         if (key == "map_kd") {
-            material.file = path_;
             material.diffuse_map_line = lines_.line();
             return read_map(word, rest, material.diffuse_map, nullptr);
         }
-        material.file = path_;
         material.bump_map_line = lines_.line();
         read_map(word, rest, material.bump_map, &material.bump_strength);
         material.bump_is_normal = key == "norm";
+    }
+
+    /// Is a word of a statement a number with a decimal comma? That is told.
+    bool tells_comma(std::string_view statement, std::string_view rest) {
+        std::string_view word = take_number_word(rest);
+        while (!word.empty() && !has_decimal_comma(word))
+            word = take_number_word(rest);
+        if (word.empty()) return false;
+        fault([&] { return decimal_comma_sentence(word, statement); });
+        return true;
     }
 
     void begin_material(std::string_view rest) {
@@ -109,6 +122,7 @@ class MtlReader {
         is_left_out_ = false;
         is_begun_ = true;
         materials_.push_back({});
+        materials_.back().file = path_;
         materials_.back().name = name.substr(0, longest_material_name);
         ++reporter_.report().counts.materials;
     }
@@ -160,6 +174,7 @@ class MtlReader {
             });
         }
         material.alpha = static_cast<float>(is_dissolve ? *number : 1.0 - *number);
+        material.alpha_line = lines_.line();
         material.has_dissolve = material.has_dissolve || is_dissolve;
     }
 

@@ -22,10 +22,12 @@ struct ObjMaterial {
     glm::vec3 specular{0.0f};    ///< Ks: share of light mirrored, 0..1
     float shininess = 0.0f;      ///< Ns: exponent of the highlight, from 0
     float alpha = 1.0f;          ///< d, or 1 - Tr: 0 (clear) to 1 (opaque)
+    int alpha_line = 0;          ///< of d or Tr there, whichever counts; 0: none
     bool has_dissolve = false;   ///< d is given; Tr has no say then
     std::string diffuse_map;     ///< map_Kd: path of a file that is there; empty: none
-    std::string file;            ///< in which the images stand
-    int diffuse_map_line = 0;    ///< its line there, from 1
+    std::string file;            ///< in which it stands
+    int diffuse_line = 0;        ///< of Kd there, from 1; 0: none
+    int diffuse_map_line = 0;    ///< of map_Kd, whether or not the image is there; 0: none
     std::string bump_map;        ///< bump, map_Bump or norm: the same
     int bump_map_line = 0;       ///< its line
     float bump_strength = 1.0f;  ///< -bm of that map

@@ -9,6 +9,7 @@
 #include "scene/obj_building.h"
 #include "scene/obj_materials.h"
 #include "scene/obj_statements.h"
+#include "scene/obj_words.h"
 
 namespace rasterwalk {
 
@@ -40,7 +41,7 @@ bool is_model_file(std::string_view path) {
 
 ObjModel parse_obj(std::string_view text, const std::string& path, const ObjOptions& options,
                    const ReadingWatch& watch) {
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    if (is_utf16(text))
         throw InputError(visible_line(path), 1, "the file is UTF-16; a model is plain text.");
     ObjModel model;
     model.path = path;

@@ -41,10 +41,12 @@ struct ObjPart {
 };
 
 /// A model as its file has it: in its own axes and units, fronts counterclockwise, v of texcoords
-/// running up.
+/// running up. What a corner names and is not there costs only itself: a normal is computed, and
+/// without texture coordinates a face has no texture.
 struct ObjModel {
     std::string path;
-    Mesh mesh;                  ///< reflectance and shine are the material's: Kd; Ks and Ns
+    glm::dvec3 origin{0.0};     ///< subtracted from all positions of a model that lies far away
+    Mesh mesh;                  ///< reflectance: Kd times the point's colour; shine: Ks and Ns
     std::vector<ObjPart> parts; ///< every triangle belongs to one of them, in order
     std::vector<ObjMaterial> materials;
     std::vector<SharedTexture> textures; ///< each once, however many materials name it

@@ -41,6 +41,24 @@ TEST_CASE("stats counts what a model file holds, and tells what is left out") {
     CHECK(run({"stats"}).out.find("model.") == std::string::npos);
 }
 
+TEST_CASE("render and stats tell what is right in a model and easily overlooked") {
+    const TemporaryFolder folder;
+    folder.write("m.mtl", "newmtl a\nKd 0 0 0\nd 0\n");
+    const std::string path =
+        folder.write("m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+    const std::string black =
+        folder.file("m.mtl") + ":2: the material 'a' is black: its Kd is 0, and it has no map_Kd.";
+    const std::string clear =
+        folder.file("m.mtl") + ":3: the material 'a' is wholly transparent: its alpha is 0.";
+    const CliRun drawn = run({"render", "--scene", path, "-o", folder.file("m.png")});
+    CHECK(drawn.exit_code == 0);
+    CHECK(drawn.err == "rasterwalk: " + clear + "\nrasterwalk: " + black + "\n");
+    const CliRun counted = run({"stats", "--json", path});
+    CHECK_THAT(counted.err, ContainsSubstring(clear) && ContainsSubstring(black));
+    CHECK(nlohmann::json::parse(counted.out)["model"]["notes"] ==
+          nlohmann::json::array({clear, black}));
+}
+
 TEST_CASE("A model with faults opens, and the first is told beside it") {
     const TemporaryFolder folder;
     ViewOptions options;

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include "base/error.h"
 #include "base/faults.h"
 #include "base/limits.h"
@@ -28,14 +30,17 @@ const std::vector<std::string> model_seeds{
     "mtllib . /dev/zero x.mtl\nv 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nv 1 .5 0\nv 0 0 9\nf 1 2 3 4 5 "
     "6\n"
     "f 6 5 4 3 2 1 2 3\nl 1 2\ncurv 0 1 1 2\n",
+    "v 9e8 0 0 255 0 0\n#MRGB ffff0000ff00ff00\nv 9e8 1 0 1 0 .5 1\nv 9e8 0 -1 0 300 -1\nvt "
+    "nan\nvt .5\n"
+    "vn nan 0 0\nf 1/1/1 2/9/9 3/0/0\nf 1/2/-1 2/x/ 3//1/1\n",
 };
 
 /// Words at which readers stumble.
 const std::vector<std::string> stumbling_words{
-    "nan",     "-inf",    "1e999", "0",    "-1", "4294967297", "9223372036854775808",
-    "/",       "//",      "\\",    "\\\n", "#",  "f ",         "v ",
-    "mtllib ", "usemtl ", "\n",    "\r",   "g ", "1/1/1",      "\x80",
-    "1e-50",   "+",       "-",     "1e9",  " ",  "\t"};
+    "nan",     "-inf",    "1e999", "0",    "-1",  "4294967297", "9223372036854775808",
+    "/",       "//",      "\\",    "\\\n", "#",   "f ",         "v ",
+    "mtllib ", "usemtl ", "\n",    "\r",   "g ",  "1/1/1",      "\x80",
+    "1e-50",   "#MRGB 7", "+",     "-",    "1e9", " ",          "\t"};
 
 std::string changed_text(test::Random& random) {
     const auto pick = [&](const std::vector<std::string>& list) {
@@ -90,6 +95,8 @@ void check_sound(const ObjModel& model) {
     }
     const Scene scene = scene_of_model(model);
     for (const Vertex& vertex : scene.mesh.vertices()) {
+        const bool is_colour = vertex.reflectance == glm::clamp(vertex.reflectance, 0.0f, 1.0f);
+        CHECK(is_colour);
         const bool is_within = std::abs(vertex.position.x) <= 1.001f &&
                                std::abs(vertex.position.y) <= 1.001f &&
                                std::abs(vertex.position.z) <= 1.001f;

@@ -172,8 +172,9 @@ TEST_CASE("Faces without texture coordinates keep their colour in a part of thei
                               "f 1/1 2/1 3/1\nf 1 2 3\nf 1/1 2 3/1\nf 3/1 2/1 1/1\n");
     const ObjModel model = read_obj(path);
     CHECK(fault_lines(model.report) ==
-          std::vector<std::string>{path + ":8: 'f' names no texture coordinates, and the material "
-                                          "'a' has an image; such faces keep their colour."});
+          std::vector<std::string>{path + ":8: not every corner of 'f' has a texture coordinate, "
+                                          "and the material 'a' has an image; such faces keep "
+                                          "their colour."});
     std::vector<std::array<int, 3>> parts;
     for (const ObjPart& part : model.parts)
         parts.push_back({part.first_triangle, part.triangle_count, part.texture});

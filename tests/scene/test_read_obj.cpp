@@ -132,7 +132,11 @@ TEST_CASE("What is wrong in a model is told with its line, and the rest is read"
         {"v 1 -inf 0", "'-inf' is no number that 'v' can have; it is left out."},
         {"v 1 1e999 0", "'1e999' is no number that 'v' can have; it is left out."},
         {"v 1 2e9 0", "'2e9' is no number that 'v' can have; it is left out."},
-        {"v 1,5 2 3", "'1,5' is no number that 'v' can have; it is left out."},
+        {"v 1,5 2 3", "'1,5' has a decimal comma, and numbers have a point here; 'v' is left out."},
+        {"v 1,2,3 2 3", "'1,2,3' is no number that 'v' can have; it is left out."},
+        {"vt 0 -0,5e1",
+         "'-0,5e1' has a decimal comma, and numbers have a point here; 'vt' is left out."},
+        {"v 1 2 3 red 0 0", "'red' is no number of a colour; the point is white."},
         {"v +-1 2 3", "'+-1' is no number that 'v' can have; it is left out."},
         {"v 0x10 2 3", "'0x10' is no number that 'v' can have; it is left out."},
         {"v 1 2", "'v' needs 3 numbers, and has 2; it is left out."},
@@ -152,14 +156,17 @@ TEST_CASE("What is wrong in a model is told with its line, and the rest is read"
         {"f 1 2 99999999999999999999",
          "'f' names the point 99999999999999999999, and 3 stand before it; the face is left out."},
         {"f 1/1 2/1 3/1",
-         "'f' names the texture coordinate 1, and there are 0; the face is left out."},
-        {"f 1//0 2 3", "normals are counted from 1, and 'f' names 0; the face is left out."},
-        {"f 1//-1 2 3", "'f' names the normal -1, and 0 stand before it; the face is left out."},
+         "'f' names the texture coordinate 1, and there are 0; the face is drawn without texture "
+         "coordinates."},
+        {"f 1//0 2 3", "normals are counted from 1, and 'f' names 0; the normal is computed."},
+        {"f 1//-1 2 3", "'f' names the normal -1, and 0 stand before it; the normal is computed."},
         {"f 1 2 x", "'x' is no number of a point; the face is left out."},
         {"f 1 2 3.5", "'3.5' is no number of a point; the face is left out."},
-        {"f 1 2 3/a", "'a' is no number of a texture coordinate; the face is left out."},
+        {"f 1 2 3/a", "'a' is no number of a texture coordinate; the face is drawn without texture "
+                      "coordinates."},
         {"f 1 2 /3", "'/3' is no corner: a, a/b, a//c or a/b/c; the face is left out."},
-        {"f 1 2 3///1", "'3///1' is no corner: a, a/b, a//c or a/b/c; the face is left out."},
+        {"f 1 2 3///1", "'3///1' is no corner: a, a/b, a//c or a/b/c; what follows its third part "
+                        "is not used."},
         {"mtllib", "'mtllib': no file is named; it is left out."},
         {"mtllib not-there.mtl", "'mtllib': there is no file 'not-there.mtl'; it is left out."},
         {"mtllib /dev/zero",
@@ -194,7 +201,7 @@ TEST_CASE("A point that cannot be read keeps its number, and takes its faces wit
 
 TEST_CASE("Statements that have no effect are counted by kind, with the line of the first") {
     const ObjModel model =
-        parse_obj("s 1\n" + one_face + "s off\nl 1 2\nzzz\x1b[2J\nv 1 2 3 4 5 6\n", "m.obj");
+        parse_obj("s 1\n" + one_face + "s off\nl 1 2\nzzz\x1b[2J\nv 1 2 3 4\n", "m.obj");
     CHECK(model.report.counts.faults == 0);
     CHECK(skipped_lines(model.report) ==
           std::vector<std::string>{
@@ -204,7 +211,7 @@ TEST_CASE("Statements that have no effect are counted by kind, with the line of 
               "are.",
               "m.obj:8: 1 statement 'zzz\\u001b[2J' is skipped: it is no statement of a model.",
               "m.obj:9: 1 statement 'v' is skipped: what follows the three numbers of a point is "
-              "not used."});
+              "no colour, and not used."});
 }
 
 TEST_CASE("A file without a face is refused, and says why") {
@@ -215,6 +222,11 @@ TEST_CASE("A file without a face is refused, and says why") {
           "whole file there is no face in it that can be drawn.");
     CHECK(refusal_of_obj("\xff\xfe"
                          "f") == "m.obj:1: the file is UTF-16; a model is plain text.");
+    CHECK(refusal_of_obj(std::string("v\0 \0", 4)) ==
+          "m.obj:1: the file is UTF-16; a model is plain text.");
+    CHECK(refusal_of_obj("v -1,0 -1,0 0,0\nv 1,0 -1,0 0,0\nv 0,0 1,0 0,0\nf 1 2 3\n") ==
+          "m.obj:1: '-1,0' has a decimal comma, and numbers have a point here; 'v' is left out. "
+          "There are 2 more like it. In the whole file there is no face in it that can be drawn.");
     CHECK_THROWS_AS(read_obj("/nowhere/m.obj"), AccessError);
     CHECK_THROWS_WITH(read_obj("/"), "cannot read '/': Is a directory.");
 }
@@ -390,6 +402,10 @@ TEST_CASE("What is wrong in a file of materials is told with its own line") {
              {"Kd 0 nan 0", "'Kd' takes one or three numbers from 0 to 1; it is left out."},
              {"Kd 0 0", "'Kd' takes one or three numbers from 0 to 1; it is left out."},
              {"Ks", "'Ks' takes one or three numbers from 0 to 1; it is left out."},
+             {"Kd 0 0,5 0",
+              "'0,5' has a decimal comma, and numbers have a point here; 'Kd' is left out."},
+             {"d 0,5",
+              "'0,5' has a decimal comma, and numbers have a point here; 'd' is left out."},
              {"Ns -1", "'Ns' takes a number from 0; it is left out."},
              {"Ns", "'Ns' takes a number from 0; it is left out."},
              {"newmtl", "'newmtl' has no name; it is left out."},
