@@ -21,8 +21,7 @@ void ObjLibraries::read(std::string_view names, int line) {
     lists_.emplace(names);
     std::string_view rest = names;
     const std::string_view first = take_word(rest);
-    if (trimmed(rest).empty() || find_beside({model_}, names).trouble.empty())
-        return read_library(names);
+    if (trimmed(rest).empty() || beside_.find(names).trouble.empty()) return read_library(names);
     for (std::string_view name = first; !name.empty(); name = take_word(rest))
         read_library(name);
 }
@@ -38,10 +37,11 @@ void ObjLibraries::read_library(std::string_view name) {
     if (names_.contains(name)) return;
     if (names_.size() >= most_material_files) return refuse_library();
     names_.emplace(name);
-    const BesideFile file = find_beside({model_}, name);
+    const BesideFile file = beside_.find(name);
     if (!file.trouble.empty()) {
         return fault([&] { return fmt::format("'mtllib': {}; it is left out.", file.trouble); });
     }
+    if (!file.remark.empty()) fault([&] { return fmt::format("'mtllib': {}.", file.remark); });
     try {
         watched_.ask();
         bytes_.add(file.path);

@@ -64,8 +64,8 @@ const Image& TextureFiles::image_of(const std::string& file, const std::string& 
             watched_.ask();
             refuse_endless_file(path);
             bytes_.add(path);
-            read.image = read_png(path, largest_texture_side,
-                                  [&](glm::ivec2 size) { take_texels(path, size); });
+            read.image = read_image(path, largest_texture_side,
+                                    [&](glm::ivec2 size) { take_texels(path, size); });
         } catch (const Error& error) {
             read.trouble = error.what();
         }

@@ -30,8 +30,8 @@ class TextureFiles {
     TextureFiles(std::vector<SharedTexture>& textures, const WatchedSteps& watched)
         : textures_(textures), watched_(watched) {}
 
-    /// The texture of a file. It cannot be used if it is no PNG, cannot be read, or is too large;
-    /// the list is then as it was. Throws ReadingStopped.
+    /// The texture of a file. It cannot be used if its format is not read (image_format.h), if it
+    /// is damaged, or too large; the list is then as it was. Throws ReadingStopped.
     /// @param path of a plain file
     /// @param name that the texture has if it is new
     ReadTexture read(const std::string& path, const std::string& name);

@@ -110,7 +110,7 @@ TEST_CASE(
     const test::TemporaryFolder folder;
     write_png(many_colours(64, 64), folder.file("whole.png"));
     const std::string whole = test::bytes_of(folder.file("whole.png"));
-    folder.write("text.png", "P3 1 1 255 0 0 0\n");
+    folder.write("text.png", "no picture\n");
     folder.write("cut.png", whole.substr(0, whole.size() / 2));
     std::string vast = whole; // says that it is 1,000,064 texels wide
     vast[17] = '\x0f';
@@ -122,14 +122,15 @@ TEST_CASE(
     const std::string path = folder.write("m.obj", three_squares);
     const std::vector<std::array<std::string, 2>> cases{
         {"none.png", "there is no file 'none.png'; the image is left out."},
-        {"../none.png",
-         "there is no file '../none.png' beside it or in a folder below; the image is left out."},
-        {"/dev/zero",
-         "there is no file '/dev/zero' beside it or in a folder below; the image is left out."},
+        {"../none.png", "there is no file '../none.png'; the image is left out."},
+        {"../../none.png", "there is no file '../../none.png' beside it, below it or in a folder "
+                           "next to its own; the image is left out."},
+        {"/dev/zero", "there is no file '/dev/zero' beside it, below it or in a folder next to its "
+                      "own; the image is left out."},
         {"pipe.png", "'pipe.png' is a pipe or a device; the image is left out."},
         {"folder.png", "'folder.png' is a folder; the image is left out."},
-        {"text.png", folder.file("text.png") + ": the file is no PNG picture. The image is left "
-                                               "out."},
+        {"text.png", folder.file("text.png") + ": the file is no picture that is read: PNG, "
+                                               "JPG, TGA, BMP, PPM or PGM. The image is left out."},
         {"cut.png", folder.file("cut.png") + ": "},
         {"vast.png", folder.file("vast.png") + ": a picture of "}};
     for (const auto& [name, begins] : cases) {

@@ -162,9 +162,9 @@ TEST_CASE("What is wrong in a model is told with its line, and the rest is read"
         {"f 1 2 3///1", "'3///1' is no corner: a, a/b, a//c or a/b/c; the face is left out."},
         {"mtllib", "'mtllib': no file is named; it is left out."},
         {"mtllib not-there.mtl", "'mtllib': there is no file 'not-there.mtl'; it is left out."},
-        {"mtllib /dev/zero",
-         "'mtllib': there is no file '/dev/zero' beside it or in a folder below; "
-         "it is left out."},
+        {"mtllib /dev/zero", "'mtllib': there is no file '/dev/zero' beside it, below it or in a "
+                             "folder next to its own; "
+                             "it is left out."},
         {"mtllib .", "'mtllib': '.' is a folder; it is left out."},
         {"usemtl wood\nf 1 2 3", "there is no material 'wood'; its faces are white."},
     };
