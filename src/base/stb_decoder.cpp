@@ -48,8 +48,10 @@ void forget_reason() {
 std::string last_reason() {
     const char* const said = stbi_failure_reason();
     const std::string_view reason = said != nullptr ? said : "";
-    constexpr std::string_view of_no_bytes = "unknown image type";
-    return std::string(reason.empty() || reason == of_no_bytes ? "its data are damaged" : reason);
+    // What it says of bytes that are none, or that are of another format, is no reason.
+    for (const std::string_view none : {"", "unknown image type", "bad png sig", "no SOI"})
+        if (reason == none) return "its data are damaged";
+    return std::string(reason);
 }
 
 } // namespace

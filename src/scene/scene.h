@@ -170,6 +170,9 @@ float alpha_of(const Scene& scene, int triangle);
 /// Is anything in the scene half transparent?
 bool has_alpha(const Scene& scene);
 
+/// Has any part of the scene a texture with texels that are not quite opaque?
+bool has_texture_alpha(const Scene& scene);
+
 /// The name of the part that a triangle belongs to.
 const std::string& part_name(const Scene& scene, int triangle);
 

@@ -108,7 +108,7 @@ Image read_bytes(const std::string& bytes) {
 }
 
 /// What is said about a picture by a process that may take only this much memory; "" if it is read.
-std::string complaint_within(std::size_t memory, const std::string& bytes) {
+std::string refusal_within(std::size_t memory, const std::string& bytes) {
     return test::said_within(memory, [&]() -> std::string {
         try {
             parse_image(bytes, "x");
@@ -228,9 +228,7 @@ TEST_CASE("Formats that are not read are refused by their names") {
 
 TEST_CASE("A picture that is cut off, or claims more than it has, is refused before memory is "
           "taken") {
-    const auto said = [](const std::string& bytes) {
-        return complaint_within(60 * megabyte, bytes);
-    };
+    const auto said = [](const std::string& bytes) { return refusal_within(60 * megabyte, bytes); };
     const std::string vast = "x: a picture of 4096 x 4096 pixels is cut off.";
     CHECK(said(tga_head(2, 4096, 4096, 32, 0) + std::string(1000, 'x')) == vast);
     CHECK(said(tga_head(10, 4096, 4096, 32, 0) + std::string(1000, 'x')) == vast);
@@ -267,9 +265,7 @@ TEST_CASE("A picture that is cut off, or claims more than it has, is refused bef
 TEST_CASE("A JPG whose tables are too large or missing never reaches the decoder") {
     const std::string whole = jpeg(16, 16, 90, ramp(16, 16));
     const std::string damaged = "x: a picture of 16 x 16 pixels is damaged.";
-    const auto said = [](const std::string& bytes) {
-        return complaint_within(60 * megabyte, bytes);
-    };
+    const auto said = [](const std::string& bytes) { return refusal_within(60 * megabyte, bytes); };
     // 16 lengths with 32 values each: more than the decoder has room for.
     std::string large = whole;
     const std::size_t end = whole.find("\xff\xda");
@@ -308,7 +304,7 @@ TEST_CASE("Pictures of each format with changed bytes are read, or refused by th
                 const int place = random.integer(0, static_cast<int>(bytes.size()) - 1);
                 bytes[static_cast<std::size_t>(place)] = static_cast<char>(random.integer(0, 255));
             }
-            const std::string said = complaint_within(300 * megabyte, bytes);
+            const std::string said = refusal_within(300 * megabyte, bytes);
             INFO(seed.substr(0, 2) << ", round " << round << ": " << said);
             ++(said.empty() ? read : refused);
             if (said.empty()) continue;
