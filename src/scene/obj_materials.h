@@ -70,6 +70,7 @@ class ObjImages {
 
   private:
     int index_of(const ReadTexture& image, const ObjMaterial& of, std::string_view word, int line);
+    int texture_of(const ObjMaterial& of);
 
     const std::vector<ObjMaterial>& materials_;
     ObjReporter& reporter_;

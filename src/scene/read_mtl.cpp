@@ -95,8 +95,8 @@ class MtlReader {
         if (word == "newmtl") return begin_material(rest);
         const std::string key = in_small_letters(word.substr(0, 16));
         const bool is_bump = key == "bump" || key == "map_bump" || key == "norm";
-        const bool is_used = is_bump || key == "map_kd" || key == "kd" || key == "ks" ||
-                             key == "ns" || key == "d" || key == "tr";
+        const bool is_used = is_bump || key == "map_kd" || key == "map_d" || key == "kd" ||
+                             key == "ks" || key == "ns" || key == "d" || key == "tr";
         if (!is_used) return skip(word, skipped_material);
         if (is_left_out_) return;
         if (!is_begun_) {
@@ -114,6 +114,11 @@ class MtlReader {
             material.file = path_;
             material.diffuse_map_line = lines_.line();
             return read_map(word, rest, material.diffuse_map, nullptr);
+        }
+        if (key == "map_d") {
+            material.file = path_;
+            material.alpha_map_line = lines_.line();
+            return read_map(word, rest, material.alpha_map, nullptr);
         }
         material.file = path_;
         material.bump_map_line = lines_.line();

@@ -26,6 +26,8 @@ struct ObjMaterial {
     std::string diffuse_map;     ///< map_Kd: path of a file that is there; empty: none
     std::string file;            ///< in which the images stand
     int diffuse_map_line = 0;    ///< its line there, from 1
+    std::string alpha_map;       ///< map_d: the same
+    int alpha_map_line = 0;      ///< its line
     std::string bump_map;        ///< bump, map_Bump or norm: the same
     int bump_map_line = 0;       ///< its line
     float bump_strength = 1.0f;  ///< -bm of that map
