@@ -103,6 +103,14 @@ Image parse_image(std::string_view bytes, const std::string& path, int largest_s
     return unpack(bytes, path, stated_size(bytes, path, largest_side));
 }
 
+Image parse_exact_image(std::string_view bytes, const std::string& path) {
+    if (image_format(bytes) == ImageFormat::jpeg) {
+        throw InputError(path + ": a JPG does not keep the colours of single pixels: save the "
+                                "picture as PNG, BMP or PPM.");
+    }
+    return parse_image(bytes, path);
+}
+
 Image read_image(const std::string& path, int largest_side, const ImageSizeCheck& check) {
     const std::string bytes = read_file(path, largest_image_file);
     const glm::ivec2 size = stated_size(bytes, path, largest_side);

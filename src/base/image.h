@@ -39,6 +39,9 @@ bool is_image_file(const std::string& path);
 Image parse_image(std::string_view bytes, const std::string& path,
                   int largest_side = largest_image_side);
 
+/// The same where every pixel counts: a JPG is refused, since it keeps none exactly.
+Image parse_exact_image(std::string_view bytes, const std::string& path);
+
 /// Is told the size of a picture before it is unpacked; may throw.
 using ImageSizeCheck = std::function<void(glm::ivec2)>;
 
