@@ -84,7 +84,7 @@ BesideFile BesideFiles::find(const std::vector<std::string>& names) {
     }
     for (const std::string& name : names) {
         const std::string path = find_similar(name);
-        if (!path.empty()) return {path, "", remark(path)};
+        if (!path.empty()) return {path, "", remark(fs::path(path).lexically_normal().string())};
     }
     return first;
 }

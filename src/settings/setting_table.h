@@ -68,10 +68,10 @@ struct Setting {
     /// The setting that has the words which this one took once; given here, they set it. Empty: no
     /// such words.
     std::string_view words_moved_to{};
-    bool needs_texture = false;       ///< of no use to a scene without textures
-    bool needs_world = false;         ///< of no use to a scene in pixels
-    bool needs_alpha = false;         ///< of no use to a scene without anything half transparent
-    bool needs_normal_map = false;    ///< of no use to a scene without normal maps
+    bool needs_texture = false;    ///< of no use to a scene without textures
+    bool needs_world = false;      ///< of no use to a scene in pixels
+    bool needs_alpha = false;      ///< of no use to a scene without anything half transparent
+    bool needs_normal_map = false; ///< of no use to a scene without normal maps
     /// Of no use while other settings are so that this is false; null: always of use.
     bool (*needs)(const Settings&) = nullptr;
     bool needs_texture_alpha = false; ///< of no use to a scene whose textures are all opaque

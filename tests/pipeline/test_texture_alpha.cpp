@@ -204,3 +204,17 @@ TEST_CASE("The fast engine refuses textures with alpha until their alpha is swit
     set_from_text(settings, "texture=off");
     CHECK(fast_engine_refuses(scene, settings).find(alpha) == std::string::npos);
 }
+
+TEST_CASE("Two runs part where one lets a fragment through, and the alpha is told") {
+    const Scene scene = scene_with_holes();
+    Settings settings = default_settings(scene);
+    settings.stage = Stage::depth;
+    const Frame cut = prepare_frame(scene, settings);
+    settings.texture_alpha = TextureAlpha::off;
+    const Frame opaque = prepare_frame(scene, settings);
+    const auto first = next_divergence(cut, opaque, cursor_begin);
+    REQUIRE(first.has_value());
+    // The corner of the picture lies in the first texel, which is clear.
+    CHECK(first->text.find("is let through: the alpha of its texture is 0, below 1/2 in A") !=
+          std::string::npos);
+}

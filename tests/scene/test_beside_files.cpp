@@ -73,8 +73,8 @@ TEST_CASE("What is found under another name than the one that was given is told"
     BesideFiles files({archive.model()});
     CHECK(files.find("../textures/wood.png").remark.empty());
     const BesideFile file = files.find("Textures/WOOD.png");
-    CHECK(file.remark ==
-          fmt::format("there is no file 'Textures/WOOD.png'; '{}' is used", file.path));
+    CHECK(file.remark == fmt::format("there is no file 'Textures/WOOD.png'; '{}' is used",
+                                     fs::path(file.path).lexically_normal().string()));
     CHECK(files.find("none.png").trouble == "there is no file 'none.png'");
     CHECK(files.find("/etc/none.png").trouble ==
           "there is no file '/etc/none.png' beside it, below it or in a folder next to its own");

@@ -394,10 +394,10 @@ TEST_CASE("What is wrong in a file of materials is told with its own line") {
              {"Ns", "'Ns' takes a number from 0; it is left out."},
              {"newmtl", "'newmtl' has no name; it is left out."},
              {"map_Kd", "'map_Kd': no file is named; the image is left out."},
-             {"map_Kd a.png", "'map_Kd': there is no file 'a.png'; the image is left out."},
+             {"map_Kd none.png", "'map_Kd': there is no file 'none.png'; the image is left out."},
              {"map_Bump images", "'map_Bump': 'images' is a folder; the image is left out."},
-             {"bump /dev/null", "'bump': there is no file '/dev/null' beside it or in a folder "
-                                "below; the image is left out."}}) {
+             {"bump /dev/null", "'bump': there is no file '/dev/null' beside it, below it or in a "
+                                "folder next to its own; the image is left out."}}) {
         INFO(one.line);
         folder.write("m.mtl", "newmtl a\n" + one.line + "\n");
         CHECK(fault_lines(read_obj(path).report) ==
