@@ -3,17 +3,20 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
-#include <memory>
+#include <optional>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
-#include <stb_image.h>
 #include <stb_image_write.h>
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/image_format.h"
 #include "base/image_header.h"
+#include "base/pnm.h"
+#include "base/stb_decoder.h"
 
 namespace rasterwalk {
 
@@ -28,50 +31,40 @@ std::size_t pixel_count(const Image& image) {
     return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 }
 
-/// Why stb_image could not do what it was asked for last. For some faults it gives no reason: there
-/// is none then, or still that of a picture before. So that one is forgotten first.
-class DecoderFailure {
-  public:
-    DecoderFailure() {
-        int ignored = 0;
-        stbi_info_from_memory(nullptr, 0, &ignored, &ignored, &ignored);
-    }
-    std::string_view reason() const {
-        const char* const said = stbi_failure_reason();
-        const std::string_view reason = said != nullptr ? said : "";
-        constexpr std::string_view of_no_bytes = "unknown image type";
-        return reason.empty() || reason == of_no_bytes ? "its data are damaged" : reason;
-    }
-    [[noreturn]] void refuse(const std::string& path) const {
-        throw InputError(fmt::format("{}: the picture cannot be read: {}.", path, reason()));
-    }
-};
+[[noreturn]] void refuse(const std::string& path, const std::string& reason) {
+    throw InputError(fmt::format("{}: the picture cannot be read: {}.", path, reason));
+}
 
 /// stb_image takes as much memory as the data unpack to, whatever the size of the picture.
 void check_png_data(std::string_view bytes, const std::string& path, glm::ivec2 size) {
-    const std::string data = png_data(bytes);
-    std::vector<char> room(png_row_bytes(bytes));
-    const DecoderFailure failure;
-    if (stbi_zlib_decode_buffer(room.data(), static_cast<int>(room.size()), data.data(),
-                                static_cast<int>(data.size())) >= 0)
-        return;
-    if (failure.reason() != "output buffer limit") failure.refuse(path);
+    const std::string trouble = decode_zlib(png_data(bytes), png_row_bytes(bytes));
+    if (trouble.empty()) return;
+    if (trouble != zlib_has_more) refuse(path, trouble);
     throw InputError(
         fmt::format("{}: a picture of {} x {} pixels has data for more.", path, size.x, size.y));
 }
 
+/// Many programs leave the opacity of a TGA empty; the header tells how many of its bits count.
+void ignore_empty_alpha(std::string_view bytes, Image& image) {
+    constexpr std::size_t descriptor = 17;
+    constexpr int alpha_bits = 15;
+    if ((bytes[descriptor] & alpha_bits) != 0) return;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        image.rgba[i] = 255;
+}
+
 Image unpack(std::string_view bytes, const std::string& path, glm::ivec2 size) {
-    if (begins_as_png(bytes)) check_png_data(bytes, path, size);
+    const ImageFormat format = image_format(bytes);
+    if (format == ImageFormat::pnm) {
+        std::optional<Image> image = parse_pnm(bytes, parse_pnm_header(bytes).value());
+        if (image) return std::move(*image);
+        refuse(path, "a sample is missing or too large");
+    }
+    if (format == ImageFormat::png) check_png_data(bytes, path, size);
     Image image;
-    int channels = 0;
-    const DecoderFailure failure;
-    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
-                              static_cast<int>(bytes.size()), &image.width, &image.height,
-                              &channels, 4),
-        stbi_image_free);
-    if (!pixels) failure.refuse(path);
-    image.rgba.assign(pixels.get(), pixels.get() + 4 * pixel_count(image));
+    const std::string trouble = decode_image(bytes, image);
+    if (!trouble.empty()) refuse(path, trouble);
+    if (format == ImageFormat::tga) ignore_empty_alpha(bytes, image);
     return image;
 }
 
@@ -93,14 +86,14 @@ void write_png(const Image& image, const std::string& path) {
 }
 
 bool is_image(std::string_view bytes) {
-    return begins_as_png(bytes) || begins_as_bmp(bytes);
+    return image_format(bytes) != ImageFormat::none;
 }
 
 bool is_image_file(const std::string& path) {
     // A pipe would be waited for.
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) return false;
-    std::array<char, 8> head{};
+    std::array<char, image_head_size> head{};
     std::ifstream file(path, std::ios::binary);
     file.read(head.data(), head.size());
     return is_image({head.data(), static_cast<std::size_t>(file.gcount())});
@@ -110,16 +103,26 @@ Image parse_image(std::string_view bytes, const std::string& path, int largest_s
     return unpack(bytes, path, stated_size(bytes, path, largest_side));
 }
 
-Image read_image(const std::string& path) {
-    return parse_image(read_file(path, largest_image_file), path);
+Image parse_exact_image(std::string_view bytes, const std::string& path) {
+    if (image_format(bytes) == ImageFormat::jpeg) {
+        throw InputError(path + ": a JPG does not keep the colours of single pixels: save the "
+                                "picture as PNG, BMP or PPM.");
+    }
+    return parse_image(bytes, path);
 }
 
-Image read_png(const std::string& path, int largest_side, const ImageSizeCheck& check) {
+Image read_image(const std::string& path, int largest_side, const ImageSizeCheck& check) {
     const std::string bytes = read_file(path, largest_image_file);
-    if (!begins_as_png(bytes)) throw InputError(path + ": the file is no PNG picture.");
     const glm::ivec2 size = stated_size(bytes, path, largest_side);
     if (check) check(size);
     return unpack(bytes, path, size);
+}
+
+Image read_png(const std::string& path, int largest_side) {
+    const std::string bytes = read_file(path, largest_image_file);
+    if (image_format(bytes) != ImageFormat::png)
+        throw InputError(path + ": the file is no PNG picture.");
+    return parse_image(bytes, path, largest_side);
 }
 
 } // namespace rasterwalk

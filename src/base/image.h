@@ -27,25 +27,29 @@ void write_png(const Image& image, const std::string& path);
 inline constexpr std::size_t largest_image_file = std::size_t{256} << 20;
 inline constexpr int largest_image_side = 4096;
 
-/// Do the bytes begin as a PNG or BMP does?
+/// Do the bytes begin as a picture does whose format is read (image_format.h)?
 bool is_image(std::string_view bytes);
 
-/// Does the file begin as a PNG or BMP does? False if it cannot be read.
+/// The same of a file. False if it cannot be read.
 bool is_image_file(const std::string& path);
 
-/// Unpacks a PNG or BMP whose sides are not larger than this, pixels. Its size, and how much data
+/// Unpacks a picture whose sides are not larger than this, pixels. Its size, and how much data
 /// belongs to it, are looked at before memory is taken. Throws InputError that names the file.
 /// @param path only used in messages
 Image parse_image(std::string_view bytes, const std::string& path,
                   int largest_side = largest_image_side);
 
-/// The same from a file. Throws AccessError too.
-Image read_image(const std::string& path);
+/// The same where every pixel counts: a JPG is refused, since it keeps none exactly.
+Image parse_exact_image(std::string_view bytes, const std::string& path);
 
 /// Is told the size of a picture before it is unpacked; may throw.
 using ImageSizeCheck = std::function<void(glm::ivec2)>;
 
+/// The same from a file. Throws AccessError too.
+Image read_image(const std::string& path, int largest_side = largest_image_side,
+                 const ImageSizeCheck& check = {});
+
 /// Reads a file that must be a PNG, in the same way.
-Image read_png(const std::string& path, int largest_side, const ImageSizeCheck& check = {});
+Image read_png(const std::string& path, int largest_side);
 
 } // namespace rasterwalk

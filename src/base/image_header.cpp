@@ -9,6 +9,9 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/image_format.h"
+#include "base/jpeg_header.h"
+#include "base/pnm.h"
 
 namespace rasterwalk {
 
@@ -174,20 +177,76 @@ glm::ivec2 bmp_size(std::string_view bytes, const std::string& path, int largest
     return {size.width, size.height};
 }
 
+// TGA: Truevision TGA File Format Specification, version 2.0, 1991
+
+glm::ivec2 tga_size(std::string_view bytes, const std::string& path, int largest_side) {
+    constexpr std::int64_t header = 18, packed = 8, longest_packet = 128;
+    const PictureSize size{little_endian(bytes, 12, 2), little_endian(bytes, 14, 2)};
+    check_sides(path, size, largest_side);
+    std::int64_t palette = 0;
+    if (byte_at(bytes, 1) == 1) {
+        // stb_image passes over as many bytes as there are colours before the first one.
+        if (little_endian(bytes, 3, 2) != 0)
+            refuse(path, size, "has a palette that does not begin at 0: save it as PNG.");
+        palette = little_endian(bytes, 5, 2) * ((byte_at(bytes, 7) + 7) / 8);
+    }
+    const std::int64_t pixel = (byte_at(bytes, 16) + 7) / 8, count = size.width * size.height;
+    const bool is_packed = (byte_at(bytes, 2) & packed) != 0;
+    const std::int64_t data =
+        is_packed ? (count + longest_packet - 1) / longest_packet * (1 + pixel) : count * pixel;
+    if (header + byte_at(bytes, 0) + palette + data > static_cast<std::int64_t>(bytes.size()))
+        refuse(path, size, "is cut off.");
+    return {size.width, size.height};
+}
+
+glm::ivec2 jpeg_size(std::string_view bytes, const std::string& path, int largest_side) {
+    const JpegHeader header = parse_jpeg_header(bytes);
+    const PictureSize size{header.size.x, header.size.y};
+    if (header.size == glm::ivec2(0)) throw InputError(path + ": the picture " + header.trouble);
+    check_sides(path, size, largest_side);
+    if (!header.trouble.empty()) refuse(path, size, header.trouble);
+    // A block of 8 x 8 pixels takes at least one bit.
+    if (size.width * size.height / 512 > static_cast<std::int64_t>(bytes.size()))
+        refuse(path, size, "is cut off.");
+    return header.size;
+}
+
+glm::ivec2 pnm_size(std::string_view bytes, const std::string& path, int largest_side) {
+    const std::optional<PnmHeader> header = parse_pnm_header(bytes);
+    if (!header) {
+        throw InputError(path + ": the picture cannot be read: it does not begin with its width, "
+                                "its height and its largest sample.");
+    }
+    const PictureSize size{header->size.x, header->size.y};
+    check_sides(path, size, largest_side);
+    if (header->begin + header->fewest_bytes() > bytes.size()) refuse(path, size, "is cut off.");
+    return header->size;
+}
+
 } // namespace
 
-bool begins_as_png(std::string_view bytes) {
-    return bytes.starts_with(png_signature);
-}
-
-bool begins_as_bmp(std::string_view bytes) {
-    return bytes.starts_with("BM");
-}
-
 glm::ivec2 stated_size(std::string_view bytes, const std::string& path, int largest_side) {
-    if (begins_as_png(bytes)) return png_size(bytes, path, largest_side);
-    if (begins_as_bmp(bytes)) return bmp_size(bytes, path, largest_side);
-    throw InputError(path + ": the file is neither a PNG nor a BMP picture.");
+    switch (image_format(bytes)) {
+    case ImageFormat::png:
+        return png_size(bytes, path, largest_side);
+    case ImageFormat::bmp:
+        return bmp_size(bytes, path, largest_side);
+    case ImageFormat::jpeg:
+        return jpeg_size(bytes, path, largest_side);
+    case ImageFormat::tga:
+        return tga_size(bytes, path, largest_side);
+    case ImageFormat::pnm:
+        return pnm_size(bytes, path, largest_side);
+    case ImageFormat::none:
+        break;
+    }
+    const std::string_view known = unread_image_format(bytes);
+    if (known.empty()) {
+        throw InputError(
+            fmt::format("{}: the file is no picture that is read: {}.", path, image_formats_read));
+    }
+    throw InputError(
+        fmt::format("{}: the picture is {}, which is not read: save it as PNG.", path, known));
 }
 
 std::string png_data(std::string_view bytes) {

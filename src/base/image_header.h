@@ -10,12 +10,9 @@
 
 namespace rasterwalk {
 
-bool begins_as_png(std::string_view bytes);
-bool begins_as_bmp(std::string_view bytes);
-
-/// The width and height that a PNG or BMP states, pixels: each at least 1. Throws InputError where
-/// they are more than `largest_side`, and where the bytes cannot hold such a picture: a block or
-/// the rows of pixels would reach beyond the end of the file.
+/// The width and height that a picture states, pixels: each at least 1. Throws InputError for a
+/// format that is not read, where they are more than `largest_side`, and where the bytes cannot
+/// hold such a picture: a block or the rows of pixels would reach beyond the end of the file.
 /// @param path only used in messages
 glm::ivec2 stated_size(std::string_view bytes, const std::string& path, int largest_side);
 

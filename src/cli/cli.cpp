@@ -142,9 +142,10 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         line, "diagnose", "Tell what may be wrong with a picture or a printed row table",
         [&] { line.exit_code = diagnose_command(line.diagnose, out, err, progress); });
     diagnose
-        .add_option("FILE", line.diagnose.file,
-                    "PNG or BMP, or lines like 'Start: (10,5). End: (10,5).'; - reads standard "
-                    "input")
+        .add_option(
+            "FILE", line.diagnose.file,
+            "PNG, BMP, TGA or PPM, or lines like 'Start: (10,5). End: (10,5).'; - reads standard "
+            "input")
         ->type_name("")
         ->required();
     diagnose

@@ -35,7 +35,7 @@ struct Result {
 Finding diagnose_picture_file(const Result& result, const Session& session,
                               const std::vector<Bug>& bugs, std::ostream& err,
                               ProgressLine& progress) {
-    Image picture = parse_image(result.bytes, result.name);
+    Image picture = parse_exact_image(result.bytes, result.name);
     const Settings& view = session.a.settings;
     const Settings reference = fitted_to(view, picture, session.scene->space);
     if (!(reference.viewport == view.viewport)) {

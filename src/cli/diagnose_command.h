@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 struct DiagnoseOptions {
     ViewOptions view;                 ///< the reference
-    std::string file;                 ///< PNG or BMP, or a printed row table
+    std::string file;                 ///< a picture, or a printed row table
     std::vector<std::string> polygon; ///< X,Y of each vertex whose table was printed; may be empty
     bool json = false;
 };

@@ -237,6 +237,8 @@ const char* word_in_table(Fate fate) {
         return "hidden";
     case Fate::back_facing:
         return "back";
+    case Fate::cut_out:
+        return "cut out";
     }
     return "written";
 }

@@ -18,7 +18,11 @@ void add_blend(FragmentReport& report, const Frame& frame) {
                         : "The surface over what was there: the share α is the surface's, the rest "
                           "the pixel's.",
              is_swapped ? "(1 − α) · S + α · D" : "α · S + (1 − α) · D",
-             {{"α", {report.alpha}, from_words("the alpha of the surface, as the scene gives it")},
+             {{"α",
+               {report.alpha},
+               from_words(report.texture_alpha == TextureAlpha::blend
+                              ? "the alpha of the surface, times that of its texture here"
+                              : "the alpha of the surface, as the scene gives it")},
               {"S", {report.colour[i]}, from_words("the colour of the fragment by itself")},
               {"D", {report.before[i]}, from_words("what the pixel showed before")}},
              {report.after[i]}});

@@ -60,8 +60,8 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
                   "(1/z)",
                   {{"(1/z)", {report.fragment.depth}, from_formula("zinv")}},
                   {report.depth}};
-    // What is culled never came to the test.
-    const bool is_tested = report.fate != Fate::back_facing;
+    // What is culled or cut out never came to the test.
+    const bool is_tested = is_depth_tested(report.fate);
     if (is_tested && report.depth_test == DepthTest::linear_z) {
         add_linear_depth(depth, report.fragment.z, vertex_rules(frame));
         depth.result = {depth_at(report.fragment.z, rules)};

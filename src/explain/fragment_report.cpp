@@ -414,7 +414,8 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.depth_test = depth_rule(frame.settings);
     const Surface surface = surface_of(frame, cursor.triangle);
     report.colour = frame.stages.pixel_shader(report.fragment, surface, rules, frame.stages);
-    report.alpha = surface.alpha;
+    report.alpha = event.alpha;
+    report.texture_alpha = surface.texture_alpha;
 
     Carried carried;
     for (const Interpolation way : ways) {

@@ -69,8 +69,9 @@ struct FragmentReport {
     std::optional<Cursor> stored_by; ///< the fragment that stored it; none: never written
     Fate fate = Fate::written;
     glm::vec3 before{0.0f}, after{0.0f}; ///< the pixel's colour; not clamped
-    float alpha = 1.0f;                  ///< of the surface as it is drawn; 1: not blended
-    glm::vec3 colour{0.0f};              ///< that the pixel shader gives it, drawn or not
+    float alpha = 1.0f; ///< with which it is blended; of one that is cut out its texture's
+    TextureAlpha texture_alpha = TextureAlpha::off; ///< what the alpha of its texture does
+    glm::vec3 colour{0.0f}; ///< that the pixel shader gives it, drawn or not
 
     std::vector<Formula> formulas;
 

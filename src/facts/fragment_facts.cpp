@@ -135,6 +135,15 @@ void add_pixel_facts(std::vector<Fact>& table) {
                              history->entries.begin(), history->entries.end(),
                              [](const PixelEntry& e) { return e.fate == Fate::depth_failed; }));
                      }});
+    table.push_back({"pixel.cut_out",
+                     "Fragments on the picked pixel that the alpha of their texture lets through.",
+                     natural(), [](const Facts& f, int) {
+                         const auto& history = f.results().history;
+                         if (!history) return Value();
+                         return number(std::count_if(
+                             history->entries.begin(), history->entries.end(),
+                             [](const PixelEntry& e) { return e.fate == Fate::cut_out; }));
+                     }});
     table.push_back({"pixel.owner", "Triangle that the picked pixel shows in the end; -1: none.",
                      whole(-1, endless), [](const Facts& f, int) {
                          if (!f.results().history) return Value();
@@ -184,10 +193,7 @@ void add_pixel_facts(std::vector<Fact>& table) {
                      "blended: 1 where it is not.",
                      real(0), [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
-                         const Frame& frame = f.results().a.frame;
-                         if (winner == nullptr) return Value();
-                         return number(
-                             frame.blends ? alpha_of(*frame.scene, winner->cursor.triangle) : 1.0f);
+                         return winner == nullptr ? Value() : number(winner->alpha);
                      }});
     table.push_back({"pixel.light_error",
                      "How far off affine interpolation puts the light there, largest channel.",

@@ -31,6 +31,7 @@ class Collector : public Observer {
         entry.stored = event.stored;
         entry.margin = depth_ahead(event.depth, event.stored, projection_.clip_depth);
         entry.fate = event.fate;
+        entry.alpha = event.alpha;
         entry.colour_before = event.before;
         entry.colour_after = event.after;
         entries.push_back(entry);
@@ -64,13 +65,12 @@ void find_shares(const Frame& frame, std::vector<PixelEntry>& entries) {
     for (std::size_t i = entries.size(); i-- > 0;) {
         PixelEntry& entry = entries[i];
         if (entry.fate != Fate::written) continue;
-        const float alpha = frame.blends ? alpha_of(*frame.scene, entry.cursor.triangle) : 1.0f;
-        if (!(alpha < 1.0f)) {
+        if (!(entry.alpha < 1.0f)) {
             entry.share = seen;
             return;
         }
-        entry.share = seen * frame.stages.blend(glm::vec3(1.0f), alpha, glm::vec3(0.0f)).r;
-        seen *= frame.stages.blend(glm::vec3(0.0f), alpha, glm::vec3(1.0f)).r;
+        entry.share = seen * frame.stages.blend(glm::vec3(1.0f), entry.alpha, glm::vec3(0.0f)).r;
+        seen *= frame.stages.blend(glm::vec3(0.0f), entry.alpha, glm::vec3(1.0f)).r;
     }
 }
 

@@ -31,6 +31,7 @@ struct PixelEntry {
     float margin = 0.0f; ///< how much nearer than stored: above 0 it passes, if there is a test
     float margin_to_winner = 0.0f; ///< how much nearer than the entry that stays; 0 for that one
     Fate fate = Fate::written;
+    float alpha = 1.0f; ///< how opaque it is, see FragmentAlpha
     float share = 0.0f; ///< of its own colour in the colour that stays, 0 to 1; below 1 also where
                         ///< it is half-transparent, or something half-transparent lies over it
     glm::vec3 colour_before{0.0f};

@@ -169,8 +169,9 @@ std::vector<PrintedRow> parse_printed_rows(std::string_view text, const std::str
         rows.push_back(*row);
     }
     if (rows.empty()) {
-        throw InputError(path + ": this is neither a PNG or BMP picture nor a printed row table: "
-                                "there is no line like 'Start: (10,5). End: (10,5).'.");
+        throw InputError(
+            path + ": this is neither a picture (PNG, BMP, TGA or PPM) nor a printed row table: "
+                   "there is no line like 'Start: (10,5). End: (10,5).'.");
     }
     return rows;
 }

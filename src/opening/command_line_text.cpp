@@ -34,8 +34,8 @@ std::string name_of_scene(const std::string& path) {
     return absolute_path(path);
 }
 
-/// What the line begins with: lesson and step, or a scene.
-ViewOptions start_of(const Session& session) {
+/// Lesson and step, or a scene.
+ViewOptions start_without_texture(const Session& session) {
     ViewOptions options;
     if (!session.lesson.empty()) {
         options.step = std::to_string(session.step);
@@ -60,6 +60,14 @@ ViewOptions start_of(const Session& session) {
     return options;
 }
 
+/// What the line begins with: that, and the image that is laid on the scene.
+ViewOptions start_of(const Session& session) {
+    ViewOptions options = start_without_texture(session);
+    const std::string& texture = session.scene->laid_texture;
+    if (!texture.empty()) options.texture = name_of_scene(texture);
+    return options;
+}
+
 /// Words after one another, as far as they differ from where the line begins.
 class Line {
   public:
@@ -69,6 +77,7 @@ class Line {
         say("--lesson", start.lesson);
         say("--step", start.step == "0" ? "" : start.step);
         say("--scene", start.scene);
+        say("--texture", start.texture);
     }
 
     std::vector<std::string> words() {

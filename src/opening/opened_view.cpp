@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -18,6 +19,7 @@
 #include "lessons/lesson_run.h"
 #include "pipeline/frame.h"
 #include "pipeline/timeline.h"
+#include "scene/laid_texture.h"
 #include "scene/model_notice.h"
 #include "session/content.h"
 #include "session/moments.h"
@@ -129,12 +131,19 @@ void take_lesson(const SavedView& saved, Start& start) {
     }
 }
 
+/// Lays an image on the scene of a session; settings and selection stay.
+void lay_texture(const std::string& path, Session& session) {
+    session.scene = std::make_shared<const Scene>(with_texture(*session.scene, path));
+}
+
 Start start_of_saved_view(const std::string& path, const ReadingWatch& watch) {
     const SavedView saved = read_view(path);
     Start start;
     start.path = saved.path;
     start.state = saved.state;
     start.session = open_session(find_file(saved, "scene", saved.scene), watch);
+    if (!saved.texture.empty())
+        lay_texture(find_file(saved, "texture", saved.texture), start.session);
     take_lesson(saved, start);
     start.covers_tab = saved.state.tab == settings_tab;
     return start;
@@ -197,8 +206,9 @@ void set_as_options_say(const ViewOptions& options, const std::optional<Bug>& bu
 
 /// Do the options draw another picture than the start's?
 bool changes_picture(const ViewOptions& o) {
-    return !(o.scene.empty() && o.size.empty() && o.stage.empty() && o.bug.empty() &&
-             o.presets.empty() && o.assignments.empty() && o.given.count("vertices") == 0);
+    return !(o.scene.empty() && o.texture.empty() && o.size.empty() && o.stage.empty() &&
+             o.bug.empty() && o.presets.empty() && o.assignments.empty() &&
+             o.given.count("vertices") == 0);
 }
 
 /// Where the start's cursor, pixel and row do not exist with other settings, they give way.
@@ -275,6 +285,7 @@ Session open_view(const ViewOptions& given, const ReadingWatch& watch) {
         set_as_start_says(start);
         if (!options.scene.empty()) replace_scene(start, options.scene, watch);
     }
+    if (!options.texture.empty()) lay_texture(find_scene_file(options.texture), session);
     set_as_options_say(options, bug, session);
 
     take_options(options, state);

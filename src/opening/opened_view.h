@@ -19,10 +19,11 @@ struct ViewField;
 /// What a command line says about the view, as it was written. What is empty was not said. Where a
 /// lesson or a saved view sets something, `none` takes it away again.
 struct ViewOptions {
-    std::string file;   ///< a scene (.toml, .obj), a lesson (.md) or a saved view (.walk.toml)
-    std::string scene;  ///< path, from here or from lessons_folder(); the lab's room if not given
-    std::string lesson; ///< id, or path of a lesson
-    std::string step;   ///< of the lesson; 0 is its opening
+    std::string file;    ///< a scene (.toml, .obj), a lesson (.md) or a saved view (.walk.toml)
+    std::string scene;   ///< path, from here or from lessons_folder(); the lab's room if not given
+    std::string texture; ///< path of an image that is laid on the scene, see with_texture()
+    std::string lesson;  ///< id, or path of a lesson
+    std::string step;    ///< of the lesson; 0 is its opening
     std::string stage;
     std::string bug; ///< id; its scene is taken unless one is named
     std::vector<std::string> presets;

@@ -195,7 +195,7 @@ std::optional<std::string> name_of_own_file(const std::string& path) {
 
 /// What a link says for the word of an option.
 std::string value_for_link(std::string_view name, const std::string& word) {
-    if (name == "scene") {
+    if (name == "scene" || name == "texture") {
         const std::optional<std::string> scene = name_of_own_file(word);
         if (!scene) refuse_file(name, word);
         return *scene;
@@ -224,6 +224,8 @@ ViewOptions parse_view_link(std::string_view fragment) {
     if (!options.lesson.empty()) options.lesson = lesson_of_link(options.lesson);
     // A path, or else a file that happens to lie where the program was started would come first.
     if (!options.scene.empty()) options.scene = find_lesson_file(lessons_folder(), options.scene);
+    if (!options.texture.empty())
+        options.texture = find_lesson_file(lessons_folder(), options.texture);
     return options;
 }
 

@@ -12,7 +12,7 @@ class App;
 namespace rasterwalk {
 
 /// Gives a command the options that say what is drawn: --scene --lesson --step --stage --bug
-/// --preset --set --to --size --vertices.
+/// --preset --set --to --size --vertices --texture.
 void add_view_options(CLI::App& command, ViewOptions& options);
 
 /// Gives it those that say what of it is shown, and how: --view --tab --pixel --zoom --b ...

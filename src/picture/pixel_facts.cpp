@@ -120,7 +120,7 @@ class FactsObserver : public Observer {
         if (!facts_.drawn_twice.empty()) note_neighbours(event.cursor.triangle, f, pixel);
         if (!facts_.depth.empty()) {
             DepthVerdicts& verdicts = facts_.depth[pixel];
-            if (event.fate != Fate::back_facing)
+            if (is_depth_tested(event.fate))
                 ++(event.fate == Fate::written ? verdicts.passed : verdicts.failed);
         }
         if (!positions.empty() && event.fate == Fate::written) {

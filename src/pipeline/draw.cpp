@@ -10,6 +10,7 @@
 //     interpolate_row    its fragments, from the left to the right end         (fill_rows.cpp)
 //     pass_over_hidden   a row that is hidden altogether is only counted, without varyings
 //     is_culled          does the fragment belong to a back?
+//     fragment_alpha     is its texture clear there? then it is let through
 //     test_depth         is the fragment nearer than what its pixel shows?
 //     shade              the pixel shader: its colour
 //     put_pixel          into the planes; what is half transparent over what is there

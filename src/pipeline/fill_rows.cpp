@@ -34,24 +34,34 @@ void put_pixel(Drawing& d, std::size_t pixel, int triangle, const glm::vec3& col
     d.target.owner[pixel] = triangle;
 }
 
+/// What is left out before the depth test leaves every plane but the overdraw as it is.
+template <bool is_watched>
+void leave_out(Drawing& d, const Cursor& cursor, const Fragment& fragment, std::size_t pixel,
+               Fate fate, float alpha) {
+    ++d.target.overdraw[pixel];
+    if constexpr (is_watched) {
+        const glm::vec3& colour = d.target.colour[pixel];
+        d.observer->fragment(
+            {cursor, fragment, fate, fragment.depth, d.target.depth[pixel], colour, colour, alpha});
+    }
+}
+
 bool is_culled(const Drawing& d, const Fragment& fragment) {
     return d.culls_fragments && d.stages.cull_fragment(fragment, d.rays, d.stages);
 }
 
-/// Cull, depth test, pixel shader, put pixel.
+/// Cull, cut out, depth test, pixel shader, put pixel.
 /// @param pixel where the fragment stands in the planes
 template <bool is_watched>
 void draw_fragment(Drawing& d, const Cursor& cursor, const Fragment& fragment, std::size_t pixel,
                    const Surface& surface) {
+    if (is_culled(d, fragment))
+        return leave_out<is_watched>(d, cursor, fragment, pixel, Fate::back_facing, surface.alpha);
+    const FragmentAlpha alpha = fragment_alpha(fragment, surface, d.stages);
+    if (alpha.is_cut)
+        return leave_out<is_watched>(d, cursor, fragment, pixel, Fate::cut_out, alpha.alpha);
     const float stored = d.target.depth[pixel];
     const glm::vec3 before = d.target.colour[pixel];
-    if (is_culled(d, fragment)) {
-        ++d.target.overdraw[pixel];
-        if constexpr (is_watched)
-            d.observer->fragment(
-                {cursor, fragment, Fate::back_facing, fragment.depth, stored, before, before});
-        return;
-    }
     glm::vec3 colour(0.0f);
     if (d.shades_first) colour = shade(d, fragment, surface);
     const bool is_stored = has_cell(d, fragment);
@@ -60,12 +70,12 @@ void draw_fragment(Drawing& d, const Cursor& cursor, const Fragment& fragment, s
     if (test.passed) {
         if (!d.shades_first) colour = shade(d, fragment, surface);
         if (is_stored) d.target.depth[pixel] = test.depth;
-        put_pixel(d, pixel, cursor.triangle, colour, surface.alpha);
+        put_pixel(d, pixel, cursor.triangle, colour, alpha.alpha);
     }
     if constexpr (is_watched) {
         const Fate fate = test.passed ? Fate::written : Fate::depth_failed;
-        d.observer->fragment(
-            {cursor, fragment, fate, test.depth, stored, before, d.target.colour[pixel]});
+        d.observer->fragment({cursor, fragment, fate, test.depth, stored, before,
+                              d.target.colour[pixel], alpha.alpha});
     }
 }
 

@@ -124,6 +124,12 @@ inline bool is_textured(const Frame& frame) {
            has_fragments(frame.settings.stage);
 }
 
+/// What the alpha of textures does in the frame: where nothing is blended, no texture is.
+inline TextureAlpha texture_alpha_rule(const Frame& frame) {
+    const TextureAlpha asked = frame.settings.texture_alpha;
+    return asked == TextureAlpha::blend && !frame.blends ? TextureAlpha::off : asked;
+}
+
 /// The varyings that edges and rows carry in the frame.
 VaryingSet carried_varyings(const Frame& frame);
 

@@ -132,7 +132,10 @@ FramePreparation begin_frame(const Scene& scene, const Settings& settings,
     frame.settings = settings;
     frame.replace = replace;
     frame.stages = stages_for(settings, *frame.scene, replace);
-    frame.blends = frame.stages.blend != blend_nothing && has_alpha(*frame.scene);
+    const bool blends_textures = settings.texture_alpha == TextureAlpha::blend &&
+                                 is_textured(frame) && has_texture_alpha(*frame.scene);
+    frame.blends =
+        frame.stages.blend != blend_nothing && (has_alpha(*frame.scene) || blends_textures);
     frame.bends = bends_normals(settings) && has_normal_map(*frame.scene);
     take_occluders(frame);
     return {mesh, vertex_rules(frame), frame};

@@ -20,9 +20,11 @@ enum class Fate : std::uint8_t {
     written,      ///< now the pixel's colour
     depth_failed, ///< something nearer was there
     back_facing,  ///< its normal points away from the camera, and such fragments are culled
+    cut_out,      ///< its texture is more clear than opaque there: it is let through
 };
 template <>
-inline constexpr auto enum_words<Fate> = word_list("written", "depth_failed", "back_facing");
+inline constexpr auto enum_words<Fate> = word_list("written", "depth_failed", "back_facing",
+                                                   "cut_out");
 static_assert(words_match<Fate>);
 
 /// Points and row ends that are put on the screen are told of as fragments.
@@ -43,7 +45,13 @@ struct FragmentEvent {
     float stored = 0.0f; ///< the depth buffer's value before
     glm::vec3 before{0.0f};
     glm::vec3 after{0.0f};
+    float alpha = 1.0f; ///< how opaque it is, see FragmentAlpha
 };
+
+/// Did a fragment get as far as the depth test?
+constexpr bool is_depth_tested(Fate fate) {
+    return fate == Fate::written || fate == Fate::depth_failed;
+}
 
 /// One sample of an edge, in the moment in which it is entered in the row table.
 struct SampleEvent {

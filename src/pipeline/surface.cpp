@@ -21,6 +21,8 @@ Surface surface_of(const Frame& frame, int triangle) {
                     corner.reflectance};
     if (frame.blends) surface.alpha = alpha_of(*frame.scene, triangle);
     if (is_textured(frame)) surface.texture = texture_of(*frame.scene, triangle);
+    if (surface.texture != nullptr && surface.texture->has_alpha())
+        surface.texture_alpha = texture_alpha_rule(frame);
     if (frame.bends) surface.normal_map = normal_map_of(*frame.scene, triangle);
     if (surface.normal_map != nullptr)
         surface.uv_directions = uv_directions(corners_of(*frame.scene, triangle));

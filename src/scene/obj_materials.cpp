@@ -21,8 +21,7 @@ void ObjLibraries::read(std::string_view names, int line) {
     lists_.emplace(names);
     std::string_view rest = names;
     const std::string_view first = take_word(rest);
-    if (trimmed(rest).empty() || find_beside({model_}, names).trouble.empty())
-        return read_library(names);
+    if (trimmed(rest).empty() || beside_.find(names).trouble.empty()) return read_library(names);
     for (std::string_view name = first; !name.empty(); name = take_word(rest))
         read_library(name);
 }
@@ -38,10 +37,11 @@ void ObjLibraries::read_library(std::string_view name) {
     if (names_.contains(name)) return;
     if (names_.size() >= most_material_files) return refuse_library();
     names_.emplace(name);
-    const BesideFile file = find_beside({model_}, name);
+    const BesideFile file = beside_.find(name);
     if (!file.trouble.empty()) {
         return fault([&] { return fmt::format("'mtllib': {}; it is left out.", file.trouble); });
     }
+    if (!file.remark.empty()) fault([&] { return fmt::format("'mtllib': {}.", file.remark); });
     try {
         watched_.ask();
         bytes_.add(file.path);
@@ -66,25 +66,30 @@ std::string image_name(const std::string& path) {
 /// however many materials name it.
 int ObjImages::index_of(const ReadTexture& image, const ObjMaterial& of, std::string_view word,
                         int line) {
-    if (image.index >= 0) return image.index;
-    if (!told_.insert(image.trouble).second) return -1;
+    if (image.trouble.empty() || !told_.insert(image.trouble).second) return image.index;
     reporter_.fault(of.file, line, [&] {
         return fmt::format("'{}': {} The image is left out.", word, visible_line(image.trouble));
     });
-    return -1;
+    return image.index;
+}
+
+/// The index of the texture that colour and alpha of a material make.
+int ObjImages::texture_of(const ObjMaterial& of) {
+    const std::string name = image_name(of.diffuse_map.empty() ? of.alpha_map : of.diffuse_map);
+    if (of.alpha_map.empty())
+        return index_of(files_.read(of.diffuse_map, name), of, "map_Kd", of.diffuse_map_line);
+    return index_of(files_.read_with_alpha(of.diffuse_map, of.alpha_map, name), of, "map_d",
+                    of.alpha_map_line);
 }
 
 ObjMaps ObjImages::of_material(int material) {
     if (material < 0) return {};
     const ObjMaterial& of = materials_[static_cast<std::size_t>(material)];
-    if (of.diffuse_map.empty() && of.bump_map.empty()) return {};
+    if (of.diffuse_map.empty() && of.alpha_map.empty() && of.bump_map.empty()) return {};
     const auto [known, is_new] = known_.try_emplace(material);
     if (!is_new) return known->second;
     ObjMaps maps;
-    if (!of.diffuse_map.empty()) {
-        maps.texture = index_of(files_.read(of.diffuse_map, image_name(of.diffuse_map)), of,
-                                "map_Kd", of.diffuse_map_line);
-    }
+    if (!of.diffuse_map.empty() || !of.alpha_map.empty()) maps.texture = texture_of(of);
     if (!of.bump_map.empty()) {
         const std::string name = image_name(of.bump_map);
         maps.normal_map =

@@ -24,7 +24,8 @@ class ObjLibraries {
     /// @param materials receives theirs; all must live as long
     ObjLibraries(const std::string& model, std::vector<ObjMaterial>& materials,
                  WatchedSteps& watched, ObjReporter& reporter)
-        : model_(model), materials_(materials), watched_(watched), reporter_(reporter) {}
+        : model_(model), materials_(materials), watched_(watched), reporter_(reporter),
+          beside_({model}) {}
 
     /// Reads what a statement names. What cannot be read is told as a fault. Throws ReadingStopped.
     /// @param names may have blanks in them, or may be several
@@ -43,6 +44,7 @@ class ObjLibraries {
     std::vector<ObjMaterial>& materials_;
     WatchedSteps& watched_;
     ObjReporter& reporter_;
+    BesideFiles beside_;
     int line_ = 0;
     std::set<std::string, std::less<>> lists_; ///< what has been named so far
     std::set<std::string, std::less<>> names_; ///< that were looked for
@@ -68,6 +70,7 @@ class ObjImages {
 
   private:
     int index_of(const ReadTexture& image, const ObjMaterial& of, std::string_view word, int line);
+    int texture_of(const ObjMaterial& of);
 
     const std::vector<ObjMaterial>& materials_;
     ObjReporter& reporter_;

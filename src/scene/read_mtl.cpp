@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -23,9 +24,9 @@ struct MapOption {
 };
 
 constexpr MapOption map_options[] = {
-    {"-blendu", 1, 1}, {"-blendv", 1, 1}, {"-bm", 1, 1},      {"-boost", 1, 1}, {"-cc", 1, 1},
-    {"-clamp", 1, 1},  {"-mm", 2, 2},     {"-imfchan", 1, 1}, {"-o", 1, 3},     {"-s", 1, 3},
-    {"-t", 1, 3},      {"-texres", 1, 1}, {"-type", 1, 1},
+    {"-blendu", 1, 1}, {"-blendv", 1, 1},     {"-bm", 1, 1},     {"-boost", 1, 1},   {"-cc", 1, 1},
+    {"-clamp", 1, 1},  {"-colorspace", 1, 1}, {"-mm", 2, 2},     {"-imfchan", 1, 1}, {"-o", 1, 3},
+    {"-s", 1, 3},      {"-t", 1, 3},          {"-texres", 1, 1}, {"-type", 1, 1},
 };
 
 /// Images of one file that are looked for on the disk.
@@ -34,18 +35,42 @@ constexpr std::size_t most_lookups = 2 * most_materials;
 constexpr std::string_view skipped_option = "of an image's options only -bm is used";
 constexpr std::string_view skipped_material = "this property of a material is not used";
 
-std::string lower_case(std::string_view word) {
-    std::string lower(word);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
+/// What an image may be called if its file has not the name that stands there: without the quotes,
+/// the comment or the options behind it, and without unknown options before it.
+std::vector<std::string> readings_of_name(std::string_view name) {
+    constexpr std::size_t most_readings = 16;
+    std::vector<std::string> readings;
+    const auto add = [&](std::string_view reading) {
+        reading = trimmed(reading);
+        for (const char quote : {'"', '\''}) {
+            if (reading.size() < 2 || reading.front() != quote) continue;
+            const std::size_t end = reading.find(quote, 1);
+            reading = trimmed(reading.substr(1, end == reading.npos ? end : end - 1));
+        }
+        const bool is_known =
+            std::find(readings.begin(), readings.end(), reading) != readings.end();
+        if (!reading.empty() && !is_known && readings.size() < most_readings)
+            readings.emplace_back(reading);
+    };
+    readings.emplace_back(name);
+    std::string_view rest = name;
+    while (!rest.empty() && readings.size() < most_readings) {
+        add(rest);
+        for (const char* const mark : {" #", "\t#", " -", "\t-"})
+            add(rest.substr(0, rest.find(mark)));
+        // Words may belong to an option as long as the name begins with one.
+        if (name.front() != '-') break;
+        take_word(rest);
+        rest = trimmed(rest);
+    }
+    return readings;
 }
 
 class MtlReader {
   public:
     MtlReader(std::string_view text, const std::string& path, const std::string& model_path,
               WatchedSteps& watched, ObjReporter& reporter, std::vector<ObjMaterial>& materials)
-        : lines_(text), path_(path), model_path_(model_path), watched_(watched),
+        : lines_(text), path_(path), beside_({path, model_path}), watched_(watched),
           reporter_(reporter), materials_(materials) {}
 
     void read() {
@@ -68,10 +93,10 @@ class MtlReader {
 
     void read_statement(std::string_view word, std::string_view rest) {
         if (word == "newmtl") return begin_material(rest);
-        const std::string key = lower_case(word.substr(0, 16));
+        const std::string key = in_small_letters(word.substr(0, 16));
         const bool is_bump = key == "bump" || key == "map_bump" || key == "norm";
-        const bool is_used = is_bump || key == "map_kd" || key == "kd" || key == "ks" ||
-                             key == "ns" || key == "d" || key == "tr";
+        const bool is_used = is_bump || key == "map_kd" || key == "map_d" || key == "kd" ||
+                             key == "ks" || key == "ns" || key == "d" || key == "tr";
         if (!is_used) return skip(word, skipped_material);
         if (is_left_out_) return;
         if (!is_begun_) {
@@ -81,7 +106,7 @@ class MtlReader {
             });
         }
         ObjMaterial& material = materials_.back();
-        const bool has_numbers = !is_bump && key != "map_kd";
+        const bool has_numbers = !is_bump && key != "map_kd" && key != "map_d";
         if (has_numbers && tells_comma(word, rest)) return;
         if (key == "kd") {
             material.diffuse_line = lines_.line();
@@ -93,6 +118,10 @@ class MtlReader {
         if (key == "map_kd") {
             material.diffuse_map_line = lines_.line();
             return read_map(word, rest, material.diffuse_map, nullptr);
+        }
+        if (key == "map_d") {
+            material.alpha_map_line = lines_.line();
+            return read_map(word, rest, material.alpha_map, nullptr);
         }
         material.bump_map_line = lines_.line();
         read_map(word, rest, material.bump_map, &material.bump_strength);
@@ -209,9 +238,11 @@ class MtlReader {
                                    in_quotes(word), most_lookups);
             });
         }
-        const BesideFile file = find_beside({path_, model_path_}, trimmed(rest));
+        const BesideFile file = beside_.find(readings_of_name(trimmed(rest)));
         if (file.trouble.empty()) {
             map = file.path;
+            if (!file.remark.empty())
+                fault([&] { return fmt::format("{}: {}.", in_quotes(word), file.remark); });
             return;
         }
         fault([&] {
@@ -221,7 +252,7 @@ class MtlReader {
 
     ObjLines lines_;
     const std::string& path_;
-    const std::string& model_path_;
+    BesideFiles beside_;
     WatchedSteps& watched_;
     ObjReporter& reporter_;
     std::vector<ObjMaterial>& materials_;

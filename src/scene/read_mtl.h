@@ -28,6 +28,8 @@ struct ObjMaterial {
     std::string file;            ///< in which it stands
     int diffuse_line = 0;        ///< of Kd there, from 1; 0: none
     int diffuse_map_line = 0;    ///< of map_Kd, whether or not the image is there; 0: none
+    std::string alpha_map;       ///< map_d: the same
+    int alpha_map_line = 0;      ///< its line
     std::string bump_map;        ///< bump, map_Bump or norm: the same
     int bump_map_line = 0;       ///< its line
     float bump_strength = 1.0f;  ///< -bm of that map

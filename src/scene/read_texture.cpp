@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "base/limits.h"
-#include "scene/beside_file.h"
 
 namespace rasterwalk {
 
@@ -38,7 +37,7 @@ int TextureReader::read(const TomlInput& part, std::string_view key) {
         part.fail(*node, fmt::format("the {} '{}' cannot be used: {}",
                                      key == "texture" ? "texture" : "normal map", name, why));
     };
-    const BesideFile file = find_beside({scene_path_}, name);
+    const BesideFile file = beside_.find_exactly(name);
     if (!file.trouble.empty()) refuse(file.trouble + ".");
     const ReadTexture texture = files_.read(file.path, name);
     if (texture.index < 0) refuse(texture.trouble);

@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "base/toml_input.h"
+#include "scene/beside_file.h"
 #include "scene/scene.h"
 #include "scene/texture_files.h"
 
@@ -24,16 +25,16 @@ class TextureReader {
     /// @param watched    is asked before each file; must live as long
     TextureReader(const std::string& scene_path, std::vector<SharedTexture>& textures,
                   const WatchedSteps& watched)
-        : scene_path_(scene_path), files_(textures, watched) {}
+        : beside_({scene_path}), files_(textures, watched) {}
 
     /// The index of the picture that a part names under a key, `texture` or `normal_map`; -1 if it
     /// names none. Throws InputError at the
-    /// line of the name for a file that is not found (see find_beside) or cannot be used, and
-    /// ReadingStopped.
+    /// line of the name for a file that is not found (see BesideFiles::find_exactly) or cannot be
+    /// used, and ReadingStopped.
     int read(const TomlInput& part, std::string_view key);
 
   private:
-    std::string scene_path_;
+    BesideFiles beside_;
     TextureFiles files_;
 };
 

@@ -58,6 +58,13 @@ bool has_alpha(const Scene& scene) {
                        [](const Part& part) { return part.alpha < 1.0f; });
 }
 
+bool has_texture_alpha(const Scene& scene) {
+    return std::any_of(scene.parts.begin(), scene.parts.end(), [&](const Part& part) {
+        return part.texture >= 0 &&
+               (*scene.textures[static_cast<std::size_t>(part.texture)]).has_alpha();
+    });
+}
+
 const std::string& part_name(const Scene& scene, int triangle) {
     return scene.parts[static_cast<std::size_t>(part_of(scene, triangle))].name;
 }

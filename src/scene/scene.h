@@ -130,7 +130,9 @@ struct Scene {
     Mesh mesh;
     std::vector<Part> parts; ///< one after another: every triangle belongs to one of them
     std::vector<SharedTexture> textures; ///< each once, however many parts show it
-    std::vector<ScenePolygon> polygons;  ///< in the order of drawing; only of a scene in pixels
+    std::string
+        laid_texture; ///< file of an image that was laid on it, see with_texture(); empty: none
+    std::vector<ScenePolygon> polygons; ///< in the order of drawing; only of a scene in pixels
     std::vector<BenchExample> examples;
     Camera camera;
     Light light;
@@ -169,6 +171,9 @@ float alpha_of(const Scene& scene, int triangle);
 
 /// Is anything in the scene half transparent?
 bool has_alpha(const Scene& scene);
+
+/// Has any part of the scene a texture with texels that are not quite opaque?
+bool has_texture_alpha(const Scene& scene);
 
 /// The name of the part that a triangle belongs to.
 const std::string& part_name(const Scene& scene, int triangle);

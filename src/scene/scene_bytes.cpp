@@ -18,7 +18,7 @@ void SceneBytes::add(const Scene* scene) {
     for (const SharedTexture& texture : scene->textures) {
         if (!counted_.insert(&*texture).second) continue;
         for (const TextureLevel& level : (*texture).levels)
-            total_ += bytes_of(level.texels);
+            total_ += bytes_of(level.texels) + bytes_of(level.alphas);
     }
 }
 

@@ -35,7 +35,8 @@ CoveredTexels covered_texels(int place, int count, int before) {
 
 /// The box filter: the mean of what each texel covers, by area.
 TextureLevel half_of(const TextureLevel& before) {
-    TextureLevel level{std::max(before.width / 2, 1), std::max(before.height / 2, 1), {}};
+    TextureLevel level{std::max(before.width / 2, 1), std::max(before.height / 2, 1), {}, {}};
+    const bool has_alpha = !before.alphas.empty();
     level.texels.reserve(static_cast<std::size_t>(level.width) *
                          static_cast<std::size_t>(level.height));
     for (int row = 0; row < level.height; ++row) {
@@ -43,14 +44,17 @@ TextureLevel half_of(const TextureLevel& before) {
         for (int column = 0; column < level.width; ++column) {
             const CoveredTexels columns = covered_texels(column, level.width, before.width);
             glm::dvec3 sum(0.0);
+            double alpha = 0.0;
             for (int r = 0; r < rows.size; ++r) {
                 const CoveredTexel& y = rows.list[static_cast<std::size_t>(r)];
                 for (int c = 0; c < columns.size; ++c) {
                     const CoveredTexel& x = columns.list[static_cast<std::size_t>(c)];
                     sum += x.share * y.share * glm::dvec3(before.at(x.place, y.place));
+                    if (has_alpha) alpha += x.share * y.share * before.alpha_at(x.place, y.place);
                 }
             }
             level.texels.emplace_back(sum);
+            if (has_alpha) level.alphas.push_back(static_cast<float>(alpha));
         }
     }
     return level;
@@ -61,8 +65,26 @@ TextureLevel half_of(const TextureLevel& before) {
 SharedTexture::SharedTexture(Texture texture)
     : texture_(std::make_shared<const Texture>(std::move(texture))) {}
 
+namespace {
+
+/// The alpha of each pixel; none if all are opaque, or all clear.
+std::vector<float> alphas_of(const Image& image) {
+    std::vector<float> alphas;
+    alphas.reserve(image.rgba.size() / 4);
+    bool are_opaque = true, are_clear = true;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+        are_opaque = are_opaque && image.rgba[i] == 255;
+        are_clear = are_clear && image.rgba[i] == 0;
+        alphas.push_back(static_cast<float>(image.rgba[i]) / 255.0f);
+    }
+    if (are_opaque || are_clear) return {};
+    return alphas;
+}
+
+} // namespace
+
 Texture make_texture(std::string name, const Image& image) {
-    TextureLevel base{image.width, image.height, {}};
+    TextureLevel base{image.width, image.height, {}, alphas_of(image)};
     base.texels.reserve(image.rgba.size() / 4);
     for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
         base.texels.push_back(glm::vec3(image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]) /

@@ -29,11 +29,20 @@ struct TextureLevel {
     int width = 0;                 ///< texels, at least 1
     int height = 0;                ///< likewise
     std::vector<glm::vec3> texels; ///< red green blue, 0..1
+    std::vector<float> alphas;     ///< of each, 0 (clear) to 1 (opaque); empty: all are opaque
 
     /// @param column 0 <= column < width
     /// @param row    0 <= row < height
     const glm::vec3& at(int column, int row) const {
         return texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(column)];
+    }
+
+    /// How opaque a texel is, 0 to 1; what lies outside is opaque.
+    float alpha_at(int column, int row) const {
+        if (alphas.empty() || column < 0 || row < 0 || column >= width || row >= height)
+            return 1.0f;
+        return alphas[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
                       static_cast<std::size_t>(column)];
     }
 
@@ -49,6 +58,8 @@ struct Texture {
     std::vector<TextureLevel> levels;
 
     const TextureLevel& base() const { return levels.front(); }
+    /// Is any texel not quite opaque?
+    bool has_alpha() const { return !base().alphas.empty(); }
     int last_level() const { return static_cast<int>(levels.size()) - 1; }
 
     friend bool operator==(const Texture&, const Texture&) = default;
@@ -71,7 +82,8 @@ class SharedTexture {
 };
 
 /// The texture of a picture that has pixels. A byte b becomes b / 255, as bytes of the picture that
-/// is drawn come from 255 c; opacity is not looked at.
+/// is drawn come from 255 c. Where every texel is clear the picture is taken to be opaque: many
+/// programs leave its alpha empty.
 Texture make_texture(std::string name, const Image& image);
 
 } // namespace rasterwalk

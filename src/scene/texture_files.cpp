@@ -12,48 +12,101 @@
 
 namespace rasterwalk {
 
+namespace {
+
+std::string without_links(const std::string& path) {
+    std::error_code fault;
+    const std::filesystem::path canonical = std::filesystem::canonical(path, fault);
+    return fault ? path : canonical.string();
+}
+
+/// Gives a picture the alpha of another one.
+void lay_alpha(const Image& from, Image& image) {
+    bool has_alpha = false;
+    for (std::size_t i = 3; i < from.rgba.size(); i += 4)
+        has_alpha = has_alpha || from.rgba[i] != 255;
+    std::size_t pixel = 0;
+    for (int row = 0; row < image.height; ++row) {
+        for (int column = 0; column < image.width; ++column, pixel += 4) {
+            const int x = column * from.width / image.width, y = row * from.height / image.height;
+            const std::size_t at = 4 * static_cast<std::size_t>(y * from.width + x);
+            const int grey = (from.rgba[at] + from.rgba[at + 1] + from.rgba[at + 2] + 1) / 3;
+            image.rgba[pixel + 3] = has_alpha ? from.rgba[at + 3] : static_cast<std::uint8_t>(grey);
+        }
+    }
+}
+
+} // namespace
+
 ReadTexture TextureFiles::read(const std::string& path, const std::string& name) {
-    return read_known(path, name, std::nullopt);
+    return read_known({path, {}, std::nullopt}, name);
+}
+
+ReadTexture TextureFiles::read_with_alpha(const std::string& path, const std::string& alpha_path,
+                                          const std::string& name) {
+    if (!path.empty() && without_links(path) == without_links(alpha_path)) return read(path, name);
+    ReadTexture texture = read_known({path, alpha_path, std::nullopt}, name);
+    if (texture.index < 0 && !path.empty()) texture.index = read(path, name).index;
+    return texture;
 }
 
 ReadTexture TextureFiles::read_heights(const std::string& path, const std::string& name,
                                        float strength) {
-    return read_known(path, name, std::clamp(strength, -64.0f, 64.0f));
+    return read_known({path, {}, std::clamp(strength, -64.0f, 64.0f)}, name);
 }
 
-ReadTexture TextureFiles::read_known(const std::string& path, const std::string& name,
-                                     Strength strength) {
-    std::error_code fault;
-    const std::filesystem::path canonical = std::filesystem::canonical(path, fault);
-    const std::string file = fault ? path : canonical.string();
-    const auto known = known_.find({file, strength});
+ReadTexture TextureFiles::read_known(const Recipe& paths, const std::string& name) {
+    const auto real = [](const std::string& path) {
+        return path.empty() ? path : without_links(path);
+    };
+    const Recipe files{real(paths.file), real(paths.alpha_file), paths.strength};
+    const auto known = known_.find(files);
     if (known != known_.end()) return known->second;
     ReadTexture texture;
     try {
-        texture.index = read_new(file, path, name, strength);
+        texture.index = read_new(files, paths, name);
     } catch (const Error& error) {
         texture.trouble = error.what();
     }
-    return known_[{file, strength}] = texture;
+    return known_[files] = texture;
 }
 
-int TextureFiles::read_new(const std::string& file, const std::string& path,
-                           const std::string& name, Strength strength) {
-    if (known_.size() >= most_textures)
-        throw InputError(fmt::format("{}: there are more than {} textures.", path, most_textures));
-    const bool is_further = images_.contains(file);
-    const Image& image = image_of(file, path);
-    if (is_further) take_texels(path, {image.width, image.height});
+int TextureFiles::read_new(const Recipe& files, const Recipe& paths, const std::string& name) {
+    if (known_.size() >= most_textures) {
+        throw InputError(
+            fmt::format("{}: there are more than {} textures.", paths.file, most_textures));
+    }
+    if (!files.alpha_file.empty()) {
+        const Image image = image_with_alpha(files, paths);
+        watched_.ask();
+        textures_.emplace_back(make_texture(name, image));
+        return static_cast<int>(textures_.size()) - 1;
+    }
+    const bool is_further = images_.contains(files.file);
+    const Image& image = image_of(files.file, paths.file);
+    if (is_further) take_texels(paths.file, {image.width, image.height});
     watched_.ask();
-    if (strength && !looks_like_normals(image)) {
+    if (files.strength && !looks_like_normals(image)) {
         const auto side = static_cast<float>(std::max(image.width, image.height));
-        const Image normals = normals_of_heights(image, *strength * side / 64.0f);
+        const Image normals = normals_of_heights(image, *files.strength * side / 64.0f);
         watched_.ask();
         textures_.emplace_back(make_texture(name, normals));
     } else {
         textures_.emplace_back(make_texture(name, image));
     }
     return static_cast<int>(textures_.size()) - 1;
+}
+
+Image TextureFiles::image_with_alpha(const Recipe& files, const Recipe& paths) {
+    const Image& alpha = image_of(files.alpha_file, paths.alpha_file);
+    Image image{alpha.width, alpha.height, {}};
+    if (files.file.empty())
+        image.rgba.assign(alpha.rgba.size(), 255);
+    else
+        image = image_of(files.file, paths.file);
+    take_texels(paths.alpha_file, {image.width, image.height});
+    lay_alpha(alpha, image);
+    return image;
 }
 
 const Image& TextureFiles::image_of(const std::string& file, const std::string& path) {
@@ -64,8 +117,8 @@ const Image& TextureFiles::image_of(const std::string& file, const std::string& 
             watched_.ask();
             refuse_endless_file(path);
             bytes_.add(path);
-            read.image = read_png(path, largest_texture_side,
-                                  [&](glm::ivec2 size) { take_texels(path, size); });
+            read.image = read_image(path, largest_texture_side,
+                                    [&](glm::ivec2 size) { take_texels(path, size); });
         } catch (const Error& error) {
             read.trouble = error.what();
         }

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/image.h"
@@ -30,11 +30,18 @@ class TextureFiles {
     TextureFiles(std::vector<SharedTexture>& textures, const WatchedSteps& watched)
         : textures_(textures), watched_(watched) {}
 
-    /// The texture of a file. It cannot be used if it is no PNG, cannot be read, or is too large;
-    /// the list is then as it was. Throws ReadingStopped.
+    /// The texture of a file. It cannot be used if its format is not read (image_format.h), if it
+    /// is damaged, or too large; the list is then as it was. Throws ReadingStopped.
     /// @param path of a plain file
     /// @param name that the texture has if it is new
     ReadTexture read(const std::string& path, const std::string& name);
+
+    /// The same with the alpha of another picture: its alpha if it has any, or else its grey; where
+    /// sizes differ the nearest pixel. One that cannot be used leaves the first as it is, and is
+    /// the trouble; so does one that is the same file.
+    /// @param path of the first; empty: white, in the size of the other
+    ReadTexture read_with_alpha(const std::string& path, const std::string& alpha_path,
+                                const std::string& name);
 
     /// The same of a file whose grey is a height: the normal map that is made of it. Many programs
     /// name a normal map where a height map belongs; a file that looks like one is taken as it is.
@@ -49,16 +56,24 @@ class TextureFiles {
     };
     using Strength = std::optional<float>; ///< of heights; none: the picture as it is
 
-    ReadTexture read_known(const std::string& path, const std::string& name, Strength strength);
-    int read_new(const std::string& file, const std::string& path, const std::string& name,
-                 Strength strength);
+    /// What a texture is made of: paths without links, empty where there is none.
+    struct Recipe {
+        std::string file, alpha_file;
+        Strength strength;
+
+        friend auto operator<=>(const Recipe&, const Recipe&) = default;
+    };
+
+    ReadTexture read_known(const Recipe& paths, const std::string& name);
+    int read_new(const Recipe& files, const Recipe& paths, const std::string& name);
     const Image& image_of(const std::string& file, const std::string& path);
+    Image image_with_alpha(const Recipe& files, const Recipe& paths);
     void take_texels(const std::string& path, glm::ivec2 size);
 
     std::vector<SharedTexture>& textures_;
     const WatchedSteps& watched_;
-    std::map<std::pair<std::string, Strength>, ReadTexture> known_; ///< by the path without links
-    std::map<std::string, ReadImage> images_;                       ///< likewise
+    std::map<Recipe, ReadTexture> known_;     ///< by the paths without links
+    std::map<std::string, ReadImage> images_; ///< likewise
     BesideBytes bytes_{most_image_bytes, "all images"};
     std::size_t texels_ = 0; ///< of all files that were unpacked, and of further textures of them
 };

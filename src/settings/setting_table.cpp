@@ -256,6 +256,23 @@ std::vector<Setting> make_table() {
          {},
          {},
          true},
+        {"texture_alpha",
+         "Alpha of textures",
+         "Texture",
+         "What the alpha of a texture does: it cuts holes where it is below 1/2, as in leaves and "
+         "fences; it blends each pixel over what was there; or nothing. Shadows are those of the "
+         "whole triangle.",
+         "Beyond the lab",
+         "",
+         choice<&Settings::texture_alpha>(),
+         {},
+         {},
+         true,
+         false,
+         false,
+         false,
+         nullptr,
+         true},
         {"texel_rule",
          "Number of a texel",
          "Texture",
@@ -581,7 +598,8 @@ std::span<const Setting> setting_table() {
 
 bool is_of_use(const Setting& setting, const Scene& scene) {
     if (setting.needs_world && scene.space != SceneSpace::world) return false;
-    if (setting.needs_alpha && !has_alpha(scene)) return false;
+    if (setting.needs_alpha && !has_alpha(scene) && !has_texture_alpha(scene)) return false;
+    if (setting.needs_texture_alpha && !has_texture_alpha(scene)) return false;
     if (setting.needs_normal_map && !has_normal_map(scene)) return false;
     return !setting.needs_texture || !scene.textures.empty();
 }

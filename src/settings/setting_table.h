@@ -74,6 +74,7 @@ struct Setting {
     bool needs_normal_map = false; ///< of no use to a scene without normal maps
     /// Of no use while other settings are so that this is false; null: always of use.
     bool (*needs)(const Settings&) = nullptr;
+    bool needs_texture_alpha = false; ///< of no use to a scene whose textures are all opaque
 };
 
 /// Every setting, in the order of the sheet of settings.

@@ -46,6 +46,7 @@ struct Settings {
     TextureUse texture = TextureUse::on; ///< only where the scene has textures
     TextureFilter texture_filter = TextureFilter::nearest;
     TextureWrap texture_wrap = TextureWrap::repeat;
+    TextureAlpha texture_alpha = TextureAlpha::cut_out; ///< only of textures that have alpha
     TexelRule texel_rule = TexelRule::right;
     NormalMapUse normal_map = NormalMapUse::on; ///< only where the scene has normal maps
     NormalMapRule normal_map_rule = NormalMapRule::right;

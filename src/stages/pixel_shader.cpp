@@ -18,6 +18,16 @@ TexturePlace place_in_texture(const Fragment& fragment, const Surface& surface,
                          surface.texture_slope);
 }
 
+FragmentAlpha fragment_alpha(const Fragment& fragment, const Surface& surface,
+                             const Stages& stages) {
+    if (surface.texture_alpha == TextureAlpha::off) return {surface.alpha, false};
+    const float alpha =
+        sample_alpha(*surface.texture, place_in_texture(fragment, surface, stages), stages);
+    if (surface.texture_alpha == TextureAlpha::blend) return {surface.alpha * alpha, false};
+    const bool is_cut = alpha < cut_out_limit;
+    return {is_cut ? alpha : surface.alpha, is_cut};
+}
+
 glm::vec3 painted(const glm::vec3& colour, const Fragment& fragment, const Surface& surface,
                   const Stages& stages) {
     return colour * stages.sample_texture(*surface.texture,

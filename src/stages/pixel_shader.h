@@ -43,6 +43,8 @@ struct Surface {
     glm::vec3 flat_light{0.0f};          ///< of the whole triangle, under flat shading
     const Texture* normal_map = nullptr; ///< that bends its normals, or none
     UvDirections uv_directions{};        ///< only where there is a normal map
+    /// What the alpha of its texture does; off also where that is opaque.
+    TextureAlpha texture_alpha = TextureAlpha::off;
 };
 
 /// The rules by which a fragment is coloured.
@@ -83,6 +85,16 @@ Varyings recover_varyings(const Fragment& fragment, const Stages& stages);
 /// Where a fragment lies in the texture of its surface.
 TexturePlace place_in_texture(const Fragment& fragment, const Surface& surface,
                               const Stages& stages);
+
+/// How opaque a fragment is, and whether it is drawn at all.
+struct FragmentAlpha {
+    float alpha = 1.0f;  ///< 0 (clear) to 1 (opaque); of one that is cut out that of its texture
+    bool is_cut = false; ///< discarded, before the depth test
+};
+
+/// The alpha of a fragment: its surface's, and what the texture says where it is asked.
+FragmentAlpha fragment_alpha(const Fragment& fragment, const Surface& surface,
+                             const Stages& stages);
 
 /// A colour of the surface, times that of its texture: a white surface is painted by it. As Kd and
 /// map_Kd are combined: Alias/Wavefront, Object Files and MTL material format, 1995.

@@ -112,6 +112,17 @@ glm::vec3 sample_trilinear(const Texture& texture, const TexturePlace& place, co
     return colour;
 }
 
+float sample_alpha(const Texture& texture, const TexturePlace& place, const Stages& stages) {
+    TakenTexels taken;
+    stages.sample_texture(texture, place, stages, &taken);
+    float alpha = 0.0f;
+    for (const TakenTexel& texel : taken) {
+        const TextureLevel& level = texture.levels[static_cast<std::size_t>(texel.level)];
+        alpha += texel.weight * level.alpha_at(texel.column, texel.row);
+    }
+    return alpha;
+}
+
 int nearest_level(float level) {
     return std::max(static_cast<int>(std::ceil(level + 0.5f)) - 1, 0);
 }

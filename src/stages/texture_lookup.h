@@ -63,6 +63,20 @@ template <>
 inline constexpr auto enum_words<TextureWrap> = word_list("repeat", "clamp", "mirror");
 static_assert(words_match<TextureWrap>);
 
+/// What the alpha of a texture does to a fragment.
+enum class TextureAlpha : std::uint8_t {
+    cut_out, ///< below `cut_out_limit` the fragment is discarded, or else it is opaque
+    blend,   ///< it multiplies the alpha with which the fragment is blended
+    off,     ///< nothing: every texel is opaque
+};
+template <>
+inline constexpr auto enum_words<TextureAlpha> = word_list("cut_out", "blend", "off");
+static_assert(words_match<TextureAlpha>);
+
+/// Less alpha than this and a fragment is cut out: the alpha test of OpenGL 1.0, with GL_GEQUAL and
+/// this reference value.
+inline constexpr float cut_out_limit = 0.5f;
+
 /// A texel that a fragment took.
 struct TakenTexel {
     int level = 0;
@@ -120,6 +134,10 @@ glm::vec3 sample_mipmap(const Texture& texture, const TexturePlace& place, const
                         TakenTexels* taken);
 glm::vec3 sample_trilinear(const Texture& texture, const TexturePlace& place, const Stages& stages,
                            TakenTexels* taken);
+
+/// The alpha of a texture at a place, 0 to 1: that of the texels whose colours are mixed there, by
+/// the same weights.
+float sample_alpha(const Texture& texture, const TexturePlace& place, const Stages& stages);
 
 /// The level nearest to one between levels; half-way the larger picture, as OpenGL takes it.
 int nearest_level(float level);

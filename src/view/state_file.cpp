@@ -85,6 +85,9 @@ std::string view_text(const Session& session, const std::string& path) {
     const Scene original = scene_in_file(session);
     std::string text = "# A view of Rasterwalk, to be opened with it.\n";
     add_line(text, "scene", toml_text(name_from(folder, session.scene->path, "scene")));
+    const std::string& texture = session.scene->laid_texture;
+    if (!texture.empty())
+        add_line(text, "texture", toml_text(name_from(folder, texture, "texture")));
     const std::string lesson = name_of_lesson(session, folder);
     if (!lesson.empty()) {
         add_line(text, "lesson", toml_text(lesson));
@@ -115,6 +118,7 @@ SavedView parse_view(std::string_view text, const std::string& path) {
     toml::table root = parse_toml(text, path);
     const TomlInput input(root, path, "the view");
     view.scene = input.text("scene");
+    view.texture = input.text_or_empty("texture");
     view.lesson = input.text_or_empty("lesson");
     input.read("step", view.step, 0, most_lesson_steps);
     if (input.find("step") != nullptr && view.lesson.empty()) {
@@ -136,11 +140,12 @@ SavedView parse_view(std::string_view text, const std::string& path) {
         }
     }
     std::map<std::string, int, std::less<>> lines;
-    for (const char* key : {"scene", "lesson", "step"}) {
+    for (const char* key : {"scene", "texture", "lesson", "step"}) {
         if (const toml::node* node = input.find(key)) {
             lines[key] = static_cast<int>(node->source().begin.line);
         }
     }
+    root.erase("texture");
     root.erase("lesson");
     root.erase("step");
     root.erase("own_tab");

@@ -11,10 +11,11 @@ namespace rasterwalk {
 
 /// A view as it stands in a file.
 struct SavedView {
-    std::string path;   ///< of the file; the scene and the lesson are found from its folder
-    std::string scene;  ///< file beside it or in a folder below, or one of the program's own
-    std::string lesson; ///< id, or a file (.md) beside it; empty: none
-    int step = 0;       ///< of the lesson
+    std::string path;    ///< of the file; the scene and the lesson are found from its folder
+    std::string scene;   ///< file beside it or in a folder below, or one of the program's own
+    std::string texture; ///< likewise, an image that is laid on the scene; empty: none
+    std::string lesson;  ///< id, or a file (.md) beside it; empty: none
+    int step = 0;        ///< of the lesson
     std::string
         own_tab;     ///< of the inspector: chosen by the student, against the lesson; empty: none
     ViewState state; ///< on that scene; its lines are those of the file

@@ -78,7 +78,9 @@ TEST_CASE("A picture cannot be written where there is no folder") {
 TEST_CASE("Files that are no pictures are refused as bad input") {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("x.png", "not a picture at all");
-    CHECK_THROWS_WITH(read_image(path), path + ": the file is neither a PNG nor a BMP picture.");
+    CHECK_THROWS_WITH(read_image(path),
+                      path + ": the file is no picture that is read: PNG, JPG, TGA, BMP, "
+                             "PPM or PGM.");
     folder.write("x.png", "");
     CHECK_THROWS_AS(read_image(path), InputError);
     CHECK_THROWS_AS(read_image(folder.file("none.png")), AccessError);

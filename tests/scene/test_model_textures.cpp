@@ -110,7 +110,7 @@ TEST_CASE(
     const test::TemporaryFolder folder;
     write_png(many_colours(64, 64), folder.file("whole.png"));
     const std::string whole = test::bytes_of(folder.file("whole.png"));
-    folder.write("text.png", "P3 1 1 255 0 0 0\n");
+    folder.write("text.png", "no picture\n");
     folder.write("cut.png", whole.substr(0, whole.size() / 2));
     std::string vast = whole; // says that it is 1,000,064 texels wide
     vast[17] = '\x0f';
@@ -122,14 +122,15 @@ TEST_CASE(
     const std::string path = folder.write("m.obj", three_squares);
     const std::vector<std::array<std::string, 2>> cases{
         {"none.png", "there is no file 'none.png'; the image is left out."},
-        {"../none.png",
-         "there is no file '../none.png' beside it or in a folder below; the image is left out."},
-        {"/dev/zero",
-         "there is no file '/dev/zero' beside it or in a folder below; the image is left out."},
+        {"../none.png", "there is no file '../none.png'; the image is left out."},
+        {"../../none.png", "there is no file '../../none.png' beside it, below it or in a folder "
+                           "next to its own; the image is left out."},
+        {"/dev/zero", "there is no file '/dev/zero' beside it, below it or in a folder next to its "
+                      "own; the image is left out."},
         {"pipe.png", "'pipe.png' is a pipe or a device; the image is left out."},
         {"folder.png", "'folder.png' is a folder; the image is left out."},
-        {"text.png", folder.file("text.png") + ": the file is no PNG picture. The image is left "
-                                               "out."},
+        {"text.png", folder.file("text.png") + ": the file is no picture that is read: PNG, "
+                                               "JPG, TGA, BMP, PPM or PGM. The image is left out."},
         {"cut.png", folder.file("cut.png") + ": "},
         {"vast.png", folder.file("vast.png") + ": a picture of "}};
     for (const auto& [name, begins] : cases) {
@@ -241,4 +242,43 @@ TEST_CASE("norm is a map of normals; bump is one of heights, or of normals if it
     CHECK(map_of(1).at(0, 0) == glm::vec3(128, 128, 255) / 255.0f);
     CHECK(map_of(4).at(0, 0) == glm::vec3(128, 128, 255) / 255.0f);
     CHECK(has_normal_map(scene));
+}
+
+TEST_CASE("map_d gives a texture the alpha or the grey of another image") {
+    const test::TemporaryFolder folder;
+    write_png(many_colours(4, 2), folder.file("colours.png"));
+    const Image grey{2, 1, {10, 20, 30, 255, 240, 240, 240, 255}};
+    const Image alpha{2, 1, {9, 9, 9, 40, 9, 9, 9, 255}};
+    write_png(grey, folder.file("grey.png"));
+    write_png(alpha, folder.file("alpha.png"));
+    folder.write("m.mtl", "newmtl a\nmap_Kd colours.png\nmap_d grey.png\n"
+                          "newmtl b\nmap_d alpha.png\nmap_Kd colours.png\n"
+                          "newmtl c\nmap_d alpha.png\n"
+                          "newmtl d\nmap_Kd colours.png\nmap_d colours.png\n"
+                          "newmtl e\nmap_Kd colours.png\nmap_d none.png\n");
+    std::string text = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
+    for (const char* const name : {"a", "b", "c", "d", "e"})
+        text += fmt::format("usemtl {}\nf 1/1 2/2 3/3\n", name);
+    const ObjModel model = read_obj(folder.write("m.obj", text));
+    REQUIRE(model.parts.size() == 5);
+    const auto base_of = [&](std::size_t part) {
+        const int texture = model.parts[part].texture;
+        REQUIRE(texture >= 0);
+        return (*model.textures[static_cast<std::size_t>(texture)]).base();
+    };
+    for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            INFO(column << "," << row);
+            CHECK(base_of(0).alpha_at(column, row) == (column < 2 ? 20 : 240) / 255.0f);
+            CHECK(base_of(1).alpha_at(column, row) == (column < 2 ? 40 : 255) / 255.0f);
+            CHECK(base_of(0).at(column, row) == base_of(3).at(column, row));
+        }
+    }
+    CHECK(base_of(2).width == 2);
+    CHECK(base_of(2).at(0, 0) == glm::vec3(1.0f));
+    CHECK(base_of(2).alpha_at(0, 0) == 40 / 255.0f);
+    CHECK(base_of(3).alphas.empty());
+    CHECK(base_of(4).alphas.empty());
+    REQUIRE(model.report.faults.size() == 1);
+    CHECK_THAT(model.report.faults[0].sentence, Catch::Matchers::StartsWith("'map_d': "));
 }

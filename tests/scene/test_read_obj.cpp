@@ -169,9 +169,9 @@ TEST_CASE("What is wrong in a model is told with its line, and the rest is read"
                         "is not used."},
         {"mtllib", "'mtllib': no file is named; it is left out."},
         {"mtllib not-there.mtl", "'mtllib': there is no file 'not-there.mtl'; it is left out."},
-        {"mtllib /dev/zero",
-         "'mtllib': there is no file '/dev/zero' beside it or in a folder below; "
-         "it is left out."},
+        {"mtllib /dev/zero", "'mtllib': there is no file '/dev/zero' beside it, below it or in a "
+                             "folder next to its own; "
+                             "it is left out."},
         {"mtllib .", "'mtllib': '.' is a folder; it is left out."},
         {"usemtl wood\nf 1 2 3", "there is no material 'wood'; its faces are white."},
     };
@@ -410,10 +410,10 @@ TEST_CASE("What is wrong in a file of materials is told with its own line") {
              {"Ns", "'Ns' takes a number from 0; it is left out."},
              {"newmtl", "'newmtl' has no name; it is left out."},
              {"map_Kd", "'map_Kd': no file is named; the image is left out."},
-             {"map_Kd a.png", "'map_Kd': there is no file 'a.png'; the image is left out."},
+             {"map_Kd none.png", "'map_Kd': there is no file 'none.png'; the image is left out."},
              {"map_Bump images", "'map_Bump': 'images' is a folder; the image is left out."},
-             {"bump /dev/null", "'bump': there is no file '/dev/null' beside it or in a folder "
-                                "below; the image is left out."}}) {
+             {"bump /dev/null", "'bump': there is no file '/dev/null' beside it, below it or in a "
+                                "folder next to its own; the image is left out."}}) {
         INFO(one.line);
         folder.write("m.mtl", "newmtl a\n" + one.line + "\n");
         CHECK(fault_lines(read_obj(path).report) ==

@@ -156,7 +156,7 @@ TEST_CASE("A file that is no texture is refused in a sentence, with file and lin
     const test::TemporaryFolder folder;
     write_png(many_colours(64, 64), folder.file("whole.png"));
     const std::string whole = test::bytes_of(folder.file("whole.png"));
-    folder.write("text.png", "P3 1 1 255 0 0 0\n");
+    folder.write("text.png", "no picture\n");
     folder.write("empty.png", "");
     folder.write("cut.png", whole.substr(0, whole.size() / 2));
     folder.write("head.png", whole.substr(0, 33));
@@ -173,7 +173,7 @@ TEST_CASE("A file that is no texture is refused in a sentence, with file and lin
     const std::vector<std::array<std::string, 2>> cases{
         {"none.png", "s.toml:10: the texture 'none.png' cannot be used: "},
         {"text.png", "s.toml:10: the texture 'text.png' cannot be used: text.png: the file is no "
-                     "PNG picture."},
+                     "picture that is read: PNG, JPG, TGA, BMP, PPM or PGM."},
         {"empty.png", "s.toml:10: the texture 'empty.png' cannot be used: "},
         {"cut.png", "s.toml:10: the texture 'cut.png' cannot be used: "},
         {"head.png", "s.toml:10: the texture 'head.png' cannot be used: "},
@@ -182,9 +182,9 @@ TEST_CASE("A file that is no texture is refused in a sentence, with file and lin
         {"pipe.png", "s.toml:10: the texture 'pipe.png' cannot be used: "},
         {"folder.png", "s.toml:10: the texture 'folder.png' cannot be used: "},
         {"../none.png", "s.toml:10: the texture '../none.png' cannot be used: there is no file "
-                        "'../none.png' beside it or in a folder below."},
+                        "'../none.png'."},
         {"/dev/zero", "s.toml:10: the texture '/dev/zero' cannot be used: there is no file "
-                      "'/dev/zero' beside it or in a folder below."},
+                      "'/dev/zero' beside it, below it or in a folder next to its own."},
         {"", "s.toml:10: 'texture' of part 1 must not be empty."},
     };
     for (const auto& [name, begins] : cases) {

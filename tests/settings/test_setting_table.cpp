@@ -63,6 +63,7 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "texture",
                                                  "texture_filter",
                                                  "texture_wrap",
+                                                 "texture_alpha",
                                                  "texel_rule",
                                                  "normal_map",
                                                  "normal_map_rule",

@@ -10,12 +10,14 @@
 
 namespace rasterwalk::test {
 
-/// A picture whose every texel has another colour.
+/// An opaque picture whose every texel has another colour.
 inline Image many_colours(int width, int height) {
     Random random(static_cast<std::uint32_t>(1000 * width + height));
     Image image{width, height, {}};
     for (int i = 0; i < 4 * width * height; ++i)
         image.rgba.push_back(static_cast<std::uint8_t>(random.integer(0, 255)));
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        image.rgba[i] = 255;
     return image;
 }
 

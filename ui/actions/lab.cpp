@@ -63,7 +63,7 @@ void choose_reference(Ui& ui) {
 
 void begin_picture(Ui& ui, const std::string& path) {
     LabLook& lab = ui.lab;
-    Image picture = read_image(path);
+    Image picture = parse_exact_image(read_file(path, largest_image_file), path);
     const Settings usual = lab.reference;
     lab.reference = fitted_to(usual, picture, lab.compared_scene->space);
     lab.held_against = picture_words(lab, usual);

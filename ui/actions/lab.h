@@ -30,7 +30,7 @@ void begin_quiz(Ui& ui);
 /// Ends the quiz, counts its points if it was over, and brings back what was set before.
 void finish_quiz(Ui& ui);
 
-/// Holds a picture (PNG or BMP) or a text of printed rows against the lab's room as the handout
+/// Holds a picture (not a JPG) or a text of printed rows against the lab's room as the handout
 /// draws it, and opens the laboratory with what may be wrong with it: from the next frame but one
 /// on, see carry_on_diagnosis().
 void diagnose_file(Ui& ui, const std::string& path);

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +16,8 @@
 #include "opening/command_line_text.h"
 #include "opening/opened_view.h"
 #include "opening/view_link.h"
+#include "scene/beside_file.h"
+#include "scene/laid_texture.h"
 #include "scene/read_obj.h"
 #include "session/content.h"
 #include "session/scene_file.h"
@@ -35,9 +38,18 @@ namespace fs = std::filesystem;
 constexpr std::string_view view_ending = ".walk.toml";
 
 bool has_result_ending(const std::string& path) {
-    constexpr std::string_view endings[] = {".txt", ".TXT", ".png", ".PNG", ".bmp", ".BMP"};
+    constexpr std::string_view endings[] = {".txt", ".TXT", ".png", ".PNG",
+                                            ".bmp", ".BMP", ".ppm", ".tga"};
     return std::any_of(std::begin(endings), std::end(endings),
                        [&](std::string_view ending) { return path.ends_with(ending); });
+}
+
+bool has_image_ending(const std::string& path) {
+    const std::string name = in_small_letters(path);
+    constexpr std::string_view endings[] = {".png", ".jpg", ".jpeg", ".tga",
+                                            ".bmp", ".ppm", ".pgm"};
+    return std::any_of(std::begin(endings), std::end(endings),
+                       [&](std::string_view ending) { return name.ends_with(ending); });
 }
 
 /// A picture, whatever its name, or a text.
@@ -49,6 +61,7 @@ bool is_result(const std::string& path) {
 bool is_listed(FileSheet::Kind kind, const std::string& name) {
     if (kind == FileSheet::Kind::save) return is_view_file(name);
     if (kind == FileSheet::Kind::result) return has_result_ending(name);
+    if (kind == FileSheet::Kind::texture) return has_image_ending(name);
     constexpr std::string_view other_data[] = {"presets.toml", "bugs.toml", "glossary.toml"};
     if (std::find(std::begin(other_data), std::end(other_data), name) != std::end(other_data)) {
         return false;
@@ -157,10 +170,16 @@ void check_result(Ui& ui, const std::string& path) {
     refuse_endless_file(path);
     // What cannot be read is said on the sheet, beside the other files.
     if (!is_result(path)) {
-        throw InputError(path + ": a result is a PNG or BMP picture, or printed rows as .txt.");
+        throw InputError(
+            path + ": a result is a picture (PNG, BMP, TGA or PPM), or printed rows as .txt.");
     }
     if (!is_image_file(path)) parse_printed_rows(read_file(path), path);
     diagnose_file(ui, path);
+}
+
+void lay_texture(Ui& ui, const std::string& path) {
+    ui.session.scene = std::make_shared<const Scene>(with_texture(*ui.session.scene, path));
+    tell(ui.session, "Laid " + fs::path(path).filename().string() + " on the model.");
 }
 
 void open_dropped(Ui& ui, const std::string& path) {
@@ -216,6 +235,15 @@ void begin_opening(Ui& ui) {
 void begin_choosing_result(Ui& ui) {
     if (ui.host.is_browser) return ui.host.choose_file(true);
     begin_sheet(ui, FileSheet::Kind::result);
+}
+
+void begin_choosing_texture(Ui& ui) {
+    if (ui.host.is_browser) {
+        ui.session.notice = "A browser hands over one file at a time: name the image in the "
+                            "model's .mtl, and open them on the desktop.";
+        return;
+    }
+    begin_sheet(ui, FileSheet::Kind::texture);
 }
 
 void begin_saving(Ui& ui) {
@@ -295,6 +323,8 @@ void finish_sheet(Ui& ui) {
         } else {
             if (sheet.kind == FileSheet::Kind::result) {
                 check_result(ui, path);
+            } else if (sheet.kind == FileSheet::Kind::texture) {
+                lay_texture(ui, path);
             } else {
                 open_file(ui, path);
             }

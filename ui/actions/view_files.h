@@ -25,6 +25,10 @@ void open_file(Ui& ui, const std::string& path);
 /// if the file is neither.
 void check_result(Ui& ui, const std::string& path);
 
+/// Lays an image on the scene, see with_texture(); undo takes it away again. Throws Error;
+/// everything is then as it was.
+void lay_texture(Ui& ui, const std::string& path);
+
 /// Opens a file that was dropped on the window; what is being read is stopped. A fault is shown on
 /// the sheet for opening.
 void open_dropped(Ui& ui, const std::string& path);
@@ -39,9 +43,11 @@ void copy_command_line(Ui& ui);
 /// the link from its '#' on; says so in session.notice.
 void copy_link(Ui& ui);
 
-/// Brings up the sheet on which a file is opened, a result is chosen, or the view is saved.
+/// Brings up the sheet on which a file is opened, a result or a texture is chosen, or the
+/// view is saved.
 void begin_opening(Ui& ui);
 void begin_choosing_result(Ui& ui);
+void begin_choosing_texture(Ui& ui);
 void begin_saving(Ui& ui);
 
 /// The most files of a folder that the sheet lists.

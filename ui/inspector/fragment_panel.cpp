@@ -146,6 +146,10 @@ void draw_title(Ui& ui) {
 std::string verdict(const Ui& ui, const FragmentReport& report) {
     if (report.fate == Fate::back_facing)
         return "✗ culled before the depth test: its normal points away from the camera";
+    if (report.fate == Fate::cut_out) {
+        return "✗ cut out before the depth test: the alpha of its texture here is " +
+               fixed(static_cast<double>(report.alpha), 3) + ", below 1/2";
+    }
     if (report.depth_test == DepthTest::off) return "no depth test: the last one drawn stays";
     if (report.depth_test == DepthTest::reversed) {
         return report.fate == Fate::written ? "✓ passed: it is farther than what was there"

@@ -186,6 +186,10 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
                             has_epsilon ? " by more than epsilon" : "");
     } else if (entry.fate == Fate::back_facing) {
         text += "\nCulled before the depth test: its normal points away from the camera.";
+    } else if (entry.fate == Fate::cut_out) {
+        text += fmt::format("\nCut out before the depth test: the alpha of its texture is {}, "
+                            "below 1/2.",
+                            nine_digits_shown(entry.alpha));
     } else if (stays(history, index)) {
         text += "\nWritten, and nothing written after it: its colour stays.";
     } else if (entry.share > 0.0f) {
@@ -214,6 +218,7 @@ void draw_fate(const Ui& ui, const PixelHistory& history, int index, float opaci
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
     ImGui::PushFont(ui.fonts.small);
     const char* const word = entry.fate == Fate::back_facing ? " back"
+                             : entry.fate == Fate::cut_out   ? " cut out"
                              : !written                      ? " hidden"
                              : stays(history, index)         ? " stays"
                              : entry.share > 0.0f            ? " shows"
@@ -326,6 +331,8 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
          std::string("✓ written: it became the pixel's colour. ✓ stays: and it was the last to do "
                      "so. ") +
              (shown_frame.blends ? "✓ shows: what lies over it is half-transparent. " : "") +
+             (has_texture_alpha(*shown_frame.scene) ? "✗ cut out: its texture is clear there. "
+                                                    : "") +
              "✗ hidden: something nearer was there."},
         {"colour", "", "The pixel's colour after it."},
     };

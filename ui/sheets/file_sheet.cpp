@@ -39,6 +39,11 @@ SheetWords words_of(FileSheet::Kind kind) {
                 "(.txt).",
                 "No pictures and no texts here.", "Check",
                 "Looks for what may be wrong with it. Key: Enter"};
+    case FileSheet::Kind::texture:
+        return {"Lay an image on the model",
+                "An image (.png, .jpg, .tga, .bmp, .ppm, .pgm) for every part that has texture "
+                "coordinates and no image of its own.",
+                "No images here.", "Lay it on", "Shows the model with it. Key: Enter"};
     default:
         return {
             "Open",

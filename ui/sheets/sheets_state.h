@@ -21,8 +21,9 @@ struct FileEntry {
 
 /// The sheet on which a file is opened or a view is saved.
 struct FileSheet {
-    /// `result`: a picture or a text of the student's own program, to be checked.
-    enum class Kind : std::uint8_t { closed, open, save, result };
+    /// `result`: a picture or a text of the student's own program, to be checked; `texture`: an
+    /// image to be laid on the model.
+    enum class Kind : std::uint8_t { closed, open, save, result, texture };
     Kind kind = Kind::closed;
     std::string path;   ///< as it stands in the field
     std::string folder; ///< that is listed; kept for the next time

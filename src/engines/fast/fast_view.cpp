@@ -36,6 +36,9 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
     if (shading_rule(settings) == Shading::flat) return unknown("shading=flat");
     if (has_alpha(scene) && settings.blend != Blend::off)
         return unknown("half transparent surfaces: blend=off draws them opaque");
+    if (has_texture_alpha(scene) && settings.texture == TextureUse::on &&
+        settings.texture_alpha != TextureAlpha::off)
+        return unknown("textures with alpha: texture_alpha=off draws them opaque");
     if (bends_normals(settings) && has_normal_map(scene))
         return unknown("normal maps: normal_map=off goes without");
     if (shadow_rule(settings, scene.space) != Shadows::off) return unknown("shadows");

@@ -11,6 +11,7 @@
 #include "tests/support/random_session.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
+#include "ui/actions/actions.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/view_files.h"
@@ -467,6 +468,33 @@ TEST_CASE("Of a very large folder the sheet lists a part, and says so") {
     enter_folder(sheet, folder.file("there is none"));
     CHECK_FALSE(sheet.fault.empty());
     CHECK(sheet.entries.size() == 12);
+}
+
+TEST_CASE("An image is laid on an open model, saved with the view, and taken away by undo") {
+    const TemporaryFolder folder;
+    const std::string model = folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\n"
+                                                    "vt 0 1\nf 1/1 2/2 3/3\n");
+    const std::string image = folder.file("x.png");
+    write_png({1, 2, {1, 2, 3, 255, 4, 5, 6, 255}}, image);
+    Driver driver;
+    open(driver, model);
+    driver.hand.rest();
+    REQUIRE(driver.ui.session.scene->textures.empty());
+    find_action("file.lay_texture").run(driver.ui);
+    driver.hand.rest();
+    REQUIRE(is_up(driver));
+    driver.hand.enter("files.path", folder.file("none.png"));
+    CHECK(is_up(driver)); // the fault stands on the sheet
+    CHECK_FALSE(driver.ui.sheets.files.fault.empty());
+    driver.hand.enter("files.path", image);
+    CHECK_FALSE(is_up(driver));
+    REQUIRE(driver.ui.session.scene->textures.size() == 1);
+    CHECK(driver.ui.session.scene->parts[0].texture == 0);
+    const std::string view = folder.file("v.walk.toml");
+    save(driver, view);
+    CHECK(read_view(view).texture == "x.png");
+    driver.hand.press('Z', ctrl);
+    CHECK(driver.ui.session.scene->textures.empty());
 }
 
 } // namespace rasterwalk

@@ -1,0 +1,32 @@
+#pragma once
+
+// Which format the bytes of a picture are in. The name of a file says nothing: many are renamed.
+
+#include <cstdint>
+#include <string_view>
+
+namespace rasterwalk {
+
+/// The formats of pictures that are read.
+enum class ImageFormat : std::uint8_t {
+    none, ///< of no format that is read
+    png,
+    bmp,
+    jpeg,
+    pnm, ///< PGM and PPM, as text (P2, P3) or as bytes (P5, P6)
+    tga, ///< has no mark of its own: it is told by a header that makes sense
+};
+
+/// How messages list them.
+inline constexpr std::string_view image_formats_read = "PNG, JPG, TGA, BMP, PPM or PGM";
+
+/// The longest beginning of a file that is looked at, bytes.
+inline constexpr std::size_t image_head_size = 64;
+
+/// The format in which the bytes begin. Whether the rest is sound is another question.
+ImageFormat image_format(std::string_view bytes);
+
+/// The name of a format that is known but not read: "TIFF"; empty: not known either.
+std::string_view unread_image_format(std::string_view bytes);
+
+} // namespace rasterwalk

@@ -1,0 +1,65 @@
+#include "scene/laid_texture.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/limits.h"
+#include "base/quoted.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Do the corners of any triangle of a part lie apart in a texture?
+bool has_texcoords(const Scene& scene, const Part& part) {
+    for (int i = 0; i < part.triangle_count; ++i) {
+        const int triangle = part.first_triangle + i;
+        const glm::vec2& first = scene.corner(triangle, 0).texcoord;
+        for (int corner = 1; corner < triangle_corners; ++corner)
+            if (scene.corner(triangle, corner).texcoord != first) return true;
+    }
+    return false;
+}
+
+std::size_t texels_of(const Scene& scene) {
+    std::size_t count = 0;
+    for (const SharedTexture& texture : scene.textures)
+        count += (*texture).base().texels.size();
+    return count;
+}
+
+} // namespace
+
+Scene with_texture(Scene scene, const std::string& path) {
+    refuse_endless_file(path);
+    if (scene.textures.size() >= most_textures)
+        throw InputError(visible_line(path) + ": the scene has as many textures as it may have.");
+    const std::size_t taken = texels_of(scene);
+    const Image image = read_image(path, largest_texture_side, [&](glm::ivec2 size) {
+        const auto texels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+        if (texels > most_texels - std::min(taken, most_texels)) {
+            throw InputError(visible_line(path) +
+                             ": with it all textures together have too many texels.");
+        }
+    });
+    const int index = static_cast<int>(scene.textures.size());
+    bool is_shown = false;
+    for (Part& part : scene.parts) {
+        if (part.texture >= 0 || !has_texcoords(scene, part)) continue;
+        part.texture = index;
+        is_shown = true;
+    }
+    if (!is_shown) {
+        throw InputError(visible_line(path) + ": no part of the scene can show the image: those "
+                                              "with texture coordinates have one already, or "
+                                              "there are none.");
+    }
+    scene.textures.emplace_back(
+        make_texture(visible_line(std::filesystem::path(path).filename().string()), image));
+    scene.laid_texture = path;
+    return scene;
+}
+
+} // namespace rasterwalk
