@@ -27,18 +27,19 @@ float colour_difference(const glm::vec3& a, const glm::vec3& b) {
     return largest;
 }
 
-/// The colours of two pictures of which one wraps what is brighter than 1: then they differ in what
-/// is shown, and only there.
+/// The colours of two pictures. Where one encodes light, or wraps what is brighter than 1, and the
+/// other does not, they differ in what is shown.
 struct Colours {
     const Framebuffer& a;
     const Framebuffer& b;
-    bool shown_otherwise = a.rules.to_byte != b.rules.to_byte;
+    bool shown_otherwise = a.rules.screen != b.rules.screen;
 
     glm::vec3 of_a(std::size_t pixel) const { return of(a, pixel); }
     glm::vec3 of_b(std::size_t pixel) const { return of(b, pixel); }
     bool are_shown_alike(std::size_t pixel) const {
         for (int i = 0; i < 3; ++i) {
-            if (a.rules.to_byte(a.colour[pixel][i]) != b.rules.to_byte(b.colour[pixel][i]))
+            if (screen_byte(a.colour[pixel][i], a.rules.screen) !=
+                screen_byte(b.colour[pixel][i], b.rules.screen))
                 return false;
         }
         return true;
@@ -48,9 +49,12 @@ struct Colours {
     glm::vec3 of(const Framebuffer& framebuffer, std::size_t pixel) const {
         const glm::vec3& colour = framebuffer.colour[pixel];
         if (!shown_otherwise) return colour;
-        glm::vec3 seen = shown_colour(colour, framebuffer.rules.visible_channel);
+        const ScreenRules& screen = framebuffer.rules.screen;
+        glm::vec3 seen = shown_colour(colour, screen);
         for (int i = 0; i < 3; ++i) {
-            if (colour[i] >= 0.0f && colour[i] <= 1.0f) seen[i] = colour[i];
+            // What is neither cut nor wrapped has no steps of 8 bits here.
+            const float encoded = screen.encode(colour[i]);
+            if (encoded >= 0.0f && encoded <= 1.0f) seen[i] = encoded;
         }
         return seen;
     }

@@ -86,9 +86,8 @@ Apart tests_apart(const PixelTest& a, const PixelTest& b) {
 
 /// By what both runs' pixels are told apart.
 struct SightRules {
-    float (*visible_a)(float); ///< what is seen of a channel
-    float (*visible_b)(float);
-    bool has_depth_a, has_depth_b; ///< marks have none: what stands in its place says nothing
+    ScreenRules screen_a, screen_b; ///< what is seen of a channel
+    bool has_depth_a, has_depth_b;  ///< marks have none: what stands in its place says nothing
     bool compares_samples, compares_tests; ///< both runs have them
 };
 
@@ -99,10 +98,10 @@ Apart fragments_apart(const FragmentEvent& a, const FragmentEvent& b, const Sigh
         lengths_apart(rules.has_depth_a ? a.depth : 0.0f, rules.has_depth_b ? b.depth : 0.0f);
     // What fails leaves the pixel as it is: there is no colour of its own to compare.
     if (a.fate != Fate::written) return depth;
-    const bool shown_alike = rules.visible_a == rules.visible_b;
+    const bool shown_alike = rules.screen_a == rules.screen_b;
     return std::max(depth, shown_alike ? colours_apart(a.after, b.after)
-                                       : colours_apart(shown_colour(a.after, rules.visible_a),
-                                                       shown_colour(b.after, rules.visible_b)));
+                                       : colours_apart(shown_colour(a.after, rules.screen_a),
+                                                       shown_colour(b.after, rules.screen_b)));
 }
 
 struct Difference {
@@ -137,8 +136,8 @@ std::optional<Difference> difference_at(MomentEvents a, MomentEvents b, const Si
 }
 
 SightRules sight_rules(const Frame& a, const Frame& b) {
-    return {a.stages.visible_channel,
-            b.stages.visible_channel,
+    return {a.stages.screen,
+            b.stages.screen,
             has_fragments(a.settings.stage),
             has_fragments(b.settings.stage),
             walks_edges(a.stages) == walks_edges(b.stages),

@@ -308,10 +308,10 @@ std::string colour_text(const FragmentEvent& p, const FragmentEvent& q) {
                        number(q.after[channel] - p.after[channel], 3));
 }
 
-/// The same colour, but what is brighter than 1 is shown in another way.
+/// The same colour, but it is shown in another way.
 std::string shown_text(const Frame& a, const Frame& b, const glm::vec3& colour) {
-    const glm::vec3 in_a = shown_colour(colour, a.stages.visible_channel);
-    const glm::vec3 in_b = shown_colour(colour, b.stages.visible_channel);
+    const glm::vec3 in_a = shown_colour(colour, a.stages.screen);
+    const glm::vec3 in_b = shown_colour(colour, b.stages.screen);
     return fmt::format("the colour {} is shown as {} in A, {} in B.", triple(colour, 6),
                        triple(in_a, 6), triple(in_b, 6));
 }
@@ -346,7 +346,7 @@ std::string fragment_text(const Frame& a, const Frame& b, const FragmentEvent& p
         text += fmt::format("the depth value is {} in A, {} in B{}", number(p.depth, digits),
                             number(q.depth, digits), colours_differ ? "; " : ".");
     }
-    const bool shown_otherwise = a.stages.visible_channel != b.stages.visible_channel;
+    const bool shown_otherwise = a.stages.screen != b.stages.screen;
     if (!colours_differ && p.depth == q.depth && shown_otherwise) {
         return text + shown_text(a, b, p.after);
     }

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/syntax.h"
+#include "stages/put_pixel.h"
 #include "stages/texture_level.h"
 
 namespace rasterwalk {
@@ -142,6 +143,7 @@ class Evaluator {
         if (wants("cos", 1)) return {std::cos(a.value), false};
         if (wants("sin", 1)) return {std::sin(a.value), false};
         if (wants("pow", 2)) return {std::pow(a.value, b.value), false};
+        if (wants("srgb", 1)) return {encode_srgb(a.value), false};
         if (wants("min", 2)) return {std::min(a.value, b.value), a.is_whole && b.is_whole};
         if (wants("max", 2)) return {std::max(a.value, b.value), a.is_whole && b.is_whole};
         if (wants("clamp", 3)) return {std::min(std::max(a.value, b.value), c.value), false};
@@ -195,7 +197,7 @@ bool shows_minus(const std::string& text) {
 } // namespace
 
 std::string function_help(std::string_view expression) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> helps{{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> helps{{
         {"int(", "int(x): x without what stands behind the point, so it goes toward 0."},
         {"clamp(", "clamp(x, low, high): x, or the bound that it lies beyond."},
         {"wrap(", "wrap(x, n): what x leaves when it is divided by n."},
@@ -203,6 +205,8 @@ std::string function_help(std::string_view expression) {
                         "by one. Each sum is rounded to a float, as on the way along a line."},
         {"pow(", "pow(x, e): x to the power of e."},
         {"log2(", "log2(x): the power of 2 that is x; log2(8) is 3."},
+        {"srgb(",
+         "srgb(x): 12.92 · x up to x = 0.0031308, above it 1.055 · pow(x, 1/2.4) − 0.055."},
         {"max(0,", "max(0, x): x, or 0 where x is below it."},
     }};
     std::string text;

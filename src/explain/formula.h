@@ -33,7 +33,7 @@ struct FormulaInput {
 ///
 /// The expression knows + − · / ² and parentheses, whole numbers, the symbols of its inputs, and
 /// the functions int, floor, round, abs, sqrt, log2, cos, sin, pow(x, e), min, max,
-/// clamp(x, low, high),
+/// clamp(x, low, high), srgb(x), which is encode_srgb() of stages/put_pixel.h,
 /// wrap(x, n), which is what x leaves when divided by n, from 0 up (0 for what is no number), and
 /// accumulate(start, step, times), which adds the step to the start so many times, one by one.
 struct Formula {

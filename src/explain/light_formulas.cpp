@@ -134,17 +134,22 @@ FormulaInput append_painted(const std::string& prefix, const std::string& help, 
 
 Formula shown_channel(std::string id, std::string name, const FormulaInput& channel,
                       const Frame& frame) {
-    const float shown = frame.stages.visible_channel(channel.number.value);
+    const ScreenRules& screen = frame.stages.screen;
+    const bool is_encoded = frame.settings.encoding == Encoding::srgb;
+    const std::string encoded = is_encoded ? "srgb(" + channel.symbol + ")" : channel.symbol;
     Formula formula{std::move(id),
                     std::move(name),
                     "As the screen can show it: cut to 0..1.",
-                    "clamp(" + channel.symbol + ", 0, 1)",
+                    "clamp(" + encoded + ", 0, 1)",
                     {channel},
-                    {shown}};
+                    {screen.visible_channel(screen.encode(channel.number.value))}};
     if (frame.settings.colour_over_one == ColourOverOne::wrap) {
         formula.help = "As the screen shows it: what is left of 255 times the channel in 8 bits.";
-        formula.expression = "wrap(int(255 · " + channel.symbol + "), 256) / 255";
+        formula.expression = "wrap(int(255 · " + encoded + "), 256) / 255";
     }
+    if (is_encoded)
+        formula.help += " Before that the light is encoded by the sRGB curve, which the screen "
+                        "undoes.";
     return formula;
 }
 

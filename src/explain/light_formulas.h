@@ -57,8 +57,8 @@ FormulaInput append_painted(const std::string& prefix, const std::string& help, 
                             const FormulaInput& light, float texture,
                             std::vector<Formula>& formulas);
 
-/// A channel as the screen shows it: cut to 0..1, or wrapped. The formula's one input, and its
-/// symbol in the expression, is the channel as it was worked out.
+/// A channel as the screen shows it: encoded, and cut to 0..1 or wrapped. The formula's one input,
+/// and its symbol in the expression, is the channel as it was worked out.
 Formula shown_channel(std::string id, std::string name, const FormulaInput& channel,
                       const Frame& frame);
 

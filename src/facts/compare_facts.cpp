@@ -50,9 +50,11 @@ void add_compare_facts(std::vector<Fact>& table) {
                      [](const Facts& f, int) { return number(f.session().b ? 1 : 0); }});
     add_compare_fact(table, "compare.different_pixels", "Pixels whose colour differs in run B.",
                      natural(), [](const Comparison& c) { return number(c.pixels.different); });
-    add_compare_fact(table, "compare.largest_difference",
-                     "Largest difference of a pixel, linear, of its channel that differs most.",
-                     real(0), [](const Comparison& c) { return number(c.pixels.largest); });
+    add_compare_fact(
+        table, "compare.largest_difference",
+        "Largest difference of a pixel, of its channel that differs most: linear, or as "
+        "shown where only one run encodes or wraps colours.",
+        real(0), [](const Comparison& c) { return number(c.pixels.largest); });
     add_compare_fact(table, "compare.mean_difference", "The same on average, over all pixels.",
                      real(0), [](const Comparison& c) { return number(c.pixels.mean); });
     table.push_back({"compare.samples", "Edge samples that lie on another pixel in run B.",

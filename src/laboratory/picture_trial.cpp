@@ -180,6 +180,11 @@ double PictureTrial::fit(const Wanted& wanted, double most) {
 void PictureTrial::sum_rows(int end) {
     const std::vector<glm::vec3>&without = fit_.without, &with = drawing_.picture().colour;
     const auto width = static_cast<std::size_t>(picture_->width);
+    const bool is_encoded = drawing_.picture().rules.screen.encode == encode_srgb;
+    const auto light_of = [&](std::uint8_t byte) {
+        const double channel = (byte + 0.5) / 255.0;
+        return is_encoded ? double{decode_srgb(static_cast<float>(channel))} : channel;
+    };
     for (std::size_t i = static_cast<std::size_t>(fit_.rows) * width;
          i < static_cast<std::size_t>(end) * width; ++i) {
         for (int channel = 0; channel < 3; ++channel) {
@@ -188,7 +193,7 @@ void PictureTrial::sum_rows(int end) {
                 static_cast<double>(with[i][channel]) - static_cast<double>(without[i][channel]);
             // Black may be a gap, and white may be cut off.
             if (byte == 0 || byte == 255 || !(part > 0.0) || !std::isfinite(part)) continue;
-            const double wanted = (byte + 0.5) / 255.0 - static_cast<double>(without[i][channel]);
+            const double wanted = light_of(byte) - static_cast<double>(without[i][channel]);
             fit_.products += part * wanted;
             fit_.squares += part * part;
         }

@@ -36,8 +36,8 @@ Rgb pixel_colour(const Framebuffer& framebuffer, View view, const Scales& scales
     switch (view) {
     case View::colour: {
         const glm::vec3& c = framebuffer.colour[i];
-        const auto to_byte = framebuffer.rules.to_byte;
-        return {to_byte(c.r), to_byte(c.g), to_byte(c.b)};
+        const ScreenRules& screen = framebuffer.rules.screen;
+        return {screen_byte(c.r, screen), screen_byte(c.g, screen), screen_byte(c.b, screen)};
     }
     case View::depth: {
         const auto width = static_cast<std::size_t>(framebuffer.size.width);
@@ -89,8 +89,13 @@ const std::array<ViewInfo, view_count>& view_list() {
     return list;
 }
 
-glm::vec3 shown_colour(const glm::vec3& colour, float (*visible_channel)(float)) {
-    return {visible_channel(colour.r), visible_channel(colour.g), visible_channel(colour.b)};
+std::uint8_t screen_byte(float channel, const ScreenRules& screen) {
+    return screen.to_byte(call<encode_linear>(screen.encode, channel));
+}
+
+glm::vec3 shown_colour(const glm::vec3& colour, const ScreenRules& screen) {
+    const auto seen = [&](float channel) { return screen.visible_channel(screen.encode(channel)); };
+    return {seen(colour.r), seen(colour.g), seen(colour.b)};
 }
 
 DepthInterval values_of(const DepthRange& range) {

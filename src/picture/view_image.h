@@ -87,14 +87,17 @@ OverdrawCounts overdraw_counts(const Framebuffer& framebuffer);
 /// @param most on one pixel of the picture; counts as 1 if it is 0
 glm::vec<3, std::uint8_t> overdraw_colour(std::uint32_t fragments, std::uint32_t most);
 
-/// A colour as the screen shows it, 0..1: cut at 0 and 1, or, where it wraps, what is left of it in
-/// 8 bits.
-glm::vec3 shown_colour(const glm::vec3& colour, float (*visible_channel)(float));
+/// A channel in 8 bits, by the rules of a picture.
+std::uint8_t screen_byte(float channel, const ScreenRules& screen);
 
-/// The planes as pictures of 8 bits a channel. Colour is cut as the lab's PutPixelSDL does:
-/// clamp(255 c, 0, 255), fraction dropped; or wraps, if that is the rule. Depth is coloured from
-/// far to near, and what lies outside the range takes the colour of its end; overdraw from 0 to the
-/// largest count; triangles get colours that neighbours tell apart.
+/// A colour as the screen shows it, 0..1: encoded, and cut at 0 and 1, or, where it wraps, what is
+/// left of it in 8 bits.
+glm::vec3 shown_colour(const glm::vec3& colour, const ScreenRules& screen);
+
+/// The planes as pictures of 8 bits a channel. Colour is encoded, if that is the rule, and cut as
+/// the lab's PutPixelSDL does: clamp(255 c, 0, 255), fraction dropped; or wraps. Depth is coloured
+/// from far to near, and what lies outside the range takes the colour of its end; overdraw from 0
+/// to the largest count; triangles get colours that neighbours tell apart.
 /// @param depths range for View::depth; none: from the farthest to the nearest present
 Image view_image(const Framebuffer& framebuffer, View view,
                  const std::optional<DepthInterval>& depths = std::nullopt);

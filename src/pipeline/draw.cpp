@@ -66,7 +66,7 @@ void clear(Framebuffer& framebuffer, const Frame& frame, Viewport size, glm::ive
     clear(framebuffer, size, origin,
           {depth_clear_rule(frame.settings, frame.scene->space),
            clip_depth_rule(frame.settings, frame.scene->space), frame.stages.depth_cell,
-           frame.stages.to_byte, frame.stages.visible_channel});
+           frame.stages.screen});
 }
 
 DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& framebuffer,

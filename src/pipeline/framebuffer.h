@@ -17,8 +17,7 @@ struct PictureRules {
     float depth_clear = 0.0f;                ///< of the depth buffer where nothing was drawn
     ClipDepth depth_kind = ClipDepth::inv_z; ///< what it holds
     decltype(Stages::depth_cell) depth_cell = rasterwalk::depth_cell;
-    decltype(Stages::to_byte) to_byte = rasterwalk::to_byte;
-    decltype(Stages::visible_channel) visible_channel = rasterwalk::visible_channel;
+    ScreenRules screen; ///< from a colour to its bytes
 
     friend bool operator==(const PictureRules&, const PictureRules&) = default;
 };

@@ -469,6 +469,15 @@ template <>
 inline constexpr auto enum_words<Bounds> = word_list("inside", "excludes_zero");
 static_assert(words_match<Bounds>);
 
+/// As which number light goes to the screen.
+enum class Encoding : std::uint8_t {
+    linear, ///< as the light that it is: the lab
+    srgb,   ///< by the sRGB transfer function, which a screen undoes
+};
+template <>
+inline constexpr auto enum_words<Encoding> = word_list("linear", "srgb");
+static_assert(words_match<Encoding>);
+
 /// What a channel above 1 is shown as.
 enum class ColourOverOne : std::uint8_t {
     clamp, ///< as 1

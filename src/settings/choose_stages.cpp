@@ -469,10 +469,14 @@ void choose(Bounds bounds, Stages& stages) {
     if (bounds == Bounds::excludes_zero) stages.drawn_area = drawn_area_without_zero;
 }
 
+void choose(Encoding encoding, Stages& stages) {
+    if (encoding == Encoding::srgb) stages.screen.encode = encode_srgb;
+}
+
 void choose(ColourOverOne over_one, Stages& stages) {
     if (over_one == ColourOverOne::clamp) return;
-    stages.to_byte = to_byte_wrapped;
-    stages.visible_channel = visible_channel_wrapped;
+    stages.screen.to_byte = to_byte_wrapped;
+    stages.screen.visible_channel = visible_channel_wrapped;
 }
 
 template <bool normals_differ>
@@ -535,6 +539,7 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.depth_index, stages);
     choose(settings.blend, stages);
     choose(settings.bounds, stages);
+    choose(settings.encoding, stages);
     choose(settings.colour_over_one, stages);
     return stages;
 }

@@ -583,6 +583,11 @@ std::vector<Setting> make_table() {
         {"bounds", "In the picture", "Picture",
          "Which places lie in the picture: those from 0 on, or by mistake only those above 0.",
          "Drawing points", "", choice<&Settings::bounds>()},
+        {"encoding", "Bytes hold", "Picture",
+         "How light becomes a byte: linearly, so that twice the light is twice the byte; or by the "
+         "sRGB curve, which a screen undoes, so that it sends out the light that was computed. "
+         "Textures are not decoded: their bytes are read as linear numbers either way.",
+         "Beyond the lab", "", choice<&Settings::encoding>()},
         {"colour_over_one", "Channels above 1", "Picture",
          "What a channel above 1 is shown as: 1, or what is left of it in 8 bits.", "Illumination",
          "", choice<&Settings::colour_over_one>()},

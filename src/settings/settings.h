@@ -73,6 +73,7 @@ struct Settings {
     ShadowFilter shadow_filter = ShadowFilter::nearest;
     int shadow_resolution = 512; ///< texels along each side of a face of the map
     ShadowRules shadow_rules;
+    Encoding encoding = Encoding::linear;
     ColourOverOne colour_over_one = ColourOverOne::clamp;
     Viewport viewport;
 

@@ -132,6 +132,7 @@ constexpr SaidWord said_words[] = {
     {"shadow_filter", "four", "four (PCF)"},
     {"bounds", "inside", "from 0 on"},
     {"bounds", "excludes_zero", "above 0"},
+    {"encoding", "srgb", "sRGB"},
     {"colour_over_one", "clamp", "1"},
     {"colour_over_one", "wrap", "its low 8 bits"},
 };

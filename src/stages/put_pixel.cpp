@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <cmath>
 
 namespace rasterwalk {
 
@@ -15,6 +16,19 @@ Rectangle walk_everywhere(Viewport) {
 
 Rectangle walk_in_picture(Viewport picture) {
     return drawn_area(picture);
+}
+
+float encode_srgb(float channel) {
+    constexpr float end_of_line = 0.0031308f;
+    if (!(channel > end_of_line)) return 12.92f * channel;
+    // In double: in float 1.055 - 0.055 is a hair less than 1, and white would be byte 254.
+    return static_cast<float>(1.055 * double{std::pow(channel, 1.0f / 2.4f)} - 0.055);
+}
+
+float decode_srgb(float channel) {
+    constexpr float end_of_line = 0.04045f;
+    if (!(channel > end_of_line)) return channel / 12.92f;
+    return std::pow((channel + 0.055f) / 1.055f, 2.4f);
 }
 
 std::uint8_t to_byte(float channel) {

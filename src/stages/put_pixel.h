@@ -5,7 +5,7 @@
 // In:  a place and a colour, red green blue, each from 0 up; 1 is as bright as the screen can be.
 // Out: three bytes, at that place, if it lies in the picture.
 // Picture: every channel times 255, the fraction cut off; what is brighter than 1 is as bright
-// as 1.
+// as 1. Before that a channel may be encoded by the sRGB curve, which a screen undoes.
 //
 // The classic mistakes: `> 0` for `>= 0` in the test whether the place lies in the picture, which
 // leaves its first row and column black; and to forget the cut at 1, so that 256 becomes 0 again
@@ -13,6 +13,7 @@
 //
 // Source: The OpenGL Graphics System, version 4.6 (core profile), section 2.3.5.1: a number from 0
 // to 1 as an unsigned normalized integer. The specification rounds to the nearest; the lab cuts.
+// The sRGB curve: IEC 61966-2-1:1999.
 
 #include <cstdint>
 
@@ -32,11 +33,34 @@ Rectangle walk_everywhere(Viewport picture);
 /// comparisons, and no fragment falls beside it.
 Rectangle walk_in_picture(Viewport picture);
 
+/// A channel as the lab takes it to the screen: the light itself.
+inline float encode_linear(float channel) {
+    return channel;
+}
+
+/// A channel by the sRGB transfer function: 12.92 c up to 0.0031308, above it
+/// 1.055 c^(1/2.4) - 0.055. 0 and 1 stay what they are; the curve goes on above 1, and its straight
+/// part below 0.
+float encode_srgb(float channel);
+
+/// The light that a channel encoded by encode_srgb() stands for.
+/// @param channel from 0 to 1
+float decode_srgb(float channel);
+
 /// A channel in 8 bits, as the lab's PutPixelSDL does it: 255 c, fraction dropped, at most 255.
 /// NaN becomes 0.
 std::uint8_t to_byte(float channel);
 
 /// What is seen of a channel, from 0 to 1: it is cut at both ends.
 float visible_channel(float channel);
+
+/// What becomes of a channel on its way to the screen: it is encoded, and then made a byte.
+struct ScreenRules {
+    decltype(&encode_srgb) encode = encode_linear;
+    decltype(&rasterwalk::to_byte) to_byte = rasterwalk::to_byte;
+    decltype(&rasterwalk::visible_channel) visible_channel = rasterwalk::visible_channel;
+
+    friend bool operator==(const ScreenRules&, const ScreenRules&) = default;
+};
 
 } // namespace rasterwalk

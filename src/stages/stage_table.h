@@ -114,8 +114,7 @@ struct Stages {
 
     // Put pixel: which pixels there are, and what a channel becomes.
     decltype(&rasterwalk::drawn_area) drawn_area = rasterwalk::drawn_area;
-    decltype(&rasterwalk::to_byte) to_byte = rasterwalk::to_byte;
-    decltype(&rasterwalk::visible_channel) visible_channel = rasterwalk::visible_channel;
+    ScreenRules screen;
 
     friend bool operator==(const Stages&, const Stages&) = default;
 };

@@ -90,7 +90,7 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
                                         static_cast<std::uint32_t>(event.fate)};
         // A mark has no depth.
         if (has_fragments(frame.settings.stage)) seen.push_back(bits(event.depth));
-        const glm::vec3 shown = shown_colour(event.after, frame.stages.visible_channel);
+        const glm::vec3 shown = shown_colour(event.after, frame.stages.screen);
         if (event.fate == Fate::written) add(seen, as_shown ? shown : event.after);
         all[event.cursor].fragments.push_back(seen);
     }
@@ -102,7 +102,8 @@ using Differences = std::map<Cursor, DivergenceKind>;
 Differences differences(const Frame& a, const Frame& b) {
     const bool with_light = step_of(a.settings) == StripStep::vertex_light &&
                             step_of(b.settings) == StripStep::vertex_light;
-    const bool as_shown = a.settings.colour_over_one != b.settings.colour_over_one;
+    const bool as_shown = a.settings.colour_over_one != b.settings.colour_over_one ||
+                          a.settings.encoding != b.settings.encoding;
     // Where the runs find pixels in different ways, only what they find is compared.
     const auto way = [](const Frame& frame) {
         return frame.settings.stage < Stage::rows ? Coverage::rows : frame.settings.coverage;

@@ -159,7 +159,8 @@ TEST_CASE("Each word of each setting is drawn as by the steps, refused, or a rul
          {"stage=fill", "shading=flat", "projection=orthographic", "texture_filter=mipmap",
           "cull=face_normal", "shadows=rays", "shadows=map", "depth_test=reversed",
           "light.falloff=cubed", "normal_map=on", "blend=over", "tessellation=3",
-          "depth_format=inv_z_16", "depth_index=transposed", "bounds=excludes_zero"})
+          "depth_format=inv_z_16", "depth_index=transposed", "bounds=excludes_zero",
+          "encoding=srgb"})
         CHECK(refused.contains(assignment));
 }
 

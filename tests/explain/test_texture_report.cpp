@@ -96,7 +96,7 @@ TEST_CASE("Every number of a textured fragment follows from its formula to the b
                                               : step == "vertex_light" ? "vertex_light.colour.green"
                                                                        : "pixel_light.colour.green";
                     CHECK(find_formula(report->formulas, shown)->result.value ==
-                          frame.stages.visible_channel(report->colour.g));
+                          frame.stages.screen.visible_channel(report->colour.g));
                     const auto alone = texture_report(frame, event.cursor);
                     REQUIRE(alone);
                     CHECK(alone->colour == report->texture->colour);
@@ -166,8 +166,9 @@ TEST_CASE(
                             find_formula(report->formulas, std::string(one.colour) +
                                                                names[static_cast<std::size_t>(c)]);
                         REQUIRE(shown != nullptr);
-                        CHECK(test::same_bits(shown->result.value,
-                                              frame.stages.visible_channel(report->colour[c])));
+                        CHECK(test::same_bits(
+                            shown->result.value,
+                            frame.stages.screen.visible_channel(report->colour[c])));
                     }
                 }
             }

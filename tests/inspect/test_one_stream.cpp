@@ -241,8 +241,8 @@ const std::vector<Replacement>& replacements() {
         {"drawn_area", [](Stages& s) { s.drawn_area = without_border; }},
         {"to_byte and visible_channel",
          [](Stages& s) {
-             s.to_byte = negative;
-             s.visible_channel = negative_channel;
+             s.screen.to_byte = negative;
+             s.screen.visible_channel = negative_channel;
          }},
     };
     return list;

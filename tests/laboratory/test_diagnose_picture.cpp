@@ -323,6 +323,19 @@ TEST_CASE("The reference takes the picture's size and keeps the field of view") 
     CHECK(fitted_to(settings, picture, SceneSpace::pixels).camera.focal_length == 500.0f);
 }
 
+TEST_CASE("The power of a lamp is also found from bytes that hold encoded light") {
+    const Scene scene = lab_room();
+    Settings reference = small(scene);
+    reference.encoding = Encoding::srgb;
+    reference.light.power = glm::vec3(8.0f);
+    Settings other = reference;
+    other.light.power = glm::vec3(6.25f);
+    const Diagnosis diagnosis =
+        diagnose_picture(picture_of(scene, other), scene, reference, read_bugs());
+    CHECK(diagnosis.verdict ==
+          "Another light power (with light.power=6.25) makes this very picture.");
+}
+
 TEST_CASE("A diagnosis in parts comes to the same as at once, and no part is a whole picture") {
     const Scene scene = lab_room();
     const std::vector<Bug> bugs = read_bugs();

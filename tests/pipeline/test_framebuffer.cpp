@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -5,7 +6,9 @@
 
 #include "picture/colour_map.h"
 #include "picture/view_image.h"
+#include "pipeline/draw.h"
 #include "pipeline/framebuffer.h"
+#include "support/samples.h"
 #include "tests/support/catch.h"
 
 using namespace rasterwalk;
@@ -63,6 +66,50 @@ TEST_CASE("Pixels stand row by row from the top left, and the picture ends befor
     CHECK_FALSE(framebuffer.contains(0, 5));
 }
 
+namespace {
+
+/// The curve of IEC 61966-2-1 in double precision.
+double srgb_of(double c) {
+    return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+}
+double light_of_srgb(double e) {
+    return e <= 0.04045 ? e / 12.92 : std::pow((e + 0.055) / 1.055, 2.4);
+}
+
+} // namespace
+
+TEST_CASE("Encoded by sRGB each channel is the byte of the curve in double precision") {
+    ScreenRules screen;
+    screen.encode = encode_srgb;
+    constexpr int steps = 200000;
+    std::set<int> bytes;
+    for (int i = 0; i <= steps; ++i) {
+        const float channel = 1.05f * static_cast<float>(i) / steps;
+        const double expected = 255.0 * std::min(srgb_of(static_cast<double>(channel)), 1.0);
+        const int byte = screen_byte(channel, screen);
+        bytes.insert(byte);
+        // Within a float's rounding of a whole number either byte is right.
+        if (byte > expected + 1e-4 || byte + 1 < expected - 1e-4)
+            FAIL(channel << " is byte " << byte << ", and in double " << expected);
+        const glm::vec3 shown = shown_colour(glm::vec3(channel), screen);
+        if (std::abs(255.0 * static_cast<double>(shown.g) - expected) > 1e-4)
+            FAIL(channel << " is shown as " << shown.g);
+    }
+    CHECK(bytes.size() == 256);
+    CHECK(screen_byte(0.0f, screen) == 0);
+    CHECK(screen_byte(1.0f, screen) == 255);
+    CHECK(screen_byte(std::nextafter(1.0f, 2.0f), screen) == 255);
+    CHECK(screen_byte(infinity, screen) == 255);
+    for (const float dark : {-0.0f, -1e-30f, -2.0f, -infinity, not_a_number})
+        CHECK(screen_byte(dark, screen) == 0);
+    for (int byte = 0; byte < 255; ++byte) {
+        const double channel = (byte + 0.5) / 255.0;
+        const float light = decode_srgb(static_cast<float>(channel));
+        CHECK(std::abs(static_cast<double>(light) - light_of_srgb(channel)) < 1e-6);
+        CHECK(screen_byte(light, screen) == byte);
+    }
+}
+
 TEST_CASE("Colours are cut to bytes as the lab does, and never wrap") {
     const std::array<std::pair<float, int>, 13> cases{{{0.0f, 0},
                                                        {0.15f, 38},
@@ -105,6 +152,34 @@ TEST_CASE("Depths that are no numbers are shown without harm") {
     CHECK(pixel_of(image, 4) == Rgba{0, 0, 0, 255});
     framebuffer.depth.assign(5, infinity);
     CHECK(view_image(framebuffer, View::depth).rgba.size() == 20);
+}
+
+TEST_CASE("The setting encoding changes the bytes of a picture and nothing else") {
+    const Scene room = test::lab_room();
+    Settings settings = default_settings(room);
+    settings.viewport = {80, 60};
+    settings.camera.focal_length = 70.0f;
+    const Framebuffer linear = draw_frame(prepare_frame(room, settings));
+    settings.encoding = Encoding::srgb;
+    const Framebuffer encoded = draw_frame(prepare_frame(room, settings));
+    CHECK(encoded.colour == linear.colour);
+    CHECK(encoded.depth == linear.depth);
+    CHECK(encoded.owner == linear.owner);
+    const Image before = view_image(linear, View::colour),
+                after = view_image(encoded, View::colour);
+    int brighter = 0;
+    for (std::size_t i = 0; i < linear.colour.size(); ++i) {
+        const Rgba a = pixel_of(before, i), b = pixel_of(after, i);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto light = static_cast<double>(linear.colour[i][static_cast<int>(c)]);
+            const double of_255 = 255.0 * std::clamp(light, 0.0, 1.0);
+            CHECK(std::abs(of_255 - 0.5 - a[c]) < 0.5001);
+            CHECK(std::abs(255.0 * srgb_of(std::clamp(light, 0.0, 1.0)) - 0.5 - b[c]) < 0.5001);
+            brighter += b[c] > a[c] + 20 ? 1 : 0;
+        }
+    }
+    CHECK(brighter > 1000);
+    CHECK(view_image(encoded, View::depth).rgba == view_image(linear, View::depth).rgba);
 }
 
 TEST_CASE("Triangles are shown in colours that differ from those of the next ones") {

@@ -32,7 +32,10 @@ Counts draw_counted(const Frame& frame) {
     Counts counts;
     // Of all that a buffer can hold the farthest, whatever depth_clear says.
     const ClipDepth kind = depth_kind(frame);
-    clear(counts.framebuffer, frame.settings.viewport, {0, 0}, {farthest_depth(kind), kind});
+    PictureRules rules;
+    rules.depth_clear = farthest_depth(kind);
+    rules.depth_kind = kind;
+    clear(counts.framebuffer, frame.settings.viewport, {0, 0}, rules);
     counts.tally = draw(frame, {}, counts.framebuffer);
     for (const std::uint32_t overdraw : counts.framebuffer.overdraw) {
         counts.max_overdraw = std::max(counts.max_overdraw, overdraw);

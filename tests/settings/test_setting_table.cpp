@@ -110,6 +110,7 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "shadow_filter",
                                                  "viewport.size",
                                                  "bounds",
+                                                 "encoding",
                                                  "colour_over_one"};
     std::vector<std::string_view> names;
     for (const Setting& setting : setting_table()) {
@@ -189,6 +190,7 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     CHECK(settings.light_rules.highlight == HighlightRule::long_half);
     CHECK(settings.light.place == LampPlace::camera);
     CHECK(settings.light.model == LightModel::blinn_phong);
+    CHECK(settings.encoding == Encoding::srgb);
     CHECK(settings.colour_over_one == ColourOverOne::wrap);
 }
 

@@ -20,15 +20,17 @@ bool is_grey(const glm::vec3& colour) {
     return colour.r == colour.g && colour.g == colour.b;
 }
 
-/// Cut to what the screen can show: only where that changes something.
+/// As the screen shows it: only where that is not the light itself.
 void draw_clamped(Ui& ui, const glm::vec3& colour) {
     const Palette& p = palette(ui.options.theme);
     FormulaLine line(ui, 0.0f);
     const Frame& frame = ui.results.a.frame;
-    const ColourOverOne rule = frame.settings.colour_over_one;
-    const glm::vec3 cut = shown_colour(colour, frame.stages.visible_channel);
-    if (shown_colour(colour, visible_channel) == colour) return;
-    line.text(rule == ColourOverOne::clamp ? "clamped " : "wrapped ", p.dim);
+    const bool is_encoded = frame.settings.encoding == Encoding::srgb;
+    const bool is_cut = shown_colour(colour, ScreenRules{}) != colour;
+    if (!is_cut && !is_encoded) return;
+    const bool is_wrapped = frame.settings.colour_over_one == ColourOverOne::wrap;
+    line.text(is_cut && is_wrapped ? "wrapped " : is_encoded ? "sRGB " : "clamped ", p.dim);
+    const glm::vec3 cut = shown_colour(colour, frame.stages.screen);
     for (int i = 0; i < 3; ++i)
         line.text(shown({cut[i]}) + (i < 2 ? "  " : ""), p.text);
 }

@@ -23,7 +23,7 @@ namespace {
 
 /// Colour as it reaches the screen.
 ImU32 screen_colour(const Ui& ui, const glm::vec3& colour, float opacity) {
-    const glm::vec3 cut = shown_colour(colour, ui.results.a.frame.stages.visible_channel);
+    const glm::vec3 cut = shown_colour(colour, ui.results.a.frame.stages.screen);
     return packed({cut.r, cut.g, cut.b, 1.0f}, opacity);
 }
 

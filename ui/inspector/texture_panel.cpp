@@ -35,7 +35,7 @@ const TextureReport& texture_on_show(const Ui& ui) {
 }
 
 ImU32 texel_colour(const Ui& ui, const glm::vec3& colour) {
-    const glm::vec3 cut = shown_colour(colour, ui.results.a.frame.stages.visible_channel);
+    const glm::vec3 cut = shown_colour(colour, ui.results.a.frame.stages.screen);
     return packed({cut.r, cut.g, cut.b, 1.0f});
 }
 

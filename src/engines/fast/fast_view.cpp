@@ -70,6 +70,7 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
           {"light.sum", "reflectance_times"},
           {"light.renormalize", "on"},
           {"light.highlight", "right"},
+          {"encoding", "linear"},
           {"colour_over_one", "clamp"}}) {
         if (!is_asked(name, right, settings))
             return unknown(std::string(name) + " other than " + std::string(right));
