@@ -5,10 +5,14 @@
 namespace rasterwalk {
 
 void show_preview(const std::shared_ptr<const Scene>& scene, const Settings& settings,
-                  std::uint64_t& numbers, Preview& preview) {
+                  FastRun& engine, std::uint64_t& numbers, Preview& preview) {
     preview.is_shown = false;
-    if (preview.engine.draw(scene, settings)) {
-        copy_image(preview.engine.picture(), preview.picture);
+    if (preview.scene != scene || preview.settings != settings) {
+        preview.settings = std::nullopt; // what throws leaves no picture
+        engine.draw(scene, settings);
+        copy_image(engine.picture(), preview.picture);
+        preview.scene = scene;
+        preview.settings = settings;
         preview.number = ++numbers;
     }
     preview.is_shown = true;

@@ -18,16 +18,19 @@ namespace rasterwalk {
 
 /// The fast engine's picture in the place of the steps'.
 struct Preview {
-    FastRun engine{{.keeps_planes = false}};
     Image picture;
     std::uint64_t number = 0; ///< another one whenever `picture` is another
     bool is_shown = false;
+
+    std::shared_ptr<const Scene> scene; ///< of the picture
+    std::optional<Settings> settings;   ///< likewise; none: there is no picture
 };
 
 /// Draws a preview, unless it shows this already.
+/// @param engine  one for both runs: to take a scene is much work
 /// @param numbers the last number given to a picture; counts on
 void show_preview(const std::shared_ptr<const Scene>& scene, const Settings& settings,
-                  std::uint64_t& numbers, Preview& preview);
+                  FastRun& engine, std::uint64_t& numbers, Preview& preview);
 
 /// Notices when the hand moves: when what is asked for changes from update to update.
 class HandWatch {

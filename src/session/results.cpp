@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -89,9 +91,9 @@ std::string obstacle(const Settings& a, const Settings& b) {
 /// Goes on preparing the frames that are asked for. Both runs show theirs at once, so that they are
 /// seen from the same place.
 bool prepare_runs(const Session& session, const WorkLimit& limit, Results& results) {
-    const bool is_ready = prepare_run(session.scene, session.a, limit, results.a);
+    const bool is_ready = prepare_run(session.scene, session.a, false, limit, results.a);
     if (!session.b || !results.b) return is_ready;
-    return prepare_run(session.scene, *session.b, limit, *results.b) && is_ready;
+    return prepare_run(session.scene, *session.b, false, limit, *results.b) && is_ready;
 }
 
 /// How much work it is to compare the whole frames.
@@ -105,13 +107,16 @@ void update_second_run(const Session& session, const RunChanges& a, bool are_rea
     results.no_comparison =
         session.b ? obstacle(session.a.settings, session.b->settings) : std::string();
     if (!session.b || !results.no_comparison.empty()) {
-        results.b = std::nullopt;
+        results.b = nullptr;
+        results.next_b = nullptr;
         results.comparison = {};
         return;
     }
     if (!results.b) {
-        results.b.emplace();
-        are_ready = prepare_run(session.scene, *session.b, limit, *results.b);
+        if (!results.next_b) results.next_b = std::make_unique<RunResults>();
+        are_ready = prepare_run(session.scene, *session.b, true, limit, *results.next_b);
+        if (!are_ready) return;
+        results.b = std::move(results.next_b);
     }
     // Both in the colours of A, so that the same colour means the same depth.
     SharedView shared{&results.a.frame, results.a.triangle, session.depth_range};
@@ -181,7 +186,8 @@ bool is_much_to_draw(const WorkLimit& limit, const Results& results) {
 
 void show_previews(const Session& session, Results& results) {
     for_each_run(session, results, [&](const Run& run, RunResults& of) {
-        show_preview(of.drawn_scene(), run.settings, results.numbers, of.preview);
+        show_preview(of.drawn_scene(), run.settings, results.preview_engine, results.numbers,
+                     of.preview);
     });
 }
 
@@ -260,7 +266,7 @@ bool finish(const Session& session, Results& results) {
 
 bool is_working(const Results& results) {
     if (results.a.is_frame_late || !results.a.is_complete()) return true;
-    if (results.history_work) return true;
+    if (results.history_work || results.next_b) return true;
     if (!results.b) return false;
     if (results.b->is_frame_late || !results.b->is_complete()) return true;
     if (!results.comparison.progress.is_done) return true;

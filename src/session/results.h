@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/image.h"
 #include "compare/compare.h"
+#include "engines/engine_picture.h"
 #include "inspect/pixel_history.h"
 #include "picture/overlay.h"
 #include "picture/view_image.h"
@@ -55,11 +57,12 @@ struct Results {
     Results& operator=(const Results&) = delete;
 
     RunResults a;
-    std::optional<RunResults> b;  ///< none without a run B, or if it cannot be compared with A
-    ComparisonResults comparison; ///< of both; says nothing while there is no B
-    std::string no_comparison;    ///< why they cannot be compared; empty if they can, or there is
-                                  ///< no run B
-    OverlayPicture overlay;       ///< what is laid over the picture of A
+    std::unique_ptr<RunResults> b; ///< null without a run B, or if it cannot be compared with A
+    std::unique_ptr<RunResults> next_b; ///< takes its place as soon as its first frame is prepared
+    ComparisonResults comparison;       ///< of both; says nothing while there is no B
+    std::string no_comparison; ///< why they cannot be compared; empty if they can, or there is
+                               ///< no run B
+    OverlayPicture overlay;    ///< what is laid over the picture of A
     std::uint64_t overlay_number = 0; ///< grows whenever `overlay` changes
     Image ground;                     ///< the picture of A below `overlay`; without pixels where
                                       ///< nothing covers it
@@ -73,7 +76,8 @@ struct Results {
                                              ///< drawn; none: there is nothing to do
     FrameLength length;                      ///< of the frame of A
     HandWatch hand;                          ///< tells when previews are wanted
-    std::uint64_t numbers = 0;               ///< the last one that a frame or a picture got
+    FastRun preview_engine{{.keeps_planes = false}};
+    std::uint64_t numbers = 0; ///< the last one that a frame or a picture got
 };
 
 /// Brings the results up to date; does nothing where the session asks for what is already there.

@@ -220,8 +220,8 @@ bool is_on_show(const std::shared_ptr<const Scene>& scene, const Run& run,
     return results.scene == scene && results.run == run;
 }
 
-bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, const WorkLimit& limit,
-                 RunResults& results) {
+bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, bool is_aside,
+                 const WorkLimit& limit, RunResults& results) {
     NextFrame& next = results.next;
     if (is_on_show(scene, run, results)) {
         next.run = std::nullopt;
@@ -229,13 +229,14 @@ bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, cons
     }
     // What lies beside the frame relies on its scene and size: with another one nothing waits.
     const bool is_alike = results.scene == scene && have_same_size(results.run, run);
-    const bool may_go_on = is_alike && next.scene == scene && have_same_size(next.run, run);
+    const bool may_wait = is_aside || is_alike;
+    const bool may_go_on = may_wait && next.scene == scene && have_same_size(next.run, run);
     const bool is_begun = may_go_on && (next.run == run || !results.preview.is_shown);
     if (!is_begun) begin_next(scene, run, results);
     // Noted as begun only when it could go on.
     const Run target = is_begun ? *next.run : run;
     next.run = std::nullopt;
-    if (!next.is_done) advance_next(is_alike ? limit : WorkLimit{}, next);
+    if (!next.is_done) advance_next(may_wait ? limit : WorkLimit{}, next);
     next.run = target;
     return next.is_done;
 }

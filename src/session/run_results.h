@@ -133,9 +133,10 @@ struct SharedView {
 /// same scene and size it is prepared in parts where the limit asks for it, and what is begun is
 /// ended even if meanwhile another is asked for: while a camera turns without rest something is
 /// seen. Beside a preview it is not ended. To be called by update() alone.
+/// @param is_aside nothing of these results is on show yet: the first frame may take its time, too
 /// @return is the frame ready to be shown, or on show?
-bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, const WorkLimit& limit,
-                 RunResults& results);
+bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, bool is_aside,
+                 const WorkLimit& limit, RunResults& results);
 
 /// Brings the results of one run up to date; does nothing where they are what is asked for already.
 /// To be called by update() alone, after prepare_run().

@@ -106,7 +106,7 @@ void go_to_previous_divergence(Ui& ui) {
 }
 
 bool is_comparing(const Ui& ui) {
-    return ui.results.b.has_value();
+    return ui.results.b != nullptr;
 }
 
 bool is_blinking(const Ui& ui) {
