@@ -62,6 +62,7 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
           {"light.sum", "reflectance_times"},
           {"light.renormalize", "on"},
           {"light.highlight", "right"},
+          {"light.sides", "one"},
           {"colour_over_one", "clamp"}}) {
         if (find_setting(name) != nullptr && !is_asked(name, right, settings))
             return unknown(std::string(name) + " other than " + std::string(right));
