@@ -11,6 +11,7 @@
 #include "base/numbers.h"
 #include "cli/json.h"
 #include "engines/engine_picture.h"
+#include "inspect/seen_hints.h"
 #include "inspect/stats.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
@@ -161,7 +162,8 @@ std::string stats_footer() {
     text += "\n  left_out                with --json: triangles that are not drawn, by reason\n"
             "With --time, for each way of culling: the median time of a frame in milliseconds,\n"
             "and its share of the time without culling; with --json as culling_times.";
-    text += "\nOf a model (.obj), with --json as model:";
+    text +=
+        "\nOf a model (.obj), with --json as model; its hints are which settings would show more:";
     for (const ObjCountInfo& info : obj_count_list)
         text += fmt::format("\n  model.{:<18}{}", info.name, info.help);
     return text;
@@ -176,12 +178,17 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
     Framebuffer framebuffer;
     const FrameStats stats = frame_stats(frame, session.cursor, framebuffer);
     const std::optional<ObjReport>& model = session.scene->model_report;
+    std::vector<std::string> hints;
+    if (session.cursor == cursor_end) hints = seen_hints(frame, framebuffer);
     std::optional<CullingCosts> costs;
     if (options.time) costs = culling_costs(*session.scene, settings, session.cursor, clock);
     if (options.json) {
         Json json = to_json(stats);
         if (costs) json["culling_times"] = to_json(*costs);
-        if (model) json["model"] = to_json(*model);
+        if (model) {
+            json["model"] = to_json(*model);
+            json["model"]["hints"] = hints;
+        }
         print_json(json, out);
     } else {
         for (const StatInfo& info : stat_list)
@@ -190,6 +197,8 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
         if (costs) print_costs(*costs, out);
     }
     report_troubles(frame, stats.left_out, err);
+    for (const std::string& hint : hints)
+        err << "rasterwalk: " << hint << '\n';
 }
 
 } // namespace rasterwalk

@@ -217,7 +217,7 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     const PixelRules rules = pixel_rules(frame);
     const glm::vec3 unbent =
         surface_point(report.fragment, surface, rules.camera, frame.stages).normal;
-    const SurfacePoint place = lit_point(report.fragment, surface, rules.camera, frame.stages);
+    const SurfacePoint place = lit_point(report.fragment, surface, rules, frame.stages);
     if (surface.normal_map != nullptr)
         report.bump = bump_report(report.fragment, surface, unbent, frame);
     report.normal = place.normal;
@@ -243,7 +243,9 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
             interpolated(report, &Varyings::normal, "the normals of the vertices, interpolated"),
             frame, report.formulas);
     }
+    const SourcedVector surface_normal = point.normal;
     if (report.bump) append_bump_formulas(*report.bump, frame, triangle, point, report.formulas);
+    append_side_formulas(point, surface_normal, frame, report.formulas);
     append_light_formulas(point, frame, report.formulas);
     return point.reflectance;
 }
@@ -300,9 +302,10 @@ void add_triangle_light(const Frame& frame, FragmentReport& report) {
                             ? mean_of(&Vertex::reflectance, place.reflectance, "reflectance",
                                       "reflectance", channel_names)
                             : of_first_vertex(triangle, place.reflectance, reflectance_ids());
-    point.normal = of_first_vertex(triangle, place.normal, light_normal_ids(frame));
+    point.normal = of_first_vertex(triangle, flat_normal(frame, triangle), light_normal_ids(frame));
     if (differs.normals)
         point.normal.sources.fill(from_words("across the places of the triangle's corners"));
+    append_side_formulas(point, SourcedVector(point.normal), frame, report.formulas);
     if (report.texture) point.paint = report.texture->colour;
     append_light_formulas(point, frame, report.formulas);
 }

@@ -32,6 +32,7 @@ namespace rasterwalk {
 ///     q.carried_twice q.zinv_twice    only where that is in force; q.off is then of the latter
 ///     pixel_light.*       the light at the fragment's own place, see light_formulas.h
 ///     pixel_light.n_length pixel_light.n.x ...      where normals travel, see highlight_formulas.h
+///     pixel_light.side pixel_light.lit_n.x ...      where both sides are lit, see light_formulas.h
 ///     bump.*              where a normal map bends the normal, see bump_formulas.h
 ///     triangle_light.*    under flat shading: the light in the middle of the triangle, whose place
 ///                         is triangle_light.p.x ...

@@ -153,6 +153,50 @@ Formula shown_channel(std::string id, std::string name, const FormulaInput& chan
     return formula;
 }
 
+void append_side_formulas(LitPoint& point, const SourcedVector& surface, const Frame& frame,
+                          std::vector<Formula>& formulas) {
+    if (frame.settings.light_rules.sides == LightSides::one) return;
+    const SightRays rays = pixel_rules(frame).rays;
+    const glm::vec3 ray = sight_ray(point.position.value, rays);
+    const float side = frame.stages.light_side(point.position.value, surface.value, rays);
+    Formula away{point.prefix + "away",
+                 "n · s",
+                 "Above 0 if the normal points away from the eye: s is the ray of sight, from the "
+                 "eye to the point.",
+                 "n.x · s.x + n.y · s.y + n.z · s.z",
+                 parts_of_vector("n", surface),
+                 {glm::dot(surface.value, ray)}};
+    for (int i = 0; i < 3; ++i) {
+        away.inputs.push_back({std::string("s.") + axis_names[static_cast<std::size_t>(i)],
+                               {ray[i]},
+                               from_words("the ray of sight, from the eye to the point")});
+    }
+    formulas.push_back(away);
+    const bool is_turned = side < 0.0f;
+    formulas.push_back({point.prefix + "side",
+                        "side",
+                        is_turned ? "The surface shows its back: its normal is turned, since both "
+                                    "sides are lit."
+                                  : "The surface shows its front: its normal stays as it is.",
+                        is_turned ? "−1" : "1",
+                        {},
+                        {side}});
+    for (int i = 0; i < 3; ++i) {
+        const auto part = static_cast<std::size_t>(i);
+        const std::string axis = axis_names[part], id = point.prefix + "lit_n." + axis;
+        const float lit = side * point.normal.value[i];
+        formulas.push_back({id,
+                            "n." + axis,
+                            "The normal on the side that the eye sees: the light has this one.",
+                            "side · n." + axis,
+                            {{"side", {side}, from_formula(point.prefix + "side")},
+                             {"n." + axis, {point.normal.value[i]}, point.normal.sources[part]}},
+                            {lit}});
+        point.normal.value[i] = lit;
+        point.normal.sources[part] = from_formula(id);
+    }
+}
+
 void append_light_formulas(const LitPoint& point, const Frame& frame,
                            std::vector<Formula>& formulas) {
     const Settings& settings = frame.settings;

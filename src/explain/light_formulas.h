@@ -43,6 +43,14 @@ inline constexpr std::array<const char*, 3> channel_names{"red", "green", "blue"
 /// The parts of a vector as inputs: "n.x", "n.y", "n.z".
 std::vector<FormulaInput> parts_of_vector(const std::string& symbol, const SourcedVector& vector);
 
+/// Appends how the normal comes to the side that is lit, where both are (light.sides=two): away,
+/// side (1, or -1: it is turned) and lit_n.x lit_n.y lit_n.z, which are the sources of the point's
+/// normal from then on. Where only one side is lit there is nothing to append.
+/// @param point   with the normal that is turned or not, which is replaced
+/// @param surface the normal by which the side is told: before a normal map bends it
+void append_side_formulas(LitPoint& point, const SourcedVector& surface, const Frame& frame,
+                          std::vector<Formula>& formulas);
+
 /// Appends, in this order and with these ids after the prefix: r.x r.y r.z, r2, cosine, area,
 /// those of shadow_formulas.h where something casts shadows, D.red D.green D.blue, those of
 /// highlight_formulas.h where the model has highlights, R.red ..., which has the highlight in it,

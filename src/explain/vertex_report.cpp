@@ -169,6 +169,7 @@ void add_light(VertexMaker& made, const glm::vec3& normal) {
             from_formula(light_normal_id(made.frame.settings, static_cast<int>(i)));
         point.reflectance.sources[i] = from_formula(std::string("reflectance.") + channel_names[i]);
     }
+    append_side_formulas(point, SourcedVector(point.normal), made.frame, report.formulas);
     append_light_formulas(point, made.frame, report.formulas);
 }
 

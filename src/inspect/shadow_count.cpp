@@ -34,7 +34,7 @@ SurfaceLight light_there(const Frame& frame, const Fragment& fragment, int trian
                          const Surface& surface, const PixelRules& rules) {
     const SurfacePoint point = rules.shading == Shading::flat
                                    ? flat_point(frame, triangle)
-                                   : lit_point(fragment, surface, rules.camera, frame.stages);
+                                   : lit_point(fragment, surface, rules, frame.stages);
     return surface_light(point, rules.light, rules.rays, rules.occluders, frame.stages);
 }
 

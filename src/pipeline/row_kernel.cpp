@@ -110,40 +110,49 @@ struct VertexLight {
     }
 };
 
+/// A function of the slot light_side.
+using LightSide = decltype(Stages::light_side);
+
 /// Light per pixel where all corners have one normal.
+template <LightSide side>
 struct FlatPixelLight {
     using Walk = RowWalk<&Varyings::position_world>;
 
     explicit FlatPixelLight(const RowSurface& of)
-        : normal_(of.surface.normal), reflectance_(of.surface.reflectance), light_(of.rules.light) {
-    }
+        : normal_(of.surface.normal), reflectance_(of.surface.reflectance), light_(of.rules.light),
+          rays_(of.rules.rays) {}
 
     glm::vec3 operator()(const Walk::Walked& at, std::size_t i) const {
-        return reflected_light(at.varying(0, i) / at.weight(i), normal_, reflectance_, light_)
+        const glm::vec3 place = at.varying(0, i) / at.weight(i);
+        return reflected_light(place, side(place, normal_, rays_) * normal_, reflectance_, light_)
             .reflected;
     }
 
   private:
     glm::vec3 normal_, reflectance_;
     Light light_;
+    SightRays rays_;
 };
 
 /// Light per pixel with a normal that is interpolated.
+template <LightSide side>
 struct BentPixelLight {
     using Walk = RowWalk<&Varyings::position_world, &Varyings::normal>;
 
     explicit BentPixelLight(const RowSurface& of)
-        : reflectance_(of.surface.reflectance), light_(of.rules.light) {}
+        : reflectance_(of.surface.reflectance), light_(of.rules.light), rays_(of.rules.rays) {}
 
     glm::vec3 operator()(const Walk::Walked& at, std::size_t i) const {
-        return reflected_light(at.varying(0, i) / at.weight(i),
-                               unit_normal(at.varying(1, i) / at.weight(i)), reflectance_, light_)
+        const glm::vec3 place = at.varying(0, i) / at.weight(i);
+        const glm::vec3 normal = unit_normal(at.varying(1, i) / at.weight(i));
+        return reflected_light(place, side(place, normal, rays_) * normal, reflectance_, light_)
             .reflected;
     }
 
   private:
     glm::vec3 reflectance_;
     Light light_;
+    SightRays rays_;
 };
 
 /// The planes from the first pixel of a block on.
@@ -230,9 +239,10 @@ int draw_row(const RowPart& part, const RowSurface& of, Framebuffer& target) {
     return shaded;
 }
 
+template <LightSide side>
 int draw_row_by_corners(const RowPart& part, const RowSurface& of, Framebuffer& target) {
-    return of.surface.differences.normals ? draw_row<BentPixelLight>(part, of, target)
-                                          : draw_row<FlatPixelLight>(part, of, target);
+    return of.surface.differences.normals ? draw_row<BentPixelLight<side>>(part, of, target)
+                                          : draw_row<FlatPixelLight<side>>(part, of, target);
 }
 
 /// Are a row's values walked as RowWalk does, and tested and put as draw_row() does?
@@ -272,9 +282,12 @@ RowKernel row_kernel_of(const Frame& frame) {
     case Shading::phong:
         break;
     }
-    if (frame.stages.reflected_light != reflected_light) return nullptr;
-    return frame.stages.pixel_shader == surface_shader ? draw_row_by_corners
-                                                       : draw_row<FlatPixelLight>;
+    const Stages& stages = frame.stages;
+    if (stages.reflected_light != reflected_light) return nullptr;
+    if (stages.pixel_shader != surface_shader) return draw_row<FlatPixelLight<side_of_normal>>;
+    if (stages.light_side == side_of_normal) return draw_row_by_corners<side_of_normal>;
+    if (stages.light_side == side_of_eye) return draw_row_by_corners<side_of_eye>;
+    return nullptr;
 }
 
 } // namespace rasterwalk

@@ -12,7 +12,9 @@ glm::vec3 flat_normal(const Frame& frame, int triangle) {
 }
 
 SurfacePoint flat_point(const Frame& frame, int triangle) {
-    return middle_point(corners_of(*frame.scene, triangle), flat_normal(frame, triangle));
+    return on_lit_side(
+        middle_point(corners_of(*frame.scene, triangle), flat_normal(frame, triangle)),
+        pixel_rules(frame).rays, frame.stages);
 }
 
 Surface surface_of(const Frame& frame, int triangle) {

@@ -16,7 +16,8 @@ Surface lit_surface_of(const Frame& frame, int triangle);
 /// across their places.
 glm::vec3 flat_normal(const Frame& frame, int triangle);
 
-/// Where flat shading works out the light of a triangle, whatever shading is in force.
+/// Where flat shading works out the light of a triangle, whatever shading is in force; its normal
+/// is on the side that is lit.
 SurfacePoint flat_point(const Frame& frame, int triangle);
 
 } // namespace rasterwalk

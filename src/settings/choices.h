@@ -391,6 +391,15 @@ template <>
 inline constexpr auto enum_words<HighlightRule> = word_list("right", "unasked", "long_half");
 static_assert(words_match<HighlightRule>);
 
+/// Which sides of a surface are lit.
+enum class LightSides : std::uint8_t {
+    one, ///< the one to which the normal points: the lab
+    two, ///< the one that the camera sees
+};
+template <>
+inline constexpr auto enum_words<LightSides> = word_list("one", "two");
+static_assert(words_match<LightSides>);
+
 /// The rules by which light is computed; as they stand, the lab's.
 struct LightRules {
     LightDirection direction = LightDirection::to_light;
@@ -398,6 +407,7 @@ struct LightRules {
     LightSum sum = LightSum::reflectance_times;
     Renormalize renormalize = Renormalize::on;
     HighlightRule highlight = HighlightRule::right;
+    LightSides sides = LightSides::one;
 
     friend bool operator==(const LightRules&, const LightRules&) = default;
 };

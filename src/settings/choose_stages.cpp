@@ -389,6 +389,7 @@ void choose(HighlightRule rule, Stages& stages) {
 void choose(const LightRules& rules, Stages& stages) {
     choose(rules.highlight, stages);
     if (rules.renormalize == Renormalize::off) stages.unit_normal = normal_as_interpolated;
+    if (rules.sides == LightSides::two) stages.light_side = side_of_eye;
     const LightRules lab;
     if (rules.direction == lab.direction && rules.falloff == lab.falloff && rules.sum == lab.sum)
         return;
@@ -495,7 +496,9 @@ void choose_shader(const Settings& settings, const Scene& scene, Stages& stages)
     const bool shines = settings.light.model != LightModel::lambert && shading == Shading::phong;
     const bool is_shaded = settings.shadows != Shadows::off && shading == Shading::phong;
     const bool is_bent = bends_normals(settings) && has_normal_map(scene);
-    if (!has_normals && !has_colours && !shines && !is_shaded && !is_bent &&
+    const bool is_turned =
+        settings.light_rules.sides == LightSides::two && shading == Shading::phong;
+    if (!has_normals && !has_colours && !shines && !is_shaded && !is_bent && !is_turned &&
         shading != Shading::flat)
         return;
     stages.pixel_shader = surface_shader;

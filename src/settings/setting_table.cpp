@@ -471,6 +471,11 @@ std::vector<Setting> make_table() {
          "How the highlight is worked out: rightly, or by mistake on backs too, or with a half "
          "vector that is not made unit length. Only where light.model is blinn_phong.",
          "Illumination", "", light_choice<&LightRules::highlight>()},
+        {"light.sides", "Lit sides", "Light",
+         "How many sides of a surface are lit: the one to which its normal points, or both. With "
+         "both, a normal that points away from the eye is turned toward it before the light is "
+         "computed, so the back of a surface is lit as its front would be.",
+         "Beyond the lab", "", light_choice<&LightRules::sides>()},
         {"shadows",
          "Shadows",
          "Shadow",

@@ -51,8 +51,8 @@ struct Surface {
 struct PixelRules {
     Light light;
     Shading shading = Shading::unlit;
-    Camera camera{};                      ///< for the slot light_normal
-    SightRays rays{};                     ///< toward the eye, for highlights
+    Camera camera{};  ///< for the slot light_normal
+    SightRays rays{}; ///< toward the eye, for highlights and the slot light_side
     const Occluders* occluders = nullptr; ///< what casts shadows; null: nothing does
 };
 

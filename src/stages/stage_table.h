@@ -15,6 +15,7 @@
 #include "stages/highlight.h"
 #include "stages/interpolate.h"
 #include "stages/light.h"
+#include "stages/light_side.h"
 #include "stages/lines.h"
 #include "stages/matrices.h"
 #include "stages/normal_map.h"
@@ -56,6 +57,8 @@ struct Stages {
     // Light, at vertices or at pixels.
     decltype(&rasterwalk::light_normal) light_normal = rasterwalk::light_normal;
     decltype(&rasterwalk::reflected_light) reflected_light = rasterwalk::reflected_light;
+    // Asked at vertices, and at pixels by surface_shader() alone.
+    decltype(&side_of_normal) light_side = side_of_normal;
     // Asked by surface_shader() alone.
     decltype(&rasterwalk::unit_normal) unit_normal = rasterwalk::unit_normal;
     decltype(&rasterwalk::highlight) highlight = rasterwalk::highlight;

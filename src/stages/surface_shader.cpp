@@ -4,6 +4,11 @@
 
 namespace rasterwalk {
 
+SurfacePoint on_lit_side(SurfacePoint point, const SightRays& rays, const Stages& stages) {
+    point.normal = stages.light_side(point.position_world, point.normal, rays) * point.normal;
+    return point;
+}
+
 SurfaceLight surface_light(const SurfacePoint& point, const Light& light, const SightRays& rays,
                            const Occluders* occluders, const Stages& stages) {
     SurfaceLight result;
@@ -47,12 +52,15 @@ SurfacePoint surface_point(const Fragment& fragment, const Surface& surface, con
     return point;
 }
 
-SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const Camera& camera,
+SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const PixelRules& rules,
                        const Stages& stages) {
-    SurfacePoint point = surface_point(fragment, surface, camera, stages);
+    SurfacePoint point = surface_point(fragment, surface, rules.camera, stages);
     point.reflectance = textured(point.reflectance, fragment, surface, stages);
+    // Which side it is the surface says, not its bumps: from behind, a bump is a dent.
+    const float side = stages.light_side(point.position_world, point.normal, rules.rays);
     if (surface.normal_map != nullptr)
         point.normal = mapped_normal(point.normal, fragment, surface, stages);
+    point.normal = side * point.normal;
     return point;
 }
 
@@ -87,8 +95,8 @@ glm::vec3 surface_shader(const Fragment& fragment, const Surface& surface, const
     case Shading::gouraud:
         break;
     case Shading::phong:
-        return surface_light(lit_point(fragment, surface, rules.camera, stages), rules.light,
-                             rules.rays, rules.occluders, stages)
+        return surface_light(lit_point(fragment, surface, rules, stages), rules.light, rules.rays,
+                             rules.occluders, stages)
             .reflected;
     }
     return pixel_shader(fragment, surface, rules, stages);

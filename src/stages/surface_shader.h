@@ -2,8 +2,9 @@
 
 // The pixel shader for surfaces that the lab does not have: bent ones, whose normals travel from
 // the vertices to the pixels; shining ones; those whose vertices have colours of their own; those
-// with a normal map; and one colour for a whole triangle. It stands in the slot of the pixel shader
-// only where one of these is asked for; without them it gives the lab's colours, bit for bit.
+// with a normal map; those that are lit on both sides; and one colour for a whole triangle. It
+// stands in the slot of the pixel shader only where one of these is asked for; without them it
+// gives the lab's colours, bit for bit.
 //
 // In:  a fragment with its interpolated varyings, the surface it belongs to, the lamp.
 // Out: a colour, red green blue; not clamped.
@@ -39,6 +40,9 @@ struct SurfaceLight {
     glm::vec3 reflected{0.0f}; ///< R + S
 };
 
+/// The point with its normal on the side that is lit, by the function of the table.
+SurfacePoint on_lit_side(SurfacePoint point, const SightRays& rays, const Stages& stages);
+
 /// The light at a point, by the functions of the table.
 /// @param occluders what casts shadows, or null
 SurfaceLight surface_light(const SurfacePoint& point, const Light& light, const SightRays& rays,
@@ -55,8 +59,8 @@ SurfacePoint surface_point(const Fragment& fragment, const Surface& surface, con
                            const Stages& stages);
 
 /// The same point as its light is worked out: painted by the texture, with the normal that the
-/// normal map bends.
-SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const Camera& camera,
+/// normal map bends, on the side that is lit.
+SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const PixelRules& rules,
                        const Stages& stages);
 
 /// The colour of the normal map where a fragment lies; the surface must have one.

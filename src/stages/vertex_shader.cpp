@@ -54,10 +54,12 @@ glm::mat3 camera_rotation(const Camera& camera) {
 SurfaceLight light_at_vertex(const Vertex& vertex, const VertexRules& rules, const Stages& stages) {
     const glm::vec3 normal = stages.light_normal(vertex.normal, rules.camera);
     const SurfacePoint point{vertex.position, normal, vertex.reflectance, vertex.shine};
-    // Which way the camera looks takes sines, and only highlights ask.
-    const bool is_asked = rules.light.model != LightModel::lambert;
-    return surface_light(point, rules.light, is_asked ? sight_rays(rules) : SightRays{},
-                         rules.occluders, stages);
+    // Which way the camera looks takes sines, and only highlights and lit backs ask.
+    const bool is_asked =
+        rules.light.model != LightModel::lambert || stages.light_side != side_of_normal;
+    const SightRays rays = is_asked ? sight_rays(rules) : SightRays{};
+    return surface_light(on_lit_side(point, rays, stages), rules.light, rays, rules.occluders,
+                         stages);
 }
 
 Varyings start_varyings(const Vertex& vertex, const VertexRules& rules, const Stages& stages) {

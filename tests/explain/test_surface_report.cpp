@@ -78,7 +78,7 @@ TEST_CASE("Every term of a shining, bent, coloured surface is told with its form
              {"light.model=lambert", "light.falloff=linear", "light.falloff=none",
               "light.place=camera", "light.highlight=long_half", "light.highlight=unasked",
               "light.renormalize=off", "normal_w=one", "interpolation=affine", "projection_mix=0.4",
-              "projection=orthographic"}) {
+              "projection=orthographic", "light.sides=two"}) {
             Settings settings = default_settings(scene);
             for (const char* assignment : {"cull=face_normal", shading, rule})
                 set_from_text(settings, assignment);
@@ -103,8 +103,42 @@ TEST_CASE("Every term of a shining, bent, coloured surface is told with its form
             }
         }
     }
-    CHECK(told == 4 * 11 * 3);
+    CHECK(told == 4 * 12 * 3);
     CHECK(shining > 5);
+}
+
+TEST_CASE(
+    "Where both sides are lit, a back tells how its normal is turned, and a front that it stays") {
+    const Scene scene = coloured_cylinder();
+    int turned = 0, kept = 0;
+    for (const char* shading : {"shading=flat", "shading=gouraud", "shading=phong"}) {
+        Settings settings = default_settings(scene);
+        for (const char* assignment : {"cull=none", "light.sides=two", shading})
+            set_from_text(settings, assignment);
+        const Frame frame = prepare_frame(scene, settings);
+        test::Recorder recorder;
+        Framebuffer framebuffer;
+        clear(framebuffer, frame);
+        draw(frame, {}, framebuffer, &recorder);
+        for (std::size_t i = 0; i < recorder.fragments.size(); i += 97) {
+            const FragmentEvent& event = recorder.fragments[i];
+            const std::string where = std::string(shading) + ", " + to_text(event.cursor) + ": ";
+            const std::optional<FragmentReport> report = fragment_report(frame, event.cursor);
+            if (!report) FAIL(where << "has no report");
+            test::check_formulas(frame, report->formulas, where);
+            for (int c = 0; c < 3; ++c) {
+                if (!same_bits(shown_by(report->formulas, id_of_light(frame, *report, c)),
+                               report->colour[c]))
+                    FAIL(where << "channel " << c << " tells another colour than the shader gives");
+            }
+            const glm::vec3 to_eye =
+                settings.camera.position - report->under(settings.interpolation).position_world;
+            CHECK(glm::dot(report->normal, to_eye) >= 0.0f);
+            ++(shown_by(report->formulas, "pixel_light.side") < 0.0f ? turned : kept);
+        }
+    }
+    CHECK(turned > 5);
+    CHECK(kept > 5);
 }
 
 TEST_CASE("A vertex tells its highlight, and light per vertex brings it along") {

@@ -106,6 +106,7 @@ TEST_CASE("No row is drawn at once where another function stands in a slot of th
     CHECK(has_kernel(bent, nullptr));
     CHECK_FALSE(has_kernel(bent, [](Stages& s) { s.unit_normal = Again<unit_normal>::call; }));
     CHECK_FALSE(has_kernel(bent, [](Stages& s) { s.light_normal = Again<light_normal>::call; }));
+    CHECK_FALSE(has_kernel(bent, [](Stages& s) { s.light_side = Again<side_of_normal>::call; }));
 }
 
 } // namespace rasterwalk

@@ -143,10 +143,13 @@ class Rays {
         return seen;
     }
 
-    glm::dvec3 light(int t, const glm::dvec3& at, const glm::dvec3& n, const glm::dvec3& rho,
+    glm::dvec3 light(int t, const glm::dvec3& at, const glm::dvec3& given, const glm::dvec3& rho,
                      double& slant) const {
         const Light& lamp = settings_.light;
         const LightRules& rules = settings_.light_rules;
+        const bool is_turned =
+            rules.sides == LightSides::two && glm::dot(given, at) > glm::dot(given, eye_);
+        const glm::dvec3 n = is_turned ? -given : given;
         const glm::dvec3 l = glm::normalize(lamp_ - at);
         const double r = glm::distance(lamp_, at);
         slant = glm::dot(n, l);
@@ -241,6 +244,36 @@ TEST_CASE("Each shading, fall-off, highlight and mistake of it is what rays in d
                 const int seen = compare_with_rays(scene, settings,
                                                    scene.name + ", " + shading + ", " + rule + ":");
                 CHECK(seen > (is_cylinder ? 240 : 250));
+            }
+        }
+    }
+}
+
+TEST_CASE("With both sides lit a back is as bright as rays in double make its turned normal") {
+    const Scene scene = parse_scene(folded, "folded.toml");
+    const auto brightness = [&](const Settings& settings) {
+        double sum = 0.0;
+        for (const glm::vec3& colour : draw_frame(prepare_frame(scene, settings)).colour)
+            sum += double(colour.r) + double(colour.g) + double(colour.b);
+        return sum;
+    };
+    for (const char* shading : {"shading=flat", "shading=gouraud", "shading=phong"}) {
+        for (const char* model : {"light.model=lambert", "light.model=blinn_phong"}) {
+            for (const char* eye : {"camera.position=0.2,-0.3,-3", "camera.position=-0.4,0.3,3"}) {
+                CAPTURE(shading, model, eye);
+                Settings settings = settings_of(scene, {"camera.aim=look_at", "camera.target=0,0,0",
+                                                        "light.place=camera", shading, model, eye});
+                const double of_one = brightness(settings);
+                set_from_text(settings, "light.sides=two");
+                const int seen =
+                    compare_with_rays(scene, settings, std::string(shading) + ", " + eye + ":");
+                CHECK(seen > 250);
+                const bool sees_backs = settings.camera.position.z > 0.0f;
+                if (sees_backs) {
+                    CHECK(brightness(settings) > 2.0 * of_one);
+                } else {
+                    CHECK(brightness(settings) == of_one);
+                }
             }
         }
     }

@@ -101,6 +101,7 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "light.sum",
                                                  "light.renormalize",
                                                  "light.highlight",
+                                                 "light.sides",
                                                  "shadows",
                                                  "shadow_offset",
                                                  "shadow_ray",

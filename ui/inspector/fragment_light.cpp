@@ -118,6 +118,10 @@ void draw_light_terms(Ui& ui, const std::string& prefix, const SurfaceLight& lig
     if (find_formula(report.formulas, prefix + "n_length") != nullptr)
         draw_fragment_line(ui, prefix + "n_length");
     if (prefix == "pixel_light.") draw_bump(ui);
+    if (find_formula(report.formulas, prefix + "side") != nullptr) {
+        draw_fragment_line(ui, prefix + "away");
+        draw_fragment_line(ui, prefix + "side");
+    }
     draw_fragment_line(ui, prefix + "r2");
     draw_fragment_line(ui, prefix + "cosine");
     draw_fragment_line(ui, prefix + "area");

@@ -71,6 +71,7 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
           {"light.renormalize", "on"},
           {"light.highlight", "right"},
           {"encoding", "linear"},
+          {"light.sides", "one"},
           {"colour_over_one", "clamp"}}) {
         if (!is_asked(name, right, settings))
             return unknown(std::string(name) + " other than " + std::string(right));
