@@ -1,14 +1,16 @@
 #include "base/jpeg_header.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 
 namespace rasterwalk {
 
 namespace {
 
-/// Programs write ten scans or so; each costs as much as the whole picture.
+/// Programs write ten scans or so of a progressive picture; each costs as much as the whole.
 constexpr int most_scans = 100;
+constexpr std::int64_t most_scanned_pixels = std::int64_t{1} << 29;
 
 constexpr std::string_view cut_off = "is cut off.";
 constexpr std::string_view damaged = "is damaged.";
@@ -138,7 +140,10 @@ class JpegWalk {
 
     std::string_view read_scan(std::string_view segment) {
         if (!is_sized_) return damaged;
-        if (++scans_ > most_scans) return "has more scans than a picture needs.";
+        ++scans_;
+        const auto most = is_progressive_ ? most_scans : static_cast<int>(component_count_);
+        if (scans_ > most || scans_ * pixels() > most_scanned_pixels)
+            return "has more scans than a picture needs.";
         JpegBytes bytes(segment);
         const int count = bytes.take();
         if (count < 1 || count > static_cast<int>(component_count_)) return damaged;
@@ -163,6 +168,10 @@ class JpegWalk {
         }
         pass_over_data();
         return {};
+    }
+
+    std::int64_t pixels() const {
+        return std::int64_t{header_.size.x} * std::int64_t{header_.size.y};
     }
 
     bool is_known(std::size_t kind, int number) const {

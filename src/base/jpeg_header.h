@@ -17,8 +17,8 @@ struct JpegHeader {
     std::string trouble; ///< why it is not to be decoded: "is cut off."; empty if it is
 };
 
-/// Walks over all segments: they end within the file, every table is whole and there before it is
-/// used, and the scans are not more than a picture needs.
+/// Walks over all segments: they end within the file, every Huffman table is whole and there before
+/// it is used, and the scans are not more than a picture needs.
 /// @param bytes begin as a JPG does
 JpegHeader parse_jpeg_header(std::string_view bytes);
 

@@ -43,7 +43,7 @@ inline constexpr int largest_texture_side = 4096;
 inline constexpr std::size_t most_textures = 256;
 
 /// The most texels of all textures of a scene, without their mip chains, and of the images that
-/// were unpacked for them in vain.
+/// were unpacked for them in vain or for their alpha alone.
 inline constexpr std::size_t most_texels = std::size_t{1} << 24;
 
 /// The largest coordinate in a texture, either sign: so often can it be repeated.

@@ -12,7 +12,7 @@ namespace {
 /// What a vertex and a triangle cost beside a fragment. Of a vertex most is the memory that it
 /// takes, if there was none before.
 constexpr double vertex_preparation = 25;
-constexpr double triangle_preparation = 15;
+constexpr double triangle_preparation = 40;
 
 /// Takes the scene as it is, or what tessellation makes of it. That is kept as long as it is the
 /// same: while the camera moves nothing is cut anew.

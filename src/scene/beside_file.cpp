@@ -49,7 +49,7 @@ fs::path folder_of(const std::string& namer) {
     return folder.empty() ? fs::path(".") : folder;
 }
 
-/// Does a place above the namer's folder really lie below its parent, whatever links there are?
+/// Does a place really lie below the parent of the namer's folder, whatever links there are?
 bool stays_below_parent(const fs::path& folder, const fs::path& place) {
     std::error_code fault;
     const fs::path parent = fs::canonical(folder / "..", fault);
@@ -103,7 +103,7 @@ BesideFile BesideFiles::find_exactly(const std::string& name) const {
             const fs::path place = folder / way;
             const fs::file_status status = fs::status(place, fault);
             if (!fs::exists(status)) continue;
-            if (is_below_parent(way) && !stays_below_parent(folder_of(namer), place)) continue;
+            if (!stays_below_parent(folder_of(namer), place)) continue;
             if (fs::is_regular_file(status)) return {place.string(), "", ""};
             const bool is_folder = fs::is_directory(status);
             return {"", in_quotes(name) + (is_folder ? " is a folder" : " is a pipe or a device"),
@@ -121,8 +121,13 @@ std::string BesideFiles::find_similar(const std::string& name) {
     if (!is_usable(name)) return {};
     const fs::path whole(slashed(name));
     if (!has_looked_) {
-        for (const std::string& namer : namers_)
-            look_around(namer);
+        for (auto namer = namers_.begin(); namer != namers_.end(); ++namer) {
+            const bool is_known =
+                std::any_of(namers_.begin(), namer, [&](const std::string& before) {
+                    return folder_of(before) == folder_of(*namer);
+                });
+            if (!is_known) look_around(*namer);
+        }
         has_looked_ = true;
     }
     const auto found = known_.find(in_small_letters(whole.filename().string()));

@@ -29,9 +29,10 @@ inline constexpr std::size_t most_names_looked_at = 1000;
 /// A name is tried as it stands, with the backslashes of another system as slashes; then beside the
 /// namer under its last part alone, since many programs write the place that an image had on their
 /// own disk. Where there is no such file, one of the same last part is looked for without regard to
-/// case: beside the namer, in the folders below, and in the folders next to the namer's own; among
-/// several, one in a folder of the name that was given comes first. That search follows no links.
-/// Nothing is opened; what is no plain file, as a folder, a pipe or a device, is refused.
+/// case: beside the namer, in the folders there, in the folders next to the namer's own, and deeper
+/// below; among several, one in a folder of the name that was given comes first. That search
+/// follows no links. Nothing is opened; what is no plain file, as a folder, a pipe or a device, is
+/// refused.
 class BesideFiles {
   public:
     /// @param namers paths of the file that names others, and of those that led there: the image of

@@ -30,20 +30,32 @@ std::size_t texels_of(const Scene& scene) {
     return count;
 }
 
+/// The image that was laid on it before: the last of its textures.
+void take_laid_texture_off(Scene& scene) {
+    if (scene.laid_texture.empty()) return;
+    const int index = static_cast<int>(scene.textures.size()) - 1;
+    for (Part& part : scene.parts)
+        if (part.texture == index) part.texture = -1;
+    scene.textures.pop_back();
+    scene.laid_texture.clear();
+}
+
 } // namespace
 
 Scene with_texture(Scene scene, const std::string& path) {
     refuse_endless_file(path);
+    take_laid_texture_off(scene);
     if (scene.textures.size() >= most_textures)
         throw InputError(visible_line(path) + ": the scene has as many textures as it may have.");
     const std::size_t taken = texels_of(scene);
-    const Image image = read_image(path, largest_texture_side, [&](glm::ivec2 size) {
+    Image image = read_image(path, largest_texture_side, [&](glm::ivec2 size) {
         const auto texels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
         if (texels > most_texels - std::min(taken, most_texels)) {
             throw InputError(visible_line(path) +
                              ": with it all textures together have too many texels.");
         }
     });
+    drop_empty_alpha(image);
     const int index = static_cast<int>(scene.textures.size());
     bool is_shown = false;
     for (Part& part : scene.parts) {

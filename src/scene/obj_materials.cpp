@@ -41,7 +41,8 @@ void ObjLibraries::read_library(std::string_view name) {
     if (!file.trouble.empty()) {
         return fault([&] { return fmt::format("'mtllib': {}; it is left out.", file.trouble); });
     }
-    if (!file.remark.empty()) fault([&] { return fmt::format("'mtllib': {}.", file.remark); });
+    if (!file.remark.empty())
+        reporter_.note(model_, line_, fmt::format("'mtllib': {}.", file.remark));
     try {
         watched_.ask();
         bytes_.add(file.path);

@@ -12,8 +12,9 @@
 namespace rasterwalk {
 
 struct ObjPlaces {
-    std::vector<glm::vec3> places; ///< of all positions, `origin` subtracted; not a number likewise
-    glm::dvec3 origin{0.0};        ///< in the file's units; 0 where the model is near enough
+    std::vector<glm::vec3>
+        places; ///< of all positions, `origin` subtracted; those that are not a number stay so
+    glm::dvec3 origin{0.0}; ///< in the file's units; 0 where the model is near enough
 };
 
 /// The places of a model's positions. Far away is a model whose box, of the points that its faces

@@ -35,7 +35,7 @@ struct NamedPart {
     int material_line = 0;
 };
 
-/// How a sentence about a face ends that is not drawn.
+/// The end of a sentence about a face that is not drawn.
 inline constexpr std::string_view face_left_out = "the face is left out.";
 
 /// What a corner names, for sentences, and what becomes of a face that names a wrong one.

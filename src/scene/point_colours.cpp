@@ -24,6 +24,7 @@ void PointColours::add(std::size_t point, std::span<const double> numbers, int l
         given[static_cast<int>(i)] = static_cast<float>(numbers[i]);
     given_.push_back(given);
     if (numbers.size() == 4 && numbers[0] != 1.0) is_weight_first_ = false;
+    if (numbers.size() == 4 && numbers[3] != 1.0) is_alpha_last_ = false;
     const double largest = *std::max_element(numbers.begin(), numbers.end());
     const bool were_bytes = are_bytes();
     largest_ = std::max(largest_, largest);
@@ -55,7 +56,7 @@ std::vector<glm::vec3> PointColours::colours(std::size_t points) const {
     for (std::size_t i = 0; i < std::min(points, given_.size()); ++i) {
         const glm::vec4& given = given_[i];
         if (std::isnan(given.x)) continue;
-        const bool skips_first = is_weight_first_ && !std::isnan(given.w);
+        const bool skips_first = is_weight_first_ && !is_alpha_last_ && !std::isnan(given.w);
         const glm::vec3 colour =
             skips_first ? glm::vec3(given.y, given.z, given.w) : glm::vec3(given);
         colours[i] = glm::clamp(colour / full, 0.0f, 1.0f);

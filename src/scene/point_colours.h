@@ -27,8 +27,8 @@ class PointColours {
     /// a mask, red, green and blue. Ends where there is no such digit, or at `most_model_points`.
     void add_polypaint(std::string_view text);
 
-    /// Do the numbers run to 255? So they are taken if one of them is 2 or more; and those that
-    /// are a little over 1 are 1.
+    /// Do the numbers run to 255? Yes, if one of them is 2 or more; numbers that are a little over
+    /// 1 count as 1.
     bool are_bytes() const { return largest_ >= 2.0; }
     /// The line of the first number that shows it, from 1.
     int line_of_bytes() const { return line_of_bytes_; }
@@ -41,7 +41,8 @@ class PointColours {
   private:
     std::vector<glm::vec4> given_; ///< behind a point; what is not given is not a number
     std::vector<std::uint32_t> polypaint_;
-    bool is_weight_first_ = true;
+    bool is_weight_first_ = true; ///< as far as all points tell: four numbers begin with 1
+    bool is_alpha_last_ = true;   ///< likewise: they end with 1
     double largest_ = 0.0;
     int line_of_bytes_ = 0;
 };

@@ -35,7 +35,7 @@ constexpr std::size_t most_lookups = 2 * most_materials;
 constexpr std::string_view skipped_option = "of an image's options only -bm is used";
 constexpr std::string_view skipped_material = "this property of a material is not used";
 
-/// What an image may be called if its file has not the name that stands there: without the quotes,
+/// What an image may be called if no file has the name as it is written: without the quotes,
 /// the comment or the options behind it, and without unknown options before it.
 std::vector<std::string> readings_of_name(std::string_view name) {
     constexpr std::size_t most_readings = 16;
@@ -242,7 +242,8 @@ class MtlReader {
         if (file.trouble.empty()) {
             map = file.path;
             if (!file.remark.empty())
-                fault([&] { return fmt::format("{}: {}.", in_quotes(word), file.remark); });
+                reporter_.note(path_, lines_.line(),
+                               fmt::format("{}: {}.", in_quotes(word), file.remark));
             return;
         }
         fault([&] {

@@ -67,21 +67,27 @@ SharedTexture::SharedTexture(Texture texture)
 
 namespace {
 
-/// The alpha of each pixel; none if all are opaque, or all clear.
+/// The alpha of each pixel; none if all are opaque.
 std::vector<float> alphas_of(const Image& image) {
     std::vector<float> alphas;
     alphas.reserve(image.rgba.size() / 4);
-    bool are_opaque = true, are_clear = true;
+    bool are_opaque = true;
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
         are_opaque = are_opaque && image.rgba[i] == 255;
-        are_clear = are_clear && image.rgba[i] == 0;
         alphas.push_back(static_cast<float>(image.rgba[i]) / 255.0f);
     }
-    if (are_opaque || are_clear) return {};
+    if (are_opaque) return {};
     return alphas;
 }
 
 } // namespace
+
+void drop_empty_alpha(Image& image) {
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        if (image.rgba[i] != 0) return;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        image.rgba[i] = 255;
+}
 
 Texture make_texture(std::string name, const Image& image) {
     TextureLevel base{image.width, image.height, {}, alphas_of(image)};

@@ -81,9 +81,11 @@ class SharedTexture {
     std::shared_ptr<const Texture> texture_; ///< never null
 };
 
+/// Takes a picture to be opaque where every pixel is clear: many programs leave its alpha empty.
+void drop_empty_alpha(Image& image);
+
 /// The texture of a picture that has pixels. A byte b becomes b / 255, as bytes of the picture that
-/// is drawn come from 255 c. Where every texel is clear the picture is taken to be opaque: many
-/// programs leave its alpha empty.
+/// is drawn come from 255 c.
 Texture make_texture(std::string name, const Image& image);
 
 } // namespace rasterwalk

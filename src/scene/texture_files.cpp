@@ -73,8 +73,9 @@ ReadTexture TextureFiles::read_known(const Recipe& paths, const std::string& nam
 
 int TextureFiles::read_new(const Recipe& files, const Recipe& paths, const std::string& name) {
     if (known_.size() >= most_textures) {
-        throw InputError(
-            fmt::format("{}: there are more than {} textures.", paths.file, most_textures));
+        throw InputError(fmt::format("{}: there are more than {} textures.",
+                                     paths.file.empty() ? paths.alpha_file : paths.file,
+                                     most_textures));
     }
     if (!files.alpha_file.empty()) {
         const Image image = image_with_alpha(files, paths);
@@ -82,9 +83,8 @@ int TextureFiles::read_new(const Recipe& files, const Recipe& paths, const std::
         textures_.emplace_back(make_texture(name, image));
         return static_cast<int>(textures_.size()) - 1;
     }
-    const bool is_further = images_.contains(files.file);
     const Image& image = image_of(files.file, paths.file);
-    if (is_further) take_texels(paths.file, {image.width, image.height});
+    use(files.file, paths.file);
     watched_.ask();
     if (files.strength && !looks_like_normals(image)) {
         const auto side = static_cast<float>(std::max(image.width, image.height));
@@ -98,15 +98,20 @@ int TextureFiles::read_new(const Recipe& files, const Recipe& paths, const std::
 }
 
 Image TextureFiles::image_with_alpha(const Recipe& files, const Recipe& paths) {
-    const Image& alpha = image_of(files.alpha_file, paths.alpha_file);
-    Image image{alpha.width, alpha.height, {}};
-    if (files.file.empty())
-        image.rgba.assign(alpha.rgba.size(), 255);
-    else
-        image = image_of(files.file, paths.file);
-    take_texels(paths.alpha_file, {image.width, image.height});
-    lay_alpha(alpha, image);
+    const std::string& shown = files.file.empty() ? files.alpha_file : files.file;
+    Image image = image_of(shown, files.file.empty() ? paths.alpha_file : paths.file);
+    if (files.file.empty()) std::fill(image.rgba.begin(), image.rgba.end(), std::uint8_t{255});
+    lay_alpha(image_of(files.alpha_file, paths.alpha_file), image);
+    use(shown, paths.alpha_file);
     return image;
+}
+
+/// An image becomes a texture. Its texels are counted since it was unpacked: further textures of it
+/// are counted by themselves.
+void TextureFiles::use(const std::string& file, const std::string& path) {
+    ReadImage& read = images_.at(file);
+    if (read.is_used) take_texels(path, {read.image.width, read.image.height});
+    read.is_used = true;
 }
 
 const Image& TextureFiles::image_of(const std::string& file, const std::string& path) {
@@ -119,6 +124,7 @@ const Image& TextureFiles::image_of(const std::string& file, const std::string& 
             bytes_.add(path);
             read.image = read_image(path, largest_texture_side,
                                     [&](glm::ivec2 size) { take_texels(path, size); });
+            drop_empty_alpha(read.image);
         } catch (const Error& error) {
             read.trouble = error.what();
         }

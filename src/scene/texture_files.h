@@ -38,7 +38,7 @@ class TextureFiles {
 
     /// The same with the alpha of another picture: its alpha if it has any, or else its grey; where
     /// sizes differ the nearest pixel. One that cannot be used leaves the first as it is, and is
-    /// the trouble; so does one that is the same file.
+    /// the trouble. One that is the same file says nothing more.
     /// @param path of the first; empty: white, in the size of the other
     ReadTexture read_with_alpha(const std::string& path, const std::string& alpha_path,
                                 const std::string& name);
@@ -52,7 +52,8 @@ class TextureFiles {
     /// A file that was unpacked.
     struct ReadImage {
         Image image;
-        std::string trouble; ///< empty: it could be
+        std::string trouble;  ///< empty: it could be
+        bool is_used = false; ///< a texture was made of it
     };
     using Strength = std::optional<float>; ///< of heights; none: the picture as it is
 
@@ -68,6 +69,7 @@ class TextureFiles {
     int read_new(const Recipe& files, const Recipe& paths, const std::string& name);
     const Image& image_of(const std::string& file, const std::string& path);
     Image image_with_alpha(const Recipe& files, const Recipe& paths);
+    void use(const std::string& file, const std::string& path);
     void take_texels(const std::string& path, glm::ivec2 size);
 
     std::vector<SharedTexture>& textures_;

@@ -313,9 +313,7 @@ RunChanges update_run(const Session& session, const Run& run, bool takes_frame,
         if (changes.frame || !results.has_all_troubles) update_troubles(limit, results);
     }
     const bool is_other_view = results.view != session.view || results.depth_range != depths;
-    // Behind a preview nothing is painted before it can be seen.
-    const bool is_hidden = results.preview.is_shown && !results.is_drawn();
-    changes.picture = !is_hidden && (draws_on || is_other_view || !is_empty(results.unpainted));
+    changes.picture = draws_on || is_other_view || !is_empty(results.unpainted);
     if (changes.picture) {
         update_picture(session.view, depths, limit, results);
         results.picture_number = ++numbers;

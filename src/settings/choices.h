@@ -479,7 +479,7 @@ template <>
 inline constexpr auto enum_words<Bounds> = word_list("inside", "excludes_zero");
 static_assert(words_match<Bounds>);
 
-/// As which number light goes to the screen.
+/// The number by which light goes to the screen.
 enum class Encoding : std::uint8_t {
     linear, ///< as the light that it is: the lab
     srgb,   ///< by the sRGB transfer function, which a screen undoes

@@ -65,7 +65,8 @@ static_assert(words_match<TextureWrap>);
 
 /// What the alpha of a texture does to a fragment.
 enum class TextureAlpha : std::uint8_t {
-    cut_out, ///< below `cut_out_limit` the fragment is discarded, or else it is opaque
+    cut_out, ///< below `cut_out_limit` the fragment is discarded, or else it is as
+             ///< opaque as its surface
     blend,   ///< it multiplies the alpha with which the fragment is blended
     off,     ///< nothing: every texel is opaque
 };

@@ -124,7 +124,7 @@ std::string refusal_within(std::size_t memory, const std::string& bytes) {
 TEST_CASE("A TGA is read: plain from the bottom, packed from the top, with and without alpha") {
     const Image plain = read_bytes(plain_tga());
     const Image packed = read_bytes(packed_tga(from_top | eight_alpha_bits));
-    // Many programs write a fourth byte that nobody has filled, and say that no bit of it counts.
+    // Many programs write a fourth byte without filling it, and say that no bit of it counts.
     const Image without_alpha = read_bytes(packed_tga(from_top));
     for (const Image* const image : {&plain, &packed, &without_alpha}) {
         REQUIRE(image->width == 5);

@@ -129,7 +129,7 @@ TEST_CASE("Blended, each texel lies over the wall by its alpha; switched off, al
     }
 }
 
-TEST_CASE("Whoever watches sees the same picture, and each fragment that is cut out") {
+TEST_CASE("An observer sees the same picture, and each fragment that is cut out") {
     const Scene scene = scene_with_holes();
     for (const char* const alpha : {"cut_out", "blend", "off"}) {
         INFO(alpha);

@@ -86,8 +86,8 @@ TEST_CASE("Links do not lead out of the parent folder") {
                                  archive.folder.file("project/linked"));
     fs::create_symlink(archive.folder.file("private/secret.png"),
                        archive.folder.file("project/textures/hidden.png"));
-    for (const char* const name :
-         {"../linked/secret.png", "secret.png", "../textures/hidden.png", "Hidden.png"}) {
+    for (const char* const name : {"../linked/secret.png", "secret.png", "../textures/hidden.png",
+                                   "Hidden.png", "linked/secret.png", "near.png", "Near.png"}) {
         INFO(name);
         CHECK(found_as(archive, name).empty());
     }
@@ -134,9 +134,9 @@ TEST_CASE("An image is found whatever options, quotes and comments stand round i
         const ObjModel model = read_obj(archive.model());
         CHECK(model.textures.size() == 1);
         // Found elsewhere, or under a part of what stands there: told with file and line.
-        REQUIRE(model.report.faults.size() == 1);
-        CHECK(model.report.faults[0].line == 2);
-        CHECK_THAT(model.report.faults[0].sentence, Catch::Matchers::EndsWith("' is used."));
+        REQUIRE(model.report.notes.size() == 1);
+        CHECK(model.report.notes[0].line == 2);
+        CHECK_THAT(model.report.notes[0].sentence, Catch::Matchers::EndsWith("' is used."));
     }
     archive.folder.write("project/source/model.obj",
                          "mtllib M.MTL\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n"
@@ -144,8 +144,8 @@ TEST_CASE("An image is found whatever options, quotes and comments stand round i
     archive.folder.write("project/source/m.mtl", "newmtl a\nmap_Kd ../textures/wood.png\n");
     const ObjModel model = read_obj(archive.model());
     CHECK(model.textures.size() == 1);
-    REQUIRE(model.report.faults.size() == 1);
-    CHECK(fault_line(model.report.faults[0]) ==
+    REQUIRE(model.report.notes.size() == 1);
+    CHECK(fault_line(model.report.notes[0]) ==
           fmt::format("{0}:1: 'mtllib': there is no file 'M.MTL'; '{1}' is used.", archive.model(),
                       archive.folder.file("project/source/m.mtl")));
 }

@@ -30,8 +30,9 @@ void draw_intro(Ui& ui) {
     wrapped_text("My picture is wrong: why?");
     keep_text_whole(ui);
     ImGui::PopFont();
-    wrapped_text("Choose a picture that your program saved (PNG or BMP), or the rows that it "
-                 "printed, as text. You can also drop the file on the window, or type its path.");
+    wrapped_text(
+        "Choose a picture that your program saved (PNG, BMP, TGA or PPM), or the rows "
+        "that it printed, as text. You can also drop the file on the window, or type its path.");
     keep_text_whole(ui);
     name_widget(ui, "lab.intro", "What can be checked, and how.");
     ImGui::Spacing();

@@ -35,8 +35,8 @@ SheetWords words_of(FileSheet::Kind kind) {
                 "No views are saved here.", "Save", "Writes the file. Key: Enter"};
     case FileSheet::Kind::result:
         return {"Check my picture",
-                "A picture that your program saved (.png, .bmp), or the rows that it printed "
-                "(.txt).",
+                "A picture that your program saved (.png, .bmp, .tga, .ppm), or the rows that "
+                "it printed (.txt).",
                 "No pictures and no texts here.", "Check",
                 "Looks for what may be wrong with it. Key: Enter"};
     case FileSheet::Kind::texture:

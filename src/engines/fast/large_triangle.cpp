@@ -175,12 +175,15 @@ double double_area(const Corner& a, const Corner& b, const Corner& c) {
     return ab.x * ac.y - ab.y * ac.x;
 }
 
-/// Two triangles as one polygon, if they have an edge in common and nothing of them is bent inward:
-/// the pixels between its four edges are then those of both.
+/// Two triangles as one polygon, if they lie on the two sides of an edge and nothing of them is
+/// bent inward: the pixels between its four edges are then those of both.
 std::optional<std::array<Corner, 4>> quadrilateral(const Triangle& p, const Triangle& q) {
     const auto are_same = [](const Corner& a, const Corner& b) {
         return a.place == b.place && a.inv_z == b.inv_z;
     };
+    const bool is_clockwise = double_area(p[0], p[1], p[2]) > 0.0;
+    const bool is_other_clockwise = double_area(q[0], q[1], q[2]) > 0.0;
+    if (is_clockwise != is_other_clockwise) return std::nullopt;
     for (std::size_t i = 0; i < p.size(); ++i) {
         for (std::size_t j = 0; j < q.size(); ++j) {
             const Corner &from = p[i], &to = p[(i + 1) % 3], &beside = p[(i + 2) % 3];
@@ -188,7 +191,6 @@ std::optional<std::array<Corner, 4>> quadrilateral(const Triangle& p, const Tria
             const Corner& across = q[(j + 2) % 3];
             const double turn_from = double_area(beside, from, across),
                          turn_to = double_area(across, to, beside);
-            const bool is_clockwise = double_area(from, to, beside) > 0.0;
             const bool is_convex =
                 is_clockwise ? turn_from > 0.0 && turn_to > 0.0 : turn_from < 0.0 && turn_to < 0.0;
             if (is_convex) return std::array{beside, from, across, to};

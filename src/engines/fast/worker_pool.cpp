@@ -12,11 +12,20 @@ constexpr int looks = 20000;
 } // namespace
 
 WorkerPool::WorkerPool(int count) {
-    for (int i = 1; i < count; ++i)
-        threads_.emplace_back([this, i] { wait_for_work(i); });
+    try {
+        for (int i = 1; i < count; ++i)
+            threads_.emplace_back([this, i] { wait_for_work(i); });
+    } catch (...) {
+        end(); // those that could be started
+        throw;
+    }
 }
 
 WorkerPool::~WorkerPool() {
+    end();
+}
+
+void WorkerPool::end() {
     is_over_ = true;
     ++round_;
     round_.notify_all();

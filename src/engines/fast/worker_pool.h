@@ -27,6 +27,7 @@ class WorkerPool {
     void run(const std::function<void(int)>& work);
 
   private:
+    void end();
     void wait_for_work(int index);
     void work_safely(int index);
 
