@@ -8,6 +8,7 @@
 #include "opening/command_line_text.h"
 #include "opening/opened_view.h"
 #include "opening/view_link.h"
+#include "scene/laid_texture.h"
 #include "support/temporary_folder.h"
 #include "support/textured_scene.h"
 #include "tests/support/catch.h"
@@ -47,6 +48,18 @@ TEST_CASE("--texture lays an image on the parts that have texture coordinates") 
     REQUIRE(scene.textures.size() == 1);
     CHECK(*scene.textures[0] == make_texture("x.png", of.image));
     CHECK(open_view({.scene = of.options.scene}).scene->textures.empty());
+}
+
+TEST_CASE("A further image takes the place of the one that was laid on a model") {
+    const ModelWithImage of;
+    const Image other = many_colours(2, 2);
+    write_png(other, of.folder.file("y.png"));
+    const Scene first = *open_view(of.options).scene;
+    const Scene second = with_texture(first, of.folder.file("y.png"));
+    REQUIRE(second.textures.size() == 1);
+    CHECK(*second.textures[0] == make_texture("y.png", other));
+    CHECK(second.parts[0].texture == 0);
+    CHECK(second.laid_texture == of.folder.file("y.png"));
 }
 
 TEST_CASE("A part that has an image keeps it") {
