@@ -60,11 +60,10 @@ void add_view_options(CLI::App& command, ViewOptions& o) {
              "lab's room "
              "if not given",
              "FILE");
-    add_text(
-        command, "--texture", o.texture,
-        "Image that is laid on every part of the model without one, where only a program names "
-        "it",
-        "FILE");
+    add_text(command, "--texture", o.texture,
+             "Image that is laid on every part of the model without one, for a model whose file "
+             "names no image",
+             "FILE");
     add_text(command, "--lesson", o.lesson,
              "The picture of a lesson, 05-row-table or a file (.md); what else is said here wins",
              "ID");

@@ -144,8 +144,8 @@ void BesideFiles::look_around(const std::string& namer) {
     const fs::path folder = folder_of(namer);
     std::vector<std::string> below, next, deeper;
     look_into(folder.string(), below);
-    for (std::size_t i = 0; i < below.size(); ++i)
-        look_into(below[i], deeper);
+    for (const std::string& of : below)
+        look_into(of, deeper);
     std::error_code fault;
     const fs::path parent = folder / "..";
     for (fs::directory_iterator entry(parent, fault), end; !fault && entry != end;
