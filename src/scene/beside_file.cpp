@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_name = 4096;
+constexpr std::size_t longest_file_name = 4096;
 
 bool has_step_up(const fs::path& name) {
     return std::find(name.begin(), name.end(), "..") != name.end();
@@ -34,7 +34,7 @@ bool leads_out(const fs::path& name) {
 }
 
 bool is_usable(std::string_view name) {
-    return !name.empty() && name.size() <= longest_name && name.find('\0') == name.npos;
+    return !name.empty() && name.size() <= longest_file_name && name.find('\0') == name.npos;
 }
 
 std::string slashed(std::string_view name) {
