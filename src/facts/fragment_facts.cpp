@@ -111,6 +111,15 @@ void add_texture_facts(std::vector<Fact>& table) {
                      natural(), texture_number<[](Texels t) { return t.heaviest().level; }>});
 }
 
+/// How many fragments on the picked pixel meet a fate.
+Value fragments_of_fate(const Facts& f, int fate) {
+    const auto& history = f.results().history;
+    if (!history) return {};
+    return number(
+        std::count_if(history->entries.begin(), history->entries.end(),
+                      [&](const PixelEntry& e) { return static_cast<int>(e.fate) == fate; }));
+}
+
 } // namespace
 
 void add_pixel_facts(std::vector<Fact>& table) {
@@ -128,22 +137,10 @@ void add_pixel_facts(std::vector<Fact>& table) {
                          return history ? number(history->entries.empty() ? 1 : 0) : Value();
                      }});
     table.push_back({"pixel.losers", "Fragments on the picked pixel that fail the depth test.",
-                     natural(), [](const Facts& f, int) {
-                         const auto& history = f.results().history;
-                         if (!history) return Value();
-                         return number(std::count_if(
-                             history->entries.begin(), history->entries.end(),
-                             [](const PixelEntry& e) { return e.fate == Fate::depth_failed; }));
-                     }});
+                     natural(), fragments_of_fate, static_cast<int>(Fate::depth_failed)});
     table.push_back({"pixel.cut_out",
                      "Fragments on the picked pixel that the alpha of their texture lets through.",
-                     natural(), [](const Facts& f, int) {
-                         const auto& history = f.results().history;
-                         if (!history) return Value();
-                         return number(std::count_if(
-                             history->entries.begin(), history->entries.end(),
-                             [](const PixelEntry& e) { return e.fate == Fate::cut_out; }));
-                     }});
+                     natural(), fragments_of_fate, static_cast<int>(Fate::cut_out)});
     table.push_back({"pixel.owner", "Triangle that the picked pixel shows in the end; -1: none.",
                      whole(-1, endless), [](const Facts& f, int) {
                          if (!f.results().history) return Value();

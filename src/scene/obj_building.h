@@ -9,7 +9,7 @@ namespace rasterwalk {
 
 /// Builds mesh and parts of a model, and counts them: looks up the material of each part, leaves
 /// out the faces that name a point that is not there, computes the normals that are missing, cuts
-/// the faces into triangles. Faults are told.
+/// the faces into triangles. Faults go into the report.
 /// @param model has its path and its materials
 /// Throws ReadingStopped if the watch wants no more of it.
 void build_model(ObjStatements& file, const ObjOptions& options, WatchedSteps& watched,

@@ -92,7 +92,7 @@ struct ObjReport {
     friend bool operator==(const ObjReport&, const ObjReport&) = default;
 };
 
-/// Faults of which a file may be full, so that all of a kind are told as one.
+/// Faults that a file may be full of: the report has one line for each kind.
 enum class ObjFaultKind : std::uint8_t {
     position,            ///< a statement v that cannot be read
     colour,              ///< what follows its point

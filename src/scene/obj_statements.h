@@ -64,7 +64,7 @@ struct ObjStatements {
     }
 };
 
-/// Reads the statements of a model. Faults are told.
+/// Reads the statements of a model. Faults go into the report.
 /// @param path for messages
 /// @param libraries reads the files of materials that are named
 /// Throws InputError if the model is too large, ReadingStopped if the watch wants no more of it.

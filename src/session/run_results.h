@@ -133,7 +133,8 @@ struct SharedView {
 /// same scene and size it is prepared in parts where the limit asks for it, and what is begun is
 /// ended even if meanwhile another is asked for: while a camera turns without rest something is
 /// seen. Beside a preview it is not ended. To be called by update() alone.
-/// @param is_aside nothing of these results is on show yet: the first frame may take its time, too
+/// @param is_aside none of these results is on show yet, so even the first frame may be prepared in
+///                 parts
 /// @return is the frame ready to be shown, or on show?
 bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, bool is_aside,
                  const WorkLimit& limit, RunResults& results);

@@ -1,4 +1,4 @@
-// Textures with alpha: holes that are cut out, texels that are blended, and what is told of both.
+// Textures with alpha: holes that are cut out, texels that are blended, and what the panels say.
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,11 @@
 #include "compare/divergence.h"
 #include "engines/fast/fast_view.h"
 #include "explain/fragment_report.h"
+#include "facts/facts.h"
 #include "inspect/pixel_history.h"
 #include "pipeline/draw.h"
+#include "session/content.h"
+#include "session/results.h"
 #include "settings/setting_table.h"
 #include "support/recorder.h"
 #include "support/textured_scene.h"
@@ -218,4 +221,28 @@ TEST_CASE("Two runs part where one lets a fragment through, and the alpha is tol
     // The corner of the picture lies in the first texel, which is clear.
     CHECK(first->text.find("is let through: the alpha of its texture is 0, below 1/2 in A") !=
           std::string::npos);
+}
+
+TEST_CASE("The fact pixel.cut_out counts the fragments of a pixel that fall through a hole") {
+    Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
+    set_scene(session, scene_with_holes());
+    session.a.settings.stage = Stage::depth;
+    Results results;
+    int holes = 0;
+    for (int row = 2; row < picture_side; row += 7) {
+        for (int column = 3; column < picture_side; column += 5) {
+            const int texel = texel_under(column, row);
+            // Both triangles of a square draw its diagonal.
+            if (texel < 0 || column == row) continue;
+            INFO(column << "," << row);
+            session.selection.pixel = glm::ivec2(column, row);
+            finish(session, results);
+            const int wanted = holed().rgba[4 * static_cast<std::size_t>(texel) + 3] < 128 ? 1 : 0;
+            const Value cut_out = Facts(session, results)("pixel.cut_out");
+            REQUIRE(is_there(cut_out));
+            CHECK(std::get<double>(cut_out) == wanted);
+            holes += wanted;
+        }
+    }
+    CHECK(holes > 5);
 }

@@ -158,7 +158,7 @@ TEST_CASE("A hundred thousand faces with a wrong normal are one fault, and leave
           "99999 more like it.");
 }
 
-TEST_CASE("A fault that came when there was no room for it is counted") {
+TEST_CASE("Faults beyond the room of the report are still counted") {
     std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (int i = 0; i < most_faults; ++i)
         text += "f 0 0 0\n";
