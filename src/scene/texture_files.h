@@ -1,10 +1,10 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/image.h"
@@ -62,7 +62,10 @@ class TextureFiles {
         std::string file, alpha_file;
         Strength strength;
 
-        friend auto operator<=>(const Recipe&, const Recipe&) = default;
+        friend bool operator<(const Recipe& a, const Recipe& b) {
+            return std::tie(a.file, a.alpha_file, a.strength) <
+                   std::tie(b.file, b.alpha_file, b.strength);
+        }
     };
 
     ReadTexture read_known(const Recipe& paths, const std::string& name);
