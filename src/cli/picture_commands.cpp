@@ -179,7 +179,10 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
     const FrameStats stats = frame_stats(frame, session.cursor, framebuffer);
     const std::optional<ObjReport>& model = session.scene->model_report;
     std::vector<std::string> hints;
-    if (session.cursor == cursor_end) hints = seen_hints(frame, framebuffer);
+    if (session.cursor == cursor_end) {
+        for (const SeenHint& hint : seen_hints(frame, framebuffer))
+            hints.push_back(hint.seen + ": " + hint.help);
+    }
     std::optional<CullingCosts> costs;
     if (options.time) costs = culling_costs(*session.scene, settings, session.cursor, clock);
     if (options.json) {

@@ -1,10 +1,13 @@
 #include "inspect/seen_hints.h"
 
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "base/numbers.h"
+#include "picture/view_image.h"
 #include "pipeline/draw.h"
-#include "settings/settings.h"
+#include "settings/setting_table.h"
 #include "stages/cull.h"
 #include "stages/stages.h"
 
@@ -16,69 +19,189 @@ bool is_back(const Frame& frame, int triangle, const SightRays& rays) {
     return away_from_camera(as_one_face(frame.given_clip_vertices(triangle)), rays) > 0.0f;
 }
 
-/// What would be seen under other settings.
-SeenPixels seen_under(const Settings& settings, const Frame& frame) {
-    const Frame other = prepare_frame(*frame.given, settings, frame.replace);
-    return count_seen(other, draw_frame(other));
-}
-
-std::string hint_of_backs(const Frame& frame, const SeenPixels& seen) {
-    if (frame.settings.cull != Cull::none || 2 * seen.backs <= seen.surface) return {};
-    Settings culled = frame.settings;
-    culled.cull = Cull::face_normal;
-    // Of a sheet or of a model that is inside out next to nothing would be left.
-    if (2 * seen_under(culled, frame).surface <= seen.surface) return {};
-    return fmt::format("Most of what you see are backs, {} of {}: cull=face_normal, the setting "
-                       "'Backs left out', shows what is behind them.",
-                       seen.backs, counted(seen.surface, "pixel", "pixels"));
-}
-
-std::string hint_of_black(const Frame& frame, const SeenPixels& seen) {
-    if (seen.lit > 0 || shading_rule(frame.settings) == Shading::unlit) return {};
-    Settings two_sided = frame.settings, at_camera = frame.settings;
-    two_sided.light_rules.sides = LightSides::two;
-    at_camera.light.place = LampPlace::camera;
-    const std::int64_t by_sides = seen_under(two_sided, frame).lit;
-    const std::int64_t by_lamp = seen_under(at_camera, frame).lit;
-    if (by_sides == 0 && by_lamp == 0) return {};
-    const bool is_by_sides = by_sides >= by_lamp;
-    return fmt::format("All that you see is black: {} would light {} of {}.",
-                       is_by_sides ? "light.sides=two, the setting 'Lit sides',"
-                                   : "light.place=camera, the setting 'Lamp stands',",
-                       is_by_sides ? by_sides : by_lamp, counted(seen.surface, "pixel", "pixels"));
-}
-
-} // namespace
-
-SeenPixels count_seen(const Frame& frame, const Framebuffer& picture) {
+void count_rows_seen(const Frame& frame, const Framebuffer& picture, int from, int to,
+                     SeenPixels& seen) {
     const SightRays rays = sight_rays(vertex_rules(frame.settings, frame.scene->space));
-    SeenPixels seen;
+    const auto width = static_cast<std::size_t>(picture.size.width);
     int known = -1;
     bool known_is_back = false;
-    for (std::size_t i = 0; i < picture.owner.size(); ++i) {
+    const std::size_t end = static_cast<std::size_t>(to) * width;
+    for (std::size_t i = static_cast<std::size_t>(from) * width; i < end; ++i) {
         const int triangle = picture.owner[i];
         if (triangle < 0) continue;
         if (triangle != known) {
             known = triangle;
             known_is_back = is_back(frame, triangle, rays);
         }
-        const glm::vec3& colour = picture.colour[i];
         ++seen.surface;
         seen.backs += known_is_back ? 1 : 0;
-        seen.lit += colour.r > 0.0f || colour.g > 0.0f || colour.b > 0.0f ? 1 : 0;
+        seen.lit += is_invisible(picture.colour[i]) ? 0 : 1;
     }
+}
+
+/// "blend=off, the setting 'Half transparent',"
+std::string named(const std::vector<std::string>& assignments) {
+    std::string text;
+    for (const std::string& assignment : assignments) {
+        const Setting* const setting = find_setting(assignment.substr(0, assignment.find('=')));
+        text += fmt::format("{}{}, the setting '{}',", text.empty() ? "" : " and ", assignment,
+                            setting->title);
+    }
+    return text;
+}
+
+} // namespace
+
+SeenPixels count_seen(const Frame& frame, const Framebuffer& picture) {
+    SeenPixels seen;
+    count_rows_seen(frame, picture, 0, picture.size.height, seen);
     return seen;
 }
 
-std::vector<std::string> seen_hints(const Frame& frame, const Framebuffer& picture) {
-    std::vector<std::string> hints;
-    if (!frame.scene->model_report || !has_fragments(frame.settings.stage)) return hints;
-    const SeenPixels seen = count_seen(frame, picture);
-    if (seen.surface == 0) return hints;
-    for (const std::string& hint : {hint_of_backs(frame, seen), hint_of_black(frame, seen)}) {
-        if (!hint.empty()) hints.push_back(hint);
+SeenHintsWork::SeenHintsWork(const Frame& frame, const Framebuffer& picture)
+    : frame_(&frame), picture_(&picture) {
+    is_done_ = !frame.scene->model_report || !has_fragments(frame.settings.stage) ||
+               picture.owner.size() > most_hinted_pixels;
+}
+
+void SeenHintsWork::advance(const WorkLimit& limit) {
+    if (is_done_) return;
+    if (now_.rows < picture_->size.height) {
+        if (count(*frame_, *picture_, limit, now_)) choose_tries();
+    } else if (draw_try(limit)) {
+        is_begun_ = false;
+        const Try& tried = tries_[done_++];
+        // What is transparent is no matter of light.
+        if (tried.way == Way::opaque && tried.seen.lit > 0) tries_.resize(done_);
     }
+    is_done_ = now_.rows == picture_->size.height && done_ == tries_.size();
+}
+
+/// The next rows; true: that were all.
+bool SeenHintsWork::count(const Frame& frame, const Framebuffer& picture, const WorkLimit& limit,
+                          Count& count) {
+    const int rows = rows_within(limit, view_pixel_work, picture.size, count.rows);
+    count_rows_seen(frame, picture, count.rows, count.rows + rows, count.seen);
+    count.rows += rows;
+    return count.rows == picture.size.height;
+}
+
+void SeenHintsWork::choose_tries() {
+    const Settings& settings = frame_->settings;
+    const Scene& scene = *frame_->scene;
+    const auto add = [&](Way way, std::vector<std::string> assignments) {
+        if (!assignments.empty()) tries_.push_back({way, std::move(assignments), {}});
+    };
+    const SeenPixels& seen = now_.seen;
+    if (settings.cull == Cull::none && 2 * seen.backs > seen.surface)
+        add(Way::without_backs, {"cull=face_normal"});
+    if (seen.lit > 0) return;
+    std::vector<std::string> opaque;
+    if (has_alpha(scene) && settings.blend != Blend::off) opaque.emplace_back("blend=off");
+    if (has_texture_alpha(scene) && settings.texture_alpha != TextureAlpha::off)
+        opaque.emplace_back("texture_alpha=off");
+    add(Way::opaque, std::move(opaque));
+    if (seen.surface == 0 || shading_rule(settings) == Shading::unlit) return;
+    if (settings.light_rules.sides != LightSides::two)
+        add(Way::lit_from_both_sides, {"light.sides=two"});
+    if (settings.light.place != LampPlace::camera) add(Way::lamp_at_camera, {"light.place=camera"});
+}
+
+void SeenHintsWork::begin_try() {
+    Settings settings = frame_->settings;
+    for (const std::string& assignment : tries_[done_].settings)
+        set_from_text(settings, assignment);
+    preparation_ = begin_frame(*frame_->given, settings, frame_->replace, other_);
+    is_prepared_ = false;
+    other_count_ = {};
+    is_begun_ = true;
+}
+
+/// Goes on with a try; true: it is drawn and counted, or too much.
+bool SeenHintsWork::draw_try(const WorkLimit& limit) {
+    if (!is_begun_) begin_try();
+    if (preparation_) {
+        preparation_->advance(limit);
+        if (!preparation_->is_done()) return false;
+        preparation_ = std::nullopt;
+        work_.start(other_);
+    }
+    if (!is_prepared_) {
+        work_.advance({limit.slice, limit.slice});
+        if (!work_.is_done()) return false;
+        replay_.begin(other_, work_);
+        is_prepared_ = true;
+    }
+    if (!replay_.is_at(cursor_end)) {
+        replay_.toward(cursor_end, limit);
+        return replay_.is_held(cursor_end, limit);
+    }
+    const Framebuffer& drawn = replay_.toward(cursor_end, limit);
+    if (!count(other_, drawn, limit, other_count_)) return false;
+    tries_[done_].seen = other_count_.seen;
+    return true;
+}
+
+SeenHint SeenHintsWork::hint_of(const Try& tried) const {
+    const auto pixels = [](std::int64_t count) { return counted(count, "pixel", "pixels"); };
+    const std::string all = pixels(now_.seen.surface), settings = named(tried.settings);
+    SeenHint hint{{}, {}, {}, tried.settings, {}};
+    switch (tried.way) {
+    case Way::without_backs:
+        hint.seen = fmt::format("Most of what you see are backs, {} of {}", now_.seen.backs, all);
+        hint.in_short = "Mostly backs";
+        hint.act = "leave them out";
+        hint.help = settings + " shows what is behind them.";
+        break;
+    case Way::opaque:
+        hint.seen = "The model is transparent: nothing of it is seen";
+        hint.in_short = "Transparent";
+        hint.act = "draw it opaque";
+        hint.help = fmt::format("{} shows {} of it.", settings, pixels(tried.seen.lit));
+        break;
+    case Way::lit_from_both_sides:
+        hint.act = "light both sides";
+        break;
+    case Way::lamp_at_camera:
+        hint.act = "lamp to the camera";
+        break;
+    }
+    if (hint.seen.empty()) {
+        hint.seen = "All that you see is black";
+        hint.in_short = "All black";
+        hint.help = fmt::format("{} lights {} of {}.", settings, tried.seen.lit, all);
+    }
+    return hint;
+}
+
+std::vector<SeenHint> SeenHintsWork::hints() const {
+    std::vector<SeenHint> hints;
+    const Try* brightest = nullptr;
+    for (const Try& tried : tries_) {
+        const SeenPixels& seen = tried.seen;
+        switch (tried.way) {
+        case Way::without_backs:
+            // Of a sheet or of a model that is inside out next to nothing would be left.
+            if (2 * seen.surface > now_.seen.surface) hints.push_back(hint_of(tried));
+            break;
+        case Way::opaque:
+            if (seen.lit > 0) hints.push_back(hint_of(tried));
+            break;
+        case Way::lit_from_both_sides:
+        case Way::lamp_at_camera:
+            if (seen.lit > (brightest != nullptr ? brightest->seen.lit : 0)) brightest = &tried;
+            break;
+        }
+    }
+    if (brightest != nullptr) hints.push_back(hint_of(*brightest));
     return hints;
+}
+
+std::vector<SeenHint> seen_hints(const Frame& frame, const Framebuffer& picture) {
+    SeenHintsWork work(frame, picture);
+    while (!work.is_done())
+        work.advance();
+    return work.hints();
 }
 
 } // namespace rasterwalk

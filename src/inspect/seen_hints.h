@@ -1,14 +1,19 @@
 #pragma once
 
-// What the finished picture of a model shows, counted pixel by pixel, and which setting would show
+// What the finished picture of a model shows, counted pixel by pixel, and which settings would show
 // more of it.
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pipeline/frame.h"
+#include "pipeline/frame_preparation.h"
 #include "pipeline/framebuffer.h"
+#include "pipeline/replay.h"
+#include "pipeline/work.h"
 
 namespace rasterwalk {
 
@@ -16,7 +21,7 @@ namespace rasterwalk {
 struct SeenPixels {
     std::int64_t surface = 0; ///< all of them
     std::int64_t backs = 0;   ///< of a triangle that shows its back, see away_from_camera()
-    std::int64_t lit = 0;     ///< with a channel above 0
+    std::int64_t lit = 0;     ///< that are not black, see is_invisible()
 
     friend bool operator==(const SeenPixels&, const SeenPixels&) = default;
 };
@@ -24,11 +29,72 @@ struct SeenPixels {
 /// Counts them in one pass over the owners and colours of a picture of this frame.
 SeenPixels count_seen(const Frame& frame, const Framebuffer& picture);
 
-/// What there is to say of the whole picture of a model, a sentence each, with the setting that
-/// helps: that most of what is seen are backs, or that all of it is black. Each names only what was
-/// tried and counted; that draws the picture again, once or twice. Empty if there is nothing, if no
-/// setting helps, and of scenes that are no models, where it is meant.
-/// @param picture the finished picture of the frame
-std::vector<std::string> seen_hints(const Frame& frame, const Framebuffer& picture);
+/// In larger pictures no hint is looked for: another framebuffer of that size is too much memory.
+inline constexpr std::size_t most_hinted_pixels = std::size_t{1} << 23;
+
+/// Something to say of a whole picture, and what helps.
+struct SeenHint {
+    std::string seen;                  ///< "Most of what you see are backs, 90 of 100 pixels"
+    std::string in_short;              ///< the same where there is little room: "Mostly backs"
+    std::string act;                   ///< what to do about it, on a button: "leave them out"
+    std::vector<std::string> settings; ///< which do it: name=value
+    std::string help;                  ///< what they are called, and what they do: one sentence
+
+    friend bool operator==(const SeenHint&, const SeenHint&) = default;
+};
+
+/// Looks for what there is to say of the whole picture of a model: that most of what is seen are
+/// backs, that all of it is transparent, or black. It names only what it has tried and counted;
+/// that draws the picture again, up to four times. It finds nothing where no setting helps, nor in
+/// scenes that are no models, where it is meant, nor in pictures of more than most_hinted_pixels.
+class SeenHintsWork {
+  public:
+    /// @param picture the finished picture of the frame; both must live as long
+    SeenHintsWork(const Frame& frame, const Framebuffer& picture);
+
+    /// Goes on as far as the limit allows. A picture that is more than `most` is not tried.
+    void advance(const WorkLimit& limit = {});
+    bool is_done() const { return is_done_; }
+
+    /// What is found; once is_done().
+    std::vector<SeenHint> hints() const;
+
+  private:
+    /// What may show more.
+    enum class Way : std::uint8_t { without_backs, opaque, lit_from_both_sides, lamp_at_camera };
+
+    /// One of them, and what would be seen.
+    struct Try {
+        Way way;
+        std::vector<std::string> settings; ///< name=value
+        SeenPixels seen;
+    };
+    struct Count {
+        int rows = 0; ///< of the picture that are counted
+        SeenPixels seen;
+    };
+    static bool count(const Frame& frame, const Framebuffer& picture, const WorkLimit& limit,
+                      Count& count);
+    void choose_tries();
+    void begin_try();
+    bool draw_try(const WorkLimit& limit);
+    SeenHint hint_of(const Try& tried) const;
+
+    const Frame* frame_;
+    const Framebuffer* picture_;
+    Count now_;
+    std::vector<Try> tries_;
+    std::size_t done_ = 0; ///< of the tries
+    Frame other_;          ///< of the try on its way, and what it takes to draw it
+    std::optional<FramePreparation> preparation_;
+    FrameWork work_;
+    Replay replay_{0};
+    Count other_count_;
+    bool is_begun_ = false, is_prepared_ = false; ///< the try on its way
+    bool is_done_ = false;
+};
+
+/// All of it at once.
+std::vector<SeenHint> seen_hints(const Frame& frame, const Framebuffer& picture);
 
 } // namespace rasterwalk

@@ -9,6 +9,7 @@
 #include "base/element_names.h"
 #include "base/numbers.h"
 #include "picture/colour_map.h"
+#include "pipeline/draw.h"
 
 namespace rasterwalk {
 
@@ -75,6 +76,7 @@ struct Amounts {
             return totals.largest_error > 0.0f ? facts.affine_error[pixel] / totals.largest_error
                                                : -1.0f;
         case Overlay::wireframe:
+        case Overlay::alone:
             break;
         }
         return -1.0f;
@@ -157,6 +159,16 @@ std::vector<WireEdge> find_wires(const Frame& frame) {
     return wires;
 }
 
+/// What is drawn of a triangle before the cursor, as if there were no other.
+Framebuffer draw_alone(const Frame& frame, int triangle, const Cursor& cursor) {
+    Framebuffer alone;
+    clear(alone, frame);
+    const Cursor from{triangle, Phase::vertices, 0, 0};
+    const Cursor to = std::min(cursor, behind_triangle(triangle));
+    if (to > from) draw(frame, {from, to, std::nullopt}, alone);
+    return alone;
+}
+
 Image compose_image(const Framebuffer& framebuffer, OverlaySet shown, const Amounts& amounts) {
     Image image{framebuffer.size.width, framebuffer.size.height, {}};
     image.rgba.resize(4 * framebuffer.owner.size());
@@ -212,6 +224,9 @@ const std::array<OverlayInfo, overlay_count>& overlay_list() {
     static constexpr std::array<OverlayInfo, overlay_count> list{{
         {Overlay::wireframe, "wireframe",
          "The true edges of all triangles: straight lines between the projected vertices."},
+        {Overlay::alone, "one triangle alone",
+         "Fills the triangle on show as far as it is drawn, whatever lies before it; of all others "
+         "only the edges are seen."},
         {Overlay::owner, "triangle owner",
          "Tints every triangle in a colour of its own and names the one under the pointer."},
         {Overlay::overdraw, "overdraw", "How many fragments fell on each pixel, drawn or not."},
@@ -241,7 +256,8 @@ FactsWanted facts_wanted(OverlaySet overlays) {
 }
 
 void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffer& framebuffer,
-                      OverlaySet overlays, bool same_moment, OverlayPicture& picture) {
+                      OverlaySet overlays, const std::optional<int>& triangle, bool same_moment,
+                      OverlayPicture& picture) {
     picture.shown = overlays;
     const FactsWanted wanted = facts_wanted(overlays);
     if (!same_moment || !picture.facts.known.includes(wanted)) {
@@ -249,13 +265,19 @@ void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffe
     }
     picture.totals = count_totals(frame, framebuffer, overlays, picture.facts);
     picture.wires.clear();
-    if (overlays.has(Overlay::wireframe)) {
+    const bool is_alone = overlays.has(Overlay::alone);
+    if (overlays.has(Overlay::wireframe) || is_alone) {
         picture.wires = find_wires(frame);
         picture.totals.wires = static_cast<int>(picture.wires.size());
         if (picture.wires.size() > most_wires) picture.wires.resize(most_wires);
     }
+    picture.triangle = triangle;
+    picture.alone = is_alone && triangle ? draw_alone(frame, *triangle, cursor) : Framebuffer{};
+    picture.totals.alone = std::count_if(picture.alone.owner.begin(), picture.alone.owner.end(),
+                                         [](std::int32_t owner) { return owner >= 0; });
     OverlaySet tints = overlays;
     tints.set(Overlay::wireframe, false);
+    tints.set(Overlay::alone, false);
     picture.image = tints.empty() ? Image{}
                                   : compose_image(framebuffer, tints,
                                                   {framebuffer, picture.facts, picture.totals});
@@ -301,6 +323,7 @@ Tint overlay_tint(Overlay overlay, float amount, glm::ivec2 pixel, int triangle)
     case Overlay::uncovered:
         return {orange, wrapped(pixel.x + pixel.y, 4) < 2 ? 1.0f : 0.55f};
     case Overlay::wireframe:
+    case Overlay::alone:
         break;
     }
     return {};
@@ -336,6 +359,10 @@ std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPict
     case Overlay::affine_error:
         return fmt::format("at most {:.3f}, mean {:.3f} world units", totals.largest_error,
                            totals.mean_error);
+    case Overlay::alone:
+        if (!picture.triangle) return "no triangle is on show";
+        return fmt::format("{}, {} drawn", triangle_name(*picture.triangle),
+                           counted(totals.alone, "pixel", "pixels"));
     }
     return {};
 }
@@ -381,6 +408,8 @@ std::string overlay_value(Overlay overlay, const Frame& frame, const Framebuffer
     case Overlay::affine_error:
         return owner < 0 ? "none"
                          : decimals(static_cast<double>(picture.facts.affine_error[at]), 4);
+    case Overlay::alone:
+        return !picture.alone.owner.empty() && picture.alone.owner[at] >= 0 ? "drawn" : "not drawn";
     }
     return {};
 }

@@ -23,6 +23,7 @@ namespace rasterwalk {
 
 enum class Overlay : std::uint8_t {
     wireframe,    ///< the edges of all triangles that are drawn, as lines
+    alone,        ///< the triangle on show is filled, whatever lies before it; all others are lines
     owner,        ///< each triangle tinted in a colour of its own
     overdraw,     ///< how many fragments fell on the pixel
     drawn_twice,  ///< pixels on which two neighbours both drew; see PixelFacts
@@ -33,7 +34,7 @@ enum class Overlay : std::uint8_t {
 };
 
 template <>
-inline constexpr auto enum_words<Overlay> = word_list("wireframe", "owner", "overdraw",
+inline constexpr auto enum_words<Overlay> = word_list("wireframe", "alone", "owner", "overdraw",
                                                       "drawn_twice", "depth", "uncovered",
                                                       "over_one", "affine_error");
 static_assert(words_match<Overlay>);
@@ -53,12 +54,12 @@ const std::array<OverlayInfo, overlay_count>& overlay_list();
 
 /// The overlays that are switched on.
 struct OverlaySet {
-    std::uint8_t bits = 0;
+    std::uint16_t bits = 0;
 
     bool has(Overlay overlay) const { return ((bits >> static_cast<int>(overlay)) & 1) != 0; }
     void set(Overlay overlay, bool on) {
-        const auto bit = static_cast<std::uint8_t>(1u << static_cast<int>(overlay));
-        bits = static_cast<std::uint8_t>(on ? bits | bit : bits & ~bit);
+        const auto bit = static_cast<std::uint16_t>(1u << static_cast<int>(overlay));
+        bits = static_cast<std::uint16_t>(on ? bits | bit : bits & ~bit);
     }
     bool empty() const { return bits == 0; }
     int count() const;
@@ -92,6 +93,7 @@ struct OverlayTotals {
     std::int64_t uncovered = 0; ///< pixels
     std::int64_t over_one = 0;  ///< pixels
     float brightest = 0.0f;     ///< largest channel of any pixel
+    std::int64_t alone = 0;     ///< pixels of the triangle that is alone
     float largest_error = 0.0f; ///< world units
     double mean_error = 0.0;    ///< world units, over the pixels that are covered
 };
@@ -102,13 +104,18 @@ struct OverlayPicture {
     PixelFacts facts;
     OverlayTotals totals;
     std::vector<WireEdge> wires; ///< at most most_wires
-    Image image; ///< all overlays but the wireframe; without pixels if there is none
+    std::optional<int> triangle; ///< on show
+    Framebuffer alone; ///< that triangle and nothing else, if it is to be alone; otherwise
+                       ///< without pixels
+    Image image;       ///< all overlays that tint the picture; without pixels if there is none
 };
 
 /// Makes what is shown over the framebuffer that stands at `cursor`. Facts that `picture` has
 /// already are kept if `same_moment`: the frame and the cursor are those of the last call.
+/// @param triangle on show; none: nothing is alone
 void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffer& framebuffer,
-                      OverlaySet overlays, bool same_moment, OverlayPicture& picture);
+                      OverlaySet overlays, const std::optional<int>& triangle, bool same_moment,
+                      OverlayPicture& picture);
 
 /// The picture as the ground of overlays: without colour, and darker, so that every tint can be
 /// told from what lies below it.

@@ -8,12 +8,6 @@ namespace rasterwalk {
 
 namespace {
 
-bool is_clear(const Scene& scene) {
-    return !scene.parts.empty() &&
-           std::all_of(scene.parts.begin(), scene.parts.end(),
-                       [](const Part& part) { return is_invisible(glm::vec3(part.alpha)); });
-}
-
 bool is_black(const Mesh& mesh) {
     return std::all_of(mesh.vertices().begin(), mesh.vertices().end(), [](const Vertex& vertex) {
         return is_invisible(vertex.reflectance) && is_invisible(vertex.shine.specular);
@@ -28,10 +22,6 @@ std::string model_notice(const Scene& scene) {
     const auto add = [&](std::string_view sentence) {
         notice.append(notice.empty() || sentence.empty() ? "" : " ").append(sentence);
     };
-    if (is_clear(scene)) {
-        add("All of this model is transparent (d 0), so blend=over shows nothing of it: blend=off, "
-            "the setting 'Half transparent', draws it opaque.");
-    }
     if (is_black(scene.mesh))
         add("All of this model is black (Kd 0), so no light shows anything of it.");
     add(fault_notice(*scene.model_report));

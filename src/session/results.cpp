@@ -24,30 +24,36 @@ std::optional<glm::ivec2> picked_pixel(const Session& session, const Frame& fram
 }
 
 void update_overlay(const Session& session, Results& results, bool moved) {
-    const bool is_missing = !(results.overlay.shown == session.overlays) || results.overlay_is_old;
+    const bool is_another =
+        session.overlays.has(Overlay::alone) && results.overlay.triangle != results.a.triangle;
+    const bool is_missing =
+        !(results.overlay.shown == session.overlays) || is_another || results.overlay_is_old;
     if (!moved && !is_missing) return;
     // It marks what is on the picture at the cursor: until that is drawn there is nothing to mark.
     results.overlay_is_old = !results.a.is_drawn();
     if (results.overlay_is_old) {
         results.overlay = {};
-        ++results.overlay_number;
-        return;
+    } else {
+        compose_overlays(results.a.frame, results.a.cursor, *results.a.framebuffer,
+                         session.overlays, results.a.triangle, !moved, results.overlay);
     }
-    compose_overlays(results.a.frame, results.a.cursor, *results.a.framebuffer, session.overlays,
-                     !moved, results.overlay);
     ++results.overlay_number;
 }
 
-void update_ground(Results& results) {
-    if (results.overlay.image.rgba.empty()) {
-        results.ground = {};
-        results.ground_of = 0;
-        return;
-    }
-    if (results.ground_of == results.a.picture_number) return;
-    results.ground = ground_of_overlays(results.a.picture);
-    results.ground_of = results.a.picture_number;
-    results.ground_number = ++results.numbers;
+/// What lies below the overlays instead of the picture of A, if it is to be another: the triangle
+/// that is alone, and anything in grey where colours lie on it.
+void update_ground(const Session& session, Results& results) {
+    const GroundSource source{results.a.picture_number, results.overlay_number, session.view,
+                              session.depth_range};
+    if (results.ground_of == source) return;
+    results.ground_of = source;
+    const bool is_alone = !results.overlay.alone.owner.empty();
+    const bool is_grey = !results.overlay.image.rgba.empty();
+    results.ground = {};
+    if (is_alone)
+        results.ground = view_image(results.overlay.alone, session.view, session.depth_range);
+    if (is_grey) results.ground = ground_of_overlays(is_alone ? results.ground : results.a.picture);
+    if (is_alone || is_grey) results.ground_number = ++results.numbers;
 }
 
 /// The pixel whose history is known, or on its way.
@@ -133,6 +139,33 @@ void update_second_run(const Session& session, const RunChanges& a, bool are_rea
     // The scale of the difference follows the whole frames.
     const bool new_scale = !was_done && comparison.work.is_done();
     update_difference(session.view, new_scale, limit, results);
+}
+
+/// Hints are for a whole picture that stands by itself.
+void update_hints(const Session& session, const RunChanges& changes, const WorkLimit& limit,
+                  Results& results) {
+    PictureHints& hints = results.hints;
+    const bool are_wanted = session.cursor == cursor_end && !session.b;
+    if (!are_wanted || hints.scene != results.a.scene) {
+        hints.found.clear();
+        hints.scene = results.a.scene;
+        hints.are_due = are_wanted;
+        hints.work = std::nullopt;
+    }
+    if (!are_wanted) return;
+    if (changes.frame || changes.picture) {
+        hints.are_due = true;
+        hints.work = std::nullopt;
+    }
+    // They are looked for after all else, in updates of their own.
+    const bool is_whole = results.a.is_drawn() && results.a.is_complete();
+    if (!hints.are_due || !is_whole || changes.picture || results.history_work) return;
+    if (!hints.work) hints.work.emplace(results.a.frame, *results.a.framebuffer);
+    hints.work->advance({limit.slice, limit.slice, limit.most});
+    if (!hints.work->is_done()) return;
+    hints.found = hints.work->hints();
+    hints.are_due = false;
+    hints.work = std::nullopt;
 }
 
 /// For each of two runs.
@@ -243,9 +276,10 @@ bool update_within(const Session& session, const WorkLimit& limit, Results& resu
     }
     if (changes.frame) results.length = frame_length(Timeline(results.a.frame));
     update_overlay(session, results, changes.moment);
-    update_ground(results);
+    update_ground(session, results);
     update_history(session, changes, limit, results);
     update_second_run(session, changes, are_ready, limit, results);
+    update_hints(session, changes, limit, results);
     update_previews(session, results);
     return changes.picture || shown_preview() != preview_before;
 }
@@ -267,6 +301,7 @@ bool finish(const Session& session, Results& results) {
 bool is_working(const Results& results) {
     if (results.a.is_frame_late || !results.a.is_complete()) return true;
     if (results.history_work || results.next_b) return true;
+    if (results.hints.are_due && results.a.is_drawn()) return true;
     if (!results.b) return false;
     if (results.b->is_frame_late || !results.b->is_complete()) return true;
     if (!results.comparison.progress.is_done) return true;

@@ -10,6 +10,7 @@
 #include "compare/compare.h"
 #include "engines/engine_picture.h"
 #include "inspect/pixel_history.h"
+#include "inspect/seen_hints.h"
 #include "picture/overlay.h"
 #include "picture/view_image.h"
 #include "pipeline/leap.h"
@@ -49,6 +50,24 @@ struct ComparisonResults {
     const Comparison& whole() const { return work.found(); }
 };
 
+/// What the ground of the overlays follows from.
+struct GroundSource {
+    std::uint64_t picture = 0, overlay = 0; ///< numbers of them
+    View view = View::colour;
+    std::optional<DepthInterval> depth_range;
+
+    friend bool operator==(const GroundSource&, const GroundSource&) = default;
+};
+
+/// What there is to say of the whole picture of A, and which settings would show more. Those of the
+/// picture before stay until it is known of this one.
+struct PictureHints {
+    std::vector<SeenHint> found;
+    std::shared_ptr<const Scene> scene; ///< of the picture that they were found in
+    bool are_due = false;               ///< `found` is of a picture before
+    std::optional<SeenHintsWork> work;  ///< looks for them, once all else is done
+};
+
 /// Everything that the panels show, derived from the session. Written by update() alone; not to be
 /// copied or moved, because its parts refer to each other.
 struct Results {
@@ -64,18 +83,19 @@ struct Results {
                                ///< no run B
     OverlayPicture overlay;    ///< what is laid over the picture of A
     std::uint64_t overlay_number = 0; ///< grows whenever `overlay` changes
-    Image ground;                     ///< the picture of A below `overlay`; without pixels where
-                                      ///< nothing covers it
-    std::uint64_t ground_number = 0;  ///< another one whenever `ground` is another
-    std::uint64_t ground_of = 0;      ///< number of the picture that it was made of
-    bool overlay_is_old = false;      ///< it is empty until the picture of A is drawn
-    std::optional<DepthView> depth;   ///< of A, while the depth view is shown
+    Image ground; ///< what lies below `overlay` in place of the picture of A; without pixels where
+                  ///< that picture does
+    std::uint64_t ground_number = 0;         ///< another one whenever `ground` is another
+    GroundSource ground_of;                  ///< that it was made of
+    bool overlay_is_old = false;             ///< it is empty until the picture of A is drawn
+    std::optional<DepthView> depth;          ///< of A, while the depth view is shown
     std::optional<OverdrawCounts> overdraw;  ///< of A, while the overdraw view is shown
     std::optional<PixelHistory> history;     ///< of the picked pixel, over the whole frame of A
     std::optional<HistoryWork> history_work; ///< makes it, once the picture is
                                              ///< drawn; none: there is nothing to do
-    FrameLength length;                      ///< of the frame of A
-    HandWatch hand;                          ///< tells when previews are wanted
+    PictureHints hints;
+    FrameLength length; ///< of the frame of A
+    HandWatch hand;     ///< tells when previews are wanted
     FastRun preview_engine{{.keeps_planes = false}};
     std::uint64_t numbers = 0; ///< the last one that a frame or a picture got
 };

@@ -1,10 +1,14 @@
 // What is counted on the picture of a model, against rays in double, and which settings are named.
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "base/image.h"
 #include "inspect/seen_hints.h"
 #include "pipeline/draw.h"
 #include "scene/model_scene.h"
@@ -47,7 +51,20 @@ Settings settings_of(const Scene& scene, const std::vector<std::string>& assignm
     return settings;
 }
 
-std::vector<std::string> hints_of(const Scene& scene, const std::vector<std::string>& assignments) {
+/// The sheet's front, of a material.
+Scene sheet_of(const std::string& material) {
+    const test::TemporaryFolder folder;
+    folder.write("m.mtl", "newmtl m\n" + material);
+    Image clear{2, 2, std::vector<std::uint8_t>(16, 255)};
+    for (std::size_t i = 3; i < clear.rgba.size(); i += 4)
+        clear.rgba[i] = 100; // below 1/2
+    write_png(clear, folder.file("clear.png"));
+    return scene_of_model(
+        read_obj(folder.write("sheet.obj", "mtllib m.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\n"
+                                           "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n")));
+}
+
+std::vector<SeenHint> hints_of(const Scene& scene, const std::vector<std::string>& assignments) {
     const Frame frame = prepare_frame(scene, settings_of(scene, assignments));
     return seen_hints(frame, draw_frame(frame));
 }
@@ -64,7 +81,9 @@ SeenPixels counted_otherwise(const Scene& scene, const Settings& settings) {
         const glm::dvec3 across = glm::cross(place(2) - place(0), place(1) - place(0));
         ++seen.surface;
         seen.backs += glm::dot(across, place(0) - glm::dvec3(settings.camera.position)) > 0.0;
-        seen.lit += picture.colour[i] != glm::vec3(0.0f);
+        // A byte that is rounded, not cut, shows it.
+        const glm::vec3& c = picture.colour[i];
+        seen.lit += std::lround(255.0 * double(std::max({c.r, c.g, c.b}))) > 0;
     }
     return seen;
 }
@@ -87,9 +106,10 @@ TEST_CASE("Backs and black pixels are counted over the picture") {
 
 TEST_CASE("A box whose fronts point inward is told to be seen from behind, and no other") {
     using namespace seen_hints_of_models;
-    const std::vector<std::string> hints = hints_of(box(true), {});
+    const std::vector<SeenHint> hints = hints_of(box(true), {});
     REQUIRE(hints.size() == 1);
-    CHECK_THAT(hints[0], StartsWith("Most of what you see are backs, "));
+    CHECK_THAT(hints[0].seen, StartsWith("Most of what you see are backs, "));
+    CHECK(hints[0].settings == std::vector<std::string>{"cull=face_normal"});
     CHECK(hints_of(box(true), {"cull=face_normal"}).empty());
     CHECK(hints_of(box(true), {"stage=rows"}).empty());
     CHECK(hints_of(box(false), {}).empty());
@@ -101,15 +121,60 @@ TEST_CASE("A box whose fronts point inward is told to be seen from behind, and n
 
 TEST_CASE("What is black all over is told the setting that lights most of it, or none") {
     using namespace seen_hints_of_models;
-    const std::vector<std::string> back = hints_of(sheet(true), {"light.indirect=0"});
+    const std::vector<SeenHint> back = hints_of(sheet(true), {"light.indirect=0"});
     REQUIRE(back.size() == 1);
-    CHECK_THAT(back[0], StartsWith("All that you see is black: light.sides=two, "));
+    CHECK(back[0].seen == "All that you see is black");
+    CHECK(back[0].settings == std::vector<std::string>{"light.sides=two"});
+    CHECK_THAT(back[0].help, StartsWith("light.sides=two, the setting 'Lit sides', lights "));
     // Its front, with the lamp behind it.
-    const std::vector<std::string> front =
+    const std::vector<SeenHint> front =
         hints_of(sheet(false), {"light.indirect=0", "light.position=0,0,3"});
     REQUIRE(front.size() == 1);
-    CHECK_THAT(front[0], StartsWith("All that you see is black: light.place=camera, "));
+    CHECK(front[0].settings == std::vector<std::string>{"light.place=camera"});
     CHECK(hints_of(sheet(true), {"light.indirect=0", "light.power=0"}).empty());
     CHECK(hints_of(sheet(false), {"light.indirect=0"}).empty());
     CHECK(hints_of(sheet(true), {}).empty());
+}
+
+TEST_CASE("What is wholly transparent is told the settings that draw it opaque") {
+    using namespace seen_hints_of_models;
+    const std::vector<std::string> no_blending{"blend=off"}, no_alpha{"texture_alpha=off"};
+    for (const char* const d : {"d 0\n", "d 0.001\n", "Tr 0.9999\n"}) {
+        INFO(d);
+        const Scene scene = sheet_of(std::string("Kd 1 1 1\n") + d);
+        const std::vector<SeenHint> hints = hints_of(scene, {});
+        REQUIRE(hints.size() == 1);
+        CHECK(hints[0].seen == "The model is transparent: nothing of it is seen");
+        CHECK(hints[0].settings == no_blending);
+        CHECK(hints_of(scene, no_blending).empty());
+        // Nor would light show it.
+        CHECK(hints_of(scene, {"light.indirect=0", "light.position=0,0,3"}).empty());
+    }
+    const Scene cut_out = sheet_of("Kd 1 1 1\nmap_Kd clear.png\n");
+    const std::vector<SeenHint> hints = hints_of(cut_out, {});
+    REQUIRE(hints.size() == 1);
+    CHECK(hints[0].settings == no_alpha);
+    CHECK(hints_of(cut_out, no_alpha).empty());
+    CHECK(hints_of(cut_out, {"texture_alpha=blend"}).empty()); // faint, but seen
+    CHECK(hints_of(sheet_of("Kd 1 1 1\nd 0.5\n"), {}).empty());
+    const std::vector<SeenHint> both = hints_of(sheet_of("Kd 1 1 1\nd 0\nmap_Kd clear.png\n"), {});
+    REQUIRE(both.size() == 1);
+    CHECK(both[0].settings == std::vector<std::string>{"blend=off", "texture_alpha=off"});
+}
+
+TEST_CASE("Hints are the same when they are looked for in parts, and stop at too much work") {
+    using namespace seen_hints_of_models;
+    const Scene scene = box(true);
+    const Frame frame = prepare_frame(scene, settings_of(scene, {}));
+    const Framebuffer picture = draw_frame(frame);
+    SeenHintsWork work(frame, picture);
+    int parts = 0;
+    for (; !work.is_done(); ++parts)
+        work.advance({2'000.0, 2'000.0});
+    CHECK(parts > 20);
+    CHECK(work.hints() == seen_hints(frame, picture));
+    SeenHintsWork stopped(frame, picture);
+    while (!stopped.is_done())
+        stopped.advance({2'000.0, 2'000.0, 1'000.0});
+    CHECK(stopped.hints().empty());
 }

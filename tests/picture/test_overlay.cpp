@@ -100,7 +100,7 @@ TEST_CASE("Every pixel of the overlays' picture is the tint of that overlay, and
     session.a.settings.light.power = glm::vec3(60.0f);
     Results results;
     for (const OverlayInfo& info : overlay_list()) {
-        if (info.overlay == Overlay::wireframe) continue;
+        if (info.overlay == Overlay::wireframe || info.overlay == Overlay::alone) continue;
         session.overlays = {};
         session.overlays.set(info.overlay, true);
         update(session, results);
@@ -278,6 +278,64 @@ TEST_CASE("An edge that two triangles have in common is one edge") {
     update(session, results);
     CHECK(total(Overlay::wireframe, results) == "5 edges");
     CHECK(value(Overlay::wireframe, results, 6, 5) == "edge 1 of triangles[0]");
+}
+
+TEST_CASE(
+    "A triangle alone has the pixels of its rows up to the cursor, and hides behind nothing") {
+    Session session = room_session();
+    session.overlays.set(Overlay::alone, true);
+    Results results;
+    // The back wall, part of which the blocks hide, and a side of the red block that walls
+    // surround.
+    for (const int triangle : {8, 10}) {
+        for (const Cursor& cursor : {Cursor{triangle, Phase::rows, 0, 0},
+                                     Cursor{triangle, Phase::rows, 40, 7}, cursor_end}) {
+            session.cursor = cursor_end;
+            session.selection.triangle = triangle;
+            update(session, results);
+            const Framebuffer whole = *results.a.framebuffer;
+            const PolygonRows rows = results.a.whole_rows;
+            session.cursor = cursor;
+            update(session, results);
+            INFO("triangles[" << triangle << "] at " << to_text(cursor));
+            const Framebuffer& alone = results.overlay.alone;
+            REQUIRE(alone.owner.size() == whole.owner.size());
+            std::vector<bool> is_drawn(alone.owner.size(), false);
+            for (int r = 0; r < rows.size(); ++r) {
+                if (cursor != cursor_end && r > cursor.index) break;
+                const RowSpan span = row_span(results.a.frame.stages, rows, r);
+                const bool is_last = cursor != cursor_end && r == cursor.index;
+                for (int i = 0; i < (is_last ? cursor.step : span.count); ++i)
+                    is_drawn[alone.at(span.left + i, rows.first_row + r)] = true;
+            }
+            std::int64_t count = 0, others = 0;
+            for (std::size_t i = 0; i < is_drawn.size(); ++i) {
+                if ((alone.owner[i] == triangle) != is_drawn[i]) FAIL("pixel " << i);
+                count += is_drawn[i] ? 1 : 0;
+                others += is_drawn[i] && whole.owner[i] != triangle ? 1 : 0;
+                if (is_drawn[i] && whole.owner[i] == triangle)
+                    if (alone.colour[i] != whole.colour[i]) FAIL("colour of pixel " << i);
+            }
+            CHECK((count > 0) == (cursor.index > 0 || cursor == cursor_end));
+            if (cursor == cursor_end) CHECK(others > 0);
+            CHECK(total(Overlay::alone, results) == "triangles[" + std::to_string(triangle) +
+                                                        "], " + std::to_string(count) +
+                                                        " pixels drawn");
+            CHECK(results.ground == view_image(alone, View::colour));
+        }
+    }
+    CHECK(results.overlay.totals.wires == static_cast<int>(results.overlay.wires.size()));
+    CHECK(results.overlay.wires.size() > 40);
+    // Another triangle, and another view.
+    session.selection.triangle = 3;
+    update(session, results);
+    CHECK(total(Overlay::alone, results).starts_with("triangles[3], "));
+    session.view = View::depth;
+    update(session, results);
+    CHECK(results.ground == view_image(results.overlay.alone, View::depth));
+    session.overlays.set(Overlay::alone, false);
+    update(session, results);
+    CHECK(results.ground.rgba.empty());
 }
 
 TEST_CASE("Overlays are told apart without colour: no two patterns are the same") {

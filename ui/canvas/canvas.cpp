@@ -18,6 +18,7 @@
 #include "ui/canvas/compare_view.h"
 #include "ui/canvas/depth_legend.h"
 #include "ui/canvas/difference_legend.h"
+#include "ui/canvas/hint_bar.h"
 #include "ui/canvas/large_frame.h"
 #include "ui/canvas/outside_view.h"
 #include "ui/canvas/overdraw_legend.h"
@@ -202,7 +203,7 @@ void draw_canvas(Ui& ui, const Area& area) {
     }
 
     draw_compare_bar(ui);
-    draw_large_frame_bar(ui);
+    if (!draw_large_frame_bar(ui) && shown_on_canvas(ui) != CanvasShows::outside) draw_hint_bar(ui);
 
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 space = ImGui::GetContentRegionAvail();

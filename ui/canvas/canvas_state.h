@@ -11,6 +11,7 @@
 #include "inspect/triangle_fates.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
+#include "ui/canvas/hint_bar.h"
 #include "ui/widgets/picture_state.h"
 
 namespace rasterwalk {
@@ -61,6 +62,7 @@ struct CanvasState {
           frame_bottom = 0.0f; ///< of the picture's part of the canvas, screen pixels
     int dragged_vertex = -1;   ///< of the bench triangle; -1: none
     LargeFrame large_frame;
+    HiddenHints hidden_hints;
 };
 
 /// What run B of each pair would look like, small.

@@ -1,6 +1,5 @@
 #include "ui/canvas/large_frame.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -11,8 +10,8 @@
 
 #include "base/numbers.h"
 #include "ui/actions/compare.h"
+#include "ui/canvas/notice_bar.h"
 #include "ui/ui.h"
-#include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -65,11 +64,6 @@ std::vector<std::string> forms_of(const RunResults& run, LargeFrameWish wish) {
     return {"About " + number + share + state, number + share + state, number + state, number};
 }
 
-struct BarButton {
-    std::string_view name;
-    const char *label, *help;
-};
-
 } // namespace
 
 WorkLimit work_limit(const Ui& ui) {
@@ -87,16 +81,16 @@ WorkLimit work_limit(const Ui& ui) {
     return limit;
 }
 
-void draw_large_frame_bar(Ui& ui) {
+bool draw_large_frame_bar(Ui& ui) {
     const RunResults* const run = large_run(ui.results);
-    if (run == nullptr) return;
-    const BarButton draw{"canvas.draw_it", "draw it",
-                         "Draws the frame all the same, a part at a time."};
-    const BarButton stop{"canvas.stop", "stop", "Stops the drawing; what is drawn stays."};
-    const BarButton clip{"canvas.clip_it", "clip it",
-                         "Cuts all triangles by the six planes of the view: clip=all. Then hardly "
-                         "a fragment falls beside the picture."};
-    std::vector<BarButton> buttons;
+    if (run == nullptr) return false;
+    const NoticeButton draw{"canvas.draw_it", "draw it",
+                            "Draws the frame all the same, a part at a time."};
+    const NoticeButton stop{"canvas.stop", "stop", "Stops the drawing; what is drawn stays."};
+    const NoticeButton clip{"canvas.clip_it", "clip it",
+                            "Cuts all triangles by the six planes of the view: clip=all. Then "
+                            "hardly a fragment falls beside the picture."};
+    std::vector<NoticeButton> buttons;
     if (run->is_held)
         buttons.push_back(draw);
     else if (!run->is_drawn())
@@ -105,34 +99,17 @@ void draw_large_frame_bar(Ui& ui) {
     const bool helps = run->frame.settings.clip != Clip::all && !hides_settings(ui.session);
     if (helps && run->replay.work().fragments().share_outside() > 0.1) buttons.push_back(clip);
 
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    ImGui::PushFont(ui.fonts.small);
-    float width = 0.0f;
-    for (const BarButton& one : buttons)
-        width += button_width(one.label) + gap;
-    const float left = ImGui::GetCursorScreenPos().x;
-    const float right = left + ImGui::GetContentRegionAvail().x;
-    ImGui::AlignTextToFramePadding();
     const std::vector<std::string> forms = forms_of(*run, wish_of(ui));
-    const std::string shown = first_fitting(forms, right - width - left);
-    text_in(palette(ui.options.theme).text, shown);
-    name_widget(ui, "canvas.fragments",
-                forms.front() +
-                    ".\nEstimated from the areas of the triangles. A program that interpolates "
-                    "every fragment of a triangle, in the picture or not, seems to hang here: "
-                    "lesson 18.");
-    note_text(ui, "canvas.fragments", shown);
-    float x = right - width + gap;
-    for (const BarButton& one : buttons) {
-        ImGui::SameLine();
-        ImGui::SetCursorScreenPos({x, ImGui::GetCursorScreenPos().y});
-        x += button_width(one.label) + gap;
-        if (!button(ui, one.name, one.label, Look::plain, one.help)) continue;
-        if (one.name == draw.name) say(ui, LargeFrameWish::draw);
-        if (one.name == stop.name) say(ui, LargeFrameWish::stop);
-        if (one.name == clip.name) ui.session.a.settings.clip = Clip::all;
-    }
-    ImGui::PopFont();
+    const std::string help =
+        forms.front() + ".\nEstimated from the areas of the triangles. A program that interpolates "
+                        "every fragment of a triangle, in the picture or not, seems to hang here: "
+                        "lesson 18.";
+    const std::string_view clicked =
+        draw_notice_bar(ui, "canvas.fragments", forms, help, true, buttons);
+    if (clicked == draw.name) say(ui, LargeFrameWish::draw);
+    if (clicked == stop.name) say(ui, LargeFrameWish::stop);
+    if (clicked == clip.name) ui.session.a.settings.clip = Clip::all;
+    return true;
 }
 
 } // namespace rasterwalk

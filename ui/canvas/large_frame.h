@@ -18,6 +18,7 @@ WorkLimit work_limit(const Ui& ui);
 
 /// A line above the picture with the number, and buttons to draw it, to stop and to clip; nothing
 /// for frames of fewer fragments.
-void draw_large_frame_bar(Ui& ui);
+/// @return was there anything to say?
+bool draw_large_frame_bar(Ui& ui);
 
 } // namespace rasterwalk

@@ -59,6 +59,15 @@ void draw_swatch(const Ui& ui, ImDrawList* list, ImVec2 at, Overlay overlay, flo
                           std::max(1.0f, ui.options.text_scale));
         return;
     }
+    if (overlay == Overlay::alone) {
+        const ImU32 white = IM_COL32(255, 255, 255, 235);
+        const float m = 0.15f * size.y, low = at.y + size.y - m;
+        const ImVec2 top{at.x + 0.55f * size.x, at.y + m}, foot{at.x + 0.45f * size.x, low};
+        list->AddTriangleFilled({at.x + m, low}, top, foot, white);
+        list->AddTriangle(foot, top, {at.x + size.x - m, low}, white,
+                          std::max(1.0f, ui.options.text_scale));
+        return;
+    }
     for (int row = 0; row < swatch_rows; ++row) {
         for (int column = 0; column < swatch_columns; ++column) {
             const float share =
