@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/letter_case.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -76,6 +78,14 @@ bool begins_as_tga(std::string_view bytes) {
 }
 
 } // namespace
+
+bool has_image_ending(std::string_view name) {
+    constexpr std::string_view endings[] = {".png", ".jpg", ".jpeg", ".tga",
+                                            ".bmp", ".ppm", ".pgm"};
+    const std::string small = in_small_letters(name);
+    return std::any_of(std::begin(endings), std::end(endings),
+                       [&](std::string_view ending) { return small.ends_with(ending); });
+}
 
 ImageFormat image_format(std::string_view bytes) {
     if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return ImageFormat::png;

@@ -19,6 +19,11 @@ enum class ImageFormat : std::uint8_t {
 
 /// How messages list them.
 inline constexpr std::string_view image_formats_read = "PNG, JPG, TGA, BMP, PPM or PGM";
+/// Those of them that keep every pixel as it was.
+inline constexpr std::string_view exact_image_formats = "PNG, TGA, BMP, PPM or PGM";
+
+/// Has a file this name, by its ending, if it is in one of them?
+bool has_image_ending(std::string_view name);
 
 /// The longest beginning of a file that is looked at, bytes.
 inline constexpr std::size_t image_head_size = 64;

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/image_format.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
 #include "cli/commands.h"
@@ -144,8 +145,8 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
     diagnose
         .add_option(
             "FILE", line.diagnose.file,
-            "PNG, BMP, TGA or PPM, or lines like 'Start: (10,5). End: (10,5).'; - reads standard "
-            "input")
+            fmt::format("{}, or lines like 'Start: (10,5). End: (10,5).'; - reads standard input",
+                        exact_image_formats))
         ->type_name("")
         ->required();
     diagnose

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 
 #include <fmt/format.h>
 
+#include "base/letter_case.h"
 #include "inspect/clip_history.h"
 #include "inspect/pixel_tests.h"
 
@@ -143,19 +143,9 @@ std::string event_text(const EventList& list, int ordinal) {
 
 std::vector<int> find_events(const EventList& list, const std::string& words, int first,
                              int behind) {
-    const auto same = [](char a, char b) {
-        return std::tolower(static_cast<unsigned char>(a)) ==
-               std::tolower(static_cast<unsigned char>(b));
-    };
     std::vector<int> found;
     for (int i = std::max(first, 0); i < std::min(behind, list.count()); ++i) {
-        if (words.empty()) {
-            found.push_back(i);
-            continue;
-        }
-        const std::string line = event_text(list, i);
-        const auto place = std::search(line.begin(), line.end(), words.begin(), words.end(), same);
-        if (place != line.end()) found.push_back(i);
+        if (words.empty() || contains_in_any_case(event_text(list, i), words)) found.push_back(i);
     }
     return found;
 }

@@ -1,12 +1,12 @@
 #include "laboratory/bug.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/letter_case.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
 #include "base/toml_input.h"
@@ -88,15 +88,6 @@ void assign(const Assignments& values, Settings& settings) {
     }
 }
 
-char capital(char c) {
-    return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-}
-
-bool same_letters(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char x, char y) { return capital(x) == capital(y); });
-}
-
 } // namespace
 
 std::vector<Bug> parse_bugs(std::string_view text, const std::string& path) {
@@ -121,7 +112,7 @@ std::vector<Bug> read_bugs() {
 const Bug& find_bug(const std::vector<Bug>& bugs, std::string_view id) {
     std::vector<std::string_view> ids;
     for (const Bug& bug : bugs) {
-        if (same_letters(bug.id, id)) return bug;
+        if (in_small_letters(bug.id) == in_small_letters(id)) return bug;
         ids.push_back(bug.id);
     }
     constexpr std::size_t longest = 20;

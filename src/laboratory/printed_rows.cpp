@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/image_format.h"
 
 namespace rasterwalk {
 
@@ -169,9 +170,9 @@ std::vector<PrintedRow> parse_printed_rows(std::string_view text, const std::str
         rows.push_back(*row);
     }
     if (rows.empty()) {
-        throw InputError(
-            path + ": this is neither a picture (PNG, BMP, TGA or PPM) nor a printed row table: "
-                   "there is no line like 'Start: (10,5). End: (10,5).'.");
+        throw InputError(fmt::format("{}: this is neither a picture ({}) nor a printed row table: "
+                                     "there is no line like 'Start: (10,5). End: (10,5).'.",
+                                     path, exact_image_formats));
     }
     return rows;
 }

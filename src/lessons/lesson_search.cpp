@@ -1,23 +1,17 @@
 #include "lessons/lesson_search.h"
 
 #include <algorithm>
-#include <cctype>
+
+#include "base/letter_case.h"
 
 namespace rasterwalk {
 
 namespace {
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-}
-
 std::vector<std::string> words_of(std::string_view query) {
     std::vector<std::string> words;
     std::string word;
-    for (const char c : lower(query.substr(0, 200))) {
+    for (const char c : in_small_letters(query.substr(0, 200))) {
         if (c != ' ') {
             word += c;
         } else if (!word.empty()) {
@@ -106,7 +100,7 @@ std::vector<SearchHit> search_lessons(const std::vector<Lesson>& lessons,
     const std::vector<std::string> words = words_of(query);
     if (words.empty()) return hits;
     for (const Term& term : glossary) {
-        if (has_all(lower(term.word + " " + term.sentence), words)) {
+        if (has_all(in_small_letters(term.word + " " + term.sentence), words)) {
             hits.push_back({{}, 0, term.word, term.sentence});
         }
     }
@@ -115,12 +109,12 @@ std::vector<SearchHit> search_lessons(const std::vector<Lesson>& lessons,
         for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
             const std::string heading = plain_text(lesson.steps[i].heading);
             const std::string text = text_of(lesson, lesson.steps[i]);
-            const std::string lower_text = lower(text);
-            if (!has_all(lower(heading) + " " + lower_text, words)) continue;
+            const std::string lower_text = in_small_letters(text);
+            if (!has_all(in_small_letters(heading) + " " + lower_text, words)) continue;
             const std::size_t place = lower_text.find(words.front());
             SearchHit hit{lesson.id, static_cast<int>(i), heading,
                           excerpt_at(text, place == text.npos ? 0 : place)};
-            (has_all(lower(heading), words) ? hits : others).push_back(std::move(hit));
+            (has_all(in_small_letters(heading), words) ? hits : others).push_back(std::move(hit));
         }
     }
     hits.insert(hits.end(), others.begin(), others.end());

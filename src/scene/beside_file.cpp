@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/letter_case.h"
 #include "base/quoted.h"
 
 namespace rasterwalk {
@@ -58,13 +59,6 @@ bool stays_below_parent(const fs::path& folder, const fs::path& place) {
 }
 
 } // namespace
-
-std::string in_small_letters(std::string_view text) {
-    std::string small(text);
-    std::transform(small.begin(), small.end(), small.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return small;
-}
 
 BesideFiles::BesideFiles(std::vector<std::string> namers) : namers_(std::move(namers)) {}
 

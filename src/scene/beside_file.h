@@ -63,9 +63,6 @@ class BesideFiles {
     bool has_looked_ = false;
 };
 
-/// The text with the capital letters of ASCII as small ones.
-std::string in_small_letters(std::string_view text);
-
 /// Counts the bytes of the files of one kind that are read for a scene.
 class BesideBytes {
   public:

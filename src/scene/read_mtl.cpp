@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/letter_case.h"
 #include "base/limits.h"
 #include "base/quoted.h"
 #include "scene/beside_file.h"

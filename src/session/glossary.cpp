@@ -1,9 +1,7 @@
 #include "session/glossary.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include "base/files.h"
+#include "base/letter_case.h"
 #include "base/toml_input.h"
 
 namespace rasterwalk {
@@ -12,10 +10,7 @@ namespace {
 
 /// In the alphabet, where a capital stands beside its small letter.
 bool comes_before(std::string_view a, std::string_view b) {
-    const auto is_less = [](unsigned char x, unsigned char y) {
-        return std::tolower(x) < std::tolower(y);
-    };
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), is_less);
+    return in_small_letters(a) < in_small_letters(b);
 }
 
 } // namespace

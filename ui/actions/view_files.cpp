@@ -1,16 +1,19 @@
 #include "ui/actions/view_files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/files.h"
 #include "base/image.h"
+#include "base/image_format.h"
+#include "base/letter_case.h"
 #include "laboratory/printed_rows.h"
 #include "lessons/lesson_list.h"
 #include "opening/command_line_text.h"
@@ -38,18 +41,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view view_ending = ".walk.toml";
 
 bool has_result_ending(const std::string& path) {
-    constexpr std::string_view endings[] = {".txt", ".TXT", ".png", ".PNG",
-                                            ".bmp", ".BMP", ".ppm", ".tga"};
-    return std::any_of(std::begin(endings), std::end(endings),
-                       [&](std::string_view ending) { return path.ends_with(ending); });
-}
-
-bool has_image_ending(const std::string& path) {
-    const std::string name = in_small_letters(path);
-    constexpr std::string_view endings[] = {".png", ".jpg", ".jpeg", ".tga",
-                                            ".bmp", ".ppm", ".pgm"};
-    return std::any_of(std::begin(endings), std::end(endings),
-                       [&](std::string_view ending) { return name.ends_with(ending); });
+    return has_image_ending(path) || in_small_letters(path).ends_with(".txt");
 }
 
 /// A picture, whatever its name, or a text.
@@ -72,12 +64,7 @@ bool is_listed(FileSheet::Kind kind, const std::string& name) {
 
 bool comes_before(const FileEntry& a, const FileEntry& b) {
     if (a.is_folder != b.is_folder) return a.is_folder;
-    const auto lower = [](std::string text) {
-        std::transform(text.begin(), text.end(), text.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        return text;
-    };
-    const std::string left = lower(a.name), right = lower(b.name);
+    const std::string left = in_small_letters(a.name), right = in_small_letters(b.name);
     return left != right ? left < right : a.name < b.name;
 }
 
@@ -170,8 +157,8 @@ void check_result(Ui& ui, const std::string& path) {
     refuse_endless_file(path);
     // What cannot be read is said on the sheet, beside the other files.
     if (!is_result(path)) {
-        throw InputError(
-            path + ": a result is a picture (PNG, BMP, TGA or PPM), or printed rows as .txt.");
+        throw InputError(fmt::format("{}: a result is a picture ({}), or printed rows as .txt.",
+                                     path, exact_image_formats));
     }
     if (!is_image_file(path)) parse_printed_rows(read_file(path), path);
     diagnose_file(ui, path);

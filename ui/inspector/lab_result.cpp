@@ -6,6 +6,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "base/image_format.h"
 #include "settings/value_words.h"
 #include "text/markdown_text.h"
 #include "ui/actions/compare.h"
@@ -30,9 +31,10 @@ void draw_intro(Ui& ui) {
     wrapped_text("My picture is wrong: why?");
     keep_text_whole(ui);
     ImGui::PopFont();
-    wrapped_text(
-        "Choose a picture that your program saved (PNG, BMP, TGA or PPM), or the rows "
-        "that it printed, as text. You can also drop the file on the window, or type its path.");
+    wrapped_text(fmt::format("Choose a picture that your program saved ({}), or the rows that it "
+                             "printed, as text. You can also drop the file on the window, or type "
+                             "its path.",
+                             exact_image_formats));
     keep_text_whole(ui);
     name_widget(ui, "lab.intro", "What can be checked, and how.");
     ImGui::Spacing();

@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <vector>
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "base/letter_case.h"
 #include "settings/idle_setting.h"
 #include "settings/setting_table.h"
 #include "settings/value_words.h"
@@ -21,18 +21,10 @@ namespace rasterwalk {
 
 namespace {
 
-bool contains_word(std::string_view text, std::string_view word) {
-    const auto same = [](char a, char b) {
-        return std::tolower(static_cast<unsigned char>(a)) ==
-               std::tolower(static_cast<unsigned char>(b));
-    };
-    return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
-}
-
 bool is_wanted(const Setting& setting, const std::string& search) {
-    return search.empty() || contains_word(setting.name, search) ||
-           contains_word(setting.title, search) || contains_word(setting.help, search) ||
-           contains_word(setting.group, search);
+    const std::string_view texts[] = {setting.name, setting.title, setting.help, setting.group};
+    return std::any_of(std::begin(texts), std::end(texts),
+                       [&](std::string_view text) { return contains_in_any_case(text, search); });
 }
 
 /// Screen pixels that the field of a setting needs, whatever is chosen in it.

@@ -2,9 +2,11 @@
 #include <filesystem>
 #include <utility>
 
+#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "base/image_format.h"
 #include "session/content.h"
 #include "ui/actions/view_files.h"
 #include "ui/sheets/sheets.h"
@@ -23,7 +25,9 @@ constexpr const char* popup = "###file sheet";
 
 /// What the sheet says, by what it is for.
 struct SheetWords {
-    const char *title, *about, *nothing, *action, *action_help;
+    const char* title;
+    std::string about;
+    const char *nothing, *action, *action_help;
 };
 
 SheetWords words_of(FileSheet::Kind kind) {
@@ -35,14 +39,16 @@ SheetWords words_of(FileSheet::Kind kind) {
                 "No views are saved here.", "Save", "Writes the file. Key: Enter"};
     case FileSheet::Kind::result:
         return {"Check my picture",
-                "A picture that your program saved (.png, .bmp, .tga, .ppm), or the rows that "
-                "it printed (.txt).",
+                fmt::format("A picture that your program saved ({}), or the rows that it printed "
+                            "(.txt).",
+                            exact_image_formats),
                 "No pictures and no texts here.", "Check",
                 "Looks for what may be wrong with it. Key: Enter"};
     case FileSheet::Kind::texture:
         return {"Lay an image on the model",
-                "An image (.png, .jpg, .tga, .bmp, .ppm, .pgm) for every part that has texture "
-                "coordinates and no image of its own.",
+                fmt::format("An image ({}) for every part that has texture coordinates and no "
+                            "image of its own.",
+                            image_formats_read),
                 "No images here.", "Lay it on", "Shows the model with it. Key: Enter"};
     default:
         return {

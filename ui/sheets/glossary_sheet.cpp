@@ -1,9 +1,8 @@
-#include <algorithm>
-#include <cctype>
 #include <string>
 
 #include <imgui.h>
 
+#include "base/letter_case.h"
 #include "session/section_words.h"
 #include "ui/sheets/reading_sheet.h"
 #include "ui/sheets/sheets.h"
@@ -24,15 +23,7 @@ const SheetLook glossary_look{.sheet = Sheet::glossary,
                               .size = {520.0f, 640.0f}};
 
 bool has_word(const Term& term, const std::string& search) {
-    const auto same = [](char a, char b) {
-        return std::tolower(static_cast<unsigned char>(a)) ==
-               std::tolower(static_cast<unsigned char>(b));
-    };
-    const auto found_in = [&](const std::string& text) {
-        return std::search(text.begin(), text.end(), search.begin(), search.end(), same) !=
-               text.end();
-    };
-    return found_in(term.word) || found_in(term.sentence);
+    return contains_in_any_case(term.word, search) || contains_in_any_case(term.sentence, search);
 }
 
 void draw_term(Ui& ui, const Term& term) {

@@ -1,0 +1,16 @@
+#pragma once
+
+// Capitals and small letters of ASCII; every other byte counts as it is.
+
+#include <string>
+#include <string_view>
+
+namespace rasterwalk {
+
+/// The text with small letters in place of its capitals.
+std::string in_small_letters(std::string_view text);
+
+/// Is the one text found in the other, with capitals or without?
+bool contains_in_any_case(std::string_view text, std::string_view part);
+
+} // namespace rasterwalk
