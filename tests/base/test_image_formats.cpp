@@ -6,18 +6,23 @@
 #include <string>
 #include <vector>
 
-#include <stb_image_write.h>
-
 #include "base/error.h"
 #include "base/image.h"
 #include "tests/support/catch.h"
 #include "tests/support/limited_memory.h"
 #include "tests/support/made_images.h"
-#include "tests/support/random.h"
+#include "tests/support/made_jpeg.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;
+using test::byte;
+using test::eight_alpha_bits;
+using test::from_top;
+using test::jpeg;
 using test::megabyte;
+using test::ramp;
+using test::tga_head;
+using test::two_bytes;
 
 namespace {
 
@@ -34,23 +39,6 @@ Rgba pixel_of(const Image& image, int column, int row) {
         pixel[c] = image.rgba[4 * static_cast<std::size_t>(row * image.width + column) + c];
     return pixel;
 }
-
-std::string byte(int value) {
-    return std::string(1, static_cast<char>(value));
-}
-std::string two_bytes(int value) {
-    return byte(value & 255) + byte(value >> 8);
-}
-
-/// The first 18 bytes of a TGA.
-std::string tga_head(int kind, int width, int height, int bits, int descriptor, int colours = 0,
-                     int colour_bits = 0) {
-    return byte(0) + byte(colours > 0) + byte(kind) + two_bytes(0) + two_bytes(colours) +
-           byte(colour_bits) + two_bytes(0) + two_bytes(0) + two_bytes(width) + two_bytes(height) +
-           byte(bits) + byte(descriptor);
-}
-
-constexpr int from_top = 32, eight_alpha_bits = 8;
 
 std::string blue_green_red(const Rgba& c) {
     return byte(c[2]) + byte(c[1]) + byte(c[0]);
@@ -78,29 +66,6 @@ std::string packed_tga(int descriptor) {
         }
     }
     return bytes;
-}
-
-std::string jpeg(int width, int height, int quality, const std::vector<std::uint8_t>& rgb) {
-    std::string bytes;
-    stbi_write_jpg_to_func(
-        [](void* into, void* data, int size) {
-            static_cast<std::string*>(into)->append(static_cast<const char*>(data),
-                                                    static_cast<std::size_t>(size));
-        },
-        &bytes, width, height, 3, rgb.data(), quality);
-    return bytes;
-}
-
-/// A slow change of colour, which a JPG keeps nearly.
-std::vector<std::uint8_t> ramp(int width, int height) {
-    std::vector<std::uint8_t> rgb;
-    for (int row = 0; row < height; ++row) {
-        for (int column = 0; column < width; ++column) {
-            for (const int channel : {40 + 4 * column, 60 + 5 * row, 128})
-                rgb.push_back(static_cast<std::uint8_t>(channel));
-        }
-    }
-    return rgb;
 }
 
 Image read_bytes(const std::string& bytes) {
@@ -295,31 +260,4 @@ TEST_CASE("A JPG whose tables are too large or missing never reaches the decoder
     arithmetic[whole.find("\xff\xc0") + 1] = '\xc9';
     CHECK(said(arithmetic) == "x: the picture is a JPG of a rare kind, which cannot be read: save "
                               "it as an ordinary one, or as PNG.");
-}
-
-TEST_CASE("Pictures of each format with changed bytes are read, or refused by their name") {
-    const std::string ppm = "P6 4 3 255\n" + std::string(36, 'c');
-    const std::string text = "P3 2 2 99\n1 2 3 4 5 6 7 8 9 10 11 12\n";
-    test::Random random(1992);
-    for (const std::string& seed :
-         {plain_tga(), packed_tga(from_top | eight_alpha_bits), jpeg(40, 30, 60, ramp(40, 30)),
-          jpeg(17, 9, 95, ramp(17, 9)), ppm, text}) {
-        int read = 0, refused = 0;
-        for (int round = 0; round < 150; ++round) {
-            std::string bytes = seed;
-            for (int n = random.integer(1, 8); n > 0; --n) {
-                const int place = random.integer(0, static_cast<int>(bytes.size()) - 1);
-                bytes[static_cast<std::size_t>(place)] = static_cast<char>(random.integer(0, 255));
-            }
-            const std::string said = refusal_within(300 * megabyte, bytes);
-            INFO(seed.substr(0, 2) << ", round " << round << ": " << said);
-            ++(said.empty() ? read : refused);
-            if (said.empty()) continue;
-            CHECK(said.starts_with("x: "));
-            CHECK(said.ends_with('.'));
-            CHECK(said.find("outofmem") == said.npos);
-        }
-        CHECK(read > 0);
-        CHECK(refused > 0);
-    }
 }

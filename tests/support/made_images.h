@@ -65,4 +65,23 @@ inline std::string bmp(int width, int height) {
            word(0) + word(0) + std::string(static_cast<std::size_t>(row * std::abs(height)), 'x');
 }
 
+inline std::string byte(int value) {
+    return std::string(1, static_cast<char>(value));
+}
+inline std::string two_bytes(int value) {
+    return byte(value & 255) + byte(value >> 8);
+}
+
+/// The first 18 bytes of a TGA.
+/// @param kind       1: with a palette, 2: colours, 3: grey; 8 more: packed
+/// @param descriptor from_top, and how many bits are alpha
+inline std::string tga_head(int kind, int width, int height, int bits, int descriptor,
+                            int colours = 0, int colour_bits = 0) {
+    return byte(0) + byte(colours > 0) + byte(kind) + two_bytes(0) + two_bytes(colours) +
+           byte(colour_bits) + two_bytes(0) + two_bytes(0) + two_bytes(width) + two_bytes(height) +
+           byte(bits) + byte(descriptor);
+}
+
+inline constexpr int from_top = 32, eight_alpha_bits = 8;
+
 } // namespace rasterwalk::test

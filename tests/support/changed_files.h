@@ -1,0 +1,51 @@
+#pragma once
+
+// Small files of every format that is read, changed at random, and what must hold for each of
+// them: it is read and what comes of it is sound, or it is refused in a sentence; and within the
+// bounds. A test tries a few hundred of each format, tests/fuzz/fuzz as many as it is asked to.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "support/temporary_folder.h"
+
+namespace rasterwalk::test {
+
+/// A changed file may cost this much computing time, seconds, and this much memory, bytes.
+inline constexpr double most_seconds = 2.0;
+inline constexpr std::size_t most_memory = std::size_t{200} << 20;
+
+/// What became of a file.
+struct FileOutcome {
+    bool is_read = false; ///< or refused
+    std::string trouble;  ///< what is wrong with that; empty: nothing
+};
+
+/// A format of files.
+struct ChangedFormat {
+    std::string name;               ///< "PNG"
+    std::vector<std::string> seeds; ///< sound files, at least one
+    std::vector<std::string> words; ///< pieces at which readers stumble
+    FileOutcome (*read)(const std::string& bytes, const TemporaryFolder& folder);
+};
+
+/// PNG, JPG, TGA, BMP, PPM, PGM, OBJ, MTL and scenes.
+std::vector<ChangedFormat> changed_formats();
+
+/// A seed with one to six changes, more often few: bytes and words that are put in, left out or
+/// doubled, or an end that is missing.
+/// @param number of the file: the same number makes the same file
+std::string changed_file(const ChangedFormat& format, std::uint32_t number);
+
+/// Reads the bytes as a file of a format. Too much computing time is trouble, too; so is any
+/// exception but the one that refuses bad input.
+/// @param folder in which the files are that others name; see lay_out()
+FileOutcome outcome_of(const ChangedFormat& format, const std::string& bytes,
+                       const TemporaryFolder& folder);
+
+/// Writes the files that models, materials and scenes name.
+void lay_out(const TemporaryFolder& folder);
+
+} // namespace rasterwalk::test

@@ -1,0 +1,94 @@
+#include "tests/support/sound_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/limits.h"
+#include "scene/model_scene.h"
+
+namespace rasterwalk::test {
+
+const std::vector<std::string>& model_seeds() {
+    static const std::vector<std::string> seeds{
+        "# a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\ng a\nf 1/1/1 2/2/1 "
+        "3/1/1 "
+        "4/2/1\n",
+        "\xef\xbb\xbfo caf\xe9\r\nv +.5 -1e-3 2\r\nv 1 2 3 \\\r\n\r\nv -1 0 1\r\nv .1 .2 .3\r\nv 9 "
+        "8 "
+        "7\r\n"
+        "usemtl m\r\ns off\r\nf -5 -4 -3 -2 -1\r\nf -1//-1 1/ 2//\r\n",
+        "mtllib . /dev/zero x.mtl\nv 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nv 1 .5 0\nv 0 0 9\nf 1 2 3 "
+        "4 5 "
+        "6\n"
+        "f 6 5 4 3 2 1 2 3\nl 1 2\ncurv 0 1 1 2\n",
+        "v 9e8 0 0 255 0 0\n#MRGB ffff0000ff00ff00\nv 9e8 1 0 1 0 .5 1\nv 9e8 0 -1 0 300 -1\nvt "
+        "nan\nvt .5\n"
+        "vn nan 0 0\nf 1/1/1 2/9/9 3/0/0\nf 1/2/-1 2/x/ 3//1/1\n",
+    };
+    return seeds;
+}
+
+namespace {
+
+std::string trouble_of_counts(const ObjModel& model) {
+    const ObjCounts& counts = model.report.counts;
+    if (model.mesh.triangle_count() < 1) return "it has no triangle.";
+    if (counts.triangles != model.mesh.triangle_count() ||
+        counts.triangles != counts.corners - 2 * counts.faces || counts.vertices > counts.corners ||
+        counts.faults < static_cast<std::int64_t>(model.report.faults.size()))
+        return "its counts do not agree.";
+    int next = 0;
+    for (const ObjPart& part : model.parts) {
+        if (part.first_triangle != next || part.triangle_count < 1)
+            return "its parts do not follow each other.";
+        next += part.triangle_count;
+    }
+    return next == model.mesh.triangle_count() ? "" : "its parts are not the whole model.";
+}
+
+std::string trouble_of_report(const ObjReport& report, const std::string& path) {
+    for (const ObjFault& fault : report.faults) {
+        const bool is_beyond = fault.path == path && fault.line > report.counts.lines;
+        if (fault.line < 1 || is_beyond || !fault.sentence.ends_with('.'))
+            return "a fault has no line or no sentence: " + fault_line(fault);
+    }
+    return "";
+}
+
+std::string trouble_of_vertex(const Vertex& vertex) {
+    if (vertex.reflectance != glm::clamp(vertex.reflectance, 0.0f, 1.0f))
+        return "a colour is beyond 0 to 1.";
+    const glm::vec3 place = glm::abs(vertex.position);
+    if (!(std::max({place.x, place.y, place.z}) <= 1.001f) || !(place.x + place.y + place.z < 4.0f))
+        return "a place is beyond the box of the model.";
+    const float length = glm::length(vertex.normal);
+    if (length != 0.0f && !(std::abs(length - 1.0f) < 1e-5f)) return "a normal is no direction.";
+    if (!std::isfinite(vertex.texcoord.x) || !std::isfinite(vertex.texcoord.y))
+        return "a texture coordinate is no number.";
+    return "";
+}
+
+} // namespace
+
+std::string trouble_of_model(const ObjModel& model) {
+    std::string trouble = trouble_of_counts(model);
+    if (trouble.empty()) trouble = trouble_of_report(model.report, model.path);
+    if (!trouble.empty()) return trouble;
+    const Scene scene = scene_of_model(model);
+    for (const Vertex& vertex : scene.mesh.vertices()) {
+        trouble = trouble_of_vertex(vertex);
+        if (!trouble.empty()) return trouble;
+    }
+    if (!(std::abs(scene.camera.position.z) < largest_place)) return "its camera is nowhere.";
+    return "";
+}
+
+bool has_line(const std::string& sentence, const std::string& path) {
+    return sentence.starts_with(path + ":") &&
+           sentence.find(": ", path.size() + 1) != sentence.npos;
+}
+
+} // namespace rasterwalk::test
