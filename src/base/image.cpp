@@ -1,6 +1,8 @@
 #include "base/image.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -44,13 +46,29 @@ void check_png_data(std::string_view bytes, const std::string& path, glm::ivec2 
         fmt::format("{}: a picture of {} x {} pixels has data for more.", path, size.x, size.y));
 }
 
+/// Which byte of a TGA tells how its pixels are stored.
+constexpr std::size_t tga_descriptor = 17;
+
 /// Many programs leave the opacity of a TGA empty; the header tells how many of its bits count.
 void ignore_empty_alpha(std::string_view bytes, Image& image) {
-    constexpr std::size_t descriptor = 17;
     constexpr int alpha_bits = 15;
-    if ((bytes[descriptor] & alpha_bits) != 0) return;
+    if ((bytes[tga_descriptor] & alpha_bits) != 0) return;
     for (std::size_t i = 3; i < image.rgba.size(); i += 4)
         image.rgba[i] = 255;
+}
+
+/// The header of a TGA may say that its rows run from right to left; stb_image does not ask.
+void turn_rows_round(std::string_view bytes, Image& image) {
+    constexpr int from_right = 16;
+    if ((bytes[tga_descriptor] & from_right) == 0) return;
+    for (int row = 0; row < image.height; ++row) {
+        for (int left = 0, right = image.width - 1; left < right; ++left, --right) {
+            const auto pixel = [&](int column) {
+                return image.rgba.begin() + 4 * (std::ptrdiff_t{row} * image.width + column);
+            };
+            std::swap_ranges(pixel(left), pixel(left) + 4, pixel(right));
+        }
+    }
 }
 
 Image unpack(std::string_view bytes, const std::string& path, glm::ivec2 size) {
@@ -64,7 +82,10 @@ Image unpack(std::string_view bytes, const std::string& path, glm::ivec2 size) {
     Image image;
     const std::string trouble = decode_image(bytes, image);
     if (!trouble.empty()) refuse(path, trouble);
-    if (format == ImageFormat::tga) ignore_empty_alpha(bytes, image);
+    if (format == ImageFormat::tga) {
+        ignore_empty_alpha(bytes, image);
+        turn_rows_round(bytes, image);
+    }
     return image;
 }
 

@@ -107,6 +107,26 @@ TEST_CASE("A TGA is read: plain from the bottom, packed from the top, with and w
     }
 }
 
+TEST_CASE("A TGA whose rows run from right to left is read the right way round") {
+    constexpr int from_right = 16;
+    for (const int width : {1, 2, 5}) {
+        std::string bytes = tga_head(2, width, 3, 24, from_top | from_right);
+        for (int row = 0; row < 3; ++row) {
+            for (int column = width - 1; column >= 0; --column)
+                bytes += blue_green_red(colour_at(column, row));
+        }
+        const Image image = read_bytes(bytes);
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < width; ++column) {
+                INFO(column << "," << row << " of a width of " << width);
+                Rgba colour = colour_at(column, row);
+                colour[3] = 255;
+                CHECK(pixel_of(image, column, row) == colour);
+            }
+        }
+    }
+}
+
 TEST_CASE("A TGA is read with a palette, in grey and with 16 bits a pixel") {
     std::string indexed = tga_head(1, 3, 1, 8, from_top, 2, 24);
     indexed += byte(1) + byte(2) + byte(3) + byte(40) + byte(50) + byte(60);
