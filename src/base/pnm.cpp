@@ -103,6 +103,10 @@ std::optional<PnmHeader> parse_pnm_header(std::string_view bytes) {
     header.size = {*width, *height};
     header.largest = *largest;
     header.begin = numbers.place() + 1; // one blank
+    // Some programs end lines with two bytes here, too; the size of the file tells.
+    if (!header.is_text && bytes.substr(header.begin - 1).starts_with("\r\n") &&
+        bytes.size() == header.begin + 1 + header.fewest_bytes())
+        ++header.begin;
     return header;
 }
 

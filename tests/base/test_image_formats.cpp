@@ -194,6 +194,15 @@ TEST_CASE("PPM and PGM are read, as text and as bytes, by their largest sample")
     check(wide, true, 65535);
 }
 
+TEST_CASE("The samples of a PPM begin behind one blank, or behind the two bytes of a line's end") {
+    const Image expected{1, 2, {10, 13, 7, 255, 1, 2, 3, 255}};
+    const std::string samples = "\n\r\7\1\2\3";
+    CHECK(read_bytes("P6\r\n1 2\r\n255\r\n" + samples) == expected);
+    CHECK(read_bytes("P6\n1 2\n255\n" + samples) == expected);
+    // Then the first sample is 10, which is a line's end, too.
+    CHECK(read_bytes("P6\r1 2\r255\r" + samples) == expected);
+}
+
 TEST_CASE("A JPG is read as nearly as it keeps its colours") {
     const std::vector<std::uint8_t> rgb = ramp(40, 30);
     for (const int quality : {85, 100}) {
