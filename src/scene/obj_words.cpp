@@ -82,7 +82,8 @@ std::string_view take_word(std::string_view& text) {
 std::string_view take_number_word(std::string_view& text) {
     std::string_view word = take_word(text);
     const std::size_t comment = word.find('#');
-    if (comment == word.npos) return word;
+    const bool is_broken_number = comment != word.npos && comment > 0 && word[comment - 1] == '.';
+    if (comment == word.npos || is_broken_number) return word;
     text = {};
     return word.substr(0, comment);
 }

@@ -42,7 +42,7 @@ class ObjLines {
 std::string_view take_word(std::string_view& text);
 
 /// Takes the first word from the text of a statement that consists of numbers: "#" begins a
-/// comment.
+/// comment, but not in "1.#QNAN", as some programs write what is no number.
 std::string_view take_number_word(std::string_view& text);
 
 /// A number as models write it: 1, -1.5, +.5, 1e-3; too small for double is 0. Nothing for what is

@@ -144,6 +144,7 @@ TEST_CASE("What is wrong in a model is told with its line, and the rest is read"
         {"vt", "'vt' needs 1 numbers, and has 0; it is left out."},
         {"vt u", "'u' is no number that 'vt' can have; it is left out."},
         {"vn 1 2", "'vn' needs 3 numbers, and has 2; it is left out."},
+        {"vn 1.#QNAN 0 0", "'1.#QNAN' is no number that 'vn' can have; it is left out."},
         {"vn 0 0 0", "a normal of length 0 points nowhere; where it is named, it is computed."},
         {"f", "'f' has 0 corners, and a face has at least three; the face is left out."},
         {"f 1", "'f' has 1 corner, and a face has at least three; the face is left out."},
