@@ -13,15 +13,26 @@
 
 namespace rasterwalk {
 
+namespace {
+
+/// Some programs put a name with blanks in quotes.
+std::string_view without_quotes(std::string_view name) {
+    const bool is_quoted = name.size() > 2 && name.front() == '"' && name.back() == '"';
+    return is_quoted ? name.substr(1, name.size() - 2) : name;
+}
+
+} // namespace
+
 void ObjLibraries::read(std::string_view names, int line) {
     line_ = line;
     // Some programs say the same before each object.
     if (lists_.contains(names)) return;
     if (lists_.size() >= most_material_files) return refuse_library();
     lists_.emplace(names);
-    std::string_view rest = names;
+    const std::string_view whole = without_quotes(names);
+    std::string_view rest = whole;
     const std::string_view first = take_word(rest);
-    if (trimmed(rest).empty() || beside_.find(names).trouble.empty()) return read_library(names);
+    if (trimmed(rest).empty() || beside_.find(whole).trouble.empty()) return read_library(whole);
     for (std::string_view name = first; !name.empty(); name = take_word(rest))
         read_library(name);
 }
@@ -46,8 +57,12 @@ void ObjLibraries::read_library(std::string_view name) {
     try {
         watched_.ask();
         bytes_.add(file.path);
-        parse_mtl(read_file(file.path, largest_material_file), file.path, model_, watched_,
-                  reporter_, materials_);
+        const std::string text = read_file(file.path, largest_material_file);
+        if (is_utf16(text)) {
+            throw InputError(visible_line(file.path), 1,
+                             "the file is UTF-16; materials are plain text.");
+        }
+        parse_mtl(text, file.path, model_, watched_, reporter_, materials_);
     } catch (const Error& trouble) {
         fault([&] {
             return fmt::format("'mtllib': {} It is left out.", visible_line(trouble.what()));

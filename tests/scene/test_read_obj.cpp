@@ -376,6 +376,24 @@ TEST_CASE("Materials stand beside the model, and give its faces their colour") {
                     "used."});
 }
 
+TEST_CASE("A file of materials may be named in quotes, and is plain text") {
+    const test::TemporaryFolder folder;
+    folder.write("my two.mtl", "newmtl a\nKd 1 0 0\n");
+    folder.write("wide.mtl", std::string("\xff\xfen\0e\0w\0m\0t\0l\0 \0a\0", 18));
+    const auto read = [&](const std::string& statement) {
+        return read_obj(folder.write("m.obj", statement + "\nusemtl a\n" + one_face));
+    };
+    for (const char* const statement : {"mtllib \"my two.mtl\"", "mtllib my two.mtl"}) {
+        INFO(statement);
+        const ObjModel model = read(statement);
+        CHECK(fault_lines(model.report).empty());
+        CHECK(model.mesh.corner(0, 0).reflectance == glm::vec3(1, 0, 0));
+    }
+    CHECK(fault_lines(read("mtllib wide.mtl").report).front() ==
+          folder.file("m.obj") + ":1: 'mtllib': " + folder.file("wide.mtl") +
+              ":1: the file is UTF-16; materials are plain text. It is left out.");
+}
+
 TEST_CASE("A long name of a material is cut in both files, and an exponent at its limit") {
     const test::TemporaryFolder folder;
     const std::string name(5 * longest_material_name, 'x');
