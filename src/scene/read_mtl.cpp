@@ -34,6 +34,7 @@ constexpr MapOption map_options[] = {
 constexpr std::size_t most_lookups = 2 * most_materials;
 
 constexpr std::string_view skipped_option = "of an image's options only -bm is used";
+constexpr std::string_view skipped_halo = "alpha is the same from wherever a face is seen";
 constexpr std::string_view skipped_material = "this property of a material is not used";
 
 /// What an image may be called if no file has the name as it is written: without the quotes,
@@ -190,7 +191,12 @@ class MtlReader {
     /// d is alpha, Tr is what is missing to 1. Of a file that has both, d counts.
     void read_alpha(bool is_dissolve, std::string_view rest, ObjMaterial& material) {
         const std::string_view word = is_dissolve ? "'d'" : "'Tr'";
-        const std::optional<double> number = parse_model_number(take_number_word(rest));
+        std::string_view first = take_number_word(rest);
+        if (is_dissolve && first == "-halo") {
+            skip(first, skipped_halo);
+            first = take_number_word(rest);
+        }
+        const std::optional<double> number = parse_model_number(first);
         if (!number || *number < 0.0 || *number > 1.0) {
             return fault([&] {
                 return fmt::format("{} takes a number from 0 to 1; it is left out.", word);

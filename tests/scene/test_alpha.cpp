@@ -70,11 +70,17 @@ TEST_CASE("d of a material is its alpha, and Tr what is missing to 1") {
     CHECK(mtl_of("d 0.5\nTr 0.25\n").materials[0].alpha == 0.5f);
     CHECK(mtl_of("").materials[0].alpha == 1.0f);
     CHECK(mtl_of("d 1\nTr 0\n").report.faults.empty());
+    const Mtl halo = mtl_of("d -halo 0.25\n");
+    CHECK(halo.materials[0].alpha == 0.25f);
+    CHECK(halo.report.faults.empty());
+    REQUIRE(halo.report.skipped.size() == 1);
+    CHECK(halo.report.skipped[0].statement == "-halo");
 }
 
 TEST_CASE("Wrong and doubtful alphas of a material are told with their line") {
     using namespace alpha_in_files;
-    for (const char* line : {"d 1.5\n", "d -0.1\n", "d\n", "Tr x\n", "d nan\n", "Tr 1\n"}) {
+    for (const char* line : {"d 1.5\n", "d -0.1\n", "d\n", "Tr x\n", "d -halo\n", "Tr -halo 0.5\n",
+                             "d nan\n", "Tr 1\n"}) {
         const Mtl mtl = mtl_of(line);
         INFO(line);
         REQUIRE(mtl.report.faults.size() == 1);
