@@ -73,6 +73,12 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
     };
     if (i < 2) {
         formula.help = "Clip space before the division: pixels from the middle, times w.";
+        if (view_box_rule(frame.settings, frame.scene->space)) {
+            formula.expression = "v";
+            formula.inputs = {
+                {"v", formula.result, from_vertex(history.triangle, vertex, "clip." + name)}};
+            return formula;
+        }
         formula.expression = "f · " + name;
         formula.inputs = {
             {"f", {frame.settings.camera.focal_length}, from_setting("camera.focal_length")},

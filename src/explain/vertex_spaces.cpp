@@ -2,11 +2,13 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "explain/formula.h"
 #include "stages/matrices.h"
+#include "stages/orthographic.h"
 
 namespace rasterwalk {
 
@@ -77,9 +79,35 @@ MatrixRules matrix_rules(const Frame& frame) {
     const Settings& settings = frame.settings;
     MatrixRules drawn{vertex_rules(settings, frame.scene->space), camera_rotation(settings.camera)};
     if (settings.rotation == Rotation::transposed) drawn.rotation = glm::transpose(drawn.rotation);
-    if (settings.image_axes == ImageAxes::mirrored)
-        drawn.rules.camera.focal_length = -drawn.rules.camera.focal_length;
     return drawn;
+}
+
+/// Tp, with the mistake that it can hold.
+glm::dmat4 drawn_projection(const Frame& frame, const VertexRules& rules) {
+    glm::dmat4 projection = projection_matrix(rules);
+    if (frame.settings.image_axes == ImageAxes::mirrored)
+        projection = glm::dmat4(glm::dmat3{{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}) * projection;
+    return projection;
+}
+
+/// What Tp makes of x and y where view_box says what fills the picture.
+std::string box_text(const Frame& frame, const VertexRules& rules) {
+    if (!rules.projection.box) return {};
+    const ViewBox& box = *rules.projection.box;
+    const float mix = rules.projection.mix;
+    const std::string factor = mix == 0.0f ? "2n" : mix == 1.0f ? "2" : "2w(n)";
+    return fmt::format(
+        " With view_box, x = {0} / (r − l) · x − (r + l) / (r − l) · w and, as y points down, "
+        "y = {0} / (t − b) · y + (t + b) / (t − b) · w, where l = {1}, r = {2}, b = {3}, t = "
+        "{4}{5}.{6}",
+        factor, in_text(box.left), in_text(box.right), in_text(box.bottom), in_text(box.top),
+        mix == 0.0f   ? fmt::format(" and n = near = {}", in_text(rules.near))
+        : mix == 1.0f ? ""
+                      : fmt::format(" and w(n) = {} is w at the near plane",
+                                    in_text(clip_w(rules.near, mix))),
+        frame.settings.image_axes == ImageAxes::mirrored
+            ? " Both have the opposite sign here, by mistake."
+            : "");
 }
 
 glm::dvec3 unit(const glm::dvec3& direction) {
@@ -160,12 +188,13 @@ SpacesOfVertex spaces_of_vertex(const Frame& frame, int triangle, int vertex, Ma
     add_product(spaces,
                 {"clip",
                  "Before the division: inside the view are −w ≤ x ≤ w, −w ≤ y ≤ w, 0 ≤ z ≤ w. The "
-                 "lab and the Clip tab count in pixels instead: x' = W/2 · x, y' = H/2 · y.",
+                 "lab and the Clip tab count in pixels instead: x' = W/2 · x, y' = H/2 · y." +
+                     box_text(frame, drawn.rules),
                  "Tp",
                  {},
                  {},
                  {}},
-                projection_matrix(drawn.rules));
+                drawn_projection(frame, drawn.rules));
     if (!(spaces.places.back().place.w > 0.0)) return spaces;
     add_division(spaces);
     add_product(

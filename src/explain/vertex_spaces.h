@@ -18,7 +18,7 @@ namespace rasterwalk {
 /// A vertex in one space.
 struct SpacePlace {
     std::string_view space;           ///< "object", "world", "camera", "clip", "ndc" or "window"
-    std::string_view about;           ///< one sentence: what the space is
+    std::string about;                ///< what the space is
     std::string_view matrix_name;     ///< "Tm", "Tv", "Tp", "Ts"; empty for the first space and ndc
     std::optional<glm::dmat4> matrix; ///< from the space before, as column vectors have it
     glm::dvec4 place{0.0};            ///< x, y, z, w

@@ -14,11 +14,14 @@ struct NumberPart {
 };
 constexpr std::array<NumberPart, 3> axis_parts{{{"x", 0}, {"y", 1}, {"z", 2}}};
 constexpr std::array<NumberPart, 3> colour_parts{{{"red", 0}, {"green", 1}, {"blue", 2}}};
+constexpr std::array<NumberPart, 4> box_parts{
+    {{"left", 0}, {"right", 1}, {"bottom", 2}, {"top", 3}}};
 constexpr std::array<NumberPart, 2> size_parts{{{"width", 0}, {"height", 1}}};
 
 /// The parts of a setting of several numbers.
 std::span<const NumberPart> parts_of(const Setting& setting) {
     if (std::holds_alternative<SizeSetting>(setting.kind)) return size_parts;
+    if (std::holds_alternative<BoxSetting>(setting.kind)) return box_parts;
     const auto* const vector = std::get_if<VectorSetting>(&setting.kind);
     if (vector == nullptr) return {};
     return vector->is_colour ? std::span<const NumberPart>(colour_parts) : axis_parts;
@@ -44,6 +47,9 @@ struct SettingRange {
         return real(number_as_double(kind.smallest), number_as_double(kind.largest));
     }
     ValueRange operator()(const SizeSetting& kind) const { return whole(1, kind.largest); }
+    ValueRange operator()(const BoxSetting& kind) const {
+        return real(number_as_double(kind.smallest), number_as_double(kind.largest));
+    }
 
     static double number_as_double(float value) { return std::get<double>(number(value)); }
 };
@@ -67,6 +73,12 @@ struct SettingValue {
     Value operator()(const SizeSetting& kind) {
         const Viewport& size = kind.value(settings);
         return number(part == 0 ? size.width : size.height);
+    }
+    Value operator()(const BoxSetting& kind) {
+        const std::optional<ViewBox>& box = kind.value(settings);
+        if (!box) return {};
+        return number(std::array{box->left, box->right, box->bottom,
+                                 box->top}[static_cast<std::size_t>(part)]);
     }
 };
 

@@ -78,9 +78,9 @@ double usual_focal_length(glm::ivec2 size) {
 double camera_focal_length(const PicturePlane& plane, glm::ivec2 size, double margin) {
     const double width = std::max(size.x - 2.0 * margin, 0.5 * size.x);
     const double height = std::max(size.y - 2.0 * margin, 0.5 * size.y);
-    const double scale =
-        std::min(width / std::max(plane.size.width, 1), height / std::max(plane.size.height, 1));
-    return camera_share * scale * plane.focal_length;
+    const glm::dvec2 scale(width / std::max(plane.size.width, 1),
+                           height / std::max(plane.size.height, 1));
+    return camera_share * std::min(scale.x * plane.focal_length.x, scale.y * plane.focal_length.y);
 }
 
 } // namespace
@@ -133,8 +133,9 @@ OutsideEye eye_of(const OutsideView& view, const OutsideThings& things, glm::ive
         eye.position = plane.eye;
         eye.rotation = plane.rotation;
         eye.focal_length = camera_focal_length(plane, sides, margin);
-        // The middle of an odd number of pixels is not that of the picture.
-        const double scale = eye.focal_length / plane.focal_length;
+        // What is straight ahead is not in the middle of the picture if its sides are odd numbers
+        // of pixels or its box is off-centre.
+        const glm::dvec2 scale = eye.focal_length / plane.focal_length;
         eye.middle +=
             scale * (plane.middle - 0.5 * glm::dvec2(plane.size.width, plane.size.height));
         eye.near_distance = near_share * things.box.radius();

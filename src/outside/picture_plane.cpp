@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "stages/project.h"
@@ -38,13 +39,13 @@ SceneBox box_of(const Scene& scene) {
 
 glm::dvec3 PicturePlane::place_of(const glm::dvec2& pixel) const {
     const glm::dvec2 projected = pixel - middle;
-    return in_world({w_at(distance) / scale() * projected, distance});
+    return in_world({w_at(distance) / scale * projected, distance});
 }
 
 std::optional<glm::dvec2> PicturePlane::pixel_of(const glm::dvec3& camera) const {
     const double w = w_at(camera.z);
     if (!(w > 0.0)) return std::nullopt;
-    const glm::dvec2 pixel = middle + scale() * glm::dvec2(camera.x / w, camera.y / w);
+    const glm::dvec2 pixel = middle + scale * glm::dvec2(camera.x / w, camera.y / w);
     return std::isfinite(pixel.x) && std::isfinite(pixel.y) ? std::optional(pixel) : std::nullopt;
 }
 
@@ -59,18 +60,28 @@ PicturePlane picture_plane(const Camera& camera, const Viewport& size, const Sce
     PicturePlane plane;
     plane.eye = camera.position;
     plane.rotation = camera_rotation(camera);
-    plane.focal_length = std::max(camera.focal_length, 1e-3f);
     plane.size = size;
     plane.mix = projection.mix;
-    plane.depth = std::max(static_cast<double>(projection.depth), 1e-6);
+    Projection drawn = projection;
+    drawn.depth = std::max(projection.depth, 1e-6f);
+    constexpr float least = 1e-3f; // no division by 0
+    const float focal_length = std::max(camera.focal_length, least);
+    const PictureScale picture = picture_scale(focal_length, size, drawn);
+    plane.scale = picture.scale;
+    plane.shift = picture.shift;
+    // Under any other projection no eye sees exactly what the picture shows.
+    plane.focal_length =
+        plane.mix == 0.0 ? glm::max(plane.scale, glm::dvec2(least)) : glm::dvec2(focal_length);
     VertexRules rules;
     rules.viewport = size;
-    plane.middle = viewport_middle(rules);
+    plane.middle = glm::dvec2(viewport_middle(rules)) + picture.shift;
     const double half_diagonal =
         0.5 * std::hypot(static_cast<double>(size.width), static_cast<double>(size.height));
     const double radius = box.radius();
-    plane.distance = radius * std::min(usual_distance, largest_half_diagonal * plane.focal_length /
-                                                           std::max(half_diagonal, 1.0));
+    plane.distance =
+        radius * std::min(usual_distance, largest_half_diagonal *
+                                              std::min(plane.focal_length.x, plane.focal_length.y) /
+                                              std::max(half_diagonal, 1.0));
     return plane;
 }
 

@@ -31,13 +31,14 @@ SceneBox box_of(const Scene& scene);
 
 /// Where the picture stands in the world.
 struct PicturePlane {
-    glm::dvec3 eye{0.0};       ///< of the camera
-    glm::dmat3 rotation{1.0};  ///< R of the camera, for row vectors
-    double focal_length = 1.0; ///< pixels
-    double distance = 1.0;     ///< from the eye, world units
-    double mix = 0.0;          ///< 0: perspective, 1: orthographic
-    double depth = 1.0;        ///< d of the projection, world units; counts only if mix is not 0
-    glm::dvec2 middle{0.0};    ///< of the picture, pixels from its corner
+    glm::dvec3 eye{0.0};          ///< of the camera
+    glm::dmat3 rotation{1.0};     ///< R of the camera, for row vectors
+    glm::dvec2 focal_length{1.0}; ///< for x and for y, pixels
+    double distance = 1.0;        ///< from the eye, world units
+    double mix = 0.0;             ///< 0: perspective, 1: orthographic
+    glm::dvec2 scale{1.0};        ///< see PictureScale
+    glm::dvec2 shift{0.0};        ///< likewise
+    glm::dvec2 middle{0.0};       ///< where x/w and y/w are 0, pixels from the picture's corner
     Viewport size;
 
     /// A place in camera space: x right, y down, z forward.
@@ -45,8 +46,6 @@ struct PicturePlane {
     glm::dvec3 in_world(const glm::dvec3& camera) const { return eye + rotation * camera; }
     /// w of a place in camera space at this z: z, 1, or between.
     double w_at(double z) const { return clip_w(z, mix); }
-    /// What x/w and y/w are multiplied by, pixels: f, f/d, or between.
-    double scale() const { return clip_scale(focal_length, mix, depth); }
     /// The place at this depth on the ray through a place in camera space; w there must not be 0.
     glm::dvec3 on_ray(const glm::dvec3& camera, double z) const {
         const double share = w_at(z) / w_at(camera.z);

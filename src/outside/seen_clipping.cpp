@@ -55,7 +55,7 @@ std::vector<glm::dvec2> hull_of(std::vector<glm::dvec2> places) {
 std::vector<glm::dvec3> end_face(const SeenClipping& clipping, const PicturePlane& picture,
                                  double z) {
     const glm::dvec2 size(picture.size.width, picture.size.height);
-    const double scale = picture.w_at(z) / picture.scale();
+    const glm::dvec2 scale = picture.w_at(z) / picture.scale;
     glm::dvec2 low = -picture.middle * scale, high = (size - picture.middle) * scale;
     for (const glm::dvec3& corner : cuts_of(clipping, picture)) {
         low = glm::min(low, glm::dvec2(corner));
@@ -74,8 +74,8 @@ std::vector<glm::dvec3> side_face(const SeenClipping& clipping, const PicturePla
                                   double slope, bool is_upright) {
     const int along = is_upright ? 1 : 0; // the axis that runs along the border of the picture
     const glm::dvec2 size(picture.size.width, picture.size.height);
-    const double low = -picture.middle[along] / picture.scale();
-    const double high = (size[along] - picture.middle[along]) / picture.scale();
+    const double low = -picture.middle[along] / picture.scale[along];
+    const double high = (size[along] - picture.middle[along]) / picture.scale[along];
     const std::vector<glm::dvec3> cuts = cuts_of(clipping, picture);
     double near = clipping.ends ? clipping.ends->x : 0.0, deep = side_depth * picture.distance;
     for (const glm::dvec3& corner : cuts)
@@ -108,9 +108,10 @@ std::vector<glm::dvec3> plane_face(const SeenClipping& clipping, const PicturePl
     if (!has_x && !has_y) {
         face = end_face(clipping, picture, clipping.plane->depth);
     } else if (has_x != has_y) {
-        // In clip space x and y are those of camera space times the scale.
-        const double across = has_x ? c.x : c.y;
-        face = side_face(clipping, picture, -c.w / (across * picture.scale()), has_x);
+        // x and y of clip space are those of camera space times the scale, plus w times the shift.
+        const int axis = has_x ? 0 : 1;
+        const double slope = (-c.w / c[axis] - picture.shift[axis]) / picture.scale[axis];
+        face = side_face(clipping, picture, slope, has_x);
     }
     const auto is_finite = [](const glm::dvec3& p) { return std::isfinite(p.x + p.y + p.z); };
     if (!std::all_of(face.begin(), face.end(), is_finite)) face.clear();

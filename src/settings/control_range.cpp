@@ -19,6 +19,7 @@ struct BoundsOf {
     }
     NumberBounds operator()(const ChoiceSetting&) const { return {}; }
     NumberBounds operator()(const SizeSetting&) const { return {}; }
+    NumberBounds operator()(const BoxSetting&) const { return {}; }
 };
 
 } // namespace

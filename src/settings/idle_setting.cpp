@@ -49,6 +49,11 @@ bool is_asked(const CoverageSetting& setting, Coverage coverage) {
 std::string idle_reason(const Setting& setting, const Settings& settings) {
     if (setting.name == "light.position" && settings.light.place == LampPlace::camera)
         return "while the lamp stands at the camera";
+    const bool has_box = view_box_rule(settings, SceneSpace::world).has_value();
+    if (has_box && (setting.name == "camera.focal_length" || setting.name == "orthographic_depth"))
+        return "while view_box says what fills the picture";
+    if (setting.name == "view_box" && settings.transform != Transform::matrices)
+        return "unless a matrix for each space does the work";
     const auto* const found =
         std::find_if(std::begin(coverage_settings), std::end(coverage_settings),
                      [&](const CoverageSetting& one) { return one.name == setting.name; });

@@ -20,6 +20,11 @@ std::vector<SettingFault> setting_faults(const Settings& settings, const Scene& 
                               ": nothing lies between them",
                           "far plane not behind the near one"});
     }
+    if (has_camera && settings.view_box && !view_box_rule(settings, space)) {
+        faults.push_back({"view_box does nothing with transform=lab, which uses the focal length: "
+                          "set transform=matrices",
+                          "view_box needs matrices"});
+    }
     const AimFault fault = has_camera ? aim_fault(settings.camera) : AimFault::none;
     if (fault != AimFault::none) {
         faults.push_back(

@@ -17,6 +17,7 @@ constexpr float largest_depth_epsilon = 10.0f;
 
 /// Nearer to the camera the division by z leaves the range of floats.
 constexpr float smallest_near = 1e-6f;
+constexpr float smallest_view_side = 1e-6f; ///< of view_box
 
 /// A choice among the words of an enum, which is one member of Settings.
 template <auto member>
@@ -418,6 +419,14 @@ std::vector<Setting> make_table() {
          "Drawing points", "world units",
          NumberSetting{[](Settings& s) -> float& { return s.far; }, smallest_near, largest_place,
                        0.1f}},
+        {"view_box", "Box at the near plane", "View volume",
+         "The part of the near plane that fills the picture, in place of the focal length: "
+         "left,right,bottom,top with y up, as glFrustum and glOrtho take them, or auto for the "
+         "focal "
+         "length. The box may be off-centre. Only where a matrix for each space does the work.",
+         "Beyond the lab", "world units",
+         BoxSetting{[](Settings& s) -> std::optional<ViewBox>& { return s.view_box; },
+                    -largest_place, largest_place, smallest_view_side, 0.001f}},
         {"reject", "Rejected before clipping", "View volume",
          "Which triangles are found to lie outside as a whole: none, or those whose vertices all "
          "lie beyond the same plane. Cheap clipping does that too, and walks the others only as "

@@ -3,6 +3,7 @@
 // The one table of named settings. It serves the controls on the screen, `--set name=value`, links
 // in lessons, presets, state files and tests: whatever one of them can set, all can.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -53,6 +54,17 @@ struct SizeSetting {
     int largest; ///< of either side; the smallest is 1
 };
 
+/// The part of the near plane that fills the picture: `auto`, or left,right,bottom,top.
+struct BoxSetting {
+    std::optional<ViewBox>& (*value)(Settings&);
+    float smallest, largest; ///< of each number
+    float least_side;        ///< width and height at least
+    float drag_step;
+};
+
+/// Is every number in range, and the box as wide and high as it must be? Not with NaN.
+bool is_allowed(const ViewBox& box, const BoxSetting& kind);
+
 /// One setting: what it is called, what it means, which values it takes.
 struct Setting {
     std::string_view name;    ///< lower_case with dots: `light.power`
@@ -61,7 +73,8 @@ struct Setting {
     std::string_view help;    ///< one sentence
     std::string_view section; ///< section of the lab
     std::string_view unit;    ///< "pixels", "radians" ...; empty for words
-    std::variant<ChoiceSetting, NumberSetting, WholeSetting, VectorSetting, SizeSetting> kind;
+    std::variant<ChoiceSetting, NumberSetting, WholeSetting, VectorSetting, SizeSetting, BoxSetting>
+        kind;
     /// The setting that says this one as well: `rounding` says `vertex_rounding` and
     /// `line_rounding`. It stands before its parts. Empty: none does.
     std::string_view part_of{};

@@ -15,6 +15,9 @@ namespace rasterwalk {
 
 namespace {
 
+/// The word for no box.
+constexpr std::string_view no_box = "auto";
+
 std::vector<std::string_view> setting_names() {
     std::vector<std::string_view> names;
     for (const Setting& setting : setting_table())
@@ -105,6 +108,20 @@ struct Writer {
         const Viewport size{side(parts[0]), side(parts[1])};
         kind.value(settings) = size;
     }
+    void operator()(const BoxSetting& kind) const {
+        if (trimmed(text) == no_box) {
+            kind.value(settings) = std::nullopt;
+            return;
+        }
+        const std::vector<std::string_view> parts = split(text, ',');
+        if (parts.size() != 4) refuse(setting, text);
+        const auto side = [&](std::size_t i) {
+            return number(parts[i], kind.smallest, kind.largest);
+        };
+        const ViewBox box{side(0), side(1), side(2), side(3)};
+        if (!is_allowed(box, kind)) refuse(setting, text);
+        kind.value(settings) = box;
+    }
 };
 
 /// The value of a setting as text: one function for each kind of setting.
@@ -129,6 +146,12 @@ struct Reader {
     std::string operator()(const SizeSetting& kind) {
         const Viewport& size = kind.value(settings);
         return std::to_string(size.width).append("x").append(std::to_string(size.height));
+    }
+    std::string operator()(const BoxSetting& kind) {
+        const std::optional<ViewBox>& box = kind.value(settings);
+        if (!box) return std::string(no_box);
+        return number_text(box->left) + "," + number_text(box->right) + "," +
+               number_text(box->bottom) + "," + number_text(box->top);
     }
 };
 
@@ -185,6 +208,12 @@ struct AllowedText {
     std::string operator()(const SizeSetting& kind) const {
         return "WIDTHxHEIGHT, each from 1 to " + std::to_string(kind.largest);
     }
+    std::string operator()(const BoxSetting& kind) const {
+        return std::string(no_box) + " or left,right,bottom,top, each from " +
+               range_text(kind.smallest, kind.largest) +
+               ", with right more than left and top more than bottom by at least " +
+               number_text(kind.least_side);
+    }
 };
 
 struct RangeClamp {
@@ -197,6 +226,10 @@ struct RangeClamp {
     }
     void operator()(const ChoiceSetting&) const {}
     void operator()(const SizeSetting&) const {}
+    void operator()(const BoxSetting& kind) const {
+        std::optional<ViewBox>& box = kind.value(settings);
+        if (box && !is_allowed(*box, kind)) box.reset();
+    }
     void operator()(const WholeSetting& kind) const {
         kind.value(settings) = std::clamp(kind.value(settings), kind.smallest, kind.largest);
     }
@@ -210,6 +243,13 @@ struct RangeClamp {
 };
 
 } // namespace
+
+bool is_allowed(const ViewBox& box, const BoxSetting& kind) {
+    for (const float side : {box.left, box.right, box.bottom, box.top}) {
+        if (!(side >= kind.smallest && side <= kind.largest)) return false;
+    }
+    return box.right - box.left >= kind.least_side && box.top - box.bottom >= kind.least_side;
+}
 
 std::string value_text(const Setting& setting, const Settings& settings) {
     return std::visit(Reader{settings}, setting.kind);

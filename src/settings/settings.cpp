@@ -82,6 +82,11 @@ const DepthFormatInfo& depth_format_info(DepthFormat format) {
 
 } // namespace
 
+std::optional<ViewBox> view_box_rule(const Settings& settings, SceneSpace space) {
+    const bool is_known = space == SceneSpace::world && settings.transform == Transform::matrices;
+    return is_known ? settings.view_box : std::nullopt;
+}
+
 ClipDepth clip_depth_rule(const Settings& settings, SceneSpace space) {
     const ClipDepth chosen = depth_format_info(settings.depth_format).holds;
     // What is given in pixels is projected already.
@@ -94,9 +99,13 @@ namespace {
 Projection projection_rule(const Settings& settings, SceneSpace space) {
     Projection projection;
     projection.clip_depth = clip_depth_rule(settings, space);
-    if (space == SceneSpace::pixels || settings.projection_mix == 0.0f) return projection;
-    projection.mix = settings.projection_mix;
-    projection.depth = orthographic_depth_rule(settings);
+    if (space == SceneSpace::pixels) return projection;
+    projection.box = view_box_rule(settings, space);
+    if (settings.projection_mix != 0.0f) {
+        projection.mix = settings.projection_mix;
+        projection.depth = orthographic_depth_rule(settings);
+    }
+    if (projection.box) projection.depth = settings.near;
     return projection;
 }
 

@@ -55,14 +55,16 @@ glm::dmat4 look_at_matrix(const glm::dvec3& eye, const glm::dvec3& direction,
 }
 
 glm::dmat4 projection_matrix(const VertexRules& rules) {
-    const double mix = rules.projection.mix, d = rules.projection.depth;
-    const double f = rules.camera.focal_length, near = rules.near;
+    const double mix = rules.projection.mix, near = rules.near;
     const double length = view_length(rules), far = near + length;
     const glm::dvec2 half = half_of(rules.viewport);
-    const double scale = clip_scale(f, mix, d), w_far = clip_w(far, mix);
+    const PictureScale picture =
+        picture_scale(rules.camera.focal_length, rules.viewport, rules.projection);
+    const glm::dvec2 scale = picture.scale / half, shift = picture.shift / half;
+    const double w_far = clip_w(far, mix);
     // Written in rows, as it is read, and then turned into glm's columns.
-    return glm::transpose(glm::dmat4{{scale / half.x, 0.0, 0.0, 0.0},
-                                     {0.0, scale / half.y, 0.0, 0.0},
+    return glm::transpose(glm::dmat4{{scale.x, 0.0, shift.x * (1.0 - mix), shift.x * mix},
+                                     {0.0, scale.y, shift.y * (1.0 - mix), shift.y * mix},
                                      {0.0, 0.0, w_far / length, -w_far * near / length},
                                      {0.0, 0.0, 1.0 - mix, mix}});
 }

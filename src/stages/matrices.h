@@ -57,7 +57,8 @@ glm::dmat4 look_at_matrix(const glm::dvec3& eye, const glm::dvec3& direction, co
 
 /// Tp, from camera space to clip space: divided by w, x and y go from -1 to 1 over the picture, and
 /// z from 0 at the near plane to 1 at the far one. Perspective, orthographic or between, by
-/// rules.projection.mix.
+/// rules.projection.mix. With rules.projection.box it is what glFrustum and glOrtho make, but for
+/// the signs of y and z.
 glm::dmat4 projection_matrix(const VertexRules& rules);
 
 /// Ndc z of a point at this depth in front of the camera: 0 at the near plane, 1 at the far one.

@@ -29,6 +29,27 @@ float clip_z_between(float z, const Projection& projection, float near, float fa
 
 } // namespace
 
+PictureScale picture_scale(double focal_length, const Viewport& size,
+                           const Projection& projection) {
+    const double mix = projection.mix, depth = projection.depth;
+    if (!projection.box) return {glm::dvec2(clip_scale(focal_length, mix, depth)), glm::dvec2(0.0)};
+    const double left = projection.box->left, right = projection.box->right;
+    const double bottom = projection.box->bottom, top = projection.box->top;
+    const glm::dvec2 unit = glm::dvec2(size.width, size.height) /
+                            glm::dvec2(right - left, top - bottom); // of the world, pixels
+    // y of camera space and the rows of the picture run down, bottom and top of the box up.
+    return {clip_w(depth, mix) * unit, 0.5 * unit * glm::dvec2(-left - right, top + bottom)};
+}
+
+ViewBox usual_view_box(const VertexRules& rules) {
+    const double mix = rules.projection.mix, depth = rules.projection.depth;
+    const double focal_length = rules.camera.focal_length, near = rules.near;
+    const double reach = clip_w(near, mix) / clip_scale(focal_length, mix, depth);
+    const auto right = static_cast<float>(0.5 * rules.viewport.width * reach);
+    const auto top = static_cast<float>(0.5 * rules.viewport.height * reach);
+    return {-right, right, -top, top};
+}
+
 float view_length(const VertexRules& rules) {
     return length_between(rules.near, rules.far);
 }

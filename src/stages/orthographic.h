@@ -26,6 +26,8 @@
 // 4th edition, section 4.7, projections. Depth the other way round: Lapidous and Jiao, "Optimal
 // Depth Buffer for Low-Cost Graphics Hardware", Graphics Hardware 1999.
 
+#include <glm/vec2.hpp>
+
 #include "stages/depth_test.h"
 #include "stages/vertex_shader.h"
 
@@ -50,6 +52,20 @@ constexpr Real clip_scale(Real focal_length, Real mix, Real depth) {
 inline float clip_scale(const VertexRules& rules) {
     return clip_scale(rules.camera.focal_length, rules.projection.mix, rules.projection.depth);
 }
+
+/// How a place in camera space becomes one in the picture: scale.x · x/w + shift.x pixels to the
+/// right of its middle, and scale.y · y/w + shift.y pixels below it.
+struct PictureScale {
+    glm::dvec2 scale; ///< pixels; see clip_scale()
+    glm::dvec2 shift; ///< pixels; 0 unless a box is off-centre
+};
+
+/// By projection.box where there is one, otherwise by the focal length.
+/// @param focal_length pixels
+PictureScale picture_scale(double focal_length, const Viewport& size, const Projection& projection);
+
+/// The box that shows what the focal length does. Not for rules that have a box.
+ViewBox usual_view_box(const VertexRules& rules);
 
 /// How long the view volume is: far - near, world units; never 0.
 float view_length(const VertexRules& rules);

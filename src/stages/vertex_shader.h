@@ -16,6 +16,7 @@
 // 1978, on clip space.
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -93,11 +94,22 @@ constexpr float farthest_depth(ClipDepth kind) {
     return is_smaller_nearer(kind) ? 1.0f : 0.0f;
 }
 
+/// The part of the near plane that fills the picture, world units in camera space, with x to the
+/// right and y up, as glFrustum and glOrtho take it. left < right, bottom < top.
+struct ViewBox {
+    float left = -1.0f, right = 1.0f, bottom = -1.0f, top = 1.0f;
+
+    friend bool operator==(const ViewBox&, const ViewBox&) = default;
+};
+
 /// How camera space becomes clip space, beside the focal length and the planes near and far.
 struct Projection {
     float mix = 0.0f;   ///< 0: perspective; 1: orthographic; between: the way between
     float depth = 1.0f; ///< where the size of things does not depend on `mix`, world units
     ClipDepth clip_depth = ClipDepth::inv_z;
+    /// What fills the picture at `depth`, which is then that of the near plane; none: the focal
+    /// length counts. Only matrices use it.
+    std::optional<ViewBox> box{};
 };
 
 /// What the vertex shader needs beside the vertex.

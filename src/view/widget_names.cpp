@@ -41,6 +41,8 @@ std::vector<std::string_view> words_for(std::string_view place) {
         words = settings_of_kind<VectorSetting>();
     } else if (place == "{size}") {
         words = settings_of_kind<SizeSetting>();
+    } else if (place == "{box}") {
+        words = settings_of_kind<BoxSetting>();
     } else if (place == "{overlay}") {
         for (const OverlayInfo& overlay : overlay_list())
             words.push_back(overlay.name);
@@ -83,9 +85,10 @@ void check_pattern(const WidgetPattern& pattern) {
     for (std::size_t at = 0; (at = name.find_first_of("{}", at)) != name.npos; ++at) {
         const std::string_view place = place_at_start(name.substr(at));
         if (words_for(place).empty()) {
-            throw UsageError("in a widget's name stand {stage}, {tab}, {setting}, {vector}, {size} "
-                             "and {overlay}, not " +
-                             in_quotes(place.empty() ? name.substr(at) : place) + ".");
+            throw UsageError(
+                "in a widget's name stand {stage}, {tab}, {setting}, {vector}, {size}, "
+                "{box} and {overlay}, not " +
+                in_quotes(place.empty() ? name.substr(at) : place) + ".");
         }
         at += place.size() - 1;
     }

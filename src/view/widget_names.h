@@ -10,8 +10,8 @@
 namespace rasterwalk {
 
 /// A widget, or several of a kind, by name. `#` stands for a number, `{stage}`, `{tab}`,
-/// `{setting}` and `{overlay}` for one of their names, `{vector}` and `{size}` for a setting
-/// that is one, `*` for any text.
+/// `{setting}` and `{overlay}` for one of their names, `{vector}`, `{size}` and `{box}` for a
+/// setting that is one, `*` for any text.
 struct WidgetPattern {
     std::string name;
     bool is_for_lessons = true; ///< false: it comes and goes, so no lesson can point at it

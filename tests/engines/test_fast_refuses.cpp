@@ -69,6 +69,7 @@ const std::map<std::string_view, std::vector<std::string>> other_values{
     {"shadow_resolution", {"16"}},
     {"shadow_bias", {"0.1"}},
     {"shadow_slope_bias", {"2"}},
+    {"view_box", {"auto", "-0.1,0.1,0,0.2"}},
     {"viewport.size", {"61x57"}},
 };
 
@@ -153,14 +154,15 @@ TEST_CASE("Each word of each setting is drawn as by the steps, refused, or a rul
     for (const char* assignment :
          {"stage=pixel_light", "stage=vertex_light", "stage=depth", "texture_wrap=mirror",
           "texture_filter=bilinear", "cull=screen_area", "light.model=blinn_phong",
-          "light.place=camera", "camera.aim=look_at", "transform=matrices", "near=2.5"})
+          "light.place=camera", "camera.aim=look_at", "transform=matrices", "near=2.5",
+          "view_box=-0.1,0.1,0,0.2"}) // in the lab's way it is idle
         CHECK(drawn.contains(assignment));
     for (const char* assignment :
          {"stage=fill", "shading=flat", "projection=orthographic", "texture_filter=mipmap",
           "cull=face_normal", "shadows=rays", "shadows=map", "depth_test=reversed",
           "light.falloff=cubed", "normal_map=on", "blend=over", "tessellation=3",
           "depth_format=inv_z_16", "depth_index=transposed", "bounds=excludes_zero",
-          "encoding=srgb"})
+          "encoding=srgb", "view_box=-0.1,0.1,0,0.2"}) // by matrices
         CHECK(refused.contains(assignment));
 }
 

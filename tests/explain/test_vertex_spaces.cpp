@@ -60,36 +60,79 @@ TEST_CASE("Every vertex stands in each space where the drawing has it") {
     const Scene scene = turned_block();
     for (const char* projection :
          {"projection=perspective", "projection=orthographic", "projection_mix=0.5"}) {
-        const Settings settings = turned_settings(scene, projection);
-        const Frame frame = prepare_frame(scene, settings);
-        const VertexRules rules = vertex_rules(settings, scene.space);
-        for (int t = 0; t < scene.triangle_count(); ++t) {
-            for (int v = 0; v < 3; ++v) {
-                const SpacesOfVertex spaces =
-                    spaces_of_vertex(frame, t, v, MatrixOrder::column_vectors);
-                REQUIRE(spaces.places.size() == space_names.size());
-                for (std::size_t i = 0; i < space_names.size(); ++i)
-                    CHECK(spaces.places[i].space == space_names[i]);
-                const ShadedVertex shaded = shade_vertex(
-                    scene.corner(t, v), camera_rotation(settings.camera), rules, frame.stages);
-                CAPTURE(projection, t, v);
-                const glm::dvec3 world(scene.corner(t, v).position);
-                CHECK(glm::distance(glm::dvec3(place_in(spaces, "world").place), world) < 1e-6);
-                CHECK(glm::distance(glm::dvec3(place_in(spaces, "camera").place),
-                                    glm::dvec3(shaded.in("rotated"))) < 1e-6);
-                const glm::dvec4 window = place_in(spaces, "window").place;
-                CHECK(window.x == Approx(shaded.pixel.position.x).margin(1e-3));
-                CHECK(window.y == Approx(shaded.pixel.position.y).margin(1e-3));
-                CHECK(window.w == 1.0);
-                const glm::dvec4 ndc = place_in(spaces, "ndc").place;
-                CHECK(ndc.x == Approx(window.x / 120.0 - 1.0).margin(1e-9));
-                CHECK(ndc.z > 0.0);
-                CHECK(ndc.z < 1.0);
-                if (settings.projection_mix == 1.0f) CHECK(place_in(spaces, "clip").place.w == 1.0);
-                // The normal is the one that the light falls on.
-                CHECK(glm::distance(spaces.normal.world, glm::dvec3(scene.corner(t, v).normal)) <
-                      1e-5);
+        for (const char* box : {"view_box=auto", "view_box=-0.06,0.03,-0.02,0.07"}) {
+            Settings settings = turned_settings(scene, projection);
+            set_from_text(settings, box);
+            const Frame frame = prepare_frame(scene, settings);
+            const VertexRules rules = vertex_rules(settings, scene.space);
+            for (int t = 0; t < scene.triangle_count(); ++t) {
+                for (int v = 0; v < 3; ++v) {
+                    const SpacesOfVertex spaces =
+                        spaces_of_vertex(frame, t, v, MatrixOrder::column_vectors);
+                    REQUIRE(spaces.places.size() == space_names.size());
+                    for (std::size_t i = 0; i < space_names.size(); ++i)
+                        CHECK(spaces.places[i].space == space_names[i]);
+                    const ShadedVertex shaded = shade_vertex(
+                        scene.corner(t, v), camera_rotation(settings.camera), rules, frame.stages);
+                    CAPTURE(projection, box, t, v);
+                    const glm::dvec3 world(scene.corner(t, v).position);
+                    CHECK(glm::distance(glm::dvec3(place_in(spaces, "world").place), world) < 1e-6);
+                    CHECK(glm::distance(glm::dvec3(place_in(spaces, "camera").place),
+                                        glm::dvec3(shaded.in("rotated"))) < 1e-6);
+                    const glm::dvec4 window = place_in(spaces, "window").place;
+                    CHECK(window.x == Approx(shaded.pixel.position.x).margin(1e-3));
+                    CHECK(window.y == Approx(shaded.pixel.position.y).margin(1e-3));
+                    CHECK(window.w == 1.0);
+                    const glm::dvec4 ndc = place_in(spaces, "ndc").place;
+                    CHECK(ndc.x == Approx(window.x / 120.0 - 1.0).margin(1e-9));
+                    CHECK(ndc.z > 0.0);
+                    CHECK(ndc.z < 1.0);
+                    if (settings.projection_mix == 1.0f)
+                        CHECK(place_in(spaces, "clip").place.w == 1.0);
+                    // The normal is the one that the light falls on.
+                    CHECK(glm::distance(spaces.normal.world,
+                                        glm::dvec3(scene.corner(t, v).normal)) < 1e-5);
+                }
             }
+        }
+    }
+}
+
+TEST_CASE("What clip space says of a box is what its matrix does, for every projection") {
+    const Scene scene = turned_block();
+    struct Case {
+        const char *projection, *beginning, *end;
+        double factor; ///< n, 1 or w(n), of near = 0.25
+    };
+    for (const Case& one :
+         {Case{"projection=perspective", "x = 2n / (r − l) · x − (r + l) / (r − l) · w",
+               "and n = near = 0.25.", 0.25},
+          Case{"projection=orthographic", "x = 2 / (r − l) · x − (r + l) / (r − l) · w", "t = 0.5.",
+               1.0},
+          Case{"projection_mix=0.5", "x = 2w(n) / (r − l) · x − (r + l) / (r − l) · w",
+               "and w(n) = 0.625 is w at the near plane.", 0.625}}) {
+        for (const char* axes : {"image_axes=right_way", "image_axes=mirrored"}) {
+            Settings settings = turned_settings(scene, one.projection);
+            for (const char* set : {"near=0.25", "view_box=-0.25,0.75,-0.125,0.5", axes})
+                set_from_text(settings, set);
+            const Frame frame = prepare_frame(scene, settings);
+            const SpacesOfVertex spaces = spaces_of_vertex(frame, 3, 1, MatrixOrder::row_vectors);
+            const SpacePlace& clip = place_in(spaces, "clip");
+            const glm::dvec4 camera = place_in(spaces, "camera").place;
+            CAPTURE(one.projection, axes, clip.about);
+            CHECK(clip.about.find(one.beginning) != std::string::npos);
+            CHECK(clip.about.find(one.end) != std::string::npos);
+            CHECK((clip.about.find("opposite sign") != std::string::npos) ==
+                  (settings.image_axes == ImageAxes::mirrored));
+            CHECK(clip.about.find("l = −0.25, r = 0.75, b = −0.125, t = 0.5") != std::string::npos);
+            const double sign = settings.image_axes == ImageAxes::mirrored ? -1.0 : 1.0;
+            const double w = clip.place.w;
+            CHECK(sign * clip.place.x == Approx(2.0 * one.factor * camera.x - 0.5 * w));
+            CHECK(sign * clip.place.y == Approx((2.0 * one.factor * camera.y + 0.375 * w) / 0.625));
+            // As it is drawn.
+            const ClipHistory history = clip_history(frame, 3);
+            CHECK(clip.place.x * 0.5 * settings.viewport.width ==
+                  Approx(history.corners[1].position_clip.x).margin(1e-3));
         }
     }
 }

@@ -94,6 +94,16 @@ TEST_CASE("Settings are facts under their own names") {
     CHECK_FALSE(room.is_there("camera.position"));
 }
 
+TEST_CASE("The sides of a box are facts while there is one") {
+    Asked room;
+    CHECK_FALSE(room.is_there("view_box.left"));
+    room.session.a.settings.view_box = ViewBox{-0.5f, 0.25f, 0.0f, 2.0f};
+    CHECK(room.number("view_box.left") == -0.5);
+    CHECK(room.number("view_box.right") == 0.25);
+    CHECK(room.number("view_box.bottom") == 0.0);
+    CHECK(room.number("view_box.top") == 2.0);
+}
+
 TEST_CASE("The weights of a pixel are told with all that their floats hold") {
     Asked triangle;
     triangle.session = open_session(lessons_folder() + "/scenes/one-triangle.toml");

@@ -185,7 +185,7 @@ TEST_CASE("Lesson 15: glm's lookAt, as it is told, becomes the camera's matrix")
 }
 
 PREDICTIONS_TEST("Lesson 16: parallel rays and ndc z by hand", "16-orthographic", "back-wall",
-                 "affine", "box-depth", "half-range", "half-way") {
+                 "affine", "box-depth", "half-range", "half-way", "off-centre") {
     const Questions lesson("16-orthographic");
     const double scale = 500.0 / 3.001;
     CHECK(scale == Approx(166.6).margin(0.05));
@@ -222,6 +222,11 @@ PREDICTIONS_TEST("Lesson 16: parallel rays and ndc z by hand", "16-orthographic"
     CHECK(half_way == Approx(scale * (0.5 * 3.001 + 0.5) / (0.5 * 4.001 + 0.5)));
     CHECK(half_way < 0.5 * (500.0 / 4.001 + scale) - 2.0);
     lesson.require_choice("half-way", 0);
+
+    // Similar triangles: where the ray crosses the near plane, 1 in front of the eye.
+    const double crossing = 1.0 / 4.001;
+    for (const double wrong : {500.0 * 0.5 / 4.001, 125.0, 375.0})
+        lesson.require_number("off-centre", 500.0 * (crossing - 0.5), 0.01, wrong);
 }
 
 TEST_CASE("Lesson 16: what it says in figures") {
@@ -247,6 +252,34 @@ TEST_CASE("Lesson 16: what it says in figures") {
     for (std::size_t i = 0; i < affine.size(); ++i)
         different += affine[i] != perspective[i] ? 1 : 0;
     CHECK(different == 229956);
+    // A box from -0.5 to 0.5 at near = 1 shows what f = 500 does; from 0 to 1, all of it is 250
+    // pixels farther left, near and far alike.
+    const auto by_box = [&](const std::string& box) {
+        return room_frame(room, {"stage=depth", "transform=matrices", "near=1", "far=7", box});
+    };
+    const Frame usual = by_box("view_box=auto");
+    for (const auto& [box, moved] : {std::pair("view_box=-0.5,0.5,-0.5,0.5", 0.0f),
+                                     std::pair("view_box=0,1,-0.5,0.5", -250.0f)}) {
+        const Frame boxed = by_box(box);
+        for (int t = 0; t < room.triangle_count(); ++t) {
+            for (int v = 0; v < 3; ++v) {
+                const glm::vec2 a = usual.given_vertex(t, v).pixel.position;
+                const glm::vec2 b = boxed.given_vertex(t, v).pixel.position;
+                CHECK(glm::distance(a + glm::vec2(moved, 0.0f), b) < 0.01f);
+            }
+        }
+    }
+    // Orthographic, the box from 0 to 1 shows half of the room, which goes from -1 to 1.
+    const Frame half = room_frame(room, {"stage=depth", "transform=matrices", "near=1", "far=7",
+                                         "view_box=0,1,-0.5,0.5", "projection=orthographic"});
+    for (const float x : {-1.0f, 1.0f}) {
+        for (int t = 0; t < room.triangle_count(); ++t) {
+            for (int v = 0; v < 3; ++v) {
+                if (room.corner(t, v).position.x != x) continue;
+                CHECK(half.given_vertex(t, v).pixel.position.x == Approx(500.0f * x).margin(0.01));
+            }
+        }
+    }
     // The picture of mix 0.5 is that of a camera one unit behind.
     const Frame mixed = room_frame(room, {"stage=depth", "projection_mix=0.5"});
     const Frame behind = room_frame(

@@ -90,6 +90,52 @@ TEST_CASE("Through the camera, every vertex falls on the same pixel as in the pi
     }
 }
 
+TEST_CASE("Through the camera, what a box shows is as large as fits, whatever its shape") {
+    Random random(55);
+    const Scene room = lab_room();
+    int compared = 0;
+    for (int i = 0; i < rounds(200, 50); ++i) {
+        Settings settings = default_settings(room);
+        settings.transform = Transform::matrices;
+        settings.near = random.number(0.05, 1);
+        settings.viewport = {random.integer(1, 700), random.integer(1, 700)};
+        const float left = random.number(-1, 0.5), bottom = random.number(-1, 0.5);
+        settings.view_box =
+            ViewBox{left, left + random.number(0.1, 2), bottom, bottom + random.number(0.1, 2)};
+        const Frame frame = prepare_frame(room, settings);
+        OutsideThings things = things_of(room, settings.camera, settings.viewport);
+        things.plane = picture_plane(settings.camera, settings.viewport, things.box,
+                                     vertex_rules(settings, room.space).projection);
+        const glm::ivec2 size(random.integer(100, 1500), random.integer(100, 1500));
+        OutsideView view;
+        view.is_camera = true;
+        const OutsideEye eye = eye_of(view, things, size, 20.0);
+        // A window as wide to its height as the box, in the middle, which touches two borders.
+        const double wide = settings.view_box->right - settings.view_box->left;
+        const double high = settings.view_box->top - settings.view_box->bottom;
+        const glm::dvec2 shown = glm::dvec2(wide, high) * (eye.focal_length / settings.near);
+        const glm::dvec2 room_for = 0.98 * (glm::dvec2(size) - 40.0);
+        CAPTURE(i);
+        CHECK(shown.x <= room_for.x + 1e-6);
+        CHECK(shown.y <= room_for.y + 1e-6);
+        CHECK(std::min(room_for.x - shown.x, room_for.y - shown.y) < 1e-3);
+        for (int t = 0; t < room.triangle_count(); ++t) {
+            if (!frame.is_drawn(t)) continue;
+            for (int v = 0; v < 3; ++v) {
+                const glm::dvec2 drawn(
+                    frame.triangle_vertices(t)[static_cast<std::size_t>(v)].position);
+                const glm::dvec2 sides(settings.viewport.width, settings.viewport.height);
+                const auto seen = eye.pixel_of(glm::dvec3(room.corner(t, v).position));
+                REQUIRE(seen);
+                const glm::dvec2 expected = 0.5 * glm::dvec2(size) + (drawn / sides - 0.5) * shown;
+                CHECK(is_near(*seen, expected, 1e-3 * (1.0 + glm::length(expected))));
+                ++compared;
+            }
+        }
+    }
+    CHECK(compared > 1000);
+}
+
 TEST_CASE("The corners of the picture lie on the rays through its corners") {
     Random random(52);
     const Scene room = lab_room();
@@ -126,6 +172,11 @@ TEST_CASE("Under every projection the pane stands where the rays of the drawing 
         settings.camera.focal_length = random.number(100, 900);
         settings.viewport = {random.integer(1, 900), random.integer(1, 900)};
         settings.projection_mix = i % 2 == 0 ? 1.0f : random.number(0, 1);
+        if (i % 3 == 0) {
+            settings.transform = Transform::matrices;
+            settings.view_box = ViewBox{-random.number(0.05, 1), random.number(0.05, 1),
+                                        -random.number(0.05, 1), random.number(0.05, 1)};
+        }
         const Frame frame = prepare_frame(room, settings);
         const PicturePlane plane = picture_plane(settings.camera, settings.viewport, box_of(room),
                                                  vertex_rules(settings, room.space).projection);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -24,7 +25,7 @@ namespace {
 /// depth.
 glm::dvec4 in_clip_space(const glm::dvec3& world, const PicturePlane& plane) {
     const glm::dvec3 p = plane.in_camera(world);
-    return {plane.focal_length * p.x, plane.focal_length * p.y, 1.0, p.z};
+    return {plane.focal_length.x * p.x, plane.focal_length.y * p.y, 1.0, p.z};
 }
 
 /// Does a place of a flat convex polygon lie in it?
@@ -136,6 +137,73 @@ TEST_CASE("Under every projection and depth format the faces of planes lie in th
     }
 }
 
+TEST_CASE("The planes of a box off-centre are seen where it has its sides") {
+    const Scene room = lab_room();
+    Random random(43);
+    for (const char* choice : {"projection=perspective", "projection=orthographic",
+                               "projection_mix=0.4", "depth_format=ndc_32"}) {
+        std::set<ClipPlane> seen_planes;
+        for (int i = 0; i < rounds(40, 20); ++i) {
+            Settings settings = room_frame(room, random, Clip::all).settings;
+            for (const char* set : {choice, "transform=matrices", "near=0.4", "far=1.6"})
+                set_from_text(settings, set);
+            const ViewBox box{-random.number(0.05, 0.3), random.number(0.3, 0.6),
+                              -random.number(0.3, 0.6), random.number(0.05, 0.3)};
+            settings.view_box = box;
+            const Frame frame = prepare_frame(room, settings);
+            const PicturePlane plane =
+                picture_plane(settings.camera, settings.viewport, box_of(room),
+                              vertex_rules(settings, SceneSpace::world).projection);
+            const double mix = settings.projection_mix;
+            for (int t = 0; t < frame.triangle_count(); ++t) {
+                const ClipHistory history = clip_history(frame, t);
+                for (const PlaneHistory& work : history.planes) {
+                    const SeenClipping seen =
+                        clipping_outside(frame, history, std::nullopt, work.plane);
+                    REQUIRE(seen.plane);
+                    const std::vector<glm::dvec3> face = plane_face(seen, plane);
+                    REQUIRE(face.size() >= 3);
+                    seen_planes.insert(work.plane);
+                    CAPTURE(choice, i, t, std::string(word_of(work.plane)));
+                    for (const glm::dvec3& corner : face) {
+                        // Where the way to the eye meets the near plane, with y up.
+                        const glm::dvec3 p = plane.in_camera(corner);
+                        const double w = (1.0 - mix) * p.z + mix;
+                        const double w_near = (1.0 - mix) * settings.near + mix;
+                        if (!(w > 0.01)) continue;
+                        const double x = p.x * w_near / w, y = -p.y * w_near / w;
+                        // An odd number of pixels has its middle half a pixel off.
+                        const double odd_x = (box.right - box.left) / settings.viewport.width;
+                        const double odd_y = (box.top - box.bottom) / settings.viewport.height;
+                        if (work.plane == ClipPlane::left)
+                            CHECK(x == Approx(box.left).margin(odd_x));
+                        if (work.plane == ClipPlane::right)
+                            CHECK(x == Approx(box.right).margin(odd_x));
+                        if (work.plane == ClipPlane::top) CHECK(y == Approx(box.top).margin(odd_y));
+                        if (work.plane == ClipPlane::bottom)
+                            CHECK(y == Approx(box.bottom).margin(odd_y));
+                    }
+                    for (const glm::dvec3& cut : seen.plane->cuts)
+                        CHECK(is_within(face, cut));
+                }
+            }
+            // The picture stands where the box is, whatever its distance.
+            const std::array<glm::dvec3, 4> corners = plane.corners();
+            const double odd_x = (box.right - box.left) / settings.viewport.width;
+            for (std::size_t c = 0; c < 4; ++c) {
+                const glm::dvec3 p = plane.in_camera(corners[c]);
+                const double share =
+                    ((1.0 - mix) * settings.near + mix) / ((1.0 - mix) * p.z + mix);
+                CHECK(p.x * share == Approx(c == 0 || c == 3 ? box.left : box.right).margin(odd_x));
+            }
+        }
+        CAPTURE(choice);
+        for (const ClipPlane plane :
+             {ClipPlane::left, ClipPlane::right, ClipPlane::top, ClipPlane::bottom})
+            CHECK(seen_planes.count(plane) == 1);
+    }
+}
+
 TEST_CASE("Under orthographic projection near and far plane and the frustum make a box") {
     const Scene room = lab_room();
     Settings settings = default_settings(room);
@@ -160,12 +228,12 @@ TEST_CASE("Under orthographic projection near and far plane and the frustum make
         if (line.kind == OutsideLineKind::end) ends.push_back(line);
     REQUIRE(ends.size() == 8);
     const PicturePlane& plane = things.plane;
-    const double half = plane.middle.x / plane.scale();
+    const double half = plane.middle.x / plane.scale.x;
     for (std::size_t i = 0; i < ends.size(); ++i) {
         const double z = i < 4 ? 2.5 : 3.5;
         const double x = i % 4 == 0 || i % 4 == 3 ? -half : half;
         const double y =
-            i % 4 < 2 ? -plane.middle.y / plane.scale() : plane.middle.y / plane.scale();
+            i % 4 < 2 ? -plane.middle.y / plane.scale.y : plane.middle.y / plane.scale.y;
         const auto expected = eye.pixel_of(plane.in_world({x, y, z}));
         REQUIRE(expected);
         CAPTURE(i);
@@ -202,7 +270,7 @@ TEST_CASE("Near and far plane are seen and named where the depth goes from one t
             for (const glm::dvec2 corner :
                  {glm::dvec2(0, 0), glm::dvec2(500, 0), glm::dvec2(500, 500), glm::dvec2(0, 500)}) {
                 const double w = settings.projection_mix == 1.0f ? 1.0 : z;
-                const glm::dvec2 across = (corner - 250.0) * (w / things.plane.scale());
+                const glm::dvec2 across = (corner - 250.0) * (w / things.plane.scale);
                 const auto at = eye.pixel_of(glm::dvec3(across, z - 3.001));
                 is_at_corner =
                     is_at_corner || (at && glm::distance(*at, glm::dvec2(point.at)) < 0.1);

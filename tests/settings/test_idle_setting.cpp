@@ -105,3 +105,28 @@ TEST_CASE("With a flashlight the place of the lamp says nothing, and changes no 
     }
     CHECK(idle_reason(position, settings) == "while the lamp stands at the camera");
 }
+
+TEST_CASE("A box takes the place of the focal length and of d, and acts only by matrices") {
+    const Scene room = lab_room();
+    const auto picture = [&](const Settings& settings) {
+        return draw_frame(prepare_frame(room, settings)).colour;
+    };
+    for (const char* transform : {"transform=lab", "transform=matrices"}) {
+        for (const char* box : {"view_box=auto", "view_box=-0.02,0.03,-0.01,0.02"}) {
+            Settings settings = default_settings(room);
+            for (const char* set : {"viewport.size=60x60", "camera.focal_length=60",
+                                    "projection=orthographic", transform, box})
+                set_from_text(settings, set);
+            for (const auto& [name, value] :
+                 {std::pair("camera.focal_length", "40"), std::pair("orthographic_depth", "2"),
+                  std::pair("view_box", "-1,2,-1,1")}) {
+                Settings other = settings;
+                const Setting& setting = *find_setting(name);
+                set_value(other, setting, value);
+                CAPTURE(transform, box, name);
+                CHECK((picture(other) == picture(settings)) ==
+                      !idle_reason(setting, settings).empty());
+            }
+        }
+    }
+}

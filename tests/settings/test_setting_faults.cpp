@@ -50,3 +50,17 @@ TEST_CASE("A tessellation that makes too many triangles is told of with what is 
     scene.space = SceneSpace::pixels;
     CHECK(faults().empty());
 }
+
+TEST_CASE("A box that the lab's lines do not use is told of") {
+    Scene scene;
+    Settings settings;
+    const auto faults = [&] { return setting_faults(settings, scene); };
+    settings.view_box = ViewBox{-0.1f, 0.1f, 0.0f, 0.2f};
+    REQUIRE(faults().size() == 1);
+    CHECK(faults()[0].in_short == "view_box needs matrices");
+    settings.transform = Transform::matrices;
+    CHECK(faults().empty());
+    settings.transform = Transform::lab;
+    scene.space = SceneSpace::pixels;
+    CHECK(faults().empty());
+}

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/limits.h"
+#include "base/numbers.h"
 #include "tests/support/catch.h"
 
 using namespace rasterwalk;
@@ -88,6 +90,7 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "orthographic_depth",
                                                  "near",
                                                  "far",
+                                                 "view_box",
                                                  "reject",
                                                  "clip",
                                                  "cull",
@@ -228,6 +231,17 @@ TEST_CASE("Numbers, places, colours and sizes are set from text") {
     CHECK(value_of(settings, "camera.focal_length") == "1000");
 }
 
+TEST_CASE("A box is set from text, off-centre too, and set back by auto") {
+    Settings settings;
+    CHECK(value_of(settings, "view_box") == "auto");
+    set_from_text(settings, "view_box= -0.1, 0.1 ,0.0,0.2");
+    CHECK(settings.view_box == ViewBox{-0.1f, 0.1f, 0.0f, 0.2f});
+    CHECK(value_of(settings, "view_box") == "-0.1,0.1,0,0.2");
+    CHECK_FALSE(has_same_value(*find_setting("view_box"), settings, Settings()));
+    set_from_text(settings, "view_box= auto ");
+    CHECK(settings == Settings());
+}
+
 TEST_CASE("The text of any value is read back as the same bits") {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> exponent(-30.0f, 9.9f);
@@ -273,6 +287,11 @@ TEST_CASE("A value that a setting does not take is refused with what it does tak
           "viewport.size cannot be '0x0': it takes WIDTHxHEIGHT, each from 1 to 4096.");
     CHECK(assignment_refusal("tessellation=65") ==
           "tessellation cannot be '65': it takes a whole number from 1 to 64.");
+    CHECK(
+        assignment_refusal("view_box=0.1,-0.1,0,0.2") ==
+        "view_box cannot be '0.1,-0.1,0,0.2': it takes auto or left,right,bottom,top, each from " +
+            number_text(-largest_place) + " to " + number_text(largest_place) +
+            ", with right more than left and top more than bottom by at least 0.000001.");
     for (const char* assignment : {"rounding=",
                                    "camera.yaw=",
                                    "camera.yaw=nan",
@@ -297,6 +316,25 @@ TEST_CASE("A value that a setting does not take is refused with what it does tak
                                    "viewport.size=100000x100000",
                                    "viewport.size=99999999999x1",
                                    "viewport.size=5.5x5",
+                                   "view_box=",
+                                   "view_box=none",
+                                   "view_box=1",
+                                   "view_box=-1,1,-1",
+                                   "view_box=-1,1,-1,1,1",
+                                   "view_box=-1,1,-1,",
+                                   "view_box=-1,1,,1",
+                                   "view_box=1,1,-1,1",
+                                   "view_box=1,-1,-1,1",
+                                   "view_box=-1,1,1,1",
+                                   "view_box=-1,1,1,-1",
+                                   "view_box=0,1e-9,-1,1",
+                                   "view_box=-1,1,-1,nan",
+                                   "view_box=nan,1,-1,1",
+                                   "view_box=-inf,1,-1,1",
+                                   "view_box=-1,inf,-1,1",
+                                   "view_box=-1,1e9,-1,1",
+                                   "view_box=-1,1e99,-1,1",
+                                   "view_box=-1;1;-1;1",
                                    "tessellation=0",
                                    "tessellation=-1",
                                    "tessellation=2.5",
@@ -311,7 +349,7 @@ TEST_CASE("A refused value leaves all settings as they were") {
     Settings settings;
     const Settings before;
     for (const char* assignment :
-         {"camera.position=1,2,x", "viewport.size=7x0", "light.power=3,4"}) {
+         {"camera.position=1,2,x", "viewport.size=7x0", "light.power=3,4", "view_box=1,2,3"}) {
         CHECK_THROWS_AS(set_from_text(settings, assignment), UsageError);
     }
     for (const Setting& setting : setting_table()) {
@@ -332,6 +370,7 @@ TEST_CASE("Numbers and vectors that have left their range are brought back into 
         settings.camera.yaw = settings.camera.pitch = settings.camera.focal_length = stray;
         settings.light.position.y = stray;
         settings.light.power = settings.light.indirect = glm::vec3(stray);
+        settings.view_box = ViewBox{-1.0f, stray, -1.0f, 1.0f};
         clamp_to_ranges(settings);
         INFO("from " << stray);
         for (const Setting& setting : setting_table()) {
@@ -341,6 +380,7 @@ TEST_CASE("Numbers and vectors that have left their range are brought back into 
         }
         CHECK(settings.camera.pitch == (stray > 0.0f ? largest_pitch : -largest_pitch));
         CHECK(settings.camera.position.y == 0.0f);
+        CHECK_FALSE(settings.view_box);
     }
 }
 
@@ -362,6 +402,8 @@ TEST_CASE("Each setting is compared and copied by itself") {
             choice->write(from, other);
         } else if (std::holds_alternative<SizeSetting>(setting.kind)) {
             set_value(from, setting, "3x4");
+        } else if (std::holds_alternative<BoxSetting>(setting.kind)) {
+            set_value(from, setting, "-1,2,-3,0.5");
         } else if (std::holds_alternative<WholeSetting>(setting.kind)) {
             set_value(from, setting, "3");
         } else {

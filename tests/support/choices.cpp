@@ -45,6 +45,11 @@ struct Values {
         return {fmt::format("{0},{0},{0}", low), fmt::format("{0},{0},{0}", high)};
     }
     std::vector<std::string> operator()(const SizeSetting&) const { return {}; }
+    std::vector<std::string> operator()(const BoxSetting& kind) const {
+        // Off-centre, and thin.
+        return {"auto", "-0.06,0.09,-0.04,0.05",
+                fmt::format("0,{},-0.05,0.05", number_text(kind.least_side))};
+    }
 };
 
 /// `name=value`, for each setting that changes how the scene is drawn.

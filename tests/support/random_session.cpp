@@ -49,6 +49,13 @@ struct Changer {
     void operator()(const SizeSetting& kind) const {
         kind.value(settings) = {random.integer(1, largest_side), random.integer(1, largest_side)};
     }
+    void operator()(const BoxSetting& kind) const {
+        const ViewBox box{number(kind.smallest, kind.largest), number(kind.smallest, kind.largest),
+                          number(kind.smallest, kind.largest), number(kind.smallest, kind.largest)};
+        const ViewBox near_axis{-random.number(0.01, 1), random.number(0.01, 1),
+                                -random.number(0.01, 1), random.number(0.01, 1)};
+        kind.value(settings) = is_allowed(box, kind) ? box : near_axis;
+    }
 };
 
 void change_some(Random& random, Settings& settings, int one_in) {

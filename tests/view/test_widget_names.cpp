@@ -86,7 +86,7 @@ TEST_CASE("A list of widgets is read line by line") {
     CHECK_FALSE(is_named_by(patterns[2], "legend.deep"));
     CHECK_THROWS_WITH(parse_widget_patterns("a\nb.{bug}\n", "w.txt"),
                       "w.txt:2: in a widget's name stand {stage}, {tab}, {setting}, {vector}, "
-                      "{size} and {overlay}, not '{bug}'.");
+                      "{size}, {box} and {overlay}, not '{bug}'.");
     CHECK_THROWS_AS(parse_widget_patterns("a.{stage\n", "w.txt"), InputError);
     CHECK_THROWS_AS(parse_widget_patterns("a.}\n", "w.txt"), InputError);
     CHECK_THROWS_WITH(parse_widget_patterns("a.*\n", "w.txt"),

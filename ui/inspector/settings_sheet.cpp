@@ -32,6 +32,7 @@ float field_width(const Ui& ui, const Setting& setting) {
     const float u = ui.options.text_scale;
     if (std::holds_alternative<VectorSetting>(setting.kind)) return 200.0f * u;
     if (std::holds_alternative<SizeSetting>(setting.kind)) return 130.0f * u;
+    if (std::holds_alternative<BoxSetting>(setting.kind)) return 280.0f * u;
     const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
     if (choice == nullptr) return 75.0f * u;
     float widest = 0.0f;

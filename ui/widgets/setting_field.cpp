@@ -1,14 +1,17 @@
 #include "ui/widgets/setting_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <imgui.h>
 
 #include "settings/value_words.h"
+#include "stages/orthographic.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
 #include "ui/widgets/number_field.h"
@@ -149,6 +152,20 @@ void edit_size(Ui& ui, Settings& settings, const std::string& name, const std::s
     viewport = {std::clamp(sides.x, 1, size.largest), std::clamp(sides.y, 1, size.largest)};
 }
 
+/// Without a box the fields hold the box that shows the same; the first change of one sets it.
+void edit_box(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
+              const BoxSetting& kind) {
+    std::optional<ViewBox>& value = kind.value(settings);
+    ViewBox box = value ? *value : usual_view_box(vertex_rules(settings, SceneSpace::world));
+    const std::array<float*, 4> sides{&box.left, &box.right, &box.bottom, &box.top};
+    bool is_changed = false;
+    draw_parts(ui, name, {"left", "right", "bottom", "top"}, [&](const std::string& part, int i) {
+        is_changed =
+            edit_float(ui, part, help, kind, *sides[static_cast<std::size_t>(i)]) || is_changed;
+    });
+    if (is_changed && is_allowed(box, kind)) value = box;
+}
+
 /// A stretch of a number; the arrows go from stop to stop.
 void edit_slider(Ui& ui, Settings& settings, const Setting& setting, const std::string& name,
                  const ControlRange& range) {
@@ -185,6 +202,8 @@ void edit_setting(Ui& ui, Settings& settings, const Setting& setting, const std:
         edit_vector(ui, settings, name, help, *vector);
     } else if (const auto* size = std::get_if<SizeSetting>(&setting.kind)) {
         edit_size(ui, settings, name, help, *size);
+    } else if (const auto* box = std::get_if<BoxSetting>(&setting.kind)) {
+        edit_box(ui, settings, name, help, *box);
     }
 }
 

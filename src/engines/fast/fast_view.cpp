@@ -33,6 +33,7 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
     if (settings.stage < Stage::depth) return unknown("stages before depth");
     if (settings.tessellation != 1) return unknown("tessellation");
     if (settings.projection_mix != 0.0f) return unknown("any projection but perspective");
+    if (view_box_rule(settings, scene.space)) return unknown("view_box other than auto");
     if (shading_rule(settings) == Shading::flat) return unknown("shading=flat");
     if (has_alpha(scene) && settings.blend != Blend::off)
         return unknown("half transparent surfaces: blend=off draws them opaque");

@@ -77,4 +77,24 @@ TEST_CASE("A vertex of the bench is shown and typed with its minus sign too") {
     CHECK(numbers == 2);
 }
 
+TEST_CASE("The sides of a box are typed one by one, and set back all at once") {
+    Driver driver;
+    Settings& settings = driver.ui.session.a.settings;
+    set_from_text(settings, "transform=matrices");
+    set_from_text(settings, "near=1");
+    driver.hand.click("tab.settings");
+    // f = 500 shows 250 pixels to each side, which is 0.5 at the depth 1.
+    CHECK(words_in(driver.hand.find("setting.view_box.right")) == "0.5");
+    CHECK(words_in(driver.hand.find("setting.view_box.bottom")) == "−0.5");
+    driver.hand.enter("setting.view_box.right", "0.75");
+    CHECK(settings.view_box == ViewBox{-0.5f, 0.75f, -0.5f, 0.5f});
+    driver.hand.enter("setting.view_box.bottom", "0");
+    CHECK(settings.view_box == ViewBox{-0.5f, 0.75f, 0.0f, 0.5f});
+    // Left of the left side it would be inside out.
+    driver.hand.enter("setting.view_box.right", "-0.6");
+    CHECK(settings.view_box == ViewBox{-0.5f, 0.75f, 0.0f, 0.5f});
+    driver.hand.click("reset.view_box");
+    CHECK_FALSE(settings.view_box);
+}
+
 } // namespace rasterwalk
