@@ -88,7 +88,7 @@ Apart tests_apart(const PixelTest& a, const PixelTest& b) {
 struct SightRules {
     ScreenRules screen_a, screen_b; ///< what is seen of a channel
     bool has_depth_a, has_depth_b;  ///< marks have none: what stands in its place says nothing
-    bool compares_samples, compares_tests; ///< both runs have them
+    bool compares_samples, compares_tests; ///< both runs have them, of the same pixels
 };
 
 Apart fragments_apart(const FragmentEvent& a, const FragmentEvent& b, const SightRules& rules) {
@@ -141,7 +141,8 @@ SightRules sight_rules(const Frame& a, const Frame& b) {
             has_fragments(a.settings.stage),
             has_fragments(b.settings.stage),
             walks_edges(a.stages) == walks_edges(b.stages),
-            tests_pixels(a.stages) == tests_pixels(b.stages)};
+            tests_pixels(a.stages) == tests_pixels(b.stages) &&
+                a.stages.tested_columns == b.stages.tested_columns};
 }
 
 Divergence divergence_of(const Frame& a, const Frame& b, const PairMoment& moment,

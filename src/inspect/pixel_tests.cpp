@@ -26,9 +26,9 @@ std::string outside_text(const PixelTest& test) {
 
 /// The tests of a row of the picture in one triangle of the fan.
 struct RowTests {
-    int triangle = 0;          ///< of the fan
-    int first = 0, behind = 0; ///< columns between which the tests are done
-    CoveredColumns inside;     ///< of them; may be none
+    int triangle = 0;   ///< of the fan
+    ColumnRange done;   ///< columns whose tests are done
+    ColumnRange inside; ///< of them; may be none
 };
 
 /// As far as they are done at a moment; only of triangles that have any.
@@ -41,26 +41,25 @@ std::vector<RowTests> tests_of_row(const TestedPolygon& polygon, int triangle, i
         const int index = before + row - of.box.top;
         before += of.box.bottom - of.box.top;
         if (row < of.box.top || row >= of.box.bottom) continue;
-        const int done = tests_done({t, row, of.box.left, of.box.right}, triangle, index, to);
-        if (done == 0) continue;
-        CoveredColumns inside = covered_columns(of, row);
-        inside.last = std::min(inside.last, of.box.left + done - 1);
-        if (inside.first > inside.last) inside = {of.box.left, of.box.left - 1};
-        all.push_back({t, of.box.left, of.box.left + done, inside});
+        const ColumnRange done = tests_done(tested_row(polygon, index), triangle, index, to);
+        if (done.count() == 0) continue;
+        ColumnRange inside = covered_columns(of, row);
+        inside.last = std::min(inside.last, done.last);
+        if (inside.count() == 0) inside = {done.first, done.first - 1};
+        all.push_back({t, done, inside});
     }
     return all;
 }
 
 } // namespace
 
-int tests_done(const TestedRow& row, int triangle, int index, const Cursor& to) {
+ColumnRange tests_done(const TestedRow& row, int triangle, int index, const Cursor& to) {
     const Cursor begin{triangle, Phase::tests, index, 0};
-    const int width = row.right - row.left;
-    const bool is_among_them =
-        to.phase == Phase::tests && to.triangle == triangle && to.pass == begin.pass;
-    if (!is_among_them) return begin < to ? width : 0;
-    if (to.index != index) return index < to.index ? width : 0;
-    return std::clamp(to.step, 0, width);
+    const bool is_in_row = to.phase == Phase::tests && to.triangle == triangle &&
+                           to.pass == begin.pass && to.index == index;
+    if (!is_in_row) return begin < to ? row.tested : ColumnRange{};
+    const int steps = std::clamp(to.step, 0, row.right - row.left);
+    return {row.tested.first, std::min(row.tested.last, row.left + steps - 1)};
 }
 
 PixelTest test_at_step(const TestedPolygon& polygon, int index, int step, const Stages& stages) {
@@ -76,14 +75,17 @@ std::optional<PixelTest> test_at(const Frame& frame, const Cursor& cursor) {
     TestedPolygon polygon;
     set_up_tests(frame.triangle_vertices(cursor.triangle), frame.stages, polygon);
     if (cursor.index >= tested_row_count(polygon)) return std::nullopt;
-    return test_at_step(polygon, cursor.index, cursor.step, frame.stages);
+    const TestedRow row = tested_row(polygon, cursor.index);
+    const int column = row.left + cursor.step;
+    if (column < row.tested.first || column > row.tested.last) return std::nullopt;
+    return test_pixel(polygon, row.triangle, column, row.row, frame.stages);
 }
 
 int fan_triangle_in_test(const TestedPolygon& polygon, int triangle, const Cursor& to) {
     int last = -1;
     for (int i = 0; i < tested_row_count(polygon); ++i) {
         const TestedRow row = tested_row(polygon, i);
-        if (tests_done(row, triangle, i, to) > 0) last = row.triangle;
+        if (tests_done(row, triangle, i, to).count() > 0) last = row.triangle;
     }
     return last;
 }
@@ -94,13 +96,14 @@ std::vector<TestedRun> tested_runs(const TestedPolygon& polygon, int triangle, i
     // Between two of these all pixels have the same answer.
     std::vector<int> begins;
     for (const RowTests& of : tests)
-        begins.insert(begins.end(), {of.first, of.behind, of.inside.first, of.inside.last + 1});
+        begins.insert(begins.end(),
+                      {of.done.first, of.done.last + 1, of.inside.first, of.inside.last + 1});
     std::sort(begins.begin(), begins.end());
     std::vector<TestedRun> runs;
     for (std::size_t i = 1; i < begins.size(); ++i) {
         const int first = begins[i - 1], last = begins[i] - 1;
         const auto is_tested = [&](const RowTests& of) {
-            return of.first <= first && last < of.behind;
+            return of.done.first <= first && last <= of.done.last;
         };
         const auto is_in = [&](const RowTests& of) {
             return is_tested(of) && of.inside.first <= first && last <= of.inside.last;
@@ -120,7 +123,7 @@ std::optional<PixelTest> test_of_pixel(const TestedPolygon& polygon, int triangl
     std::optional<PixelTest> known;
     for (const RowTests& of : tests_of_row(polygon, triangle, row, to)) {
         const bool was_inside = known && known->is_inside;
-        if (was_inside || column < of.first || column >= of.behind) continue;
+        if (was_inside || column < of.done.first || column > of.done.last) continue;
         known = test_pixel(polygon, of.triangle, column, row, stages);
     }
     return known;

@@ -19,10 +19,10 @@ PixelTest test_at_step(const TestedPolygon& polygon, int index, int step, const 
 /// The test that is done at a moment; none if none is.
 std::optional<PixelTest> test_at(const Frame& frame, const Cursor& cursor);
 
-/// How many pixels of a row of the box have been tested at a moment, from its left end.
+/// The columns of a row of the box that have been tested at a moment.
 /// @param triangle of the frame, to which the row belongs
 /// @param index    of the row, 0 <= index < tested_row_count()
-int tests_done(const TestedRow& row, int triangle, int index, const Cursor& to);
+ColumnRange tests_done(const TestedRow& row, int triangle, int index, const Cursor& to);
 
 /// The triangle of the fan of which a pixel was tested last at a moment; -1 before the first test.
 /// @param triangle of the frame

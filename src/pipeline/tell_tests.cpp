@@ -18,13 +18,15 @@ void tell_pixel_tests(const Drawing& d, int triangle) {
         const int last = std::min(rows.last, first_of_box + shown.bottom - box.top);
         for (int r = first; r < last; ++r) {
             Cursor cursor{triangle, Phase::tests, r, 0};
+            const int row = box.top + r - first_of_box;
             const PieceRange columns =
                 clamp_to_window(d.window, cursor, &Cursor::step, box.right - box.left);
-            const int end = std::min(columns.last, shown.right - box.left);
-            for (cursor.step = std::max(columns.first, shown.left - box.left); cursor.step < end;
+            const ColumnRange asked = in_columns(tested.tested_columns(of, row), shown);
+            const int end = std::min(columns.last, asked.last + 1 - box.left);
+            for (cursor.step = std::max(columns.first, asked.first - box.left); cursor.step < end;
                  ++cursor.step) {
-                d.observer->pixel_test({cursor, test_pixel(tested, number, box.left + cursor.step,
-                                                           box.top + r - first_of_box, d.stages)});
+                d.observer->pixel_test(
+                    {cursor, test_pixel(tested, number, box.left + cursor.step, row, d.stages)});
             }
         }
         first_of_box += box.bottom - box.top;
@@ -37,10 +39,9 @@ std::int64_t count_pixel_tests(const Frame& frame, const TestedPolygon& tested) 
     const Rectangle area = drawn_area(frame);
     std::int64_t count = 0;
     for (const TestedTriangle& triangle : tested.triangles) {
-        const Rectangle& box = triangle.box;
-        const int width = std::min(box.right, area.right) - std::max(box.left, area.left);
-        const int height = std::min(box.bottom, area.bottom) - std::max(box.top, area.top);
-        if (width > 0 && height > 0) count += std::int64_t{width} * height;
+        const Rectangle shown = intersection(triangle.box, area);
+        for (int row = shown.top; row < shown.bottom; ++row)
+            count += in_columns(tested.tested_columns(triangle, row), shown).count();
     }
     return count;
 }

@@ -65,11 +65,13 @@ void find_tests(const Frame& frame, const TestedPolygon& tested, PhaseMoments& m
     const Rectangle area = drawn_area(frame);
     for (const TestedTriangle& triangle : tested.triangles) {
         const Rectangle& box = triangle.box;
-        const int first = std::max(box.left, area.left), behind = std::min(box.right, area.right);
-        const PhaseMoments::Steps in_picture{first - box.left, std::max(behind - first, 0)};
         for (int row = box.top; row < box.bottom; ++row) {
-            const bool is_in = row >= area.top && row < area.bottom;
-            moments.add(is_in ? in_picture : PhaseMoments::Steps{});
+            PhaseMoments::Steps steps;
+            if (row >= area.top && row < area.bottom) {
+                const ColumnRange asked = in_columns(tested.tested_columns(triangle, row), area);
+                if (asked.count() > 0) steps = {asked.first - box.left, asked.count()};
+            }
+            moments.add(steps);
         }
     }
 }

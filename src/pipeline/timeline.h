@@ -36,8 +36,9 @@ static_assert(words_match<Granularity>);
 
 /// The moments of one phase of a triangle.
 struct PhaseMoments {
-    /// The steps of a piece that are moments: of a row, and of one of the box, the columns from its
-    /// left end on that lie in the picture. 0 where the piece has no moments.
+    /// The steps of a piece that are moments: of a row, and of one of the box what of it is tested,
+    /// the columns counted from its left end that lie in the picture. 0 where the piece has no
+    /// moments.
     struct Steps {
         int first = 0;
         int count = 0;

@@ -25,8 +25,8 @@ std::string describe_moment(const Frame& frame, const Cursor& cursor) {
     const PhaseInfo& phase = phase_info(cursor.phase);
     const PhaseMoments& of_phase = moments.of(cursor.phase);
     const bool is_row = cursor.phase == Phase::rows, is_test = cursor.phase == Phase::tests;
-    const int row = is_test ? tested_row(moments.rows.tested, cursor.index).row
-                            : moments.rows.first_row + cursor.index;
+    const TestedRow box_row = is_test ? tested_row(moments.rows.tested, cursor.index) : TestedRow();
+    const int row = is_test ? box_row.row : moments.rows.first_row + cursor.index;
     std::string text = fmt::format(
         "{} ({}) · {}{}", element_name_of(triangle_form, cursor.triangle, frame.triangle_count()),
         part_name(*frame.scene, cursor.triangle),
@@ -34,9 +34,11 @@ std::string describe_moment(const Frame& frame, const Cursor& cursor) {
         piece_name(cursor, static_cast<int>(of_phase.pieces.size())));
     if (phase.step.empty()) return text;
     if (is_row && !has_fragments(frame.settings.stage)) return text + ": its two ends";
-    // Of the whole row, of which only the part in the picture has moments.
-    const int steps = is_row ? row_span(frame.stages, moments.rows, cursor.index).count
-                             : of_phase.pieces[cursor.index].count;
+    // Of the whole row, of which only the part in the picture has moments, and of the box only what
+    // is tested.
+    const int steps = is_row    ? row_span(frame.stages, moments.rows, cursor.index).count
+                      : is_test ? box_row.right - box_row.left
+                                : of_phase.pieces[cursor.index].count;
     return text + " · " + element_name_of(phase.step, cursor.step, steps);
 }
 

@@ -203,6 +203,15 @@ template <>
 inline constexpr auto enum_words<PixelSample> = word_list("centre", "corner");
 static_assert(words_match<PixelSample>);
 
+/// Which pixels of a triangle's box edge functions ask. The picture is the same, the work is not.
+enum class BoxWalk : std::uint8_t {
+    all,      ///< every pixel of the box
+    interval, ///< in each row only those between the places where the edges cross it
+};
+template <>
+inline constexpr auto enum_words<BoxWalk> = word_list("all", "interval");
+static_assert(words_match<BoxWalk>);
+
 /// Of which edge function the weight of a corner is made.
 enum class WeightEdge : std::uint8_t {
     opposite, ///< of the edge that does not touch it

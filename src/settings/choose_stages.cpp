@@ -269,6 +269,7 @@ void choose_coverage(const Settings& settings, Stages& stages) {
                                                                           : rows_by_active_edges;
     if (coverage != Coverage::edge_functions) return;
     stages.row_fragments = fragments_by_weights;
+    if (settings.box_walk == BoxWalk::interval) stages.tested_columns = columns_between_crossings;
     if (settings.weight_edge == WeightEdge::own) stages.weights = weights_of_own_edges;
 }
 

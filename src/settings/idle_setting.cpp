@@ -20,6 +20,8 @@ constexpr CoverageSetting coverage_settings[] = {
     {"fill_rule", false, true, true},
     {"snap", false, true, true},
     {"pixel_sample", false, true, true},
+    // Edge functions alone ask for a box, and mix by weights.
+    {"box_walk", false, true, false},
     {"weight_edge", false, true, false},
     {"line", true, false, false},
     {"bresenham_rule", true, false, false},

@@ -137,7 +137,7 @@ std::vector<Setting> make_table() {
          "Drawing edges", "", choice<&Settings::line_rounding>(), "rounding"},
         {"coverage", "Fill algorithm", "Rows and edges",
          "How the pixels of a triangle are found: by the row table that the samples of its edges "
-         "fill, by edge functions that ask every pixel of its box, by scan conversion row by row, "
+         "fill, by edge functions that ask the pixels of its box, by scan conversion row by row, "
          "or by a list of active edges. The last three ask the centres of pixels.",
          "Filled triangles", "", choice<&Settings::coverage>()},
         {"fill_rule", "Fill rule", "Rows and edges",
@@ -153,6 +153,11 @@ std::vector<Setting> make_table() {
          "Where a pixel is tested whether it is covered: at its centre, or by mistake at its upper "
          "left corner. Only where coverage is not rows.",
          "Filled triangles", "", choice<&Settings::pixel_sample>()},
+        {"box_walk", "Pixels of a box tested", "Rows and edges",
+         "Which pixels of a triangle's bounding box edge functions test: all of them, or in each "
+         "row only the interval between the places where the edges cross it. The picture is the "
+         "same. Only where coverage is edge_functions.",
+         "Beyond the lab", "", choice<&Settings::box_walk>()},
         {"weight_edge", "Weight of a corner from", "Rows and edges",
          "Which edge function gives the weight of a corner: that of the opposite edge, or by "
          "mistake that of the edge that begins at it. Only where coverage is edge_functions.",

@@ -25,7 +25,8 @@ struct Settings {
     FillRule fill_rule = FillRule::inclusive;       ///< where coverage asks the centres of pixels
     Snap snap = Snap::pixel;                        ///< likewise
     PixelSample pixel_sample = PixelSample::centre; ///< likewise
-    WeightEdge weight_edge = WeightEdge::opposite;  ///< of edge functions
+    BoxWalk box_walk = BoxWalk::all;                ///< of edge functions
+    WeightEdge weight_edge = WeightEdge::opposite;  ///< likewise
     LineAlgorithm line = LineAlgorithm::interpolate;
     BresenhamRule bresenham_rule = BresenhamRule::right;
     Rounding line_rounding = Rounding::truncate; ///< of the samples of Interpolate along edges

@@ -33,6 +33,7 @@ constexpr SaidWord said_words[] = {
     {"snap", "sixteenth", "16ths of a pixel"},
     {"pixel_sample", "centre", "its centre"},
     {"pixel_sample", "corner", "its corner"},
+    {"box_walk", "interval", "between edges"},
     {"weight_edge", "opposite", "the opposite edge"},
     {"weight_edge", "own", "an edge at it"},
     {"line", "interpolate", "Interpolate"},

@@ -30,6 +30,25 @@ int polygon_edge(const FanTriangle& fan, std::size_t i, int corner_count) {
     return i == 2 ? corner_count - 1 : fan.corners[i];
 }
 
+/// The columns of a row of the box in which each E is at least so much, by solving E for the
+/// column.
+/// @param least the smallest E that an edge lets pass
+template <class Least>
+ColumnRange solved_columns(const TestedTriangle& triangle, int row, Least least) {
+    const Rectangle& box = triangle.box;
+    // Counted from the left of the box.
+    std::int64_t first = 0, last = box.right - box.left - 1;
+    for (const EdgeFunction& edge : triangle.edges) {
+        const std::int64_t over = edge.at(centre_of(box.left, row)) - least(edge);
+        const std::int64_t growth = edge.one_right();
+        if (growth > 0) first = std::max(first, ceil_divided(-over, growth));
+        if (growth < 0) last = std::min(last, floor_divided(over, -growth));
+        if (growth == 0 && over < 0) return {};
+    }
+    if (first > last) return {};
+    return {box.left + static_cast<int>(first), box.left + static_cast<int>(last)};
+}
+
 TestedTriangle set_up_triangle(const FanTriangle& fan, int corner_count, const Stages& stages) {
     TestedTriangle triangle;
     triangle.corners = fan.corners;
@@ -85,7 +104,10 @@ TestedRow tested_row(const TestedPolygon& polygon, int index) {
     int t = 0;
     for (const TestedTriangle& triangle : polygon.triangles) {
         const Rectangle& box = triangle.box;
-        if (index < box.bottom - box.top) return {t, box.top + index, box.left, box.right};
+        if (index < box.bottom - box.top) {
+            const int row = box.top + index;
+            return {t, row, box.left, box.right, polygon.tested_columns(triangle, row)};
+        }
         index -= box.bottom - box.top;
         ++t;
     }
@@ -115,29 +137,27 @@ Weights barycentric_weights(const EdgeValues& e, std::int64_t area) {
             static_cast<float>(e[0]) / whole};
 }
 
-CoveredColumns covered_columns(const TestedTriangle& triangle, int row) {
+ColumnRange columns_of_box(const TestedTriangle& triangle, int) {
+    return {triangle.box.left, triangle.box.right - 1};
+}
+
+ColumnRange columns_between_crossings(const TestedTriangle& triangle, int row) {
     if (triangle.area == 0) return {};
-    const Rectangle& box = triangle.box;
-    // Counted from the left of the box.
-    std::int64_t first = 0, last = box.right - box.left - 1;
-    for (const EdgeFunction& edge : triangle.edges) {
-        const std::int64_t e = edge.at(centre_of(box.left, row));
-        const std::int64_t least = edge.owns_points ? 0 : 1;
-        const std::int64_t growth = edge.one_right();
-        if (growth > 0) first = std::max(first, ceil_divided(least - e, growth));
-        if (growth < 0) last = std::min(last, floor_divided(e - least, -growth));
-        if (growth == 0 && e < least) return {};
-    }
+    return solved_columns(triangle, row, [](const EdgeFunction&) { return std::int64_t{0}; });
+}
+
+ColumnRange covered_columns(const TestedTriangle& triangle, int row) {
+    if (triangle.area == 0) return {};
+    ColumnRange covered = solved_columns(triangle, row, [](const EdgeFunction& edge) {
+        return std::int64_t{edge.owns_points ? 0 : 1};
+    });
     // Solved without regard to the fan's corner, which is never between two pixels inside.
-    const auto takes_corner = [&](std::int64_t column) {
-        const EdgeValues e =
-            triangle.values_at(centre_of(box.left + static_cast<int>(column), row));
-        return !triangle.owns_corner && e[0] == 0 && e[2] == 0;
+    const auto takes_corner = [&](int column) {
+        return triangle.gives_away_corner(triangle.values_at(centre_of(column, row)));
     };
-    if (first <= last && takes_corner(first)) ++first;
-    if (first <= last && takes_corner(last)) --last;
-    if (first > last) return {};
-    return {box.left + static_cast<int>(first), box.left + static_cast<int>(last)};
+    if (covered.count() > 0 && takes_corner(covered.first)) ++covered.first;
+    if (covered.count() > 0 && takes_corner(covered.last)) --covered.last;
+    return covered.count() > 0 ? covered : ColumnRange{};
 }
 
 const TestedTriangle& triangle_of_pixel(const TestedPolygon& polygon, int column, int row) {
@@ -162,6 +182,7 @@ RowEnd weighted_end(const TestedPolygon& polygon, const TestedTriangle& triangle
 void set_up_tests(PolygonCorners vertices, const Stages& stages, TestedPolygon& polygon) {
     polygon.corners.clear();
     polygon.triangles.clear();
+    polygon.tested_columns = stages.tested_columns;
     for (const ScreenVertex& v : vertices)
         polygon.corners.push_back({v.column, v.depth, v.inv_w, v.z, v.varyings});
     std::vector<GridPoint> points;
@@ -179,7 +200,7 @@ void rows_by_edge_functions(PolygonCorners vertices, const EdgeRules& rules, con
     set_up_tests(vertices, stages, rows.tested);
     for (const TestedTriangle& triangle : rows.tested.triangles) {
         for (int row = triangle.box.top; row < triangle.box.bottom; ++row) {
-            const CoveredColumns covered = covered_columns(triangle, row);
+            const ColumnRange covered = covered_columns(triangle, row);
             if (covered.first > covered.last) continue;
             const auto i = static_cast<std::size_t>(row - rows.first_row);
             const auto end = [&](int column) {

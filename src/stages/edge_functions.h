@@ -19,6 +19,10 @@
 // one pixel to the next E grows by the same amount, so a row costs an addition for each edge and
 // pixel.
 //
+// Not every pixel of the box has to be asked. Each edge crosses a row at one place, and E is 0 or
+// more only on one side of it; so all three together leave an interval of columns. There the tests
+// go on to say who gets the pixels with E = 0, and beyond it they could only have said no.
+//
 // A polygon of more corners is taken as a fan of triangles about its first corner. That is right
 // where it has no dents; the snap can make some (fan.h).
 //
@@ -29,6 +33,7 @@
 // Source: J. Pineda, "A Parallel Algorithm for Polygon Rasterization", Computer Graphics 22(4),
 // SIGGRAPH 1988.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -98,18 +103,43 @@ struct TestedTriangle {
     }
 };
 
+/// Columns of a row, from the first to the last; none where the first lies behind the last.
+struct ColumnRange {
+    int first = 0, last = -1;
+
+    constexpr int count() const { return first > last ? 0 : last - first + 1; }
+    friend bool operator==(const ColumnRange&, const ColumnRange&) = default;
+};
+
+/// Those of the columns that lie in a rectangle.
+constexpr ColumnRange in_columns(const ColumnRange& range, const Rectangle& area) {
+    return {std::max(range.first, area.left), std::min(range.last, area.right - 1)};
+}
+
+/// In the slot tested_columns: all that a row has in the box of a triangle of the fan.
+ColumnRange columns_of_box(const TestedTriangle& triangle, int row);
+
+/// In the slot tested_columns: those in which all three E are 0 or more, by the places at which the
+/// edges cross the row of pixel centres. None of a triangle without area, which covers nothing.
+ColumnRange columns_between_crossings(const TestedTriangle& triangle, int row);
+
 /// A polygon whose pixels are tested.
 struct TestedPolygon {
     std::vector<RowEnd> corners; ///< their values; the columns say nothing
     std::vector<TestedTriangle> triangles;
+    /// Which pixels of a row of a triangle's box are tested: the slot of the table.
+    decltype(&columns_of_box) tested_columns = columns_of_box;
 };
 
 /// One row of the box of one triangle of the fan: the tests are counted in such rows, those of a
-/// triangle from the top, one triangle after the other.
+/// triangle from the top, one triangle after the other. In a row they are counted from the left of
+/// the box, whether what lies there is tested or not: so a number means the same pixel however the
+/// box is walked.
 struct TestedRow {
     int triangle = 0;        ///< of the fan
     int row = 0;             ///< of the picture
-    int left = 0, right = 0; ///< columns of the first pixel and of the one behind the last
+    int left = 0, right = 0; ///< of the box: columns of its first pixel and behind its last
+    ColumnRange tested;      ///< of these the ones that are tested
 };
 
 int tested_row_count(const TestedPolygon& polygon);
@@ -142,11 +172,7 @@ Weights barycentric_weights(const EdgeValues& e, std::int64_t area);
 
 /// The columns of a row whose pixels lie inside a triangle of the fan, by solving E for the column:
 /// the same pixels that test_pixel() finds one by one.
-/// @return the first and the last; where there are none the first lies behind the last
-struct CoveredColumns {
-    int first = 0, last = -1;
-};
-CoveredColumns covered_columns(const TestedTriangle& triangle, int row);
+ColumnRange covered_columns(const TestedTriangle& triangle, int row);
 
 /// The triangle of the fan that a pixel of the polygon's rows belongs to: the first that it lies
 /// inside. Where the snap has bent the polygon inward a row may hold a pixel more; that goes with
@@ -164,7 +190,7 @@ void set_up_tests(PolygonCorners vertices, const Stages& stages, TestedPolygon& 
 
 /// The slot compute_polygon_rows: the first and the last pixel inside in every row of the box, and
 /// the polygon's edge functions. There are no edge samples to tell of: what is done is test_pixel()
-/// of every pixel of the box.
+/// of the pixels of the box that are tested.
 void rows_by_edge_functions(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
                             PolygonRows& rows, SampleSink* sink);
 

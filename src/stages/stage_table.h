@@ -88,6 +88,9 @@ struct Stages {
     GridPoint (*snap)(const ScreenVertex& vertex) = snap_to_centre;
     bool (*edge_owns_points)(const EdgeDirection& edge) = owns_inclusive;
     decltype(&barycentric_weights) weights = barycentric_weights;
+    // Which pixels of a box edge functions ask. The picture is the same, the work is not: whoever
+    // puts a function here leaves out only pixels that lie outside.
+    decltype(&columns_of_box) tested_columns = columns_of_box;
 
     // The samples of an edge; the lab's function asks the two slots of Interpolate.
     decltype(&line_by_interpolate) line = line_by_interpolate;
@@ -160,7 +163,7 @@ bool walks_edges(const Stages& stages);
 /// The table with coverage that walks edges: the same, or with the lab's row table in its place.
 Stages walking_edges(const Stages& stages);
 
-/// Does coverage ask every pixel of a box, so that each is a moment?
+/// Does coverage ask pixels of a box one by one, so that each that is asked is a moment?
 bool tests_pixels(const Stages& stages);
 
 } // namespace rasterwalk

@@ -110,7 +110,8 @@ Differences differences(const Frame& a, const Frame& b) {
     };
     const auto walks = [&](const Frame& frame) { return way(frame) == Coverage::rows; };
     const auto tests = [&](const Frame& frame) { return way(frame) == Coverage::edge_functions; };
-    const bool same_way = walks(a) == walks(b) && tests(a) == tests(b);
+    const bool same_way = walks(a) == walks(b) && tests(a) == tests(b) &&
+                          (!tests(a) || a.settings.box_walk == b.settings.box_walk);
     const std::map<Cursor, Seen> in_a = everything(a, with_light, as_shown, same_way);
     const std::map<Cursor, Seen> in_b = everything(b, with_light, as_shown, same_way);
     Differences found;
@@ -450,6 +451,8 @@ TEST_CASE("The cause is told in words and numbers") {
           "t0/v0: only A puts a mark on the picture; stage points against edges.");
     CHECK(cause(room, {Stage::edges}, "stage=fill") ==
           "t0/e0/s0: only A puts a mark on the picture; stage edges against fill.");
+    // The same pixels are found, whichever of the box are asked.
+    CHECK(cause(room, {Stage::depth}, "box_walk=interval", "coverage=edge_functions").empty());
     CHECK(cause(room, StripStep::vertex_light, "light.power=2.2") ==
           "t0/v0: vertices[0]: its light is (0.0762945, 0.381473, 0.0762945) in A, (0.0775891, "
           "0.387945, 0.0775891) in B.");

@@ -34,6 +34,7 @@ const std::map<std::string_view, std::string_view> own_rules{
     {"coverage", "centres of pixels are asked"},
     {"fill_rule", "the top-left rule"},
     {"snap", "corners stand on 256ths of a pixel"},
+    {"box_walk", "the same pixels lie inside, however many are asked"},
     {"line", "edges have no samples"},
     {"bresenham_rule", "edges have no samples"},
     {"line_walk", "edges have no samples"},

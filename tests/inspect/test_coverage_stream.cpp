@@ -32,6 +32,7 @@ struct Way {
     Coverage coverage;
     FillRule rule;
     Snap snap;
+    BoxWalk walk = BoxWalk::all;
 };
 
 std::vector<Way> ways() {
@@ -41,6 +42,8 @@ std::vector<Way> ways() {
         for (const FillRule rule : {FillRule::inclusive, FillRule::exclusive, FillRule::top_left}) {
             for (const Snap snap : {Snap::pixel, Snap::sixteenth, Snap::subpixel})
                 all.push_back({coverage, rule, snap});
+            if (coverage == Coverage::edge_functions)
+                all.push_back({coverage, rule, Snap::subpixel, BoxWalk::interval});
         }
     }
     return all;
@@ -52,6 +55,7 @@ Settings settings_of(const Scene& scene, const StripStep& step, const Way& way) 
     settings.coverage = way.coverage;
     settings.fill_rule = way.rule;
     settings.snap = way.snap;
+    settings.box_walk = way.walk;
     return settings;
 }
 
@@ -70,7 +74,8 @@ void for_each_covered_frame(Function function) {
             Settings settings = settings_of(*scene, step, way);
             if (scene == &cut) settings.clip = Clip::all;
             CAPTURE(std::string(word_of(way.coverage)), std::string(word_of(way.rule)),
-                    std::string(word_of(way.snap)), strip_place(step));
+                    std::string(word_of(way.snap)), std::string(word_of(way.walk)),
+                    strip_place(step));
             function(prepare_frame(*scene, settings));
         }
     }
@@ -351,9 +356,13 @@ TEST_CASE("What is known of each pixel at a moment is what the tests before it h
     // The second way: the tests that drawing tells of, added up one by one.
     Scene cut = cut_scene();
     int in_fans = 0, moments = 0;
-    for (const FillRule rule : {FillRule::inclusive, FillRule::exclusive, FillRule::top_left}) {
+    for (const auto& [rule, walk] : {std::pair{FillRule::inclusive, BoxWalk::all},
+                                     {FillRule::exclusive, BoxWalk::all},
+                                     {FillRule::top_left, BoxWalk::all},
+                                     {FillRule::exclusive, BoxWalk::interval},
+                                     {FillRule::top_left, BoxWalk::interval}}) {
         Settings settings =
-            settings_of(cut, {Stage::fill}, {Coverage::edge_functions, rule, Snap::subpixel});
+            settings_of(cut, {Stage::fill}, {Coverage::edge_functions, rule, Snap::subpixel, walk});
         settings.clip = Clip::all;
         const Frame frame = prepare_frame(cut, settings);
         const Viewport size = settings.viewport;

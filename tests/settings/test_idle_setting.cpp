@@ -50,9 +50,9 @@ TEST_CASE("A setting that is said to be idle changes no picture, and one that ac
         }
     }
     CHECK(idle_somewhere ==
-          std::set<std::string>{"line_rounding", "fill_rule", "snap", "pixel_sample", "weight_edge",
-                                "line", "bresenham_rule", "line_walk", "edge_samples", "row_start",
-                                "row_search", "empty_rows", "spans"});
+          std::set<std::string>{"line_rounding", "fill_rule", "snap", "pixel_sample", "box_walk",
+                                "weight_edge", "line", "bresenham_rule", "line_walk",
+                                "edge_samples", "row_start", "row_search", "empty_rows", "spans"});
     // Each of the rules that shows on the tiny picture acts where it is not said to be idle.
     for (const char* const name : {"fill_rule", "pixel_sample", "line", "edge_samples", "spans"}) {
         const Setting& setting = *find_setting(name);

@@ -46,6 +46,7 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "fill_rule",
                                                  "snap",
                                                  "pixel_sample",
+                                                 "box_walk",
                                                  "weight_edge",
                                                  "line",
                                                  "bresenham_rule",
@@ -160,6 +161,7 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     CHECK(settings.fill_rule == FillRule::left_only);
     CHECK(settings.snap == Snap::subpixel);
     CHECK(settings.pixel_sample == PixelSample::corner);
+    CHECK(settings.box_walk == BoxWalk::interval);
     CHECK(settings.weight_edge == WeightEdge::own);
     CHECK(settings.line == LineAlgorithm::dda);
     CHECK(settings.bresenham_rule == BresenhamRule::wrong_term);

@@ -224,7 +224,7 @@ TEST_CASE("Each pixel by itself is as its row says, and E is the second implemen
         int tests = 0;
         for (int index = 0; index < tested_row_count(polygon); ++index) {
             const TestedRow row = tested_row(polygon, index);
-            const CoveredColumns inside = covered_columns(triangle, row.row);
+            const ColumnRange inside = covered_columns(triangle, row.row);
             for (int column = row.left; column < row.right; ++column) {
                 const PixelTest test = test_pixel(polygon, 0, column, row.row, stages);
                 const GridPoint centre{pixel_centre(column), pixel_centre(row.row)};

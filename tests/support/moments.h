@@ -10,6 +10,7 @@
 #include "pipeline/frame.h"
 #include "stages/polygon_corners.h"
 #include "support/clip_oracle.h"
+#include "support/moved_point.h"
 #include "support/walks.h"
 
 namespace rasterwalk::test {
@@ -36,11 +37,24 @@ inline void add_tests(const Frame& frame, int t, std::vector<Cursor>& moments) {
         const auto [top, bottom] =
             std::minmax({place(v[0], 1), place(v[i - 1], 1), place(v[i], 1)});
         const int begin = static_cast<int>(std::floor(left));
+        const auto on_grid = [&](const ScreenVertex& vertex) {
+            const double parts = static_cast<double>(grid_parts);
+            return GridPoint{std::llround(place(vertex, 0) * parts),
+                             std::llround(place(vertex, 1) * parts)};
+        };
+        const std::vector<GridPoint> corners{on_grid(v[0]), on_grid(v[i - 1]), on_grid(v[i])};
+        const bool has_area = side(corners[0], corners[1], corners[2]) != 0;
+        const auto is_asked = [&](int column, int row) {
+            const GridPoint centre{pixel_centre(column), pixel_centre(row)};
+            return settings.box_walk == BoxWalk::all ||
+                   (has_area && is_covered(corners, centre, FillRule::inclusive));
+        };
         for (int row = static_cast<int>(std::floor(top)); row <= std::floor(bottom); ++row) {
             for (int column = begin; column <= std::floor(right); ++column) {
                 const bool is_in = column >= first && column < settings.viewport.width &&
                                    row >= first && row < settings.viewport.height;
-                if (is_in) moments.push_back({t, Phase::tests, index, column - begin});
+                if (is_in && is_asked(column, row))
+                    moments.push_back({t, Phase::tests, index, column - begin});
             }
             ++index;
         }

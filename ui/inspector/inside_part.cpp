@@ -201,6 +201,26 @@ void draw_place_of_test(Ui& ui, PixelSample sample, const PixelTest& test) {
     keep_item_whole(ui);
 }
 
+/// Where not all pixels of the box are tested: which of the row are.
+void draw_tested_columns(Ui& ui, const PixelTest& test, const TestedPolygon& polygon) {
+    if (polygon.tested_columns == columns_of_box) return;
+    const TestedTriangle& triangle = polygon.triangles[static_cast<std::size_t>(test.triangle)];
+    const ColumnRange tested = polygon.tested_columns(triangle, test.row);
+    const std::string columns = fmt::format("{} to {}", tested.first, tested.last);
+    const std::vector<std::string> forms{
+        fmt::format("row {}: columns {} are tested, of {} to {} in the box", test.row, columns,
+                    triangle.box.left, triangle.box.right - 1),
+        fmt::format("row {}: columns {} are tested", test.row, columns),
+        fmt::format("columns {}", columns)};
+    ImGui::PushFont(ui.fonts.small);
+    text_in(palette(ui.options.theme).dim, first_fitting(forms, ImGui::CalcItemWidth()));
+    ImGui::PopFont();
+    keep_item_whole(ui);
+    name_widget(ui, "inside.interval",
+                "The interval of this row between the places where the edges cross it: only there "
+                "can all three E be 0 or more, so only these pixels are tested.");
+}
+
 } // namespace
 
 std::optional<PixelTest> shown_test(const Ui& ui) {
@@ -231,6 +251,7 @@ void draw_pixel_test(Ui& ui, const PixelTest& test) {
                     "\nA pixel lies inside if E is what it needs to be at all three edges.");
     keep_item_whole(ui);
     draw_place_of_test(ui, settings.pixel_sample, test);
+    draw_tested_columns(ui, test, polygon);
     draw_edges_of_test(ui, test, triangle, formulas);
     if (triangle.area != 0) draw_weights(ui, test, corners, formulas);
     if (const Formula* const formula = find_formula(formulas, ui.inspector.chosen.test_number)) {

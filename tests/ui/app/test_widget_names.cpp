@@ -210,6 +210,9 @@ class Tour {
         driver.hand.frames(1);
         driver.hand.click("inside.e.1");
         look(driver);
+        follow_link(driver.ui, "set:box_walk=interval");
+        driver.hand.frames(1);
+        look(driver);
     }
 
     /// A polygon of triangles that share edges: small pictures of both.
