@@ -193,7 +193,7 @@ RoomCount count_room(const Frame& frame, const std::vector<Pixels>& all) {
 
 PREDICTIONS_TEST("Lesson 21: edge functions by determinants and a moved point", "21-edge-functions",
                  "which-side", "asked", "both", "diagonal", "own-corner", "square", "one-right",
-                 "cracks", "fragments") {
+                 "in-vain", "cracks", "fragments") {
     const Questions lesson("21-edge-functions");
     CHECK(hand_values({7, 5})[1] == 27.0); // as the lesson tells
     CHECK(hand_values({12, 6})[1] == -27.0);
@@ -204,6 +204,21 @@ PREDICTIONS_TEST("Lesson 21: edge functions by determinants and a moved point", 
     CHECK(hand_values({7, 5})[2] == 33.0); // as the lesson tells
     lesson.require_number("one-right", hand_values({8, 5})[2], 0.0, 24.0);
     CHECK_FALSE(lesson.answered("one-right", {hand_values({7, 6})[2]}).is_right);
+    // The interval: what lies inside and on the outline is tested, and some of that is given away.
+    const Corners of_hand{centre(2, 1), centre(14, 1), centre(5, 10)};
+    int closed = 0, inside = 0;
+    for (int row = 1; row <= 10; ++row) {
+        for (int column = 2; column <= 14; ++column) {
+            const GridPoint at = centre(column, row);
+            closed += is_covered(of_hand, at, FillRule::inclusive) ? 1 : 0;
+            inside += is_covered(of_hand, at, FillRule::top_left) ? 1 : 0;
+        }
+    }
+    CHECK(inside == 57); // as the lesson tells
+    lesson.require_number("in-vain", closed - inside, 0.0, 0.0);
+    CHECK_FALSE(lesson.answered("in-vain", {columns * rows - inside}).is_right);
+    CHECK(hand_values({3, 5})[2] < 0.0);
+    CHECK(hand_values({4, 5})[2] > 0.0);
     // The task: where in the box the triangle's edge 2 has its smallest E.
     for (int row = 1; row <= 10; ++row) {
         for (int column = 2; column <= 14; ++column) {
@@ -292,6 +307,8 @@ TEST_CASE("Lesson 21: what it says of the room in figures") {
     CHECK(tested == 719'256);
     CHECK(fragments == 325'329);
     require_said("21-edge-functions.md", "719 256 pixels for 325 329 fragments");
+    // What lies inside or on an edge is what the interval tests.
+    require_said("21-edge-functions.md", "In the room 325 329 of the 719 256 tests are left.");
 }
 
 /// Which needle a pixel shows, by weights in double; -1: none.
