@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "base/numbers.h"
-#include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "settings/setting_table.h"
 #include "stages/cull.h"
@@ -14,6 +13,9 @@
 namespace rasterwalk {
 
 namespace {
+
+/// What it takes to count a pixel, beside a fragment.
+constexpr double count_work = 0.4;
 
 bool is_back(const Frame& frame, int triangle, const SightRays& rays) {
     return away_from_camera(as_one_face(frame.given_clip_vertices(triangle)), rays) > 0.0f;
@@ -80,7 +82,7 @@ void SeenHintsWork::advance(const WorkLimit& limit) {
 /// The next rows; true: that were all.
 bool SeenHintsWork::count(const Frame& frame, const Framebuffer& picture, const WorkLimit& limit,
                           Count& count) {
-    const int rows = rows_within(limit, view_pixel_work, picture.size, count.rows);
+    const int rows = rows_within(limit, count_work, picture.size, count.rows);
     count_rows_seen(frame, picture, count.rows, count.rows + rows, count.seen);
     count.rows += rows;
     return count.rows == picture.size.height;

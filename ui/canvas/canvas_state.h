@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -11,7 +12,6 @@
 #include "inspect/triangle_fates.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
-#include "ui/canvas/hint_bar.h"
 #include "ui/widgets/picture_state.h"
 
 namespace rasterwalk {
@@ -42,6 +42,12 @@ struct LargeFrame {
     LargeFrameWish wish = LargeFrameWish::none;
     std::shared_ptr<const Scene> scene;
     std::optional<Settings> a, b; ///< of the two runs
+};
+
+/// Hints that the student does not want to see any more.
+struct HiddenHints {
+    std::weak_ptr<const Scene> scene; ///< of which they were
+    std::vector<std::string> acts;    ///< see SeenHint
 };
 
 /// What the canvas keeps from one frame to the next.
