@@ -424,7 +424,7 @@ std::vector<Setting> make_table() {
          "Drawing points", "world units",
          NumberSetting{[](Settings& s) -> float& { return s.far; }, smallest_near, largest_place,
                        0.1f}},
-        {"view_box", "Box at the near plane", "View volume",
+        {"view_box", "Box at near: l, r, b, t", "View volume",
          "The part of the near plane that fills the picture, in place of the focal length: "
          "left,right,bottom,top with y up, as glFrustum and glOrtho take them, or auto for the "
          "focal "

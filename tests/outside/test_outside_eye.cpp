@@ -111,9 +111,10 @@ TEST_CASE("Through the camera, what a box shows is as large as fits, whatever it
         view.is_camera = true;
         const OutsideEye eye = eye_of(view, things, size, 20.0);
         // A window as wide to its height as the box, in the middle, which touches two borders.
-        const double wide = settings.view_box->right - settings.view_box->left;
-        const double high = settings.view_box->top - settings.view_box->bottom;
-        const glm::dvec2 shown = glm::dvec2(wide, high) * (eye.focal_length / settings.near);
+        const ViewBox& box = *settings.view_box;
+        const glm::dvec2 sides_of_box =
+            glm::dvec2(box.right, box.top) - glm::dvec2(box.left, box.bottom);
+        const glm::dvec2 shown = sides_of_box * (eye.focal_length / settings.near);
         const glm::dvec2 room_for = 0.98 * (glm::dvec2(size) - 40.0);
         CAPTURE(i);
         CHECK(shown.x <= room_for.x + 1e-6);

@@ -293,7 +293,7 @@ TEST_CASE("A value that a setting does not take is refused with what it does tak
         assignment_refusal("view_box=0.1,-0.1,0,0.2") ==
         "view_box cannot be '0.1,-0.1,0,0.2': it takes auto or left,right,bottom,top, each from " +
             number_text(-largest_place) + " to " + number_text(largest_place) +
-            ", with right more than left and top more than bottom by at least 0.000001.");
+            ", with right more than left and top more than bottom by at least 1e-06.");
     for (const char* assignment : {"rounding=",
                                    "camera.yaw=",
                                    "camera.yaw=nan",
