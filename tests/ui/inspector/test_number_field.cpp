@@ -84,8 +84,8 @@ TEST_CASE("The sides of a box are typed one by one, and set back all at once") {
     set_from_text(settings, "near=1");
     driver.hand.click("tab.settings");
     // f = 500 shows 250 pixels to each side, which is 0.5 at the depth 1.
-    CHECK(words_in(driver.hand.find("setting.view_box.right")) == "0.5");
-    CHECK(words_in(driver.hand.find("setting.view_box.bottom")) == "−0.5");
+    CHECK(words_in(driver.hand.find("setting.view_box.right")) == "0.500");
+    CHECK(words_in(driver.hand.find("setting.view_box.bottom")) == "−0.500");
     driver.hand.enter("setting.view_box.right", "0.75");
     CHECK(settings.view_box == ViewBox{-0.5f, 0.75f, -0.5f, 0.5f});
     driver.hand.enter("setting.view_box.bottom", "0");

@@ -302,6 +302,11 @@ TEST_CASE("Name and value of every setting stand on one line, and nothing is cut
             CHECK(name.is_whole);
             CHECK(field.bottom_right.x <= window.x);
             if (scale > 1.0f) continue; // where a line is too short, a field of three stands below
+            if (std::holds_alternative<BoxSetting>(setting.kind)) {
+                // One of four always does.
+                CHECK(name.bottom_right.y <= field.top_left.y);
+                continue;
+            }
             CHECK(name.top_left.y >= field.top_left.y);
             CHECK(name.bottom_right.y <= field.bottom_right.y);
             CHECK(name.bottom_right.x < field.top_left.x);
