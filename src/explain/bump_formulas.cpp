@@ -23,6 +23,7 @@ class BumpFormulas {
         add_bitangent();
         add_arrow();
         add_sum();
+        if (report_.space) add_square();
     }
 
   private:
@@ -254,7 +255,9 @@ class BumpFormulas {
             Formula bent{
                 "bump.normal." + axis,
                 "n." + axis,
-                "The bent normal, made unit length: the one that the light asks for.",
+                report_.space ? "The bent normal in the world, made unit length."
+                              : "The bent normal, made unit length: the one that the light asks "
+                                "for.",
                 "s / |s|",
                 {of_formula("s", "sum." + axis, sum[i]), of_formula("|s|", "sum_length", length)},
                 {report_.normal[i]}};
@@ -266,6 +269,84 @@ class BumpFormulas {
             }
             formulas_.push_back(bent);
         }
+    }
+
+    /// A vector of three formulas, each with the expression and the inputs of its axis.
+    template <class Inputs>
+    void add_vector(const std::string& id, const std::string& symbol, const std::string& help,
+                    const std::string& expression, const glm::vec3& value, Inputs inputs) {
+        for (int i = 0; i < 3; ++i) {
+            const std::string axis = axis_names[static_cast<std::size_t>(i)];
+            add("square." + id + "." + axis, symbol + "." + axis, help, expression, inputs(i, axis),
+                value[i]);
+        }
+    }
+
+    /// The axes made perpendicular and of unit length, and the arrow along them.
+    void add_square() {
+        const SquaredAxes squared = squared_axes(report_.axes);
+        const glm::vec3 &t = report_.axes.tangent, &b = report_.axes.bitangent, &a = report_.arrow;
+        const SourcedVector tangent = vector_of("tangent", t);
+        std::vector<FormulaInput> inputs = parts_of_vector("t", tangent);
+        append_parts(inputs, "n", normal_);
+        add("square.lean", "t · n",
+            "How much of the tangent runs along the normal: nothing but rounding, unless the "
+            "normal is not of unit length.",
+            "t.x · n.x + t.y · n.y + t.z · n.z", inputs, squared.lean);
+        add("square.width", "|b|", "The length of the bitangent.", "sqrt(b.x² + b.y² + b.z²)",
+            parts_of_vector("b", vector_of("bitangent", b)), squared.width);
+        add_vector("upright", "u", "The normal without what of it runs along the tangent.",
+                   "n − t · (t · n)", squared.upright, [&](int i, const std::string& axis) {
+                       return std::vector<FormulaInput>{
+                           {"n", {normal_.value[i]}, normal_.sources[static_cast<std::size_t>(i)]},
+                           of_formula("t", "tangent." + axis, t[i]),
+                           of_formula("(t · n)", "square.lean", squared.lean)};
+                   });
+        add("square.height", "|u|", "Its length.", "sqrt(u.x² + u.y² + u.z²)",
+            parts_of_vector("u", vector_of("square.upright", squared.upright)), squared.height);
+        add_vector("t", "t", "The axis along which x of tangent space is measured: the tangent.",
+                   "t", squared.axes.tangent, [&](int i, const std::string& axis) {
+                       return std::vector<FormulaInput>{of_formula("t", "tangent." + axis, t[i])};
+                   });
+        add_vector("b", "b", "The axis of y: the bitangent, of unit length.", "b / |b|",
+                   squared.axes.bitangent, [&](int i, const std::string& axis) {
+                       return std::vector<FormulaInput>{
+                           of_formula("b", "bitangent." + axis, b[i]),
+                           of_formula("|b|", "square.width", squared.width)};
+                   });
+        add_vector("n", "n", "The axis of z: away from the surface, of unit length.", "u / |u|",
+                   squared.axes.normal, [&](int i, const std::string& axis) {
+                       return std::vector<FormulaInput>{
+                           of_formula("u", "square.upright." + axis, squared.upright[i]),
+                           of_formula("|u|", "square.height", squared.height)};
+                   });
+        add_local_normal(squared, a);
+    }
+
+    void add_local_normal(const SquaredAxes& squared, const glm::vec3& a) {
+        const glm::vec3 arrow = squared.arrow(a);
+        const FormulaInput z = of_formula("a.z", "arrow.z", a.z);
+        const std::string help = "The arrow along these axes: as it is, if they were perpendicular "
+                                 "and of unit length before.";
+        add("square.arrow.x", "m.x", help, "a.x + a.z · (t · n)",
+            {of_formula("a.x", "arrow.x", a.x), z,
+             of_formula("(t · n)", "square.lean", squared.lean)},
+            arrow.x);
+        add("square.arrow.y", "m.y", help, "a.y · |b|",
+            {of_formula("a.y", "arrow.y", a.y), of_formula("|b|", "square.width", squared.width)},
+            arrow.y);
+        add("square.arrow.z", "m.z", help, "a.z · |u|",
+            {z, of_formula("|u|", "square.height", squared.height)}, arrow.z);
+        const float length = glm::length(arrow);
+        add("square.length", "|m|", "Its length.", "sqrt(m.x² + m.y² + m.z²)",
+            parts_of_vector("m", vector_of("square.arrow", arrow)), length);
+        add_vector(
+            "normal", "n",
+            "The normal in tangent space, made unit length: the one that the light asks for.",
+            "m / |m|", report_.space->normal, [&](int i, const std::string& axis) {
+                return std::vector<FormulaInput>{of_formula("m", "square.arrow." + axis, arrow[i]),
+                                                 of_formula("|m|", "square.length", length)};
+            });
     }
 
     const BumpReport& report_;
@@ -294,6 +375,7 @@ BumpReport bump_report(const Fragment& fragment, const Surface& surface, const g
     report.colour = normal_map_colour(fragment, surface, frame.stages, &report.taken);
     report.arrow = frame.stages.arrow_of_texel(report.colour);
     report.normal = bent_normal(report.arrow, report.axes);
+    report.space = frame.stages.light_space(report.arrow, report.axes);
     return report;
 }
 
@@ -301,9 +383,11 @@ void append_bump_formulas(const BumpReport& report, const Frame& frame, int tria
                           LitPoint& point, std::vector<Formula>& formulas) {
     const SourcedVector normal = point.normal;
     BumpFormulas(report, frame, triangle, normal, formulas).append();
-    point.normal.value = report.normal;
+    if (report.space) point.space = {report.space->axes, report.normal};
+    point.normal.value = report.space ? report.space->normal : report.normal;
+    const std::string id = report.space ? "bump.square.normal." : "bump.normal.";
     for (std::size_t i = 0; i < 3; ++i)
-        point.normal.sources[i] = from_formula(std::string("bump.normal.") + axis_names[i]);
+        point.normal.sources[i] = from_formula(id + axis_names[i]);
 }
 
 } // namespace rasterwalk

@@ -16,6 +16,7 @@ struct BumpReport {
     glm::vec3 colour{0.0f}; ///< their mean by their weights, red green blue
     glm::vec3 arrow{0.0f};  ///< what the colour stands for, in the surface's own axes
     glm::vec3 normal{0.0f}; ///< bent, in the world, unit length
+    std::optional<TangentSpace> space{}; ///< in which the light is worked out; none: in the world
 
     /// How far the normal is bent away from that of the surface, degrees.
     double tilt() const;
@@ -35,8 +36,12 @@ BumpReport bump_report(const Fragment& fragment, const Surface& surface, const g
 ///     bump.colour.red ...             the mean of the texels
 ///     bump.arrow.a                    what it stands for
 ///     bump.sum.a bump.sum_length bump.normal.a
-/// bump.normal.a are the sources of the point's normal from then on. Where there are no axes they
-/// are all that is appended.
+/// and where the light is worked out in tangent space, by axes that are perpendicular:
+///     bump.square.lean bump.square.width bump.square.upright.a bump.square.height
+///     bump.square.t.a bump.square.b.a bump.square.n.a
+///     bump.square.arrow.a bump.square.length bump.square.normal.a
+/// bump.normal.a are the sources of the point's normal from then on, or bump.square.normal.a. Where
+/// there are no axes bump.normal.a is all that is appended.
 /// @param point with the normal of the surface, which is replaced by the bent one
 void append_bump_formulas(const BumpReport& report, const Frame& frame, int triangle,
                           LitPoint& point, std::vector<Formula>& formulas);

@@ -59,11 +59,30 @@ class HighlightMaker {
         return parts_of_vector(symbol, part_formulas(point_, symbol, value));
     }
 
-    glm::vec3 way_to_eye() const { return -sight_ray(point_.position.value, rays_); }
+    glm::vec3 way_in_world() const { return -sight_ray(point_.position.value, rays_); }
+    /// In the space in which the light is worked out.
+    glm::vec3 way_to_eye() const {
+        return point_.space ? along_axes(way_in_world(), point_.space->axes) : way_in_world();
+    }
     float eye_distance2() const { return glm::dot(way_to_eye(), way_to_eye()); }
 
-    /// From the point to the eye, by the rays of sight.
-    void add_way_to_eye(int i, const glm::vec3& to_eye) {
+    /// From the point to the eye in tangent space: how far along each axis.
+    void add_ways_along_axes() {
+        const SourcedVector way = part_formulas(point_, "eye", way_in_world());
+        const glm::vec3 along = way_to_eye();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::string symbol = std::string("e.") + axis_names[i];
+            formulas_.push_back(along_axis_formula(
+                point_.prefix + symbol, symbol,
+                std::string("From the point to the eye in tangent space: how far along ") +
+                    tangent_names[i] + ".",
+                "q", way, point_.space->axes, i, along[static_cast<int>(i)]));
+        }
+    }
+
+    /// From the point to the eye in the world, by the rays of sight.
+    /// @param id, symbol of the way without its axis
+    void add_way_to_eye(int i, const std::string& id, const std::string& symbol) {
         const std::string axis = axis_names[static_cast<std::size_t>(i)];
         const std::string camera = "C." + axis, place = "p." + axis;
         // In this order, as the shader has it: C − p would be 0 where this is −0.
@@ -81,7 +100,8 @@ class HighlightMaker {
                               from_words("the way the camera looks, of unit length")});
             inputs.push_back({"mix", {rays_.mix}, from_setting("projection_mix")});
         }
-        add("e." + axis, "e." + axis, "From the point to the eye.", expression, inputs, to_eye[i]);
+        add(id + "." + axis, symbol + "." + axis, "From the point to the eye.", expression, inputs,
+            way_in_world()[i]);
     }
 
     void add_directions() {
@@ -96,7 +116,8 @@ class HighlightMaker {
                 terms().to_light[i]);
         }
         for (int i = 0; i < 3; ++i)
-            add_way_to_eye(i, to_eye);
+            add_way_to_eye(i, point_.space ? "eye" : "e", point_.space ? "q" : "e");
+        if (point_.space) add_ways_along_axes();
         const float eye2 = eye_distance2();
         add("e2", "e²", "The distance to the eye, squared.", "e.x² + e.y² + e.z²",
             own_parts("e", to_eye), eye2);

@@ -117,6 +117,30 @@ std::vector<FormulaInput> parts_of_vector(const std::string& symbol, const Sourc
     return inputs;
 }
 
+SourcedVector axis_of_space(const TangentFrame& axes, std::size_t axis) {
+    SourcedVector vector{axis == 0 ? axes.tangent : axis == 1 ? axes.bitangent : axes.normal, {}};
+    for (std::size_t i = 0; i < 3; ++i)
+        vector.sources[i] =
+            from_formula(std::string("bump.square.") + tangent_names[axis] + "." + axis_names[i]);
+    return vector;
+}
+
+Formula along_axis_formula(const std::string& id, const std::string& name, const std::string& help,
+                           const std::string& symbol, const SourcedVector& way,
+                           const TangentFrame& axes, std::size_t axis, float result) {
+    const std::string along = tangent_names[axis];
+    Formula formula{id,
+                    name,
+                    help,
+                    symbol + ".x · " + along + ".x + " + symbol + ".y · " + along + ".y + " +
+                        symbol + ".z · " + along + ".z",
+                    parts_of_vector(symbol, way),
+                    {result}};
+    for (const FormulaInput& part : parts_of_vector(along, axis_of_space(axes, axis)))
+        formula.inputs.push_back(part);
+    return formula;
+}
+
 FormulaInput append_painted(const std::string& prefix, const std::string& help, int channel,
                             const FormulaInput& light, float texture,
                             std::vector<Formula>& formulas) {
@@ -195,16 +219,50 @@ void append_side_formulas(LitPoint& point, const SourcedVector& surface, const F
         point.normal.value[i] = lit;
         point.normal.sources[part] = from_formula(id);
     }
+    if (point.space) point.space->normal_world = side * point.space->normal_world;
 }
 
-void append_light_formulas(const LitPoint& point, const Frame& frame,
+namespace {
+
+/// The way to the lamp in tangent space: in the world first, and then along each axis.
+void append_way_along_axes(const LitPoint& point, const Light& light, bool is_turned_round,
                            std::vector<Formula>& formulas) {
-    const Settings& settings = frame.settings;
-    const LightTerms& terms = point.light.diffuse;
-    const LightRules& rules = settings.light_rules;
-    const Light light = light_rule(settings);
+    const SourcedVector& place = point.position;
+    SourcedVector way{light.position - place.value, {}};
+    for (int i = 0; i < 3; ++i) {
+        const auto part = static_cast<std::size_t>(i);
+        const std::string axis = axis_names[part], id = point.prefix + "way." + axis;
+        formulas.push_back({id,
+                            "w." + axis,
+                            "From the point to the lamp, in the world.",
+                            "L." + axis + " − p." + axis,
+                            {{"L." + axis,
+                              {light.position[i]},
+                              from_setting(light.place == LampPlace::camera ? "camera.position"
+                                                                            : "light.position")},
+                             {"p." + axis, {place.value[i]}, place.sources[part]}},
+                            {way.value[i]}});
+        way.sources[part] = from_formula(id);
+    }
+    for (int i = 0; i < 3; ++i) {
+        const auto part = static_cast<std::size_t>(i);
+        Formula along = along_axis_formula(
+            point.prefix + "r." + axis_names[part], std::string("r.") + axis_names[part],
+            std::string("From the point to the lamp in tangent space: how far along ") +
+                tangent_names[part] + ".",
+            "w", way, point.space->axes, part, point.light.diffuse.to_light[i]);
+        if (is_turned_round) {
+            along.help = "From the lamp to the point in tangent space, the wrong way round.";
+            along.expression = "0 − (" + along.expression + ")";
+        }
+        formulas.push_back(along);
+    }
+}
+
+/// The way to the lamp in the world.
+void append_way(const LitPoint& point, const Light& light, bool is_turned_round,
+                std::vector<Formula>& formulas) {
     const bool is_at_camera = light.place == LampPlace::camera;
-    const bool is_turned_round = rules.direction == LightDirection::from_light;
     for (int i = 0; i < 3; ++i) {
         const std::string axis = axis_names[i];
         const std::string lamp = "L." + axis, place = "p." + axis;
@@ -219,8 +277,23 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
                              {place,
                               {point.position.value[i]},
                               point.position.sources[static_cast<std::size_t>(i)]}},
-                            {terms.to_light[i]}});
+                            {point.light.diffuse.to_light[i]}});
     }
+}
+
+} // namespace
+
+void append_light_formulas(const LitPoint& point, const Frame& frame,
+                           std::vector<Formula>& formulas) {
+    const Settings& settings = frame.settings;
+    const LightTerms& terms = point.light.diffuse;
+    const LightRules& rules = settings.light_rules;
+    const Light light = light_rule(settings);
+    const bool is_turned_round = rules.direction == LightDirection::from_light;
+    if (point.space)
+        append_way_along_axes(point, light, is_turned_round, formulas);
+    else
+        append_way(point, light, is_turned_round, formulas);
     formulas.push_back({point.prefix + "r2",
                         "r²",
                         "The distance to the lamp, squared.",

@@ -27,6 +27,14 @@ struct LitPoint {
     SourcedVector reflectance;
     Shine shine{};
     SurfaceLight light; ///< as the functions of the table gave it
+    /// Where the light is worked out in tangent space: the axes, whose parts have the ids
+    /// bump.square.t.x ..., and the normal in the world, which shadows ask for. `normal` is that
+    /// along the axes then.
+    struct InSpace {
+        TangentFrame axes;
+        glm::vec3 normal_world{0.0f};
+    };
+    std::optional<InSpace> space{};
     /// The colour of a texture that the light as a whole is multiplied by, where that is done after
     /// it is worked out; none: it is not.
     std::optional<glm::vec3> paint{};
@@ -43,6 +51,20 @@ inline constexpr std::array<const char*, 3> channel_names{"red", "green", "blue"
 /// The parts of a vector as inputs: "n.x", "n.y", "n.z".
 std::vector<FormulaInput> parts_of_vector(const std::string& symbol, const SourcedVector& vector);
 
+/// The names of the axes of tangent space in ids and symbols.
+inline constexpr std::array<const char*, 3> tangent_names{"t", "b", "n"};
+
+/// One of the axes along which the light is worked out, whose parts have the ids bump.square.t.x
+/// ...
+/// @param axis 0 to 2: t, b, n
+SourcedVector axis_of_space(const TangentFrame& axes, std::size_t axis);
+
+/// A part of a way of the world along the axes of tangent space: their dot product.
+/// @param symbol of the way, and the formulas `way` + ".x" ... its parts
+Formula along_axis_formula(const std::string& id, const std::string& name, const std::string& help,
+                           const std::string& symbol, const SourcedVector& way,
+                           const TangentFrame& axes, std::size_t axis, float result);
+
 /// Appends how the normal comes to the side that is lit, where both are (light.sides=two): away,
 /// side (1, or -1: it is turned) and lit_n.x lit_n.y lit_n.z, which are the sources of the point's
 /// normal from then on. Where only one side is lit there is nothing to append.
@@ -51,8 +73,9 @@ std::vector<FormulaInput> parts_of_vector(const std::string& symbol, const Sourc
 void append_side_formulas(LitPoint& point, const SourcedVector& surface, const Frame& frame,
                           std::vector<Formula>& formulas);
 
-/// Appends, in this order and with these ids after the prefix: r.x r.y r.z, r2, cosine, area,
-/// those of shadow_formulas.h where something casts shadows, D.red D.green D.blue, those of
+/// Appends, in this order and with these ids after the prefix: where the light is worked out in
+/// tangent space way.x way.y way.z, the way to the lamp in the world; r.x r.y r.z, r2, cosine,
+/// area, those of shadow_formulas.h where something casts shadows, D.red D.green D.blue, those of
 /// highlight_formulas.h where the model has highlights, R.red ..., which has the highlight in it,
 /// colour.red ... (as the screen shows it). Where the point has paint, painted.red stands before
 /// colour.red, and so on; that is then what the screen shows.

@@ -55,12 +55,21 @@ class ShadowMaker {
     void add_ray() {
         for (std::size_t i = 0; i < 3; ++i) {
             const std::string axis = axis_names[i], normal = "n." + axis;
+            // The ray runs through the world, wherever the light is worked out.
+            const FormulaInput lifted =
+                point_.space
+                    ? FormulaInput{normal,
+                                   {point_.space->normal_world[static_cast<int>(i)]},
+                                   from_words("the bent normal in the world, on the lit side")}
+                    : FormulaInput{normal,
+                                   {point_.normal.value[static_cast<int>(i)]},
+                                   point_.normal.sources[i]};
             add("shadow.from." + axis, "o." + axis,
                 "Where the ray to the lamp begins: a little above the surface, along the normal.",
                 "p." + axis + " + ε · " + normal,
                 {place(i),
                  {"ε", {frame_.settings.shadow_rules.offset}, from_setting("shadow_offset")},
-                 {normal, {point_.normal.value[static_cast<int>(i)]}, point_.normal.sources[i]}},
+                 lifted},
                 terms_.ray.from[static_cast<int>(i)]);
         }
         for (std::size_t i = 0; i < 3; ++i) {

@@ -338,6 +338,16 @@ inline constexpr auto enum_words<NormalMapRule> = word_list("right", "green_turn
                                                             "mirror_missed", "undecoded");
 static_assert(words_match<NormalMapRule>);
 
+/// The space in which light meets the normals of a normal map. The picture is the same but for
+/// rounding.
+enum class NormalMapSpace : std::uint8_t {
+    world,   ///< the normal is taken from tangent space to the world
+    tangent, ///< the lamp and the eye are taken to tangent space
+};
+template <>
+inline constexpr auto enum_words<NormalMapSpace> = word_list("world", "tangent");
+static_assert(words_match<NormalMapSpace>);
+
 /// Which comes first, the depth test or the colour of a fragment. The picture is the same, the work
 /// is not.
 enum class DepthOrder : std::uint8_t {

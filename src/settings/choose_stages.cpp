@@ -349,6 +349,10 @@ void choose(NormalMapRule rule, Stages& stages) {
     }
 }
 
+void choose(NormalMapSpace space, Stages& stages) {
+    if (space == NormalMapSpace::tangent) stages.light_space = tangent_space;
+}
+
 using LightFunction = decltype(Stages::reflected_light);
 
 template <auto way, auto length, auto area>
@@ -535,6 +539,7 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.texture_wrap, stages);
     choose(settings.texel_rule, settings.texture_wrap, stages);
     choose(settings.normal_map_rule, stages);
+    choose(settings.normal_map_space, stages);
     choose(settings.light_rules, stages);
     choose(settings.shadows, stages);
     choose(settings.shadow_ray, stages);

@@ -320,6 +320,17 @@ std::vector<Setting> make_table() {
          false,
          false,
          true},
+        {.name = "normal_map_space",
+         .title = "Bumps lit in",
+         .group = "Texture",
+         .help = "Where light meets the normal of a normal map: in the world, to which the normal "
+                 "is taken, or in tangent space, to which the lamp and the eye are taken. The "
+                 "picture is the same but for rounding.",
+         .section = "Beyond the lab",
+         .unit = "",
+         .kind = choice<&Settings::normal_map_space>(),
+         .needs_texture = true,
+         .needs_normal_map = true},
         {"blend",
          "Half transparent",
          "Depth and interpolation",

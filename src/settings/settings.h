@@ -51,6 +51,7 @@ struct Settings {
     TexelRule texel_rule = TexelRule::right;
     NormalMapUse normal_map = NormalMapUse::on; ///< only where the scene has normal maps
     NormalMapRule normal_map_rule = NormalMapRule::right;
+    NormalMapSpace normal_map_space = NormalMapSpace::world;
     Blend blend = Blend::over; ///< only where the scene has something half transparent
     Camera camera;
     Rotation rotation = Rotation::row_vector;

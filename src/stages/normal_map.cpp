@@ -24,4 +24,27 @@ glm::vec3 bent_normal(const glm::vec3& arrow, const TangentFrame& axes) {
     return length > 0.0f ? sum / length : axes.normal;
 }
 
+std::optional<TangentSpace> world_space(const glm::vec3&, const TangentFrame&) {
+    return std::nullopt;
+}
+
+SquaredAxes squared_axes(const TangentFrame& axes) {
+    SquaredAxes squared;
+    squared.lean = glm::dot(axes.tangent, axes.normal);
+    squared.width = glm::length(axes.bitangent);
+    squared.upright = axes.normal - axes.tangent * squared.lean;
+    squared.height = glm::length(squared.upright);
+    squared.axes = {axes.tangent, axes.bitangent / squared.width, squared.upright / squared.height};
+    return squared;
+}
+
+std::optional<TangentSpace> tangent_space(const glm::vec3& arrow, const TangentFrame& axes) {
+    if (axes.bitangent == glm::vec3(0.0f)) return std::nullopt;
+    const SquaredAxes squared = squared_axes(axes);
+    const glm::vec3 normal = squared.arrow(arrow);
+    const float length = glm::length(normal);
+    if (!(squared.width > 0.0f && squared.height > 0.0f && length > 0.0f)) return std::nullopt;
+    return TangentSpace{squared.axes, normal / length};
+}
+
 } // namespace rasterwalk

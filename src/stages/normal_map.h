@@ -17,16 +17,23 @@
 // middle: (128, 128, 255) leans by a third of a degree. Green runs up here, toward smaller v, as
 // OpenGL's programs have it; a map made for green that runs down turns bumps into dents.
 //
+// Light and normal must meet in one space. Either the arrow is taken to the world, a t + b b' + c
+// n, or the ways to the lamp and to the eye are taken to tangent space, by the inverse of the
+// matrix whose columns are the axes. Its columns are perpendicular and of unit length, so the
+// inverse is the transpose: three dot products. The slant is the same, since such a matrix changes
+// no angle.
+//
 // The classic mistakes: to use the colour as it is, without 2 c - 1; to turn green; b = n x t
 // without the sign, so that mirrored halves of a model are lit from the wrong side.
 //
 // Source: J. F. Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978; M. Peercy, J. Airey,
-// B. Cabral, "Efficient Bump Mapping Hardware", SIGGRAPH 1997, on tangent space; E. Lengyel,
-// "Foundations of Game Engine Development 2", 2019, section 7.5, on t from texture coordinates and
-// on handedness.
+// B. Cabral, "Efficient Bump Mapping Hardware", SIGGRAPH 1997, on tangent space and on light in it;
+// E. Lengyel, "Foundations of Game Engine Development 2", 2019, section 7.5, on t from texture
+// coordinates and on handedness.
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -104,5 +111,51 @@ inline glm::vec3 arrow_of_texel(const glm::vec3& colour) {
 /// The arrow in the world, made unit length: the normal that the light asks for. Where there are no
 /// axes, or the arrow has no length, the normal stays as it is.
 glm::vec3 bent_normal(const glm::vec3& arrow, const TangentFrame& axes);
+
+/// A point's own space, in which light can be worked out in place of the world.
+struct TangentSpace {
+    TangentFrame axes;      ///< in the world, perpendicular to each other and of unit length
+    glm::vec3 normal{0.0f}; ///< that the normal map gives, along these axes; unit length
+};
+
+/// In the slot light_space: none, the light is worked out in the world.
+std::optional<TangentSpace> world_space(const glm::vec3& arrow, const TangentFrame& axes);
+
+/// In the slot light_space: the surface's own axes, with the arrow as it is but for its length.
+///
+/// Only axes that are perpendicular and of unit length leave lengths and angles as they are. Where
+/// the normal is not of unit length, as under light.renormalize=off, those of the surface are not
+/// such axes, and no inverse helps: with M for the matrix that has them as columns, r . (M a) is
+/// (M^T r) . a, and M^T is not the inverse of M then. So t stays; b, which is perpendicular to it,
+/// and what of n is perpendicular to both, are made unit length, and the arrow is written along
+/// these three. For axes that are good already that changes nothing but the last bits. The inverse
+/// of the result is its transpose, and the light is that in the world in every case.
+/// @return none where the surface has no axes or the arrow no length: then its normal stays as it
+///         is, in the world
+std::optional<TangentSpace> tangent_space(const glm::vec3& arrow, const TangentFrame& axes);
+
+/// A direction of the world along axes that are perpendicular and of unit length: by the inverse of
+/// the matrix that has them as columns, its transpose.
+inline glm::vec3 along_axes(const glm::vec3& direction, const TangentFrame& axes) {
+    return {glm::dot(direction, axes.tangent), glm::dot(direction, axes.bitangent),
+            glm::dot(direction, axes.normal)};
+}
+
+/// How axes are made perpendicular and of unit length, see tangent_space().
+struct SquaredAxes {
+    float lean = 0.0f;       ///< t . n; 0 but for rounding where n has unit length
+    float width = 0.0f;      ///< |b|
+    glm::vec3 upright{0.0f}; ///< n - t (t . n)
+    float height = 0.0f;     ///< its length
+    TangentFrame axes;       ///< made so
+
+    /// An arrow along the axes that were given, along those that were made; not unit length.
+    glm::vec3 arrow(const glm::vec3& given) const {
+        return {given.x + given.z * lean, given.y * width, given.z * height};
+    }
+};
+
+/// @param axes with a bitangent
+SquaredAxes squared_axes(const TangentFrame& axes);
 
 } // namespace rasterwalk

@@ -64,6 +64,7 @@ struct Stages {
     decltype(&rasterwalk::highlight) highlight = rasterwalk::highlight;
     decltype(&rasterwalk::arrow_of_texel) arrow_of_texel = rasterwalk::arrow_of_texel;
     decltype(&rasterwalk::tangent_frame) tangent_frame = rasterwalk::tangent_frame;
+    decltype(&world_space) light_space = world_space;
 
     // Shadow: how much of the lamp's light arrives, asked by surface_light() where something may
     // stand between; the way on which it may, and the texels of a map that are looked at.

@@ -12,9 +12,13 @@ SurfacePoint on_lit_side(SurfacePoint point, const SightRays& rays, const Stages
 SurfaceLight surface_light(const SurfacePoint& point, const Light& light, const SightRays& rays,
                            const Occluders* occluders, const Stages& stages) {
     SurfaceLight result;
-    result.diffuse =
-        stages.reflected_light(point.position_world, point.normal, point.reflectance, light);
+    // In its own space the point is the origin.
+    const glm::vec3 place = point.space ? glm::vec3(0.0f) : point.position_world;
+    const glm::vec3& normal = point.space ? point.space->normal : point.normal;
     Light arriving = light;
+    if (point.space)
+        arriving.position = along_axes(light.position - point.position_world, point.space->axes);
+    result.diffuse = stages.reflected_light(place, normal, point.reflectance, arriving);
     // From behind no light comes, whatever stands there.
     if (occluders != nullptr && result.diffuse.cosine > 0.0f) {
         result.shadow = stages.shadow(
@@ -22,14 +26,15 @@ SurfaceLight surface_light(const SurfacePoint& point, const Light& light, const 
             stages);
         if (result.shadow.is_dark()) {
             arriving.power = light.power * result.shadow.lit;
-            result.diffuse = stages.reflected_light(point.position_world, point.normal,
-                                                    point.reflectance, arriving);
+            result.diffuse = stages.reflected_light(place, normal, point.reflectance, arriving);
         }
     }
     result.reflected = result.diffuse.reflected;
     if (light.model == LightModel::lambert) return result;
+    const glm::vec3 to_eye = -sight_ray(point.position_world, rays);
     result.highlight = stages.highlight(
-        result.diffuse, {point.normal, -sight_ray(point.position_world, rays), point.shine},
+        result.diffuse,
+        {normal, point.space ? along_axes(to_eye, point.space->axes) : to_eye, point.shine},
         arriving.power);
     result.reflected = result.reflected + result.highlight.reflected;
     return result;
@@ -58,9 +63,9 @@ SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const P
     point.reflectance = textured(point.reflectance, fragment, surface, stages);
     // Which side it is the surface says, not its bumps: from behind, a bump is a dent.
     const float side = stages.light_side(point.position_world, point.normal, rules.rays);
-    if (surface.normal_map != nullptr)
-        point.normal = mapped_normal(point.normal, fragment, surface, stages);
+    if (surface.normal_map != nullptr) point = mapped_point(point, fragment, surface, stages);
     point.normal = side * point.normal;
+    if (point.space) point.space->normal = side * point.space->normal;
     return point;
 }
 
@@ -70,10 +75,14 @@ glm::vec3 normal_map_colour(const Fragment& fragment, const Surface& surface, co
                                  stages, taken);
 }
 
-glm::vec3 mapped_normal(const glm::vec3& normal, const Fragment& fragment, const Surface& surface,
-                        const Stages& stages) {
-    return bent_normal(stages.arrow_of_texel(normal_map_colour(fragment, surface, stages, nullptr)),
-                       stages.tangent_frame(surface.uv_directions, normal));
+SurfacePoint mapped_point(SurfacePoint point, const Fragment& fragment, const Surface& surface,
+                          const Stages& stages) {
+    const glm::vec3 arrow =
+        stages.arrow_of_texel(normal_map_colour(fragment, surface, stages, nullptr));
+    const TangentFrame axes = stages.tangent_frame(surface.uv_directions, point.normal);
+    point.normal = bent_normal(arrow, axes);
+    point.space = stages.light_space(arrow, axes);
+    return point;
 }
 
 SurfacePoint middle_point(const std::array<Vertex, triangle_corners>& corners,

@@ -30,9 +30,11 @@ struct SurfacePoint {
     glm::vec3 normal{0.0f}; ///< as the light has it
     glm::vec3 reflectance{1.0f};
     Shine shine{};
+    std::optional<TangentSpace> space{}; ///< in which the light is worked out; none: in the world
 };
 
-/// The light that a point gives back, with every term.
+/// The light that a point gives back, with every term. Directions are those of the space in which
+/// it was worked out; lengths are the same in both.
 struct SurfaceLight {
     LightTerms diffuse;
     HighlightTerms highlight;  ///< all zero under LightModel::lambert
@@ -68,9 +70,10 @@ SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const P
 glm::vec3 normal_map_colour(const Fragment& fragment, const Surface& surface, const Stages& stages,
                             TakenTexels* taken);
 
-/// The normal that the light asks for where the surface has this one: as its normal map bends it.
-glm::vec3 mapped_normal(const glm::vec3& normal, const Fragment& fragment, const Surface& surface,
-                        const Stages& stages);
+/// The point with its normal as the normal map of its surface bends it, and the space in which the
+/// light is worked out then; the surface must have a map.
+SurfacePoint mapped_point(SurfacePoint point, const Fragment& fragment, const Surface& surface,
+                          const Stages& stages);
 
 /// The point at which the light of a flatly shaded triangle is worked out: the mean of the corners
 /// that the scene gives it. Colours that differ count a third each.

@@ -1,6 +1,8 @@
 #include "explain/bump_formulas.h"
 
+#include <iterator>
 #include <set>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -20,6 +22,14 @@ using namespace rasterwalk;
 TEST_CASE("Every number of a bent normal follows from its formula to the bit") {
     test::Random random(5);
     std::set<float> signs;
+    int in_space = 0;
+    // What else is set along with each reading of the map.
+    const std::string_view others[] = {
+        "normal_map_space=world", "normal_map_space=tangent",
+        "normal_map_space=tangent light.model=blinn_phong light.sides=two",
+        "normal_map_space=tangent light.model=blinn_phong projection=orthographic shadows=rays",
+        "normal_map_space=tangent light.direction=from_light normal_w=one"};
+    int round = 0;
     for (const char* const name : {"studs", "brick-relief"}) {
         const Scene scene = read_scene(fmt::format("{}/scenes/{}.toml", lessons_folder(), name));
         for (const std::string_view rule : enum_words<NormalMapRule>) {
@@ -28,6 +38,9 @@ TEST_CASE("Every number of a bent normal follows from its formula to the bit") {
                 set_from_text(settings, "stage=pixel_light");
                 set_from_text(settings, fmt::format("normal_map_rule={}", rule));
                 set_from_text(settings, fmt::format("texture_filter={}", filter));
+                std::istringstream words{std::string(others[round++ % std::size(others)])};
+                for (std::string assignment; words >> assignment;)
+                    set_from_text(settings, assignment);
                 const Frame frame = prepare_frame(scene, settings);
                 for (int i = 0; i < 4; ++i) {
                     const Cursor at{random.integer(0, scene.triangle_count() - 1), Phase::rows,
@@ -56,12 +69,18 @@ TEST_CASE("Every number of a bent normal follows from its formula to the bit") {
                     }
                     CHECK(ids.size() == report->formulas.size());
                     CHECK(ids.count("bump.sum.x") == 1);
+                    const bool is_here = report->bump->space.has_value();
+                    CHECK(is_here == (settings.normal_map_space == NormalMapSpace::tangent));
+                    CHECK(ids.count("bump.square.normal.x") == (is_here ? 1u : 0u));
+                    CHECK(ids.count("pixel_light.way.x") == (is_here ? 1u : 0u));
+                    in_space += is_here ? 1 : 0;
                     CHECK(test::same_bits(report->colour, report->after));
                 }
             }
         }
     }
     CHECK(signs == std::set<float>{-1.0f, 1.0f});
+    CHECK(in_space > 10);
 }
 
 TEST_CASE("Without a normal map in force there is no bent normal to tell of") {

@@ -64,7 +64,8 @@ struct BumpCounts {
     int compared = 0, ties = 0;
 };
 
-/// Every pixel that is drawn, against the oracle.
+/// Every pixel that is drawn, against the oracle. Where the light is worked out in tangent space
+/// the oracle takes it there by the inverse of a matrix.
 BumpCounts check_picture(const Scene& scene, const Settings& settings, const std::string& name) {
     const Frame frame = prepare_frame(scene, settings);
     const NormalMapRule rule = settings.normal_map_rule;
@@ -103,10 +104,20 @@ BumpCounts check_picture(const Scene& scene, const Settings& settings, const std
         const glm::dvec3 weights = weights_at(frame, triangle, x, y);
         const glm::dvec3 normal =
             glm::normalize(mean_at(scene, triangle, weights, &Vertex::normal));
-        const glm::dvec3 bent = oracle_bent(scene, triangle, normal, read(part.normal_map), wrong);
-        const glm::dvec3 wanted = oracle_light(
-            mean_at(scene, triangle, weights, &Vertex::position), bent,
-            glm::dvec3(scene.corner(triangle, 0).reflectance) * read(part.texture), scene.light);
+        const glm::dmat3 axes = oracle_axes(scene, triangle, normal, wrong);
+        const glm::dvec3 arrow = oracle_arrow(read(part.normal_map), wrong);
+        const bool is_here = settings.normal_map_space == NormalMapSpace::tangent;
+        const glm::dmat3 taken = is_here ? glm::inverse(axes) : glm::dmat3(1.0);
+        const glm::dvec3 bent = glm::normalize(is_here ? arrow : axes * arrow);
+        const glm::dvec3 place = mean_at(scene, triangle, weights, &Vertex::position);
+        const glm::dvec3 way = taken * (glm::dvec3(scene.light.position) - place);
+        const Vertex& corner = scene.corner(triangle, 0);
+        glm::dvec3 wanted = oracle_light(
+            way, bent, glm::dvec3(corner.reflectance) * read(part.texture), scene.light);
+        if (settings.light.model == LightModel::blinn_phong) {
+            const glm::dvec3 to_eye = taken * (glm::dvec3(settings.camera.position) - place);
+            wanted += oracle_highlight(way, to_eye, bent, corner.shine, scene.light);
+        }
         if (is_tie) {
             ++counts.ties;
             continue;
@@ -155,6 +166,91 @@ TEST_CASE("Every pixel with a bent normal has the light that a second way in dou
         CHECK(counts.compared > 2000);
         CHECK(counts.ties == 0);
     }
+}
+
+namespace {
+
+/// The largest difference of a channel, and how many pixels differ in any bit.
+struct ColourDifference {
+    float largest = 0.0f;
+    int pixels = 0;
+};
+
+/// Fails where anything but the colours differs.
+ColourDifference colour_difference(const Framebuffer& a, const Framebuffer& b) {
+    ColourDifference found;
+    REQUIRE(a.colour.size() == b.colour.size());
+    CHECK(a.owner == b.owner);
+    CHECK(a.overdraw == b.overdraw);
+    for (std::size_t i = 0; i < a.colour.size(); ++i) {
+        if (!same_bits(a.depth[i], b.depth[i])) FAIL("the depth of pixel " << i << " differs");
+        found.pixels += same_bits(a.colour[i], b.colour[i]) ? 0 : 1;
+        for (int c = 0; c < 3; ++c) {
+            const float off = std::abs(a.colour[i][c] - b.colour[i][c]);
+            // In this order NaN counts.
+            if (!(off <= found.largest)) found.largest = off;
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+TEST_CASE("Light in tangent space: every pixel as an inverse matrix in double has it") {
+    Scene sheet = bent_sheet(), shining = bent_sheet();
+    shining.mesh = {};
+    for (int t = 0; t < sheet.triangle_count(); ++t) {
+        std::array<Vertex, triangle_corners> corners = corners_of(sheet, t);
+        for (Vertex& corner : corners)
+            corner.shine = {{0.6f, 0.5f, 0.4f}, 20.0f};
+        shining.mesh.add_triangle_of(corners);
+    }
+    for (const std::string_view rule : enum_words<NormalMapRule>) {
+        for (const Scene* const scene : {&sheet, &shining}) {
+            Settings settings = bumpy_settings(*scene, rule, "trilinear");
+            settings.normal_map_space = NormalMapSpace::tangent;
+            if (scene == &shining) settings.light.model = LightModel::blinn_phong;
+            const std::string name = fmt::format("tangent {} {}", rule, scene == &shining);
+            const BumpCounts counts = check_picture(*scene, settings, name);
+            INFO(name);
+            CHECK(counts.compared > 400);
+            CHECK(counts.ties * 20 < counts.compared);
+        }
+    }
+}
+
+TEST_CASE("The light in tangent space is the light in the world, by every rule of the light") {
+    const char* const rules[] = {
+        "normal_map_rule=right", "normal_map_rule=green_turned", "normal_map_rule=mirror_missed",
+        "normal_map_rule=undecoded", "light.model=blinn_phong", "light.sides=two",
+        "light.direction=from_light", "light.falloff=cubed", "light.highlight=long_half",
+        "light.place=camera", "shadows=rays", "shadows=map", "projection=orthographic",
+        // Under these the axes of the surface are not of unit length.
+        "light.renormalize=off", "normal_w=one"};
+    Scene flipped = bent_sheet();
+    flipped.light.position = {0.3f, -0.4f, 4.0f}; // behind the sheet
+    int differing = 0;
+    for (Scene scene : {bent_sheet(), flipped, relief("studs"), relief("brick-relief")}) {
+        if (scene.viewport.width > 60) {
+            scene.viewport = {scene.viewport.width / 4, scene.viewport.height / 4};
+            scene.camera.focal_length /= 4.0f;
+        }
+        for (const char* const rule : rules) {
+            Settings settings = bumpy_settings(scene, "right", "bilinear");
+            set_from_text(settings, "shadow_resolution=64");
+            set_from_text(settings, "light.model=blinn_phong");
+            set_from_text(settings, rule);
+            const Framebuffer in_world = draw_frame(prepare_frame(scene, settings));
+            settings.normal_map_space = NormalMapSpace::tangent;
+            const Framebuffer here = draw_frame(prepare_frame(scene, settings));
+            CAPTURE(scene.name, rule);
+            const ColourDifference found = colour_difference(in_world, here);
+            CHECK(found.largest <= 1.0f / 255.0f);
+            differing += found.pixels;
+        }
+    }
+    // It is another computation: the last bits tell.
+    CHECK(differing > 1'000);
 }
 
 TEST_CASE("A normal map that is not asked costs nothing and changes nothing") {

@@ -70,6 +70,7 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "texel_rule",
                                                  "normal_map",
                                                  "normal_map_rule",
+                                                 "normal_map_space",
                                                  "blend",
                                                  "camera.position",
                                                  "camera.yaw",
@@ -181,6 +182,7 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     CHECK(settings.texel_rule == TexelRule::remainder);
     CHECK(settings.normal_map == NormalMapUse::off);
     CHECK(settings.normal_map_rule == NormalMapRule::undecoded);
+    CHECK(settings.normal_map_space == NormalMapSpace::tangent);
     CHECK(settings.rotation == Rotation::transposed);
     CHECK(settings.camera.aim == CameraAim::look_at);
     CHECK(settings.transform == Transform::matrices);

@@ -3,9 +3,13 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
 #include "mistakes/normal_map.h"
 #include "scene/height_map.h"
 #include "support/painted.h"
+#include "support/random.h"
 #include "tests/support/catch.h"
 
 using namespace rasterwalk;
@@ -102,6 +106,67 @@ TEST_CASE(
     CHECK(std::acos(-static_cast<double>(askew.z)) * 57.29577951 == Approx(35.2644).margin(0.001));
     // Grey has no direction at all.
     CHECK(bent_normal(arrow_of_texel(glm::vec3(0.5f)), axes) == to_camera);
+}
+
+namespace {
+
+glm::dvec3 along(const glm::dmat3& axes, const glm::dvec3& vector) {
+    return glm::inverse(axes) * vector;
+}
+
+glm::vec3 any_direction(test::Random& random) {
+    return glm::normalize(
+        glm::vec3(random.number(-1, 1), random.number(-1, 1), random.number(0.2, 1)));
+}
+
+} // namespace
+
+TEST_CASE("Tangent space: the arrow as it is, and a light taken there by the inverse in double") {
+    test::Random random(2329);
+    const UvDirections uv = uv_directions(wall({0.1f, 0.2f}, {0.9f, 0.5f}, {-0.3f, 0.8f}));
+    double worst_askew = 0.0;
+    for (int i = 0; i < 300; ++i) {
+        const float length = i % 3 == 0 ? random.number(0.2, 0.95) : 1.0f;
+        const TangentFrame given = tangent_frame(uv, any_direction(random) * length);
+        const glm::vec3 arrow = any_direction(random), light = 3.0f * any_direction(random);
+        const std::optional<TangentSpace> space = tangent_space(arrow, given);
+        REQUIRE(space);
+        const TangentFrame& axes = space->axes;
+        const glm::dmat3 square(axes.tangent, axes.bitangent, axes.normal);
+        const glm::dmat3 unit = glm::transpose(square) * square;
+        for (int column = 0; column < 3; ++column) {
+            for (int row = 0; row < 3; ++row)
+                CHECK(std::abs(unit[column][row] - (column == row ? 1.0 : 0.0)) < 1e-5);
+        }
+        const glm::dvec3 taken = along(square, glm::dvec3(light));
+        CHECK(glm::distance(glm::dvec3(along_axes(light, axes)), taken) < 1e-5);
+        // The slant in the world, by the axes as they were given.
+        const glm::dmat3 as_given(given.tangent, given.bitangent, given.normal);
+        const double wanted =
+            glm::dot(glm::dvec3(light), glm::normalize(as_given * glm::dvec3(arrow)));
+        CHECK(glm::dot(taken, glm::dvec3(space->normal)) == Approx(wanted).margin(1e-5));
+        if (length == 1.0f) {
+            check_vector(space->normal, arrow);
+            check_vector(axes.normal, given.normal);
+        } else {
+            // Here the inverse of the given axes would be another light.
+            const double askew = glm::dot(along(as_given, glm::dvec3(light)), glm::dvec3(arrow));
+            worst_askew = std::max(worst_askew, std::abs(askew - wanted));
+        }
+    }
+    CHECK(worst_askew > 0.1);
+    CHECK_FALSE(world_space({0, 0, 1}, tangent_frame(uv, to_camera)));
+}
+
+TEST_CASE("Without axes, or without an arrow, there is no tangent space") {
+    const TangentFrame axes = tangent_frame(uv_directions(wall({0, 0}, {1, 0}, {0, 1})), to_camera);
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    CHECK(tangent_space({0, 0, 1}, axes));
+    CHECK_FALSE(tangent_space({0, 0, 0}, axes));
+    CHECK_FALSE(tangent_space({none, 0, 1}, axes));
+    CHECK_FALSE(tangent_space({0, 0, 1}, tangent_frame({}, to_camera)));
+    CHECK_FALSE(tangent_space(
+        {0, 0, 1}, tangent_frame(uv_directions(wall({0, 0}, {1, 0}, {0, 1})), glm::vec3(0.0f))));
 }
 
 TEST_CASE("A height map rises to the right and up as its normals lean to the left and down") {

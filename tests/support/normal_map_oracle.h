@@ -49,9 +49,9 @@ auto mean_at(const Scene& scene, int triangle, const glm::dvec3& weights, Value 
     return sum;
 }
 
-/// The normal of a triangle with this one, bent by a colour of its normal map.
-inline glm::dvec3 oracle_bent(const Scene& scene, int triangle, const glm::dvec3& normal,
-                              const glm::dvec3& colour, const WrongNormals& wrong) {
+/// The axes of a triangle with this normal, as columns: tangent, bitangent, normal.
+inline glm::dmat3 oracle_axes(const Scene& scene, int triangle, const glm::dvec3& normal,
+                              const WrongNormals& wrong) {
     std::array<glm::dvec3, 3> places;
     std::array<glm::dvec2, 3> uvs;
     for (int v = 0; v < 3; ++v) {
@@ -73,20 +73,38 @@ inline glm::dvec3 oracle_bent(const Scene& scene, int triangle, const glm::dvec3
     glm::dvec3 b = glm::normalize(up - normal * glm::dot(up, normal) - t * glm::dot(up, t));
     // n, b and t make a right hand, so that b = n x t, only where nothing is mirrored.
     if (wrong.mirror_missed && glm::determinant(glm::dmat3(t, b, normal)) < 0.0) b = -b;
+    return {t, b, normal};
+}
+
+/// What a colour of a normal map stands for.
+inline glm::dvec3 oracle_arrow(const glm::dvec3& colour, const WrongNormals& wrong) {
     glm::dvec3 arrow = wrong.undecoded ? colour : colour / 0.5 - glm::dvec3(1.0);
     if (wrong.green_down) arrow.y = -arrow.y;
-    return glm::normalize(glm::dmat3(t, b, normal) * arrow);
+    return arrow;
 }
 
 /// R = rho (P max(0, n . r) / (4 pi r^2) + N) at unit r.
-inline glm::dvec3 oracle_light(const glm::dvec3& place, const glm::dvec3& normal,
+/// @param way from the point to the lamp, in the space of the normal
+inline glm::dvec3 oracle_light(const glm::dvec3& way, const glm::dvec3& normal,
                                const glm::dvec3& reflectance, const Light& light) {
-    const glm::dvec3 way = glm::dvec3(light.position) - place;
     const double distance = glm::length(way);
     const double slant = std::max(0.0, glm::dot(way, normal) / distance);
     const glm::dvec3 direct =
         glm::dvec3(light.power) * (slant / (4.0 * 3.14159265358979 * distance * distance));
     return reflectance * (direct + glm::dvec3(light.indirect));
+}
+
+/// S = k P (n . h)^e / (4 pi r^2), the highlight of Blinn and Phong, where the lamp is in front.
+/// @param way, to_eye from the point, in the space of the normal
+inline glm::dvec3 oracle_highlight(const glm::dvec3& way, const glm::dvec3& to_eye,
+                                   const glm::dvec3& normal, const Shine& shine,
+                                   const Light& light) {
+    if (glm::dot(way, normal) <= 0.0) return glm::dvec3(0.0);
+    const glm::dvec3 half = glm::normalize(glm::normalize(way) + glm::normalize(to_eye));
+    const double share =
+        std::pow(std::max(0.0, glm::dot(normal, half)), static_cast<double>(shine.exponent));
+    return glm::dvec3(shine.specular) * glm::dvec3(light.power) *
+           (share / (4.0 * 3.14159265358979 * glm::dot(way, way)));
 }
 
 /// The levels of a texture of a scene.

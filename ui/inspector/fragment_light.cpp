@@ -109,7 +109,11 @@ void draw_bump(Ui& ui) {
         draw_fragment_line(ui, "bump.handedness");
     }
     draw_bump_line(ui, "n", "normal", axis_names, bump.normal,
-                   "The normal that the light has: as the normal map bends it.");
+                   bump.space ? "The normal in the world, as the normal map bends it."
+                              : "The normal that the light has: as the normal map bends it.");
+    if (!bump.space) return;
+    draw_bump_line(ui, "in t, b, n", "square.normal", axis_names, bump.space->normal,
+                   "The normal that the light has, along the axes of tangent space.");
 }
 
 /// The light at one point, term by term.
