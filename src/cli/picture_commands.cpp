@@ -181,7 +181,7 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
     std::vector<std::string> hints;
     if (session.cursor == cursor_end) {
         for (const SeenHint& hint : seen_hints(frame, framebuffer))
-            hints.push_back(hint.seen + ": " + hint.help);
+            hints.push_back(hint.seen + "; " + hint.help);
     }
     std::optional<CullingCosts> costs;
     if (options.time) costs = culling_costs(*session.scene, settings, session.cursor, clock);

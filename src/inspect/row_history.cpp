@@ -99,9 +99,10 @@ void keep_tested(const Frame& frame, int triangle, const Cursor& to, PolygonRows
     for (int i = 0; i < tested_row_count(tested); ++i) {
         const TestedRow box = tested_row(tested, i);
         const TestedTriangle& of = tested.triangles[static_cast<std::size_t>(box.triangle)];
-        const int asked_last = tests_done(box, triangle, i, to).last;
+        const ColumnRange asked = tests_done(box, triangle, i, to);
+        if (asked.count() == 0) continue;
         const ColumnRange covered = covered_columns(of, box.row);
-        const int last = std::min(covered.last, asked_last);
+        const int last = std::min(covered.last, asked.last);
         if (covered.first > last) continue;
         const auto row = static_cast<std::size_t>(box.row - rows.first_row);
         const auto end = [&](int column) {

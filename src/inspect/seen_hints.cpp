@@ -1,6 +1,6 @@
 #include "inspect/seen_hints.h"
 
-#include <string_view>
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -41,6 +41,12 @@ void count_rows_seen(const Frame& frame, const Framebuffer& picture, int from, i
     }
 }
 
+/// Is every part of the scene transparent by its material?
+bool is_clear(const Scene& scene) {
+    return std::all_of(scene.parts.begin(), scene.parts.end(),
+                       [](const Part& part) { return is_invisible(glm::vec3(part.alpha)); });
+}
+
 /// "blend=off, the setting 'Half transparent',"
 std::string named(const std::vector<std::string>& assignments) {
     std::string text;
@@ -63,7 +69,8 @@ SeenPixels count_seen(const Frame& frame, const Framebuffer& picture) {
 SeenHintsWork::SeenHintsWork(const Frame& frame, const Framebuffer& picture)
     : frame_(&frame), picture_(&picture) {
     is_done_ = !frame.scene->model_report || !has_fragments(frame.settings.stage) ||
-               picture.owner.size() > most_hinted_pixels;
+               picture.owner.size() > most_hinted_pixels ||
+               frame.triangle_count() > most_hinted_triangles;
 }
 
 void SeenHintsWork::advance(const WorkLimit& limit) {
@@ -72,9 +79,7 @@ void SeenHintsWork::advance(const WorkLimit& limit) {
         if (count(*frame_, *picture_, limit, now_)) choose_tries();
     } else if (draw_try(limit)) {
         is_begun_ = false;
-        const Try& tried = tries_[done_++];
-        // What is transparent is no matter of light.
-        if (tried.way == Way::opaque && tried.seen.lit > 0) tries_.resize(done_);
+        ++done_;
     }
     is_done_ = now_.rows == picture_->size.height && done_ == tries_.size();
 }
@@ -95,14 +100,16 @@ void SeenHintsWork::choose_tries() {
         if (!assignments.empty()) tries_.push_back({way, std::move(assignments), {}});
     };
     const SeenPixels& seen = now_.seen;
+    if (seen.lit == 0) {
+        std::vector<std::string> opaque;
+        if (has_alpha(scene) && settings.blend != Blend::off) opaque.emplace_back("blend=off");
+        if (has_texture_alpha(scene) && settings.texture_alpha != TextureAlpha::off)
+            opaque.emplace_back("texture_alpha=off");
+        add(Way::opaque, std::move(opaque));
+    }
     if (settings.cull == Cull::none && 2 * seen.backs > seen.surface)
         add(Way::without_backs, {"cull=face_normal"});
     if (seen.lit > 0) return;
-    std::vector<std::string> opaque;
-    if (has_alpha(scene) && settings.blend != Blend::off) opaque.emplace_back("blend=off");
-    if (has_texture_alpha(scene) && settings.texture_alpha != TextureAlpha::off)
-        opaque.emplace_back("texture_alpha=off");
-    add(Way::opaque, std::move(opaque));
     if (seen.surface == 0 || shading_rule(settings) == Shading::unlit) return;
     if (settings.light_rules.sides != LightSides::two)
         add(Way::lit_from_both_sides, {"light.sides=two"});
@@ -113,6 +120,8 @@ void SeenHintsWork::begin_try() {
     Settings settings = frame_->settings;
     for (const std::string& assignment : tries_[done_].settings)
         set_from_text(settings, assignment);
+    other_.tessellated = frame_->tessellated;
+    other_.occluders = frame_->occluders;
     preparation_ = begin_frame(*frame_->given, settings, frame_->replace, other_);
     is_prepared_ = false;
     other_count_ = {};
@@ -150,16 +159,20 @@ SeenHint SeenHintsWork::hint_of(const Try& tried) const {
     SeenHint hint{{}, {}, {}, tried.settings, {}};
     switch (tried.way) {
     case Way::without_backs:
-        hint.seen = fmt::format("Most of what you see are backs, {} of {}", now_.seen.backs, all);
+        hint.seen = fmt::format("Most of what you see is backs, {} of {}", now_.seen.backs, all);
         hint.in_short = "Mostly backs";
         hint.act = "leave them out";
         hint.help = settings + " shows what is behind them.";
         break;
     case Way::opaque:
-        hint.seen = "The model is transparent: nothing of it is seen";
-        hint.in_short = "Transparent";
+        hint.seen = is_clear(*frame_->scene) || now_.seen.surface == 0
+                        ? "The model is transparent: nothing of it is seen"
+                        : "All that you see is black or transparent";
+        hint.in_short = "Nothing seen";
         hint.act = "draw it opaque";
-        hint.help = fmt::format("{} shows {} of it.", settings, pixels(tried.seen.lit));
+        hint.help =
+            fmt::format("{} {} {} of it.", settings, tried.settings.size() == 1 ? "shows" : "show",
+                        pixels(tried.seen.lit));
         break;
     case Way::lit_from_both_sides:
         hint.act = "light both sides";

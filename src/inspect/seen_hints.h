@@ -29,15 +29,17 @@ struct SeenPixels {
 /// Counts them in one pass over the owners and colours of a picture of this frame.
 SeenPixels count_seen(const Frame& frame, const Framebuffer& picture);
 
-/// In larger pictures no hint is looked for: another framebuffer of that size is too much memory.
+/// In larger pictures, and of models of more triangles, no hint is looked for: to have another
+/// framebuffer or frame of that size beside the one on show is too much memory.
 inline constexpr std::size_t most_hinted_pixels = std::size_t{1} << 23;
+inline constexpr int most_hinted_triangles = 1'000'000;
 
 /// Something to say of a whole picture, and what helps.
 struct SeenHint {
-    std::string seen;                  ///< "Most of what you see are backs, 90 of 100 pixels"
+    std::string seen;                  ///< "Most of what you see is backs, 90 of 100 pixels"
     std::string in_short;              ///< the same where there is little room: "Mostly backs"
     std::string act;                   ///< what to do about it, on a button: "leave them out"
-    std::vector<std::string> settings; ///< which do it: name=value
+    std::vector<std::string> settings; ///< that do it: name=value
     std::string help;                  ///< what they are called, and what they do: one sentence
 
     friend bool operator==(const SeenHint&, const SeenHint&) = default;
@@ -46,11 +48,13 @@ struct SeenHint {
 /// Looks for what there is to say of the whole picture of a model: that most of what is seen are
 /// backs, that all of it is transparent, or black. It names only what it has tried and counted;
 /// that draws the picture again, up to four times. It finds nothing where no setting helps, nor in
-/// scenes that are no models, where it is meant, nor in pictures of more than most_hinted_pixels.
+/// scenes that are no models, where it is meant.
 class SeenHintsWork {
   public:
     /// @param picture the finished picture of the frame; both must live as long
     SeenHintsWork(const Frame& frame, const Framebuffer& picture);
+    SeenHintsWork(const SeenHintsWork&) = delete; // its parts refer to each other
+    SeenHintsWork& operator=(const SeenHintsWork&) = delete;
 
     /// Goes on as far as the limit allows. A picture that is more than `most` is not tried.
     void advance(const WorkLimit& limit = {});

@@ -9,7 +9,6 @@
 #include "base/element_names.h"
 #include "base/numbers.h"
 #include "picture/colour_map.h"
-#include "pipeline/draw.h"
 
 namespace rasterwalk {
 
@@ -159,16 +158,6 @@ std::vector<WireEdge> find_wires(const Frame& frame) {
     return wires;
 }
 
-/// What is drawn of a triangle before the cursor, as if there were no other.
-Framebuffer draw_alone(const Frame& frame, int triangle, const Cursor& cursor) {
-    Framebuffer alone;
-    clear(alone, frame);
-    const Cursor from{triangle, Phase::vertices, 0, 0};
-    const Cursor to = std::min(cursor, behind_triangle(triangle));
-    if (to > from) draw(frame, {from, to, std::nullopt}, alone);
-    return alone;
-}
-
 Image compose_image(const Framebuffer& framebuffer, OverlaySet shown, const Amounts& amounts) {
     Image image{framebuffer.size.width, framebuffer.size.height, {}};
     image.rgba.resize(4 * framebuffer.owner.size());
@@ -225,8 +214,8 @@ const std::array<OverlayInfo, overlay_count>& overlay_list() {
         {Overlay::wireframe, "wireframe",
          "The true edges of all triangles: straight lines between the projected vertices."},
         {Overlay::alone, "one triangle alone",
-         "Fills the triangle on show as far as it is drawn, whatever lies before it; of all others "
-         "only the edges are seen."},
+         "Fills the triangle on show as far as it is drawn, whatever lies in front of it; of all "
+         "others only the edges are seen."},
         {Overlay::owner, "triangle owner",
          "Tints every triangle in a colour of its own and names the one under the pointer."},
         {Overlay::overdraw, "overdraw", "How many fragments fell on each pixel, drawn or not."},
@@ -256,8 +245,7 @@ FactsWanted facts_wanted(OverlaySet overlays) {
 }
 
 void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffer& framebuffer,
-                      OverlaySet overlays, const std::optional<int>& triangle, bool same_moment,
-                      OverlayPicture& picture) {
+                      OverlaySet overlays, bool same_moment, OverlayPicture& picture) {
     picture.shown = overlays;
     const FactsWanted wanted = facts_wanted(overlays);
     if (!same_moment || !picture.facts.known.includes(wanted)) {
@@ -265,16 +253,11 @@ void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffe
     }
     picture.totals = count_totals(frame, framebuffer, overlays, picture.facts);
     picture.wires.clear();
-    const bool is_alone = overlays.has(Overlay::alone);
-    if (overlays.has(Overlay::wireframe) || is_alone) {
+    if (overlays.has(Overlay::wireframe) || overlays.has(Overlay::alone)) {
         picture.wires = find_wires(frame);
         picture.totals.wires = static_cast<int>(picture.wires.size());
         if (picture.wires.size() > most_wires) picture.wires.resize(most_wires);
     }
-    picture.triangle = triangle;
-    picture.alone = is_alone && triangle ? draw_alone(frame, *triangle, cursor) : Framebuffer{};
-    picture.totals.alone = std::count_if(picture.alone.owner.begin(), picture.alone.owner.end(),
-                                         [](std::int32_t owner) { return owner >= 0; });
     OverlaySet tints = overlays;
     tints.set(Overlay::wireframe, false);
     tints.set(Overlay::alone, false);
@@ -360,9 +343,9 @@ std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPict
         return fmt::format("at most {:.3f}, mean {:.3f} world units", totals.largest_error,
                            totals.mean_error);
     case Overlay::alone:
-        if (!picture.triangle) return "no triangle is on show";
-        return fmt::format("{}, {} drawn", triangle_name(*picture.triangle),
-                           counted(totals.alone, "pixel", "pixels"));
+        if (!picture.lone.triangle()) return "no triangle is on show";
+        return fmt::format("{}, {} drawn", triangle_name(*picture.lone.triangle()),
+                           counted(picture.lone.pixels(), "pixel", "pixels"));
     }
     return {};
 }
@@ -409,7 +392,8 @@ std::string overlay_value(Overlay overlay, const Frame& frame, const Framebuffer
         return owner < 0 ? "none"
                          : decimals(static_cast<double>(picture.facts.affine_error[at]), 4);
     case Overlay::alone:
-        return !picture.alone.owner.empty() && picture.alone.owner[at] >= 0 ? "drawn" : "not drawn";
+        return picture.lone.triangle() && picture.lone.picture().owner[at] >= 0 ? "drawn"
+                                                                                : "not drawn";
     }
     return {};
 }

@@ -16,6 +16,7 @@
 
 #include "base/enum_words.h"
 #include "base/image.h"
+#include "picture/lone_triangle.h"
 #include "picture/pixel_facts.h"
 #include "pipeline/framebuffer.h"
 
@@ -23,7 +24,7 @@ namespace rasterwalk {
 
 enum class Overlay : std::uint8_t {
     wireframe,    ///< the edges of all triangles that are drawn, as lines
-    alone,        ///< the triangle on show is filled, whatever lies before it; all others are lines
+    alone,        ///< only the triangle on show is filled; all others are lines
     owner,        ///< each triangle tinted in a colour of its own
     overdraw,     ///< how many fragments fell on the pixel
     drawn_twice,  ///< pixels on which two neighbours both drew; see PixelFacts
@@ -93,7 +94,6 @@ struct OverlayTotals {
     std::int64_t uncovered = 0; ///< pixels
     std::int64_t over_one = 0;  ///< pixels
     float brightest = 0.0f;     ///< largest channel of any pixel
-    std::int64_t alone = 0;     ///< pixels of the triangle that is alone
     float largest_error = 0.0f; ///< world units
     double mean_error = 0.0;    ///< world units, over the pixels that are covered
 };
@@ -104,18 +104,15 @@ struct OverlayPicture {
     PixelFacts facts;
     OverlayTotals totals;
     std::vector<WireEdge> wires; ///< at most most_wires
-    std::optional<int> triangle; ///< on show
-    Framebuffer alone; ///< that triangle and nothing else, if it is to be alone; otherwise
-                       ///< without pixels
-    Image image;       ///< all overlays that tint the picture; without pixels if there is none
+    LoneTriangle lone;           ///< on show, while it is to be alone
+    Image image; ///< all overlays that tint the picture; without pixels if there is none
 };
 
 /// Makes what is shown over the framebuffer that stands at `cursor`. Facts that `picture` has
 /// already are kept if `same_moment`: the frame and the cursor are those of the last call.
-/// @param triangle on show; none: nothing is alone
+/// What is alone is drawn by itself: see LoneTriangle.
 void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffer& framebuffer,
-                      OverlaySet overlays, const std::optional<int>& triangle, bool same_moment,
-                      OverlayPicture& picture);
+                      OverlaySet overlays, bool same_moment, OverlayPicture& picture);
 
 /// The picture as the ground of overlays: without colour, and darker, so that every tint can be
 /// told from what lies below it.

@@ -139,14 +139,14 @@ glm::vec<3, std::uint8_t> overdraw_colour(std::uint32_t fragments, std::uint32_t
 }
 
 Image view_image(const Framebuffer& framebuffer, View view,
-                 const std::optional<DepthInterval>& depths) {
+                 const std::optional<DepthInterval>& depths, std::uint32_t most) {
     Image image;
-    make_view_image(framebuffer, view, depths, image);
+    make_view_image(framebuffer, view, depths, image, most);
     return image;
 }
 
 void make_view_image(const Framebuffer& framebuffer, View view,
-                     const std::optional<DepthInterval>& depths, Image& image) {
+                     const std::optional<DepthInterval>& depths, Image& image, std::uint32_t most) {
     image.width = framebuffer.size.width;
     image.height = framebuffer.size.height;
     image.rgba.resize(4 * framebuffer.colour.size());
@@ -155,7 +155,8 @@ void make_view_image(const Framebuffer& framebuffer, View view,
         scales.depths = shown_depths(framebuffer.rules.depth_kind, depths,
                                      depths ? std::nullopt : present_depths(framebuffer));
     }
-    if (view == View::overdraw) {
+    if (most > 0) scales.most = most;
+    if (view == View::overdraw && most == 0) {
         for (const std::uint32_t overdraw : framebuffer.overdraw)
             scales.most = std::max(scales.most, overdraw);
     }

@@ -99,12 +99,15 @@ glm::vec3 shown_colour(const glm::vec3& colour, const ScreenRules& screen);
 /// from far to near, and what lies outside the range takes the colour of its end; overdraw from 0
 /// to the largest count; triangles get colours that neighbours tell apart.
 /// @param depths range for View::depth; none: from the farthest to the nearest present
+/// @param most   fragments on a pixel that have the last colour of View::overdraw; 0: the largest
+///               count present
 Image view_image(const Framebuffer& framebuffer, View view,
-                 const std::optional<DepthInterval>& depths = std::nullopt);
+                 const std::optional<DepthInterval>& depths = std::nullopt, std::uint32_t most = 0);
 
 /// The same into an image that is there, whose memory is used again.
 void make_view_image(const Framebuffer& framebuffer, View view,
-                     const std::optional<DepthInterval>& depths, Image& image);
+                     const std::optional<DepthInterval>& depths, Image& image,
+                     std::uint32_t most = 0);
 
 /// What it takes to colour a pixel of a view, beside a fragment.
 inline constexpr double view_pixel_work = 0.4;

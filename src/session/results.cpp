@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,37 +24,56 @@ std::optional<glm::ivec2> picked_pixel(const Session& session, const Frame& fram
     return is_inside ? pixel : std::nullopt;
 }
 
-void update_overlay(const Session& session, Results& results, bool moved) {
-    const bool is_another =
-        session.overlays.has(Overlay::alone) && results.overlay.triangle != results.a.triangle;
-    const bool is_missing =
-        !(results.overlay.shown == session.overlays) || is_another || results.overlay_is_old;
-    if (!moved && !is_missing) return;
-    // It marks what is on the picture at the cursor: until that is drawn there is nothing to mark.
-    results.overlay_is_old = !results.a.is_drawn();
-    if (results.overlay_is_old) {
-        results.overlay = {};
-    } else {
-        compose_overlays(results.a.frame, results.a.cursor, *results.a.framebuffer,
-                         session.overlays, results.a.triangle, !moved, results.overlay);
+/// The triangle that is alone, drawn a part further.
+void update_lone(const WorkLimit& limit, Results& results) {
+    const RunResults& run = results.a;
+    LoneTriangle& lone = results.overlay.lone;
+    if (results.overlay.shown.has(Overlay::alone) && run.triangle) {
+        const bool has_changed = lone.draw(run.frame, run.replay.work(), run.frame_number,
+                                           *run.triangle, run.cursor, limit);
+        results.overlay_number += has_changed ? 1 : 0;
+    } else if (lone.triangle()) {
+        lone = {};
+        ++results.overlay_number;
     }
-    ++results.overlay_number;
+}
+
+void update_overlay(const Session& session, const WorkLimit& limit, bool moved, Results& results) {
+    OverlaySet wanted = session.overlays;
+    if (session.b) wanted.set(Overlay::alone, false); // whole pictures are compared
+    const bool is_missing = !(results.overlay.shown == wanted) || results.overlay_is_old;
+    if (moved || is_missing) {
+        // It marks what is on the picture at the cursor: until that is drawn there is nothing.
+        results.overlay_is_old = !results.a.is_drawn();
+        if (results.overlay_is_old) {
+            results.overlay = {};
+        } else {
+            compose_overlays(results.a.frame, results.a.cursor, *results.a.framebuffer, wanted,
+                             !moved, results.overlay);
+        }
+        ++results.overlay_number;
+    }
+    update_lone(limit, results);
 }
 
 /// What lies below the overlays instead of the picture of A, if it is to be another: the triangle
-/// that is alone, and anything in grey where colours lie on it.
+/// that is alone, in the same colours, and anything in grey where colours lie on it.
 void update_ground(const Session& session, Results& results) {
-    const GroundSource source{results.a.picture_number, results.overlay_number, session.view,
-                              session.depth_range};
+    const GroundSource source{results.a.picture_number, results.overlay_number};
     if (results.ground_of == source) return;
     results.ground_of = source;
-    const bool is_alone = !results.overlay.alone.owner.empty();
+    const LoneTriangle& lone = results.overlay.lone;
     const bool is_grey = !results.overlay.image.rgba.empty();
     results.ground = {};
-    if (is_alone)
-        results.ground = view_image(results.overlay.alone, session.view, session.depth_range);
-    if (is_grey) results.ground = ground_of_overlays(is_alone ? results.ground : results.a.picture);
-    if (is_alone || is_grey) results.ground_number = ++results.numbers;
+    if (lone.triangle()) {
+        const auto depths =
+            results.depth ? std::optional(values_of(results.depth->range)) : std::nullopt;
+        results.ground = view_image(lone.picture(), session.view, depths,
+                                    results.overdraw ? results.overdraw->most : 0);
+    }
+    if (is_grey)
+        results.ground = ground_of_overlays(lone.triangle() ? results.ground : results.a.picture);
+    if (lone.triangle() || is_grey) results.ground_number = ++results.numbers;
 }
 
 /// The pixel whose history is known, or on its way.
@@ -153,17 +173,22 @@ void update_hints(const Session& session, const RunChanges& changes, const WorkL
         hints.work = std::nullopt;
     }
     if (!are_wanted) return;
-    if (changes.frame || changes.picture) {
+    if (changes.frame || changes.moment) {
         hints.are_due = true;
         hints.work = std::nullopt;
     }
     // They are looked for after all else, in updates of their own.
-    const bool is_whole = results.a.is_drawn() && results.a.is_complete();
+    const bool is_whole =
+        results.a.is_drawn() && results.a.is_complete() && !results.a.is_frame_late;
     if (!hints.are_due || !is_whole || changes.picture || results.history_work) return;
-    if (!hints.work) hints.work.emplace(results.a.frame, *results.a.framebuffer);
-    hints.work->advance({limit.slice, limit.slice, limit.most});
-    if (!hints.work->is_done()) return;
-    hints.found = hints.work->hints();
+    try {
+        if (!hints.work) hints.work.emplace(results.a.frame, *results.a.framebuffer);
+        hints.work->advance({limit.slice, limit.slice, limit.most});
+        if (!hints.work->is_done()) return;
+        hints.found = hints.work->hints();
+    } catch (const std::bad_alloc&) {
+        hints.found.clear(); // the picture is there without them
+    }
     hints.are_due = false;
     hints.work = std::nullopt;
 }
@@ -275,7 +300,7 @@ bool update_within(const Session& session, const WorkLimit& limit, Results& resu
         }
     }
     if (changes.frame) results.length = frame_length(Timeline(results.a.frame));
-    update_overlay(session, results, changes.moment);
+    update_overlay(session, limit, changes.moment, results);
     update_ground(session, results);
     update_history(session, changes, limit, results);
     update_second_run(session, changes, are_ready, limit, results);
@@ -302,6 +327,7 @@ bool is_working(const Results& results) {
     if (results.a.is_frame_late || !results.a.is_complete()) return true;
     if (results.history_work || results.next_b) return true;
     if (results.hints.are_due && results.a.is_drawn()) return true;
+    if (results.overlay.lone.is_drawing()) return true;
     if (!results.b) return false;
     if (results.b->is_frame_late || !results.b->is_complete()) return true;
     if (!results.comparison.progress.is_done) return true;

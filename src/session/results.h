@@ -50,11 +50,9 @@ struct ComparisonResults {
     const Comparison& whole() const { return work.found(); }
 };
 
-/// What the ground of the overlays follows from.
+/// What the ground of the overlays follows from, by their numbers.
 struct GroundSource {
-    std::uint64_t picture = 0, overlay = 0; ///< numbers of them
-    View view = View::colour;
-    std::optional<DepthInterval> depth_range;
+    std::uint64_t picture = 0, overlay = 0;
 
     friend bool operator==(const GroundSource&, const GroundSource&) = default;
 };

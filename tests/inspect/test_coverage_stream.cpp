@@ -319,6 +319,25 @@ TEST_CASE("Before the rows of a triangle begin no row of its table is filled") {
     }
 }
 
+TEST_CASE("While its pixels are tested only the rows that were asked are filled, beside the "
+          "picture too") {
+    const Scene scene = pixel_scene({{{{-7, 10, 1}, {12, 3, 1}, {8, 17, 1}}}}, {24, 24});
+    for (const BoxWalk walk : {BoxWalk::all, BoxWalk::interval}) {
+        const Way way{Coverage::edge_functions, FillRule::top_left, Snap::subpixel, walk};
+        const Frame frame = prepare_frame(scene, settings_of(scene, {Stage::fill}, way));
+        for (int asked = 0; asked <= 14; asked += 7) {
+            const Cursor to{0, Phase::tests, asked, 0};
+            const PolygonRows rows = row_history(frame, 0, to).rows;
+            REQUIRE(rows.size() == 15);
+            for (int r = 0; r < rows.size(); ++r) {
+                INFO(word_of(walk) << ", row " << r << " at " << to_text(to));
+                if (r >= asked) CHECK(rows.is_empty_row(r));
+                if (r > 0 && r < asked) CHECK_FALSE(rows.is_empty_row(r));
+            }
+        }
+    }
+}
+
 TEST_CASE("A vertex that is moved into the picture is moved under every snap") {
     const Scene scene = pixel_scene({{{{-8, -5, 1}, {30, 2, 1}, {4, 40, 1}}}}, {16, 12});
     for (const Snap snap : {Snap::pixel, Snap::sixteenth, Snap::subpixel}) {

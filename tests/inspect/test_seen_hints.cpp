@@ -8,60 +8,26 @@
 
 #include <glm/geometric.hpp>
 
-#include "base/image.h"
 #include "inspect/seen_hints.h"
 #include "pipeline/draw.h"
-#include "scene/model_scene.h"
-#include "scene/read_obj.h"
 #include "settings/setting_table.h"
 #include "support/choices.h"
+#include "support/hinted_models.h"
 #include "tests/support/catch.h"
-#include "tests/support/temporary_folder.h"
 
 using namespace rasterwalk;
+using namespace rasterwalk::test;
+using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::StartsWith;
 
 namespace {
 namespace seen_hints_of_models {
-
-/// A box without a side toward the camera's right; its fronts point inward or outward.
-Scene box(bool is_inward) {
-    const std::string corners = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
-                                "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n";
-    const std::string inward = "f 5 6 2 1\nf 4 3 7 8\nf 6 5 8 7\nf 5 1 4 8\nf 2 6 7 3\nf 1 2 3 4\n";
-    const std::string outward =
-        "f 1 2 6 5\nf 8 7 3 4\nf 7 8 5 6\nf 8 4 1 5\nf 3 7 6 2\nf 4 3 2 1\n";
-    const test::TemporaryFolder folder;
-    return scene_of_model(
-        read_obj(folder.write("box.obj", corners + (is_inward ? inward : outward))));
-}
-
-/// One triangle that shows its back or its front.
-Scene sheet(bool shows_back) {
-    const test::TemporaryFolder folder;
-    return scene_of_model(
-        read_obj(folder.write("sheet.obj", std::string("v -1 -1 0\nv 1 -1 0\nv 0 1 0\n") +
-                                               (shows_back ? "f 3 2 1\n" : "f 1 2 3\n"))));
-}
 
 Settings settings_of(const Scene& scene, const std::vector<std::string>& assignments) {
     Settings settings = default_settings(scene);
     for (const std::string& assignment : assignments)
         set_from_text(settings, assignment);
     return settings;
-}
-
-/// The sheet's front, of a material.
-Scene sheet_of(const std::string& material) {
-    const test::TemporaryFolder folder;
-    folder.write("m.mtl", "newmtl m\n" + material);
-    Image clear{2, 2, std::vector<std::uint8_t>(16, 255)};
-    for (std::size_t i = 3; i < clear.rgba.size(); i += 4)
-        clear.rgba[i] = 100; // below 1/2
-    write_png(clear, folder.file("clear.png"));
-    return scene_of_model(
-        read_obj(folder.write("sheet.obj", "mtllib m.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\n"
-                                           "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n")));
 }
 
 std::vector<SeenHint> hints_of(const Scene& scene, const std::vector<std::string>& assignments) {
@@ -108,7 +74,7 @@ TEST_CASE("A box whose fronts point inward is told to be seen from behind, and n
     using namespace seen_hints_of_models;
     const std::vector<SeenHint> hints = hints_of(box(true), {});
     REQUIRE(hints.size() == 1);
-    CHECK_THAT(hints[0].seen, StartsWith("Most of what you see are backs, "));
+    CHECK_THAT(hints[0].seen, StartsWith("Most of what you see is backs, "));
     CHECK(hints[0].settings == std::vector<std::string>{"cull=face_normal"});
     CHECK(hints_of(box(true), {"cull=face_normal"}).empty());
     CHECK(hints_of(box(true), {"stage=rows"}).empty());
@@ -157,9 +123,18 @@ TEST_CASE("What is wholly transparent is told the settings that draw it opaque")
     CHECK(hints_of(cut_out, no_alpha).empty());
     CHECK(hints_of(cut_out, {"texture_alpha=blend"}).empty()); // faint, but seen
     CHECK(hints_of(sheet_of("Kd 1 1 1\nd 0.5\n"), {}).empty());
+    // What is black stays black.
+    const std::vector<SeenHint> part =
+        hints_of(two_sheets("Kd 0 0 0\n", "Kd 1 1 1\nd 0\n"), {"light.indirect=0.5"});
+    REQUIRE(part.size() == 1);
+    CHECK(part[0].seen == "All that you see is black or transparent");
+    CHECK(part[0].settings == no_blending);
+    CHECK_THAT(part[0].help, StartsWith("blend=off, the setting 'Half transparent', shows "));
     const std::vector<SeenHint> both = hints_of(sheet_of("Kd 1 1 1\nd 0\nmap_Kd clear.png\n"), {});
     REQUIRE(both.size() == 1);
     CHECK(both[0].settings == std::vector<std::string>{"blend=off", "texture_alpha=off"});
+    CHECK_THAT(both[0].help, ContainsSubstring("', and texture_alpha=off, the setting 'Alpha of "
+                                               "textures', show "));
 }
 
 TEST_CASE("Hints are the same when they are looked for in parts, and stop at too much work") {

@@ -298,7 +298,7 @@ TEST_CASE(
             session.cursor = cursor;
             update(session, results);
             INFO("triangles[" << triangle << "] at " << to_text(cursor));
-            const Framebuffer& alone = results.overlay.alone;
+            const Framebuffer& alone = results.overlay.lone.picture();
             REQUIRE(alone.owner.size() == whole.owner.size());
             std::vector<bool> is_drawn(alone.owner.size(), false);
             for (int r = 0; r < rows.size(); ++r) {
@@ -332,10 +332,53 @@ TEST_CASE(
     CHECK(total(Overlay::alone, results).starts_with("triangles[3], "));
     session.view = View::depth;
     update(session, results);
-    CHECK(results.ground == view_image(results.overlay.alone, View::depth));
+    // In the colours of the whole picture, which the legend explains.
+    CHECK(results.ground == view_image(results.overlay.lone.picture(), View::depth,
+                                       values_of(*present_depths(*results.a.framebuffer))));
+    session.view = View::overdraw;
+    update(session, results);
+    const Framebuffer& whole = *results.a.framebuffer;
+    const std::uint32_t most = *std::max_element(whole.overdraw.begin(), whole.overdraw.end());
+    CHECK(most > 1);
+    CHECK(results.ground ==
+          view_image(results.overlay.lone.picture(), View::overdraw, std::nullopt, most));
+    // Whole pictures are compared.
+    session.view = View::colour;
+    session.b = session.a;
+    finish(session, results);
+    CHECK(results.ground.rgba.empty());
+    CHECK_FALSE(results.overlay.shown.has(Overlay::alone));
+    session.b = std::nullopt;
+    finish(session, results);
+    CHECK_FALSE(results.ground.rgba.empty());
     session.overlays.set(Overlay::alone, false);
     update(session, results);
     CHECK(results.ground.rgba.empty());
+}
+
+TEST_CASE("A triangle alone is drawn in parts, forwards from where it stands") {
+    constexpr WorkLimit little{2'000.0, 3'000.0};
+    Session session = room_session();
+    session.overlays.set(Overlay::alone, true);
+    session.selection.triangle = 8;
+    Results expected, results;
+    for (const Cursor& cursor : {Cursor{8, Phase::rows, 20, 3}, cursor_end,
+                                 Cursor{8, Phase::rows, 200, 0}, Cursor{2, Phase::rows, 5, 0}}) {
+        INFO(to_text(cursor));
+        session.cursor = cursor;
+        finish(session, expected);
+        int parts = 0;
+        for (update(session, results, little); is_working(results); ++parts)
+            update(session, results, little);
+        CHECK(parts > 0);
+        CHECK(results.overlay.lone.picture().owner == expected.overlay.lone.picture().owner);
+        CHECK(results.overlay.lone.picture().colour == expected.overlay.lone.picture().colour);
+        CHECK(results.ground == expected.ground);
+    }
+    // Nothing is drawn twice on the way.
+    for (const std::uint32_t overdraw : results.overlay.lone.picture().overdraw) {
+        if (overdraw > 1) FAIL("a pixel has " << overdraw << " fragments");
+    }
 }
 
 TEST_CASE("Overlays are told apart without colour: no two patterns are the same") {

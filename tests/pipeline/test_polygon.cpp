@@ -129,7 +129,7 @@ TEST_CASE("Observer, report and wires tell of all five corner_count and edges") 
     OverlaySet shown;
     shown.set(Overlay::wireframe, true);
     OverlayPicture overlay;
-    compose_overlays(frame, cursor_end, draw_frame(frame), shown, std::nullopt, false, overlay);
+    compose_overlays(frame, cursor_end, draw_frame(frame), shown, false, overlay);
     const std::vector<WireEdge>& wires = overlay.wires;
     REQUIRE(wires.size() == corner_count);
     CHECK(wires.back().to == glm::ivec2(12, 1));

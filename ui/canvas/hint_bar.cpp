@@ -32,7 +32,7 @@ void draw_hint_bar(Ui& ui) {
     if (shown == hints.found.end()) return;
     const SeenHint hint = *shown;
     const NoticeButton act{"canvas.hint_act", hint.act, hint.help};
-    const NoticeButton no{"canvas.hint_hide", "hide", "Says this no more of this model."};
+    const NoticeButton no{"canvas.hint_hide", "hide", "Stops showing this for this model."};
     const std::string without_numbers = hint.seen.substr(0, hint.seen.find(','));
     const std::string_view clicked =
         draw_notice_bar(ui, "canvas.hint", {hint.seen, without_numbers, hint.in_short, ""},

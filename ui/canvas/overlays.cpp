@@ -298,9 +298,10 @@ void draw_wires(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
 
 void show_ground(Ui& ui, ImVec2 low, ImVec2 high) {
     const Results& results = ui.results;
-    const bool is_grey = !results.ground.rgba.empty() && !results.a.preview.is_shown;
-    const NumberedPicture picture = is_grey ? NumberedPicture{results.ground, results.ground_number}
-                                            : picture_on_show(results.a);
+    const bool has_ground = !results.ground.rgba.empty() && !results.a.preview.is_shown;
+    const NumberedPicture picture = has_ground
+                                        ? NumberedPicture{results.ground, results.ground_number}
+                                        : picture_on_show(results.a);
     show_texture(ui, ui.canvas.picture, picture, ui.canvas.place, low, high);
 }
 

@@ -2,10 +2,11 @@
 
 #include "ui/canvas/hint_bar.h"
 
-#include "scene/model_scene.h"
-#include "scene/read_obj.h"
+#include <memory>
+#include <utility>
+
+#include "support/hinted_models.h"
 #include "tests/support/catch.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/ui.h"
@@ -14,16 +15,15 @@ namespace rasterwalk {
 
 namespace {
 
-/// A square that is wholly transparent.
-Session clear_square() {
-    const test::TemporaryFolder folder;
-    folder.write("m.mtl", "newmtl m\nKd 1 1 1\nd 0\n");
+Session session_of_model(Scene scene) {
     Session session;
-    session.scene = std::make_shared<const Scene>(scene_of_model(read_obj(
-        folder.write("m.obj", "mtllib m.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
-                              "f 1 2 3 4\n"))));
+    session.scene = std::make_shared<const Scene>(std::move(scene));
     session.a.settings = default_settings(*session.scene);
     return session;
+}
+
+Session clear_sheet() {
+    return session_of_model(test::sheet_of("Kd 1 1 1\nd 0\n"));
 }
 
 std::string hint_of(const Driver& driver) {
@@ -36,7 +36,7 @@ constexpr const char* transparent = "The model is transparent: nothing of it is 
 } // namespace
 
 TEST_CASE("A transparent model is drawn opaque at a click, and undo takes it back") {
-    Driver driver(clear_square());
+    Driver driver(clear_sheet());
     driver.hand.frames(4);
     CHECK(hint_of(driver) == transparent);
     driver.hand.click("canvas.hint_act");
@@ -50,7 +50,7 @@ TEST_CASE("A transparent model is drawn opaque at a click, and undo takes it bac
 }
 
 TEST_CASE("A hint is of the whole picture, and is hidden at a click") {
-    Driver driver(clear_square());
+    Driver driver(clear_sheet());
     driver.hand.frames(4);
     REQUIRE(hint_of(driver) == transparent);
     follow_link(driver.ui, "set:stage=rows");
@@ -74,11 +74,12 @@ TEST_CASE("A hint is of the whole picture, and is hidden at a click") {
     CHECK(hint_of(driver).empty());
 }
 
-TEST_CASE("The lab's room has no hints, however dark it is") {
-    Driver driver;
-    follow_link(driver.ui, "set:light.power=0");
-    follow_link(driver.ui, "set:light.indirect=0");
-    driver.hand.frames(4);
+TEST_CASE("A scene that is no model has no hint, whatever is seen of it") {
+    Scene scene = test::sheet_of("Kd 1 1 1\nd 0\n");
+    scene.model_report.reset();
+    Driver driver(session_of_model(std::move(scene)));
+    driver.hand.frames(6);
+    CHECK_FALSE(is_working(driver.ui.results));
     CHECK(hint_of(driver).empty());
 }
 
