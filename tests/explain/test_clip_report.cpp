@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "explain/cull_formulas.h"
 #include "explain/vertex_report.h"
+#include "settings/setting_table.h"
 #include "support/clipped_room.h"
 #include "support/effort.h"
 #include "tests/support/catch.h"
@@ -173,6 +175,35 @@ TEST_CASE("What is no number of the triangle has no formula") {
                                  "t.99999999999.0"}) {
         CAPTURE(id);
         CHECK_FALSE(clip_formula(frame, history, id));
+    }
+}
+
+TEST_CASE("By a box x and y of a corner are the vertex's, and no focal length is named") {
+    const Scene room = lab_room();
+    Settings settings = default_settings(room);
+    // As large as what f = 500 shows, so that f times x would be the same number.
+    for (const char* set :
+         {"transform=matrices", "clip=all", "near=1", "view_box=-0.5,0.5,-0.5,0.5"})
+        set_from_text(settings, set);
+    const Frame frame = prepare_frame(room, settings);
+    for (int t = 0; t < frame.triangle_count(); ++t) {
+        const ClipHistory history = clip_history(frame, t);
+        for (int v = 0; v < 3; ++v) {
+            const VertexReport vertex = vertex_report(frame, t, v);
+            for (int i = 0; i < 2; ++i) {
+                const std::string axis = i == 0 ? "x" : "y";
+                CAPTURE(t, v, axis);
+                const auto formula =
+                    clip_formula(frame, history, fmt::format("corner.{}.{}", v, axis));
+                REQUIRE(formula);
+                REQUIRE(formula->inputs.size() == 1);
+                CHECK(formula->inputs[0].source.name == "clip." + axis);
+                const Formula* const of = find_formula(vertex.formulas, "clip." + axis);
+                REQUIRE(of != nullptr);
+                CHECK(of->result.value == formula->result.value);
+                CHECK(evaluate(*formula) == formula->result.value);
+            }
+        }
     }
 }
 
