@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/quoted.h"
 #include "base/toml_nesting.h"
 
 namespace rasterwalk {
@@ -101,7 +102,9 @@ toml::table parse_toml(std::string_view text, const std::string& path,
 }
 
 void TomlInput::fail(const toml::node& at, const std::string& sentence) const {
-    throw InputError(*path_, std::max(static_cast<int>(at.source().begin.line), 1), sentence);
+    // A sentence may name what the file does: a zero in it would be the end of what().
+    throw InputError(*path_, std::max(static_cast<int>(at.source().begin.line), 1),
+                     visible_line(sentence));
 }
 
 void TomlInput::allow_only(std::initializer_list<std::string_view> keys) const {

@@ -222,6 +222,14 @@ TEST_CASE("A broken scene is refused with its file, line and what is wrong") {
     }
 }
 
+TEST_CASE("A name with a zero or a control character does not cut the sentence off") {
+    for (const char* const character : {"\\u0000", "\\u001b"}) {
+        CHECK(refusal(start +
+                      with_line(part, 4, "triangles = [\"A B " + std::string(character) + "\"]")) ==
+              "s.toml:9: there is no point '" + std::string(character) + "' in the point set 'p'.");
+    }
+}
+
 TEST_CASE("A point that the transform throws too far out is refused") {
     const std::string scene = with_line(start, 3, "A = [1000, 2, 3]") + part;
     CHECK(refusal(scene + "[transform]\nedge = 1e-3\n") ==
