@@ -163,7 +163,7 @@ static_assert(words_match<ImageAxes>);
 /// How the pixels of a polygon are found.
 enum class Coverage : std::uint8_t {
     rows,            ///< by a row table that the samples of the edges fill: the lab
-    edge_functions,  ///< each pixel of the box is asked on which side of every edge it lies
+    edge_functions,  ///< pixels of the box are asked on which side of every edge they lie
     scan_conversion, ///< row by row between a left and a right side
     active_edges,    ///< row by row between the edges that reach it, of any polygon
 };

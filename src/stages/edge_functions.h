@@ -1,9 +1,9 @@
 #pragma once
 
-// Edge functions: every pixel is asked three questions.
+// Edge functions: pixels are asked three questions.
 //
 // In:  the corners of a polygon on the screen.
-// Out: for every pixel of its box whether it lies inside, and how much each corner weighs there.
+// Out: which pixels of its box lie inside, and how much each corner weighs there.
 // Picture: an edge divides the plane in two halves. Its edge function is positive on one side,
 //          negative on the other and 0 on the edge; a triangle is what lies on the inner side of
 //          all three.

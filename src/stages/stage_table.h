@@ -1,9 +1,9 @@
 #pragma once
 
-// The one table of the functions that carry out the pipeline. Whoever draws, and whoever shows what
-// is drawn, asks this table; so another function in a slot changes all of it alike. The mistakes of
-// the laboratory are such functions, in src/mistakes; which of them stand in the table follows from
-// the settings, in settings/choose_stages.h.
+// The one table of the functions that carry out the pipeline. What draws and what shows the drawing
+// both ask this table; so another function in a slot changes all of it alike. The mistakes of the
+// laboratory are such functions, in src/mistakes; which of them stand in the table follows from the
+// settings, in settings/choose_stages.h.
 
 #include "stages/blend.h"
 #include "stages/clip.h"
@@ -72,8 +72,8 @@ struct Stages {
     decltype(&rasterwalk::shadow_ray) shadow_ray = rasterwalk::shadow_ray;
     decltype(&nearest_shadow_texel) shadow_texels = nearest_shadow_texel;
 
-    // Coverage: from vertices to rows, and from a row to its fragments. Whoever puts functions here
-    // whose rows leave the box of the vertices puts another box here as well.
+    // Coverage: from vertices to rows, and from a row to its fragments. Functions here whose rows
+    // leave the box of the vertices need another polygon_box as well.
     decltype(&rasterwalk::polygon_box) polygon_box = rasterwalk::polygon_box;
     decltype(&rasterwalk::begin_polygon_rows) begin_polygon_rows = rasterwalk::begin_polygon_rows;
     decltype(&rasterwalk::edge_sample_count) edge_sample_count = rasterwalk::edge_sample_count;
@@ -89,8 +89,8 @@ struct Stages {
     GridPoint (*snap)(const ScreenVertex& vertex) = snap_to_centre;
     bool (*edge_owns_points)(const EdgeDirection& edge) = owns_inclusive;
     decltype(&barycentric_weights) weights = barycentric_weights;
-    // Which pixels of a box edge functions ask. The picture is the same, the work is not: whoever
-    // puts a function here leaves out only pixels that lie outside.
+    // Which pixels of a box edge functions ask. The picture is the same, the work is not: a
+    // function here may leave out only pixels that lie outside.
     decltype(&columns_of_box) tested_columns = columns_of_box;
 
     // The samples of an edge; the lab's function asks the two slots of Interpolate.
