@@ -13,20 +13,16 @@ namespace rasterwalk::test {
 
 const std::vector<std::string>& model_seeds() {
     static const std::vector<std::string> seeds{
-        "# a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\ng a\nf 1/1/1 2/2/1 "
-        "3/1/1 "
-        "4/2/1\n",
-        "\xef\xbb\xbfo caf\xe9\r\nv +.5 -1e-3 2\r\nv 1 2 3 \\\r\n\r\nv -1 0 1\r\nv .1 .2 .3\r\nv 9 "
-        "8 "
-        "7\r\n"
-        "usemtl m\r\ns off\r\nf -5 -4 -3 -2 -1\r\nf -1//-1 1/ 2//\r\n",
-        "mtllib . /dev/zero x.mtl\nv 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nv 1 .5 0\nv 0 0 9\nf 1 2 3 "
-        "4 5 "
-        "6\n"
-        "f 6 5 4 3 2 1 2 3\nl 1 2\ncurv 0 1 1 2\n",
-        "v 9e8 0 0 255 0 0\n#MRGB ffff0000ff00ff00\nv 9e8 1 0 1 0 .5 1\nv 9e8 0 -1 0 300 -1\nvt "
-        "nan\nvt .5\n"
-        "vn nan 0 0\nf 1/1/1 2/9/9 3/0/0\nf 1/2/-1 2/x/ 3//1/1\n",
+        "# a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\ng a\n"
+        "f 1/1/1 2/2/1 3/1/1 4/2/1\n",
+        "\xef\xbb\xbfo caf\xe9\r\nv +.5 -1e-3 2\r\nv 1 2 3 \\\r\n\r\nv -1 0 1\r\n"
+        "v .1 .2 .3\r\nv 9 8 7\r\nusemtl m\r\ns off\r\nf -5 -4 -3 -2 -1\r\n"
+        "f -1//-1 1/ 2//\r\n",
+        "mtllib . /dev/zero x.mtl\nv 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nv 1 .5 0\nv 0 0 9\n"
+        "f 1 2 3 4 5 6\nf 6 5 4 3 2 1 2 3\nl 1 2\ncurv 0 1 1 2\n",
+        "v 9e8 0 0 255 0 0\n#MRGB ffff0000ff00ff00\nv 9e8 1 0 1 0 .5 1\n"
+        "v 9e8 0 -1 0 300 -1\nvt nan\nvt .5\nvn nan 0 0\nf 1/1/1 2/9/9 3/0/0\n"
+        "f 1/2/-1 2/x/ 3//1/1\n",
     };
     return seeds;
 }
