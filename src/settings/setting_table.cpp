@@ -436,10 +436,9 @@ std::vector<Setting> make_table() {
          NumberSetting{[](Settings& s) -> float& { return s.far; }, smallest_near, largest_place,
                        0.1f}},
         {"view_box", "Box at near: l, r, b, t", "View volume",
-         "The part of the near plane that fills the picture, in place of the focal length: "
+         "The window on the near plane, which fills the picture, in place of the focal length: "
          "left,right,bottom,top with y up, as glFrustum and glOrtho take them, or auto for the "
-         "focal "
-         "length. The box may be off-centre. Only where a matrix for each space does the work.",
+         "focal length. It may be off-centre. Only where a matrix for each space does the work.",
          "Beyond the lab", "world units",
          BoxSetting{[](Settings& s) -> std::optional<ViewBox>& { return s.view_box; },
                     -largest_place, largest_place, smallest_view_side, 0.001f}},

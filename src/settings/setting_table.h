@@ -54,7 +54,7 @@ struct SizeSetting {
     int largest; ///< of either side; the smallest is 1
 };
 
-/// The part of the near plane that fills the picture: `auto`, or left,right,bottom,top.
+/// The window on the near plane, which fills the picture: `auto`, or left,right,bottom,top.
 struct BoxSetting {
     std::optional<ViewBox>& (*value)(Settings&);
     float smallest, largest; ///< of each number
@@ -62,7 +62,7 @@ struct BoxSetting {
     float drag_step;
 };
 
-/// Is every number in range, and the box as wide and high as it must be? Not with NaN.
+/// Is every number in range, and the window as wide and high as it must be? Not with NaN.
 bool is_allowed(const ViewBox& box, const BoxSetting& kind);
 
 /// One setting: what it is called, what it means, which values it takes.

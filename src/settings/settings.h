@@ -63,7 +63,7 @@ struct Settings {
     float projection_mix = 0.0f;                         ///< 0: perspective, 1: orthographic
     float orthographic_depth = 0.0f; ///< where sizes stay; 0: at the world's origin
     float near = 0.1f, far = 100.0f; ///< the view volume's ends, in front of the camera
-    std::optional<ViewBox> view_box; ///< of the near plane; none: by the focal length
+    std::optional<ViewBox> view_box; ///< window on the near plane; none: by the focal length
     Reject reject = Reject::none;
     Clip clip = Clip::leave_out;
     Cull cull = Cull::none;
@@ -102,7 +102,7 @@ Rounding sample_rounding(const Settings& settings);
 /// The depth that the size of things is measured at when the projection is not perspective.
 float orthographic_depth_rule(const Settings& settings);
 
-/// The box in force: none by the lab's lines, which only have a focal length, nor in pixels.
+/// The window in force: none by the lab's lines, which only have a focal length, nor in pixels.
 std::optional<ViewBox> view_box_rule(const Settings& settings, SceneSpace space);
 
 /// Which depth clip space carries and the depth buffer holds. Without perspective 1/z is not linear

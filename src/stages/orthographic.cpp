@@ -37,7 +37,7 @@ PictureScale picture_scale(double focal_length, const Viewport& size,
     const double bottom = projection.box->bottom, top = projection.box->top;
     const glm::dvec2 unit = glm::dvec2(size.width, size.height) /
                             glm::dvec2(right - left, top - bottom); // of the world, pixels
-    // y of camera space and the rows of the picture run down, bottom and top of the box up.
+    // y of camera space and the rows of the picture run down, y of the window runs up.
     return {clip_w(depth, mix) * unit, 0.5 * unit * glm::dvec2(-left - right, top + bottom)};
 }
 

@@ -57,14 +57,14 @@ inline float clip_scale(const VertexRules& rules) {
 /// right of its middle, and scale.y · y/w + shift.y pixels below it.
 struct PictureScale {
     glm::dvec2 scale; ///< pixels; see clip_scale()
-    glm::dvec2 shift; ///< pixels; 0 unless a box is off-centre
+    glm::dvec2 shift; ///< pixels; 0 unless a window is off-centre
 };
 
 /// By projection.box where there is one, otherwise by the focal length.
 /// @param focal_length pixels
 PictureScale picture_scale(double focal_length, const Viewport& size, const Projection& projection);
 
-/// The box that shows what the focal length does. Not for rules that have a box.
+/// The window that shows what the focal length does. Not for rules that have a box.
 ViewBox usual_view_box(const VertexRules& rules);
 
 /// How long the view volume is: far - near, world units; never 0.

@@ -94,7 +94,7 @@ constexpr float farthest_depth(ClipDepth kind) {
     return is_smaller_nearer(kind) ? 1.0f : 0.0f;
 }
 
-/// The part of the near plane that fills the picture, world units in camera space, with x to the
+/// The window on the near plane, which fills the picture: world units in camera space, x to the
 /// right and y up, as glFrustum and glOrtho take it. left < right, bottom < top.
 struct ViewBox {
     float left = -1.0f, right = 1.0f, bottom = -1.0f, top = 1.0f;

@@ -1,4 +1,4 @@
-// The box at the near plane against glm's frustum and ortho, against rays through a window made
+// The window on the near plane against glm's frustum and ortho, against rays through it made
 // without a matrix, and against the focal length where both show the same.
 
 #include <cmath>
@@ -20,7 +20,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// The room by matrices, seen through any box, which is off-centre.
+/// The room by matrices, seen through any window, which is off-centre.
 Settings any_box(const Scene& room, Random& random) {
     Settings settings = default_settings(room);
     settings.transform = Transform::matrices;
@@ -36,7 +36,7 @@ Settings any_box(const Scene& room, Random& random) {
 } // namespace
 
 TEST_CASE(
-    "The projection matrix of a box is glm's frustum or ortho, but for the signs of y and z") {
+    "The projection matrix of a window is glm's frustum or ortho, but for the signs of y and z") {
     const Scene room = lab_room();
     Random random(301);
     for (int i = 0; i < rounds(400, 100); ++i) {
@@ -102,7 +102,7 @@ TEST_CASE("Vertices are drawn where rays through the window at the near plane ha
 }
 
 TEST_CASE(
-    "The box that shows what the focal length does gives the same picture, another does not") {
+    "The window that shows what the focal length does gives the same picture, another does not") {
     const Scene room = lab_room();
     for (const char* projection : {"projection=perspective", "projection=orthographic"}) {
         // Powers of 2, so that no number is rounded.
