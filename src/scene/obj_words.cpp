@@ -82,8 +82,12 @@ std::string_view take_word(std::string_view& text) {
 std::string_view take_number_word(std::string_view& text) {
     std::string_view word = take_word(text);
     const std::size_t comment = word.find('#');
-    const bool is_broken_number = comment != word.npos && comment > 0 && word[comment - 1] == '.';
-    if (comment == word.npos || is_broken_number) return word;
+    if (comment == word.npos) return word;
+    // Digits may be cut off behind the first letter: "1.#Q".
+    constexpr std::string_view first_letters = "IQS";
+    const bool is_broken_number = comment > 0 && word[comment - 1] == '.' &&
+                                  word.find_first_of(first_letters, comment) == comment + 1;
+    if (is_broken_number) return word;
     text = {};
     return word.substr(0, comment);
 }

@@ -42,7 +42,8 @@ class ObjLines {
 std::string_view take_word(std::string_view& text);
 
 /// Takes the first word from the text of a statement that consists of numbers: "#" begins a
-/// comment, but not in "1.#QNAN", as some programs write what is no number.
+/// comment, but not in "1.#INF", "1.#IND", "1.#QNAN" and "1.#SNAN", as some programs write what is
+/// no number.
 std::string_view take_number_word(std::string_view& text);
 
 /// A number as models write it: 1, -1.5, +.5, 1e-3; too small for double is 0. Nothing for what is

@@ -145,6 +145,10 @@ TEST_CASE("What is wrong in a model is told with its line, and the rest is read"
         {"vt u", "'u' is no number that 'vt' can have; it is left out."},
         {"vn 1 2", "'vn' needs 3 numbers, and has 2; it is left out."},
         {"vn 1.#QNAN 0 0", "'1.#QNAN' is no number that 'vn' can have; it is left out."},
+        {"v 0 1.#INF 0", "'1.#INF' is no number that 'v' can have; it is left out."},
+        {"v 0 0 -1.#IND00", "'-1.#IND00' is no number that 'v' can have; it is left out."},
+        {"v 1.#SNAN 0 0", "'1.#SNAN' is no number that 'v' can have; it is left out."},
+        {"vt 1.#Q", "'1.#Q' is no number that 'vt' can have; it is left out."},
         {"vn 0 0 0", "a normal of length 0 points nowhere; where it is named, it is computed."},
         {"f", "'f' has 0 corners, and a face has at least three; the face is left out."},
         {"f 1", "'f' has 1 corner, and a face has at least three; the face is left out."},
@@ -186,6 +190,17 @@ TEST_CASE("What is wrong in a model is told with its line, and the rest is read"
         // The last word of a file may be the last byte, too.
         CHECK(faults_of(one_face + one.line) == fault_lines(model.report));
     }
+}
+
+TEST_CASE("A comment may follow a number at once, even one that ends with its point") {
+    const ObjModel model = parse_obj(
+        "v 0 0 0#.#INF\nv 1 0 2.#top\nv 0 1 -3.#\nv 1 1 4.##QNAN\nf 1 2 3\nf 2 4 3\n", "m.obj");
+    CHECK(fault_lines(model.report).empty());
+    REQUIRE(model.mesh.triangle_count() == 2);
+    CHECK(model.mesh.corner(0, 0).position == glm::vec3(0, 0, 0));
+    CHECK(model.mesh.corner(0, 1).position == glm::vec3(1, 0, 2));
+    CHECK(model.mesh.corner(0, 2).position == glm::vec3(0, 1, -3));
+    CHECK(model.mesh.corner(1, 1).position == glm::vec3(1, 1, 4));
 }
 
 TEST_CASE("A point that cannot be read keeps its number, and takes its faces with it") {
