@@ -13,28 +13,18 @@
 
 namespace rasterwalk {
 
-namespace {
-
-/// Some programs put a name with blanks in quotes.
-std::string_view without_quotes(std::string_view name) {
-    const bool is_quoted = name.size() > 2 && name.front() == '"' && name.back() == '"';
-    return is_quoted ? name.substr(1, name.size() - 2) : name;
-}
-
-} // namespace
-
 void ObjLibraries::read(std::string_view names, int line) {
     line_ = line;
     // Some programs say the same before each object.
     if (lists_.contains(names)) return;
     if (lists_.size() >= most_material_files) return refuse_library();
     lists_.emplace(names);
-    const std::string_view whole = without_quotes(names);
-    std::string_view rest = whole;
-    const std::string_view first = take_word(rest);
-    if (trimmed(rest).empty() || beside_.find(whole).trouble.empty()) return read_library(whole);
-    for (std::string_view name = first; !name.empty(); name = take_word(rest))
-        read_library(name);
+    // One name may have blanks without quotes, or a quote of its own.
+    if (beside_.find(names).trouble.empty()) return read_library(names);
+    std::string_view rest = names;
+    do {
+        read_library(take_name(rest));
+    } while (!trimmed(rest).empty());
 }
 
 void ObjLibraries::refuse_library() {

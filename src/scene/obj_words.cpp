@@ -79,6 +79,19 @@ std::string_view take_word(std::string_view& text) {
     return word;
 }
 
+std::optional<std::string_view> take_quoted(std::string_view& text) {
+    const std::string_view rest = trimmed(text);
+    if (!rest.starts_with('"') && !rest.starts_with('\'')) return std::nullopt;
+    const std::size_t end = std::min(rest.find(rest.front(), 1), rest.size());
+    text = rest.substr(std::min(end + 1, rest.size()));
+    return trimmed(rest.substr(1, end - 1));
+}
+
+std::string_view take_name(std::string_view& text) {
+    const std::optional<std::string_view> quoted = take_quoted(text);
+    return quoted ? *quoted : take_word(text);
+}
+
 std::string_view take_number_word(std::string_view& text) {
     std::string_view word = take_word(text);
     const std::size_t comment = word.find('#');

@@ -41,6 +41,14 @@ class ObjLines {
 /// Takes the first word from a text; empty if there is none.
 std::string_view take_word(std::string_view& text);
 
+/// Takes what stands in quotes, " or ', from the beginning of a text, without blanks at its ends;
+/// nothing if the text begins with no quote. Where the second quote is missing that is all of it.
+std::optional<std::string_view> take_quoted(std::string_view& text);
+
+/// Takes the first name of a file from a text: a word, or what stands in quotes, as some programs
+/// write names with blanks.
+std::string_view take_name(std::string_view& text);
+
 /// Takes the first word from the text of a statement that consists of numbers: "#" begins a
 /// comment, but not in "1.#INF", "1.#IND", "1.#QNAN" and "1.#SNAN", as some programs write what is
 /// no number.

@@ -44,11 +44,7 @@ std::vector<std::string> readings_of_name(std::string_view name) {
     std::vector<std::string> readings;
     const auto add = [&](std::string_view reading) {
         reading = trimmed(reading);
-        for (const char quote : {'"', '\''}) {
-            if (reading.size() < 2 || reading.front() != quote) continue;
-            const std::size_t end = reading.find(quote, 1);
-            reading = trimmed(reading.substr(1, end == reading.npos ? end : end - 1));
-        }
+        if (const auto quoted = take_quoted(reading)) reading = *quoted;
         const bool is_known =
             std::find(readings.begin(), readings.end(), reading) != readings.end();
         if (!reading.empty() && !is_known && readings.size() < most_readings)

@@ -398,7 +398,10 @@ TEST_CASE("A file of materials may be named in quotes, and is plain text") {
     const auto read = [&](const std::string& statement) {
         return read_obj(folder.write("m.obj", statement + "\nusemtl a\n" + one_face));
     };
-    for (const char* const statement : {"mtllib \"my two.mtl\"", "mtllib my two.mtl"}) {
+    folder.write("'tis.mtl", "newmtl a\nKd 1 0 0\n");
+    for (const char* const statement :
+         {"mtllib \"my two.mtl\"", "mtllib 'my two.mtl'", "mtllib \" my two.mtl",
+          "mtllib my two.mtl", "mtllib 'tis.mtl"}) {
         INFO(statement);
         const ObjModel model = read(statement);
         CHECK(fault_lines(model.report).empty());
@@ -407,6 +410,24 @@ TEST_CASE("A file of materials may be named in quotes, and is plain text") {
     CHECK(fault_lines(read("mtllib wide.mtl").report).front() ==
           folder.file("m.obj") + ":1: 'mtllib': " + folder.file("wide.mtl") +
               ":1: the file is UTF-16; materials are plain text. It is left out.");
+}
+
+TEST_CASE("Of several files of materials each may be named in quotes") {
+    const test::TemporaryFolder folder;
+    folder.write("my two.mtl", "newmtl a\nKd 1 0 0\n");
+    folder.write("one.mtl", "newmtl b\nKd 0 1 0\n");
+    for (const char* const names :
+         {"\"my two.mtl\" \"one.mtl\"", "'one.mtl' \"my two.mtl\"", "one.mtl 'my two.mtl'",
+          "'my two.mtl'\tone.mtl", "\"one.mtl\"'my two.mtl'"}) {
+        INFO(names);
+        const ObjModel model =
+            read_obj(folder.write("m.obj", std::string("mtllib ") + names + "\nusemtl a\n" +
+                                               one_face + "usemtl b\nf 3 2 1\n"));
+        CHECK(fault_lines(model.report).empty());
+        REQUIRE(model.mesh.triangle_count() == 2);
+        CHECK(model.mesh.corner(0, 0).reflectance == glm::vec3(1, 0, 0));
+        CHECK(model.mesh.corner(1, 0).reflectance == glm::vec3(0, 1, 0));
+    }
 }
 
 TEST_CASE("A long name of a material is cut in both files, and an exponent at its limit") {
