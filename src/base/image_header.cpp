@@ -169,14 +169,14 @@ glm::ivec2 bmp_size(std::string_view bytes, const std::string& path, int largest
     const std::int64_t bits = std::max<std::int64_t>(little_endian(bytes, 20 + 2 * word, 2), 1);
     check_sides(path, size, largest_side);
     // stb_image loses the last colours of it.
-    if (is_old && bits < 24) {
+    if (is_old && bits <= 8) {
         refuse(path, size,
                "has a palette behind the header of OS/2, which cannot be read: save it as PNG.");
     }
     constexpr std::int64_t with_masks = 3; // plain, and told which bits are red, green and blue
     const std::int64_t packing = is_old ? 0 : little_endian(bytes, 30, 4);
-    if (packing != 0 && packing != with_masks)
-        refuse(path, size, "is a packed BMP, which cannot be read: save it as PNG.");
+    if ((is_old && bits < 24) || (packing != 0 && packing != with_masks))
+        refuse(path, size, "is a BMP of a kind that cannot be read: save it as PNG.");
     const std::int64_t begin =
         std::max(little_endian(bytes, 10, 4), static_cast<std::int64_t>(file_header) + header);
     // The last row need not be filled up to four bytes.

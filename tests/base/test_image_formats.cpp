@@ -128,18 +128,18 @@ TEST_CASE("A TGA whose rows run from right to left is read the right way round")
 }
 
 TEST_CASE("A BMP that would be read wrongly is refused with the reason") {
-    std::string packed = test::bmp(4, 4);
-    for (const char way : {'\1', '\2', '\4'}) {
-        packed[30] = way;
+    std::string other = test::bmp(4, 4);
+    for (const char way : {'\1', '\2', '\4', '\6'}) { // 6: plain, with a mask for alpha
+        other[30] = way;
         // Packed pixels take fewer bytes than plain ones: that is not what is wrong.
-        for (const std::size_t length : {packed.size(), std::size_t{60}}) {
-            CHECK_THROWS_WITH(read_bytes(packed.substr(0, length)),
-                              "x: a picture of 4 x 4 pixels is a packed BMP, which cannot be read: "
-                              "save it as PNG.");
+        for (const std::size_t length : {other.size(), std::size_t{60}}) {
+            CHECK_THROWS_WITH(read_bytes(other.substr(0, length)),
+                              "x: a picture of 4 x 4 pixels is a BMP of a kind that cannot be "
+                              "read: save it as PNG.");
         }
     }
     const auto of_os2 = [](int bits, const std::string& behind) {
-        const int begin = 26 + (bits < 24 ? 3 * (1 << bits) : 0);
+        const int begin = 26 + (bits <= 8 ? 3 * (1 << bits) : 0);
         return "BM" + std::string(8, '\0') + two_bytes(begin) + two_bytes(0) + two_bytes(12) +
                two_bytes(0) + two_bytes(1) + two_bytes(1) + two_bytes(1) + two_bytes(bits) + behind;
     };
@@ -148,6 +148,10 @@ TEST_CASE("A BMP that would be read wrongly is refused with the reason") {
     CHECK_THROWS_WITH(read_bytes(of_os2(8, std::string(3 * 256 + 4, 'x'))),
                       "x: a picture of 1 x 1 pixels has a palette behind the header of OS/2, which "
                       "cannot be read: save it as PNG.");
+    // 16 bits are a colour, and need no palette.
+    CHECK_THROWS_WITH(read_bytes(of_os2(16, byte(1) + byte(2) + byte(0) + byte(0))),
+                      "x: a picture of 1 x 1 pixels is a BMP of a kind that cannot be read: save "
+                      "it as PNG.");
 }
 
 TEST_CASE("A TGA is read with a palette, in grey and with 16 bits a pixel") {
