@@ -126,8 +126,9 @@ Image parse_image(std::string_view bytes, const std::string& path, int largest_s
 
 Image parse_exact_image(std::string_view bytes, const std::string& path) {
     if (image_format(bytes) == ImageFormat::jpeg) {
-        throw InputError(path + ": a JPG does not keep the colours of single pixels: save the "
-                                "picture as PNG, BMP or PPM.");
+        throw InputError(fmt::format("{}: a JPG does not keep the colours of single pixels: save "
+                                     "the picture as {}.",
+                                     path, exact_image_formats));
     }
     return parse_image(bytes, path);
 }

@@ -16,6 +16,26 @@ struct FormatMark {
     std::string_view mark, name;
 };
 
+/// How the name of a picture ends, in small letters.
+struct ImageEnding {
+    std::string_view ending;
+    bool is_exact; ///< every pixel is kept
+};
+
+constexpr ImageEnding image_endings[] = {
+    {".png", true}, {".jpg", false}, {".jpeg", false}, {".tga", true},
+    {".bmp", true}, {".ppm", true},  {".pgm", true},
+};
+
+/// What the name says of the picture; null: nothing.
+const ImageEnding* find_image_ending(std::string_view name) {
+    const std::string small = in_small_letters(name);
+    const auto* const found =
+        std::find_if(std::begin(image_endings), std::end(image_endings),
+                     [&](const ImageEnding& of) { return small.ends_with(of.ending); });
+    return found != std::end(image_endings) ? found : nullptr;
+}
+
 constexpr FormatMark unread_marks[] = {
     {0, "II*\0"sv, "TIFF"},
     {0, "MM\0*"sv, "TIFF"},
@@ -80,11 +100,12 @@ bool begins_as_tga(std::string_view bytes) {
 } // namespace
 
 bool has_image_ending(std::string_view name) {
-    constexpr std::string_view endings[] = {".png", ".jpg", ".jpeg", ".tga",
-                                            ".bmp", ".ppm", ".pgm"};
-    const std::string small = in_small_letters(name);
-    return std::any_of(std::begin(endings), std::end(endings),
-                       [&](std::string_view ending) { return small.ends_with(ending); });
+    return find_image_ending(name) != nullptr;
+}
+
+bool has_exact_image_ending(std::string_view name) {
+    const ImageEnding* const found = find_image_ending(name);
+    return found != nullptr && found->is_exact;
 }
 
 ImageFormat image_format(std::string_view bytes) {

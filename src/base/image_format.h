@@ -22,8 +22,10 @@ inline constexpr std::string_view image_formats_read = "PNG, JPG, TGA, BMP, PPM 
 /// Those of them that keep every pixel as it was.
 inline constexpr std::string_view exact_image_formats = "PNG, TGA, BMP, PPM or PGM";
 
-/// Has a file this name, by its ending, if it is in one of them?
+/// Does a file with this name say, by its ending, that it is in one of the formats that are read?
 bool has_image_ending(std::string_view name);
+/// The same for those that keep every pixel.
+bool has_exact_image_ending(std::string_view name);
 
 /// The longest beginning of a file that is looked at, bytes.
 inline constexpr std::size_t image_head_size = 64;

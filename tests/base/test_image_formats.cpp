@@ -227,7 +227,7 @@ TEST_CASE("A JPG is read as nearly as it keeps its colours") {
 TEST_CASE("Where every pixel counts a JPG is refused, and a PPM is not") {
     CHECK_THROWS_WITH(parse_exact_image(jpeg(8, 8, 100, ramp(8, 8)), "x"),
                       "x: a JPG does not keep the colours of single pixels: save the picture as "
-                      "PNG, BMP or PPM.");
+                      "PNG, TGA, BMP, PPM or PGM.");
     CHECK(parse_exact_image("P3 1 1 255 1 2 3", "x") == Image{1, 1, {1, 2, 3, 255}});
 }
 

@@ -18,3 +18,10 @@ TEST_CASE("A picture is told by the ending of its name, in capitals or not") {
     for (const char* const name : {"png", "a.png.txt", "a.tif", "", "a.jpgx"})
         CHECK_FALSE(has_image_ending(name));
 }
+
+TEST_CASE("A picture that keeps every pixel is told by the ending of its name") {
+    for (const char* const name : {"a.png", "A.PNG", "c.tga", "e.Bmp", "d.ppm", ".pgm"})
+        CHECK(has_exact_image_ending(name));
+    for (const char* const name : {"b.jpg", "b.Jpeg", "a.png.jpg", "a.tif", "", "png"})
+        CHECK_FALSE(has_exact_image_ending(name));
+}

@@ -40,13 +40,18 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view view_ending = ".walk.toml";
 
-bool has_result_ending(const std::string& path) {
-    return has_image_ending(path) || in_small_letters(path).ends_with(".txt");
+bool has_text_ending(const std::string& path) {
+    return in_small_letters(path).ends_with(".txt");
 }
 
-/// A picture, whatever its name, or a text.
+/// Can the student's own result have this name? A JPG does not keep it.
+bool has_result_ending(const std::string& path) {
+    return has_exact_image_ending(path) || has_text_ending(path);
+}
+
+/// A picture, whatever its name, or a text. That a JPG cannot be checked is said when it is read.
 bool is_result(const std::string& path) {
-    return is_image_file(path) || has_result_ending(path);
+    return is_image_file(path) || has_image_ending(path) || has_text_ending(path);
 }
 
 /// What the sheet lists; everything can be opened by its name.

@@ -421,17 +421,23 @@ TEST_CASE("A result of one's own is chosen from a list of pictures and texts") {
     write_file(folder.file("rows##1\n.txt"), "Start: (10,5). End: (10,5).\n");
     write_file(folder.file("room.toml"), "");
     write_file(folder.file("empty.txt"), "");
+    for (const char* const name : {"small.JPG", "small.jpeg", "mine.ppm"})
+        write_file(folder.file(name), "");
     Driver driver;
     driver.ui.sheets.files.folder = folder.file(".");
     driver.open("lab");
     driver.hand.click("lab.mode.result");
     driver.hand.click("lab.choose");
     REQUIRE(driver.ui.sheets.files.kind == FileSheet::Kind::result);
-    for (const char* name : {"older", "mine.png", "rows##1\n.txt", "empty.txt"}) {
+    for (const char* name : {"older", "mine.png", "mine.ppm", "rows##1\n.txt", "empty.txt"}) {
         INFO(name);
         CHECK(driver.hand.is_visible(std::string("files.entry.") + name));
     }
-    CHECK_FALSE(driver.hand.is_visible("files.entry.room.toml"));
+    // A JPG would be refused.
+    for (const char* name : {"room.toml", "small.JPG", "small.jpeg"}) {
+        INFO(name);
+        CHECK_FALSE(driver.hand.is_visible(std::string("files.entry.") + name));
+    }
 
     // What cannot be checked is said on the sheet; nothing changes behind it.
     driver.hand.click("files.entry.empty.txt");
