@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "base/limits.h"
 #include "base/numbers.h"
@@ -86,7 +87,7 @@ class ModelBuilder {
             if (!cut(face)) continue;
             const int material = material_of_[static_cast<std::size_t>(face.part)];
             begin_drawn_part(face, material, maps_of_face(face, material));
-            add_face(face, look_of(material), computed, first, join);
+            add_face(face, material, computed, first, join);
             ObjPart& made = model_.parts.back();
             made.triangle_count = model_.mesh.triangle_count() - made.first_triangle;
         }
@@ -257,10 +258,20 @@ class ModelBuilder {
                                 maps.texture, maps.normal_map});
     }
 
+    /// The place of the texture that a corner has.
+    glm::vec2 place_in_texture(const ObjCorner& corner, int material) const {
+        const glm::vec2 given = file_.texcoords[static_cast<std::size_t>(corner.texcoord)];
+        if (material < 0) return given;
+        const ObjMaterial& of = model_.materials[static_cast<std::size_t>(material)];
+        constexpr auto largest = static_cast<float>(largest_model_coordinate);
+        return glm::clamp(of.map_scale * given + of.map_offset, -largest, largest);
+    }
+
     /// Puts the face into the mesh.
-    /// @param look a corner with the colours of the face's material, and nothing else
-    void add_face(const ObjFace& face, const Vertex& look, const std::vector<glm::vec3>& computed,
+    /// @param material of the face: an index, or -1
+    void add_face(const ObjFace& face, int material, const std::vector<glm::vec3>& computed,
                   std::size_t first_computed, VertexJoin& join) {
+        const Vertex& look = look_of(material);
         indices_.clear();
         const bool is_painted = has_texcoords(face);
         for (int i = 0; i < face.corner_count; ++i) {
@@ -269,8 +280,7 @@ class ModelBuilder {
             vertex.position = places_[static_cast<std::size_t>(i)];
             if (!file_.colours.empty())
                 vertex.reflectance *= file_.colours[static_cast<std::size_t>(corner.position)];
-            if (is_painted)
-                vertex.texcoord = file_.texcoords[static_cast<std::size_t>(corner.texcoord)];
+            if (is_painted) vertex.texcoord = place_in_texture(corner, material);
             if (needs_normal(corner)) {
                 vertex.normal = computed[first_computed + static_cast<std::size_t>(i)];
                 ++counts().computed_normals;

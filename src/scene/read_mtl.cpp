@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,10 +31,26 @@ constexpr MapOption map_options[] = {
     {"-s", 1, 3},      {"-t", 1, 3},          {"-texres", 1, 1}, {"-type", 1, 1},
 };
 
+/// What the options of an image say.
+struct MapOptions {
+    float strength = 1.0f;               ///< -bm
+    glm::vec2 scale{1.0f}, offset{0.0f}; ///< -s and -o; their third number is for solid textures
+
+    /// @param i which number of the option, from 0
+    void set(std::string_view option, int i, float number) {
+        if (option == "-bm") strength = number;
+        if (option == "-s" && i < 2) scale[i] = number;
+        if (option == "-o" && i < 2) offset[i] = number;
+    }
+};
+
+using UsedOptions = std::initializer_list<std::string_view>;
+
 /// Images of one file that are looked for on the disk.
 constexpr std::size_t most_lookups = 2 * most_materials;
 
-constexpr std::string_view skipped_option = "of an image's options only -bm is used";
+constexpr std::string_view skipped_option =
+    "of an image's options only -bm, and -s and -o of map_Kd, are used";
 constexpr std::string_view skipped_halo = "alpha is the same from wherever a face is seen";
 constexpr std::string_view skipped_material = "this property of a material is not used";
 
@@ -115,14 +132,20 @@ class MtlReader {
         if (key == "d" || key == "tr") return read_alpha(key == "d", rest, material);
         if (key == "map_kd") {
             material.diffuse_map_line = lines_.line();
-            return read_map(word, rest, material.diffuse_map, nullptr);
+            MapOptions options;
+            read_map(word, rest, material.diffuse_map, {"-s", "-o"}, options);
+            material.map_scale = options.scale;
+            material.map_offset = options.offset;
+            return;
         }
+        MapOptions options;
         if (key == "map_d") {
             material.alpha_map_line = lines_.line();
-            return read_map(word, rest, material.alpha_map, nullptr);
+            return read_map(word, rest, material.alpha_map, {}, options);
         }
         material.bump_map_line = lines_.line();
-        read_map(word, rest, material.bump_map, &material.bump_strength);
+        read_map(word, rest, material.bump_map, {"-bm"}, options);
+        material.bump_strength = options.strength;
         material.bump_is_normal = key == "norm";
     }
 
@@ -211,7 +234,8 @@ class MtlReader {
     }
 
     /// Takes the options from in front of an image's name.
-    void read_options(std::string_view& rest, float* strength) {
+    /// @param used of them; of the others it is told that they are not
+    void read_options(std::string_view& rest, const UsedOptions& used, MapOptions& options) {
         while (true) {
             std::string_view behind = rest;
             const std::string_view option = take_word(behind);
@@ -224,17 +248,18 @@ class MtlReader {
                 const std::optional<double> number = parse_model_number(word);
                 // The name follows: it may look like a number, but there is always one.
                 if (i >= known->fewest && (!number || trimmed(after).empty())) break;
-                if (option == "-bm" && strength != nullptr && number)
-                    *strength = static_cast<float>(*number);
+                if (number) options.set(option, i, static_cast<float>(*number));
                 behind = after;
             }
-            if (option != "-bm" || strength == nullptr) skip(option, skipped_option);
+            if (std::find(used.begin(), used.end(), option) == used.end())
+                skip(option, skipped_option);
             rest = behind;
         }
     }
 
-    void read_map(std::string_view word, std::string_view rest, std::string& map, float* strength) {
-        read_options(rest, strength);
+    void read_map(std::string_view word, std::string_view rest, std::string& map,
+                  const UsedOptions& used, MapOptions& options) {
+        read_options(rest, used, options);
         if (++looked_for_ > most_lookups) {
             return fault([&] {
                 return fmt::format("{}: more than {} images are named; the image is left out.",

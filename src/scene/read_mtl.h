@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "scene/obj_report.h"
@@ -28,6 +29,8 @@ struct ObjMaterial {
     std::string file;            ///< in which it stands
     int diffuse_line = 0;        ///< of Kd there, from 1; 0: none
     int diffuse_map_line = 0;    ///< of map_Kd, whether or not the image is there; 0: none
+    glm::vec2 map_scale{1.0f};   ///< -s and -o of map_Kd: a corner lies at scale * vt + offset,
+    glm::vec2 map_offset{0.0f};  ///< which is how Blender and three.js take them
     std::string alpha_map;       ///< map_d: the same
     int alpha_map_line = 0;      ///< its line
     std::string bump_map;        ///< bump, map_Bump or norm: the same

@@ -384,11 +384,34 @@ TEST_CASE("Materials stand beside the model, and give its faces their colour") {
     const std::string mtl = folder.file("two parts.mtl");
     CHECK(skipped_lines(model.report) ==
           std::vector<std::string>{
-              mtl + ":6: 1 statement '-s' is skipped: of an image's options only -bm is used.",
-              mtl + ":6: 1 statement '-o' is skipped: of an image's options only -bm is used.",
-              mtl + ":6: 1 statement '-clamp' is skipped: of an image's options only -bm is used.",
+              mtl + ":6: 1 statement '-clamp' is skipped: of an image's options only -bm, and -s "
+                    "and -o of map_Kd, are used.",
               mtl + ":8: 1 statement 'illum' is skipped: this property of a material is not "
                     "used."});
+}
+
+TEST_CASE("Scale and offset of an image move the corners of its faces in the texture") {
+    const test::TemporaryFolder folder;
+    write_png({1, 1, {9, 9, 9, 255}}, folder.file("p.png"));
+    const auto corners_by = [&](const std::string& map) {
+        folder.write("m.mtl", "newmtl a\nmap_Kd " + map + " p.png\nnewmtl b\nmap_Kd p.png\n");
+        const ObjModel model = read_obj(
+            folder.write("m.obj", "mtllib m.mtl\n" + triangle_points +
+                                      "vt 0.25 0.5\nvt 1 0\nvt 0 3\nusemtl a\nf 1/1 2/2 3/3\n"
+                                      "usemtl b\nf 1/1 2/2 3/3\n"));
+        // The other material keeps the places of the file.
+        CHECK(model.mesh.corner(1, 0).texcoord == glm::vec2(0.25f, 0.5f));
+        std::vector<glm::vec2> places;
+        for (int corner = 0; corner < 3; ++corner)
+            places.push_back(model.mesh.corner(0, corner).texcoord);
+        return places;
+    };
+    using Places = std::vector<glm::vec2>;
+    CHECK(corners_by("-s 2 4 1") == Places{{0.5f, 2}, {2, 0}, {0, 12}});
+    CHECK(corners_by("-o 0.5 -1 7") == Places{{0.75f, -0.5f}, {1.5f, -1}, {0.5f, 2}});
+    CHECK(corners_by("-o 1 1 -s 2") == Places{{1.5f, 1.5f}, {3, 1}, {1, 4}});
+    CHECK(corners_by("-s 0 0") == Places{{0, 0}, {0, 0}, {0, 0}});
+    CHECK(corners_by("-s 1 1e9")[2].y == static_cast<float>(largest_model_coordinate)); // not 3e9
 }
 
 TEST_CASE("A file of materials may be named in quotes, and is plain text") {
