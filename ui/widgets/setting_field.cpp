@@ -152,11 +152,21 @@ void edit_size(Ui& ui, Settings& settings, const std::string& name, const std::s
     viewport = {std::clamp(sides.x, 1, size.largest), std::clamp(sides.y, 1, size.largest)};
 }
 
-/// Without a box the fields hold the box that shows the same; the first change of one sets it.
+/// The box that shows what the focal length does, or the nearest that is allowed.
+ViewBox offered_box(const Settings& settings, const BoxSetting& kind) {
+    const ViewBox usual = usual_view_box(vertex_rules(settings, SceneSpace::world));
+    const auto half = [&](float side) {
+        return std::clamp(side, 0.5f * kind.least_side, kind.largest);
+    };
+    const float right = half(usual.right), top = half(usual.top);
+    return {-right, right, -top, top};
+}
+
+/// Without a box the fields hold the one that is offered; the first change of one sets it.
 void edit_box(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
               const BoxSetting& kind) {
     std::optional<ViewBox>& value = kind.value(settings);
-    ViewBox box = value ? *value : usual_view_box(vertex_rules(settings, SceneSpace::world));
+    ViewBox box = value ? *value : offered_box(settings, kind);
     const std::array<float*, 4> sides{&box.left, &box.right, &box.bottom, &box.top};
     bool is_changed = false;
     draw_parts(ui, name, {"left", "right", "bottom", "top"}, [&](const std::string& part, int i) {

@@ -97,4 +97,27 @@ TEST_CASE("The sides of a box are typed one by one, and set back all at once") {
     CHECK_FALSE(settings.view_box);
 }
 
+TEST_CASE("The sides of a box can be typed where the focal length shows more or less than it may") {
+    const auto& kind = std::get<BoxSetting>(find_setting("view_box")->kind);
+    struct Case {
+        float focal_length, near;
+        float half; ///< of each side, before one is typed
+    };
+    // They show 2500 and 0.0000000025 to each side.
+    for (const Case& one :
+         {Case{1.0f, 10.0f, kind.largest}, Case{100000.0f, 0.000001f, 0.5f * kind.least_side}}) {
+        CAPTURE(one.focal_length, one.near);
+        Driver driver;
+        Settings& settings = driver.ui.session.a.settings;
+        set_from_text(settings, "transform=matrices");
+        settings.camera.focal_length = one.focal_length;
+        settings.near = one.near;
+        driver.hand.click("tab.settings");
+        driver.hand.enter("setting.view_box.right", "500");
+        CHECK(settings.view_box == ViewBox{-one.half, 500.0f, -one.half, one.half});
+        driver.hand.enter("setting.view_box.bottom", "-250");
+        CHECK(settings.view_box == ViewBox{-one.half, 500.0f, -250.0f, one.half});
+    }
+}
+
 } // namespace rasterwalk
