@@ -159,7 +159,8 @@ void print_spaces(std::ostream& out, const Frame& frame, int triangle) {
 
 void print_conventions(std::ostream& out, const Frame& frame, int triangle) {
     const ConventionReport report = conventions_of(frame, triangle);
-    out << fmt::format("\nConventions: {}, pixels from the middle of the picture\n",
+    out << fmt::format("\nConventions: {} by the lab's projection, f x/z and f y/z, in pixels from "
+                       "the middle\n",
                        vertex_name(0));
     print_convention(out, "the lab's", report.lab);
     for (std::size_t i = 0; i < convention_count; ++i)

@@ -61,7 +61,8 @@ struct ConventionReport {
     std::vector<std::string> sentences;      ///< what cancels, one a set
 };
 
-/// Takes a point of the world through all choices.
+/// Takes a point of the world through all choices, by the lab's projection, which knows the focal
+/// length and no other projection or window that may be set.
 /// @param point in the lab's axes; should lie in front of the camera
 ConventionReport convention_report(const Camera& camera, const glm::vec3& point);
 

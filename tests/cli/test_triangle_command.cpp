@@ -96,7 +96,15 @@ TEST_CASE("triangle shows every space with its matrix where matrices do the work
     CHECK_THAT(rows.out,
                ContainsSubstring("         0.0000      0.0000      3.0010      1.0000\n"));
     CHECK_THAT(rows.out, !ContainsSubstring("-0.0000"));
-    CHECK_THAT(rows.out, ContainsSubstring("Conventions: vertices[0]"));
+    const std::string conventions = "Conventions: vertices[0] by the lab's projection";
+    REQUIRE_THAT(rows.out, ContainsSubstring(conventions));
+    // They are the lab's, whatever else is drawn.
+    const CliRun boxed = run(
+        {"triangle", "0", "--set", "transform=matrices", "--set", "view_box=-0.05,0.1,-0.05,0.05"});
+    REQUIRE_THAT(boxed.out, ContainsSubstring(conventions));
+    CHECK(boxed.out.substr(boxed.out.find(conventions)) ==
+          rows.out.substr(rows.out.find(conventions)));
+    CHECK(boxed.out != rows.out);
     CHECK_THAT(rows.out,
                ContainsSubstring("Y up in the world and rows counted from below cancel."));
     const CliRun columns = run(

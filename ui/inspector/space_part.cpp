@@ -116,7 +116,8 @@ void draw_conventions(Ui& ui, const Vertex& vertex) {
     ImGui::TextUnformatted("conventions");
     keep_item_whole(ui);
     name_widget(ui, "vertices.conventions",
-                "The same point with one choice made otherwise: pixels from the middle.");
+                "The same point by the lab's projection, whatever is drawn, with one choice made "
+                "otherwise: pixels from the middle.");
     const auto draw_line = [&](std::string_view name, const ConventionPlace& place) {
         line_of_text(ui, std::string(name) + ": " + fixed(place.picture.x, 1) + ", " +
                              fixed(place.picture.y, 1) + ", " +
