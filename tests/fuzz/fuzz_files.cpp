@@ -122,6 +122,13 @@ int main(int argc, char** argv) {
         fmt::print(stderr, ".\n");
         return 2;
     }
+    if (*count < formats.size()) {
+        fmt::print(stderr,
+                   "rasterwalk-fuzz: {} files are too few for {} formats: give at least one to "
+                   "each.\n",
+                   *count, formats.size());
+        return 2;
+    }
     void* const shared = ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE,
                                 MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (shared == MAP_FAILED) return 2;
