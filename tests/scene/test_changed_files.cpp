@@ -19,15 +19,19 @@ TEST_CASE("Changed files of every format are read or refused, within their bound
     for (const test::ChangedFormat& format : test::changed_formats()) {
         const int count = test::rounds(1000, 200);
         const std::string said = test::said_within(test::most_memory, [&]() -> std::string {
-            int read = 0;
+            int read = 0, refused = 0;
             for (int i = 0; i < count; ++i) {
                 const auto number = static_cast<std::uint32_t>(i);
                 const std::string bytes = test::changed_file(format, number);
                 const test::FileOutcome outcome = test::outcome_of(format, bytes, folder);
                 if (!outcome.trouble.empty()) return fmt::format("file {}: {}", i, outcome.trouble);
-                read += outcome.is_read ? 1 : 0;
+                ++(outcome.is_read ? read : refused);
             }
-            return read > 0 ? "" : "none is read.";
+            // Most changes leave no scene: its file has words that must be and no others.
+            const int fewest_read = format.name == "scene" ? count / 50 : count / 8;
+            if (read < fewest_read || refused < count / 8)
+                return fmt::format("of {} files {} are read, {} refused.", count, read, refused);
+            return "";
         });
         INFO(format.name);
         CHECK(said == "");

@@ -19,7 +19,8 @@ inline constexpr std::size_t most_memory = std::size_t{200} << 20;
 
 /// What became of a file.
 struct FileOutcome {
-    bool is_read = false; ///< or refused
+    bool is_read = false; ///< or refused; a file of materials, of which only what is wrong is left
+                          ///< out, is read if there is nothing wrong
     std::string trouble;  ///< what is wrong with that; empty: nothing
 };
 
@@ -35,7 +36,7 @@ struct ChangedFormat {
 std::vector<ChangedFormat> changed_formats();
 
 /// A seed with one to six changes, more often few: bytes and words that are put in, left out or
-/// doubled, or an end that is missing.
+/// doubled, an end that is missing, or another number.
 /// @param number of the file: the same number makes the same file
 std::string changed_file(const ChangedFormat& format, std::uint32_t number);
 

@@ -54,16 +54,26 @@ std::string trouble_of_report(const ObjReport& report, const std::string& path) 
     return "";
 }
 
-std::string trouble_of_vertex(const Vertex& vertex) {
+/// @param farthest from the origin along each axis
+std::string trouble_of_vertex(const Vertex& vertex, float farthest) {
     if (vertex.reflectance != glm::clamp(vertex.reflectance, 0.0f, 1.0f))
         return "a colour is beyond 0 to 1.";
-    const glm::vec3 place = glm::abs(vertex.position);
-    if (!(std::max({place.x, place.y, place.z}) <= 1.001f) || !(place.x + place.y + place.z < 4.0f))
-        return "a place is beyond the box of the model.";
+    for (int i = 0; i < 3; ++i) {
+        if (!(std::abs(vertex.position[i]) <= farthest))
+            return "a place is too far out, or no number.";
+    }
     const float length = glm::length(vertex.normal);
     if (length != 0.0f && !(std::abs(length - 1.0f) < 1e-5f)) return "a normal is no direction.";
     if (!std::isfinite(vertex.texcoord.x) || !std::isfinite(vertex.texcoord.y))
         return "a texture coordinate is no number.";
+    return "";
+}
+
+std::string trouble_of_vertices(const Scene& scene, float farthest) {
+    for (const Vertex& vertex : scene.mesh.vertices()) {
+        std::string trouble = trouble_of_vertex(vertex, farthest);
+        if (!trouble.empty()) return trouble;
+    }
     return "";
 }
 
@@ -74,12 +84,16 @@ std::string trouble_of_model(const ObjModel& model) {
     if (trouble.empty()) trouble = trouble_of_report(model.report, model.path);
     if (!trouble.empty()) return trouble;
     const Scene scene = scene_of_model(model);
-    for (const Vertex& vertex : scene.mesh.vertices()) {
-        trouble = trouble_of_vertex(vertex);
-        if (!trouble.empty()) return trouble;
-    }
+    constexpr float box_of_model = 1.001f;
+    trouble = trouble_of_vertices(scene, box_of_model);
+    if (!trouble.empty()) return trouble;
     if (!(std::abs(scene.camera.position.z) < largest_place)) return "its camera is nowhere.";
     return "";
+}
+
+std::string trouble_of_scene(const Scene& scene) {
+    if (scene.triangle_count() < 1) return "it has no triangle.";
+    return trouble_of_vertices(scene, largest_coordinate);
 }
 
 bool has_line(const std::string& sentence, const std::string& path) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scene/read_obj.h"
+#include "scene/scene.h"
 
 namespace rasterwalk::test {
 
@@ -14,6 +15,10 @@ const std::vector<std::string>& model_seeds();
 /// parts that do not follow each other, numbers that are no places, no colours and no directions.
 /// Empty: nothing.
 std::string trouble_of_model(const ObjModel& model);
+
+/// The same of a scene that was read, whose places are in the world: no triangle, and numbers that
+/// are no places, no colours and no directions.
+std::string trouble_of_scene(const Scene& scene);
 
 /// Does a refusal begin with the model's file and a line?
 bool has_line(const std::string& sentence, const std::string& path);
