@@ -166,17 +166,15 @@ void update_hints(const Session& session, const RunChanges& changes, const WorkL
                   Results& results) {
     PictureHints& hints = results.hints;
     const bool are_wanted = session.cursor == cursor_end && !session.b;
-    if (!are_wanted || hints.scene != results.a.scene) {
-        hints.found.clear();
-        hints.scene = results.a.scene;
-        hints.are_due = are_wanted;
+    const std::shared_ptr<const Scene> scene = are_wanted ? results.a.scene : nullptr;
+    const bool is_other_scene = hints.scene != scene;
+    if (is_other_scene) hints.found.clear();
+    if (is_other_scene || changes.frame || changes.moment) {
         hints.work = std::nullopt;
+        hints.scene = scene;
+        hints.are_due = are_wanted;
     }
     if (!are_wanted) return;
-    if (changes.frame || changes.moment) {
-        hints.are_due = true;
-        hints.work = std::nullopt;
-    }
     // They are looked for after all else, in updates of their own.
     const bool is_whole =
         results.a.is_drawn() && results.a.is_complete() && !results.a.is_frame_late;

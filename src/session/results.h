@@ -61,7 +61,7 @@ struct GroundSource {
 /// picture before stay until it is known of this one.
 struct PictureHints {
     std::vector<SeenHint> found;
-    std::shared_ptr<const Scene> scene; ///< of the picture that they were found in
+    std::shared_ptr<const Scene> scene; ///< of the picture; null: none are wanted
     bool are_due = false;               ///< `found` is of a picture before
     std::optional<SeenHintsWork> work;  ///< looks for them, once all else is done
 };
