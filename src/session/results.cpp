@@ -165,7 +165,8 @@ void update_second_run(const Session& session, const RunChanges& a, bool are_rea
 void update_hints(const Session& session, const RunChanges& changes, const WorkLimit& limit,
                   Results& results) {
     PictureHints& hints = results.hints;
-    const bool are_wanted = session.cursor == cursor_end && !session.b;
+    const bool is_model = results.a.scene && results.a.scene->model_report;
+    const bool are_wanted = is_model && session.cursor == cursor_end && !session.b;
     const std::shared_ptr<const Scene> scene = are_wanted ? results.a.scene : nullptr;
     const bool is_other_scene = hints.scene != scene;
     if (is_other_scene) hints.found.clear();

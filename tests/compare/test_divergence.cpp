@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include <glm/geometric.hpp>
+
 #include "compare/compare.h"
 #include "picture/view_image.h"
 #include "settings/setting_table.h"
@@ -55,8 +57,10 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
                 event.has_pixel ? 1U : 0U};
         if (with_light) {
             const Vertex& vertex = frame.scene->corner(event.cursor.triangle, event.cursor.index);
-            const glm::vec3 normal =
-                frame.stages.light_normal(vertex.normal, frame.settings.camera);
+            glm::vec3 normal = frame.stages.light_normal(vertex.normal, frame.settings.camera);
+            const glm::vec3 sight = vertex.position - frame.settings.camera.position;
+            const bool is_two_sided = frame.settings.light_rules.sides == LightSides::two;
+            if (is_two_sided && glm::dot(normal, sight) > 0.0f) normal = -normal;
             add(work, reflected_light(vertex.position, normal, vertex.reflectance,
                                       light_rule(frame.settings), frame.settings.light_rules)
                           .reflected);

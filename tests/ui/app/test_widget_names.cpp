@@ -12,6 +12,7 @@
 #include "session/second_run.h"
 #include "session/tabs.h"
 #include "settings/setting_table.h"
+#include "support/hinted_models.h"
 #include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/many_walls.h"
@@ -46,6 +47,7 @@ class Tour {
         covered();
         groups();
         large_frame();
+        hinted_model();
     }
 
   private:
@@ -252,6 +254,13 @@ class Tour {
         driver.hand.click("canvas.draw_it");
         for (const auto& [name, place] : driver.ui.widgets)
             seen.insert(name);
+    }
+
+    /// A model of which nothing is seen.
+    void hinted_model() {
+        Driver driver(session_of(test::sheet_of("Kd 1 1 1\nd 0\n")));
+        driver.hand.frames(4);
+        look(driver);
     }
 
     /// Whoever chose the tab, and what a lesson hides.
