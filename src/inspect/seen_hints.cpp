@@ -67,11 +67,10 @@ SeenPixels count_seen(const Frame& frame, const Framebuffer& picture) {
 }
 
 SeenHintsWork::SeenHintsWork(const Frame& frame, const Framebuffer& picture)
-    : frame_(&frame), picture_(&picture) {
-    is_done_ = !frame.given->model_report || !has_fragments(frame.settings.stage) ||
+    : frame_(&frame), picture_(&picture),
+      is_done_(!frame.given->model_report || !has_fragments(frame.settings.stage) ||
                picture.owner.size() > most_hinted_pixels ||
-               frame.triangle_count() > most_hinted_triangles;
-}
+               frame.triangle_count() > most_hinted_triangles) {}
 
 void SeenHintsWork::advance(const WorkLimit& limit) {
     if (is_done_) return;

@@ -30,7 +30,7 @@ void draw_hint_bar(Ui& ui) {
     const auto shown = std::find_if(hints.found.begin(), hints.found.end(),
                                     [&](const SeenHint& hint) { return !is_hidden(ui, hint); });
     if (shown == hints.found.end()) return;
-    const SeenHint hint = *shown;
+    const SeenHint& hint = *shown;
     const NoticeButton act{"canvas.hint_act", hint.act, hint.help};
     const NoticeButton no{"canvas.hint_hide", "hide", "Stops showing this for this model."};
     const std::string without_numbers = hint.seen.substr(0, hint.seen.find(','));
