@@ -1,6 +1,7 @@
 #include "inspect/seen_hints.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -37,7 +38,10 @@ void count_rows_seen(const Frame& frame, const Framebuffer& picture, int from, i
         }
         ++seen.surface;
         seen.backs += known_is_back ? 1 : 0;
-        seen.lit += is_invisible(picture.colour[i]) ? 0 : 1;
+        const glm::vec3& colour = picture.colour[i];
+        seen.lit += is_invisible(colour) ? 0 : 1;
+        const float largest = std::clamp(std::max({colour.r, colour.g, colour.b}), 0.0f, 1.0f);
+        seen.light += std::lround(255.0f * largest);
     }
 }
 
@@ -98,21 +102,25 @@ void SeenHintsWork::choose_tries() {
     const auto add = [&](Way way, std::vector<std::string> assignments) {
         if (!assignments.empty()) tries_.push_back({way, std::move(assignments), {}});
     };
-    const SeenPixels& seen = now_.seen;
-    if (seen.lit == 0) {
+    if (is_black()) {
         std::vector<std::string> opaque;
         if (has_alpha(scene) && settings.blend != Blend::off) opaque.emplace_back("blend=off");
         if (has_texture_alpha(scene) && settings.texture_alpha != TextureAlpha::off)
             opaque.emplace_back("texture_alpha=off");
         add(Way::opaque, std::move(opaque));
     }
-    if (settings.cull == Cull::none && 2 * seen.backs > seen.surface)
-        add(Way::without_backs, {"cull=face_normal"});
-    if (seen.lit > 0) return;
-    if (seen.surface == 0 || shading_rule(settings) == Shading::unlit) return;
-    if (settings.light_rules.sides != LightSides::two)
+    const bool is_lit = shading_rule(settings) != Shading::unlit;
+    const bool is_one_sided = settings.light_rules.sides == LightSides::one;
+    // Who lights both sides wants to see backs.
+    const bool are_unwanted = are_backs() && settings.cull == Cull::none && is_one_sided;
+    if (are_unwanted) add(Way::without_backs, {"cull=face_normal"});
+    if (is_lit && is_one_sided && (are_unwanted || is_black()))
         add(Way::lit_from_both_sides, {"light.sides=two"});
-    if (settings.light.place != LampPlace::camera) add(Way::lamp_at_camera, {"light.place=camera"});
+    if (!is_black() || now_.seen.surface == 0) return;
+    if (is_lit && settings.light.place != LampPlace::camera)
+        add(Way::lamp_at_camera, {"light.place=camera"});
+    if (!scene.textures.empty() && settings.texture == TextureUse::on)
+        add(Way::without_images, {"texture=off"});
 }
 
 void SeenHintsWork::begin_try() {
@@ -157,12 +165,6 @@ SeenHint SeenHintsWork::hint_of(const Try& tried) const {
     const std::string all = pixels(now_.seen.surface), settings = named(tried.settings);
     SeenHint hint{{}, {}, {}, tried.settings, {}};
     switch (tried.way) {
-    case Way::without_backs:
-        hint.seen = fmt::format("Most of what you see is backs, {} of {}", now_.seen.backs, all);
-        hint.in_short = "Mostly backs";
-        hint.act = "leave them out";
-        hint.help = settings + " shows what is behind them.";
-        break;
     case Way::opaque:
         hint.seen = is_clear(*frame_->scene) || now_.seen.surface == 0
                         ? "The model is transparent: nothing of it is seen"
@@ -172,40 +174,50 @@ SeenHint SeenHintsWork::hint_of(const Try& tried) const {
         hint.help =
             fmt::format("{} {} {} of it.", settings, tried.settings.size() == 1 ? "shows" : "show",
                         pixels(tried.seen.lit));
+        return hint;
+    case Way::without_backs:
+        hint.act = "leave them out";
+        hint.help = settings + " shows what is behind them.";
         break;
     case Way::lit_from_both_sides:
         hint.act = "light both sides";
+        hint.help = settings + " lights them, too.";
         break;
     case Way::lamp_at_camera:
         hint.act = "lamp to the camera";
         break;
+    case Way::without_images:
+        hint.act = "leave images out";
+        break;
     }
-    if (hint.seen.empty()) {
+    if (tried.way == Way::without_backs || !is_black()) {
+        hint.seen = fmt::format("Most of what you see is backs, {} of {}", now_.seen.backs, all);
+        hint.in_short = "Mostly backs";
+    } else {
         hint.seen = "All that you see is black";
         hint.in_short = "All black";
-        hint.help = fmt::format("{} lights {} of {}.", settings, tried.seen.lit, all);
+        hint.help = fmt::format("{} shows {} of {}.", settings, tried.seen.lit, all);
     }
     return hint;
 }
 
+/// Does this setting show more?
+bool SeenHintsWork::helps(const Try& tried) const {
+    const SeenPixels &before = now_.seen, &seen = tried.seen;
+    // Of a sheet next to nothing would be left.
+    if (tried.way == Way::without_backs) return seen.lit > 0 && 2 * seen.surface > before.surface;
+    return is_black() ? seen.lit > 0 : 20 * seen.light > 21 * before.light;
+}
+
 std::vector<SeenHint> SeenHintsWork::hints() const {
     std::vector<SeenHint> hints;
-    const Try* brightest = nullptr;
+    const Try* brightest = nullptr; // of those that light what is black
     for (const Try& tried : tries_) {
-        const SeenPixels& seen = tried.seen;
-        switch (tried.way) {
-        case Way::without_backs:
-            // Of a sheet or of a model that is inside out next to nothing would be left.
-            if (2 * seen.surface > now_.seen.surface) hints.push_back(hint_of(tried));
-            break;
-        case Way::opaque:
-            if (seen.lit > 0) hints.push_back(hint_of(tried));
-            break;
-        case Way::lit_from_both_sides:
-        case Way::lamp_at_camera:
-            if (seen.lit > (brightest != nullptr ? brightest->seen.lit : 0)) brightest = &tried;
-            break;
-        }
+        if (!helps(tried)) continue;
+        const bool lights = is_black() && tried.way > Way::without_backs;
+        if (!lights) hints.push_back(hint_of(tried));
+        if (lights && (brightest == nullptr || tried.seen.lit > brightest->seen.lit))
+            brightest = &tried;
     }
     if (brightest != nullptr) hints.push_back(hint_of(*brightest));
     return hints;

@@ -22,6 +22,7 @@ struct SeenPixels {
     std::int64_t surface = 0; ///< all of them
     std::int64_t backs = 0;   ///< of a triangle that shows its back, see away_from_camera()
     std::int64_t lit = 0;     ///< that are not black, see is_invisible()
+    std::int64_t light = 0;   ///< the largest channels of all of them, in steps of 1/255
 
     friend bool operator==(const SeenPixels&, const SeenPixels&) = default;
 };
@@ -34,7 +35,8 @@ SeenPixels count_seen(const Frame& frame, const Framebuffer& picture);
 inline constexpr std::size_t most_hinted_pixels = std::size_t{1} << 23;
 inline constexpr int most_hinted_triangles = 1'000'000;
 
-/// Something to say of a whole picture, and what helps.
+/// Something to say of a whole picture, and what helps. Of the same thing there may be two, with
+/// different helps.
 struct SeenHint {
     std::string seen;                  ///< "Most of what you see is backs, 90 of 100 pixels"
     std::string in_short;              ///< the same where there is little room: "Mostly backs"
@@ -47,7 +49,7 @@ struct SeenHint {
 
 /// Looks for what there is to say of the whole picture of a model: that most of what is seen are
 /// backs, that all of it is transparent, or black. It names only what it has tried and counted;
-/// that draws the picture again, up to four times. It finds nothing where no setting helps, nor in
+/// that draws the picture again, up to five times. It finds nothing where no setting helps, nor in
 /// scenes that are no models, where it is meant.
 class SeenHintsWork {
   public:
@@ -65,7 +67,13 @@ class SeenHintsWork {
 
   private:
     /// What may show more.
-    enum class Way : std::uint8_t { without_backs, opaque, lit_from_both_sides, lamp_at_camera };
+    enum class Way : std::uint8_t {
+        opaque,
+        without_backs,
+        lit_from_both_sides,
+        lamp_at_camera,
+        without_images,
+    };
 
     /// One of them, and what would be seen.
     struct Try {
@@ -82,7 +90,10 @@ class SeenHintsWork {
     void choose_tries();
     void begin_try();
     bool draw_try(const WorkLimit& limit);
+    bool helps(const Try& tried) const;
     SeenHint hint_of(const Try& tried) const;
+    bool are_backs() const { return 2 * now_.seen.backs > now_.seen.surface; }
+    bool is_black() const { return now_.seen.lit == 0; }
 
     const Frame* frame_;
     const Framebuffer* picture_;

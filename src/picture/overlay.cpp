@@ -215,7 +215,7 @@ const std::array<OverlayInfo, overlay_count>& overlay_list() {
          "The true edges of all triangles: straight lines between the projected vertices."},
         {Overlay::alone, "one triangle alone",
          "Fills the triangle on show as far as it is drawn, whatever lies in front of it; of all "
-         "others only the edges are seen."},
+         "others only the edges are seen. Not while two runs are compared."},
         {Overlay::owner, "triangle owner",
          "Tints every triangle in a colour of its own and names the one under the pointer."},
         {Overlay::overdraw, "overdraw", "How many fragments fell on each pixel, drawn or not."},
@@ -344,6 +344,8 @@ std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPict
                            totals.mean_error);
     case Overlay::alone:
         if (!picture.lone.triangle()) return "no triangle is on show";
+        if (!frame.is_drawn(*picture.lone.triangle()))
+            return triangle_name(*picture.lone.triangle()) + " is left out";
         return fmt::format("{}, {} drawn", triangle_name(*picture.lone.triangle()),
                            counted(picture.lone.pixels(), "pixel", "pixels"));
     }

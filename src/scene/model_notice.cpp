@@ -27,8 +27,7 @@ std::string model_notice(const Scene& scene) {
     add(fault_notice(*scene.model_report));
     if (is_inside_out(scene.mesh)) {
         add("The normals of this model point inward, so the lamp lights only its inside: turn "
-            "the order of the corners in its faces round, or its normals. Culling of backs "
-            "would leave out what you see.");
+            "the order of the corners in its faces round, or its normals.");
     }
     return notice;
 }

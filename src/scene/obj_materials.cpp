@@ -24,7 +24,8 @@ void ObjLibraries::read(std::string_view names, int line) {
     std::string_view rest = names;
     do {
         read_library(take_name(rest));
-    } while (!trimmed(rest).empty());
+        rest = trimmed(rest);
+    } while (!rest.empty() && rest.front() != '#');
 }
 
 void ObjLibraries::refuse_library() {

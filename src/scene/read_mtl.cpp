@@ -242,17 +242,21 @@ class MtlReader {
             const auto known = std::find_if(std::begin(map_options), std::end(map_options),
                                             [&](const MapOption& o) { return o.name == option; });
             if (known == std::end(map_options)) return;
+            const bool is_used = std::find(used.begin(), used.end(), option) != used.end();
             for (int i = 0; i < known->most; ++i) {
                 std::string_view after = behind;
                 const std::string_view word = take_word(after);
-                const std::optional<double> number = parse_model_number(word);
                 // The name follows: it may look like a number, but there is always one.
-                if (i >= known->fewest && (!number || trimmed(after).empty())) break;
+                if (trimmed(after).empty()) break;
+                const std::optional<double> number = parse_model_number(word);
+                if (is_used && has_decimal_comma(word))
+                    fault([&] { return decimal_comma_sentence(word, option); });
+                else if (i >= known->fewest && !number)
+                    break;
                 if (number) options.set(option, i, static_cast<float>(*number));
                 behind = after;
             }
-            if (std::find(used.begin(), used.end(), option) == used.end())
-                skip(option, skipped_option);
+            if (!is_used) skip(option, skipped_option);
             rest = behind;
         }
     }

@@ -23,10 +23,11 @@ void count_statements(const ObjStatements& file, ObjCounts& counts) {
 }
 
 [[noreturn]] void refuse_empty(const ObjModel& model) {
-    const std::string none = "there is no face in it that can be drawn.";
-    if (model.report.faults.empty()) throw InputError(visible_line(model.path), 1, none);
-    const ObjFault& first = model.report.faults.front();
-    throw InputError(fault_line(first) + " In the whole file " + none);
+    if (model.report.faults.empty()) {
+        throw InputError(visible_line(model.path), 1, "there is no face in it that can be drawn.");
+    }
+    throw InputError(fault_line(model.report.faults.front()) +
+                     " No face of the whole file can be drawn.");
 }
 
 } // namespace

@@ -46,8 +46,9 @@ inline constexpr std::array rejection_list{
         "a vertex on or behind the camera plane (z ≤ 0)", true},
     RejectionWords{Rejection::too_far_out, "too_far_out", "a vertex is projected too far out",
                    "a vertex is projected too far out",
-                   "an edge of absurd length, its vertex is nearly in the camera",
-                   "a vertex so close to the camera plane that its edges would be absurdly long",
+                   "an edge of absurd length, its vertex too near or too much enlarged",
+                   "a vertex so close to the camera plane, or so much enlarged, that its edges "
+                   "would be absurdly long",
                    true},
     RejectionWords{Rejection::taken_for_behind, "taken_for_behind",
                    "a vertex in column -1 is taken for one behind the camera",

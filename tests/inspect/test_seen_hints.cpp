@@ -49,7 +49,9 @@ SeenPixels counted_otherwise(const Scene& scene, const Settings& settings) {
         seen.backs += glm::dot(across, place(0) - glm::dvec3(settings.camera.position)) > 0.0;
         // A byte that is rounded, not cut, shows it.
         const glm::vec3& c = picture.colour[i];
-        seen.lit += std::lround(255.0 * double(std::max({c.r, c.g, c.b}))) > 0;
+        const long byte = std::lround(255.0f * std::min(std::max({c.r, c.g, c.b}), 1.0f));
+        seen.lit += byte > 0;
+        seen.light += byte;
     }
     return seen;
 }
@@ -73,14 +75,22 @@ TEST_CASE("Backs and black pixels are counted over the picture") {
 TEST_CASE("A box whose fronts point inward is told to be seen from behind, and no other") {
     using namespace seen_hints_of_models;
     const std::vector<SeenHint> hints = hints_of(box(true), {});
-    REQUIRE(hints.size() == 1);
+    REQUIRE(hints.size() == 2);
     CHECK_THAT(hints[0].seen, StartsWith("Most of what you see is backs, "));
     CHECK(hints[0].settings == std::vector<std::string>{"cull=face_normal"});
+    CHECK(hints[1].seen == hints[0].seen);
+    CHECK(hints[1].settings == std::vector<std::string>{"light.sides=two"});
+    // Whoever has done one of them wants no other.
+    CHECK(hints_of(box(true), {"light.sides=two"}).empty());
     CHECK(hints_of(box(true), {"cull=face_normal"}).empty());
     CHECK(hints_of(box(true), {"stage=rows"}).empty());
     CHECK(hints_of(box(false), {}).empty());
-    // Nothing stands behind a sheet.
-    CHECK(hints_of(sheet(true), {}).empty());
+    // Nothing stands behind a sheet, but its back can be lit.
+    const std::vector<SeenHint> back = hints_of(sheet(true), {});
+    REQUIRE(back.size() == 1);
+    CHECK(back[0].settings == std::vector<std::string>{"light.sides=two"});
+    CHECK(hints_of(sheet(true), {"shading=unlit"}).empty());
+    CHECK(hints_of(sheet(false), {}).empty());
     // What the lab shows is meant.
     CHECK(hints_of(test::lesson_scene("lab-room"), {"light.indirect=0", "light.power=0"}).empty());
 }
@@ -91,7 +101,7 @@ TEST_CASE("What is black all over is told the setting that lights most of it, or
     REQUIRE(back.size() == 1);
     CHECK(back[0].seen == "All that you see is black");
     CHECK(back[0].settings == std::vector<std::string>{"light.sides=two"});
-    CHECK_THAT(back[0].help, StartsWith("light.sides=two, the setting 'Lit sides', lights "));
+    CHECK_THAT(back[0].help, StartsWith("light.sides=two, the setting 'Lit sides', shows "));
     // Its front, with the lamp behind it.
     const std::vector<SeenHint> front =
         hints_of(sheet(false), {"light.indirect=0", "light.position=0,0,3"});
@@ -99,7 +109,12 @@ TEST_CASE("What is black all over is told the setting that lights most of it, or
     CHECK(front[0].settings == std::vector<std::string>{"light.place=camera"});
     CHECK(hints_of(sheet(true), {"light.indirect=0", "light.power=0"}).empty());
     CHECK(hints_of(sheet(false), {"light.indirect=0"}).empty());
-    CHECK(hints_of(sheet(true), {}).empty());
+    CHECK(hints_of(sheet(true), {"light.indirect=0", "light.sides=two"}).empty());
+    // An image may be what is black.
+    const std::vector<SeenHint> image = hints_of(sheet_of("Kd 1 1 1\nmap_Kd black.png\n"), {});
+    REQUIRE(image.size() == 1);
+    CHECK(image[0].seen == "All that you see is black");
+    CHECK(image[0].settings == std::vector<std::string>{"texture=off"});
 }
 
 TEST_CASE("What is wholly transparent is told the settings that draw it opaque") {

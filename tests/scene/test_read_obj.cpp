@@ -234,15 +234,15 @@ TEST_CASE("A file without a face is refused, and says why") {
     CHECK(refusal_of_obj("") == "m.obj:1: there is no face in it that can be drawn.");
     CHECK(refusal_of_obj("hello\nworld") == "m.obj:1: there is no face in it that can be drawn.");
     CHECK(refusal_of_obj(triangle_points + "f 1 2") ==
-          "m.obj:4: 'f' has 2 corners, and a face has at least three; the face is left out. In the "
-          "whole file there is no face in it that can be drawn.");
+          "m.obj:4: 'f' has 2 corners, and a face has at least three; the face is left out. No "
+          "face of the whole file can be drawn.");
     CHECK(refusal_of_obj("\xff\xfe"
                          "f") == "m.obj:1: the file is UTF-16; a model is plain text.");
     CHECK(refusal_of_obj(std::string("v\0 \0", 4)) ==
           "m.obj:1: the file is UTF-16; a model is plain text.");
     CHECK(refusal_of_obj("v -1,0 -1,0 0,0\nv 1,0 -1,0 0,0\nv 0,0 1,0 0,0\nf 1 2 3\n") ==
           "m.obj:1: '-1,0' has a decimal comma, and numbers have a point here; 'v' is left out. "
-          "There are 2 more like it. In the whole file there is no face in it that can be drawn.");
+          "There are 2 more like it. No face of the whole file can be drawn.");
     CHECK_THROWS_AS(read_obj("/nowhere/m.obj"), AccessError);
     CHECK_THROWS_WITH(read_obj("/"), "cannot read '/': Is a directory.");
 }
@@ -272,7 +272,7 @@ TEST_CASE("A model that is inside out is told with the cure, and no other is") {
     };
     CHECK(notice_of("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n").empty());
     CHECK_THAT(notice_of("f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n"),
-               ContainsSubstring("point inward") && ContainsSubstring("Culling"));
+               ContainsSubstring("point inward"));
     CHECK(notice_of("f 1 2 3\n").empty());
     for (const char* name : {"cube", "globe", "knot", "sphere", "teapot", "torus"}) {
         INFO(name);
@@ -399,6 +399,12 @@ TEST_CASE("Scale and offset of an image move the corners of its faces in the tex
             folder.write("m.obj", "mtllib m.mtl\n" + triangle_points +
                                       "vt 0.25 0.5\nvt 1 0\nvt 0 3\nusemtl a\nf 1/1 2/2 3/3\n"
                                       "usemtl b\nf 1/1 2/2 3/3\n"));
+        const bool has_comma = map.find(',') != map.npos;
+        CHECK(fault_lines(model.report) ==
+              (has_comma ? std::vector<std::string>{folder.file("m.mtl") +
+                                                    ":2: '1,5' has a decimal comma, and numbers "
+                                                    "have a point here; '-s' is left out."}
+                         : std::vector<std::string>{}));
         // The other material keeps the places of the file.
         CHECK(model.mesh.corner(1, 0).texcoord == glm::vec2(0.25f, 0.5f));
         std::vector<glm::vec2> places;
@@ -411,6 +417,8 @@ TEST_CASE("Scale and offset of an image move the corners of its faces in the tex
     CHECK(corners_by("-o 0.5 -1 7") == Places{{0.75f, -0.5f}, {1.5f, -1}, {0.5f, 2}});
     CHECK(corners_by("-o 1 1 -s 2") == Places{{1.5f, 1.5f}, {3, 1}, {1, 4}});
     CHECK(corners_by("-s 0 0") == Places{{0, 0}, {0, 0}, {0, 0}});
+    CHECK(corners_by("-s") == Places{{0.25f, 0.5f}, {1, 0}, {0, 3}}); // the name is no number
+    CHECK(corners_by("-s 2 1,5 1") == Places{{0.5f, 0.5f}, {2, 0}, {0, 3}}); // that is told
     CHECK(corners_by("-s 1 1e9")[2].y == static_cast<float>(largest_model_coordinate)); // not 3e9
 }
 
@@ -424,7 +432,7 @@ TEST_CASE("A file of materials may be named in quotes, and is plain text") {
     folder.write("'tis.mtl", "newmtl a\nKd 1 0 0\n");
     for (const char* const statement :
          {"mtllib \"my two.mtl\"", "mtllib 'my two.mtl'", "mtllib \" my two.mtl",
-          "mtllib my two.mtl", "mtllib 'tis.mtl"}) {
+          "mtllib \"my two.mtl\" # made of clay", "mtllib my two.mtl", "mtllib 'tis.mtl"}) {
         INFO(statement);
         const ObjModel model = read(statement);
         CHECK(fault_lines(model.report).empty());

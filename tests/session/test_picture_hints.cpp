@@ -52,7 +52,7 @@ TEST_CASE("Hints come after the picture, in parts, and are those of the whole pi
     }
     CHECK(before_picture > 10);
     CHECK(before_hints > 20);
-    REQUIRE(results.hints.found.size() == 1);
+    REQUIRE(results.hints.found.size() == 2);
     CHECK(results.hints.found == hints_at_once(session));
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("Hints stay until those of the next picture are known, and another vie
     Results results;
     finish(session, results);
     const std::vector<SeenHint> before = results.hints.found;
-    REQUIRE(before.size() == 1);
+    REQUIRE(before.size() == 2);
     session.view = View::depth;
     update(session, results, in_small_parts);
     CHECK_FALSE(results.hints.are_due);
@@ -85,20 +85,20 @@ TEST_CASE(
     Session session = session_of_box();
     Results results;
     finish(session, results);
-    REQUIRE(results.hints.found.size() == 1);
+    REQUIRE(results.hints.found.size() == 2);
     const auto moves_to = [&](const Cursor& cursor) {
         session.cursor = cursor;
         finish(session, results);
         return results.hints.found.size();
     };
     CHECK(moves_to(Cursor{3, Phase::vertices, 0, 0}) == 0);
-    CHECK(moves_to(cursor_end) == 1);
+    CHECK(moves_to(cursor_end) == 2);
     session.b = session.a;
     finish(session, results);
     CHECK(results.hints.found.empty());
     session.b = std::nullopt;
     finish(session, results);
-    CHECK(results.hints.found.size() == 1);
+    CHECK(results.hints.found.size() == 2);
     session.scene = std::make_shared<const Scene>(test::box(false));
     session.a.settings = default_settings(*session.scene);
     update(session, results, in_small_parts);
@@ -114,6 +114,6 @@ TEST_CASE("The fast engine's picture has hints of its own pixels") {
     Results results;
     finish(session, results);
     REQUIRE(results.a.is_fast);
-    REQUIRE(results.hints.found.size() == 1);
+    REQUIRE(results.hints.found.size() == 2);
     CHECK(results.hints.found == seen_hints(results.a.frame, *results.a.framebuffer));
 }

@@ -38,6 +38,7 @@ Scene with_materials(const std::string& materials, const std::string& model) {
     for (std::size_t i = 3; i < clear.rgba.size(); i += 4)
         clear.rgba[i] = 100; // below 1/2
     write_png(clear, folder.file("clear.png"));
+    write_png({1, 1, {0, 0, 0, 255}}, folder.file("black.png"));
     const std::string corners = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
     return scene_of_model(read_obj(folder.write("m.obj", "mtllib m.mtl\n" + corners + model)));
 }

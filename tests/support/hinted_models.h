@@ -15,7 +15,7 @@ Scene box(bool is_inward);
 Scene sheet(bool shows_back);
 
 /// Its front, of a material: lines of a .mtl file, beside which an image `clear.png` has nothing
-/// but texels of an alpha below 1/2.
+/// but texels of an alpha below 1/2, and `black.png` nothing but black ones.
 Scene sheet_of(const std::string& material);
 
 /// Two of them side by side.

@@ -37,17 +37,20 @@ void forget_step(LessonView& view) {
     view.wants_end = false;
 }
 
-/// What belongs to the step that is on show now.
-void enter_step(Ui& ui, const Lesson& lesson) {
-    ui.lesson.progress.note_step(lesson.id, ui.session.step);
-    const std::optional<std::string>& widget =
-        lesson.steps[static_cast<std::size_t>(ui.session.step)].state.point_at;
+/// Points at the widget that a step or an answer names, if it does.
+void point_as_told(Ui& ui, const std::optional<std::string>& widget) {
     if (!widget) return;
     point_at_widget_of_step(ui, *widget);
     // Of a number in the table of the vertices it is said how it came to be.
     constexpr std::string_view vertices = "vertices.";
     if (widget->starts_with(vertices))
         ui.inspector.chosen.vertex_number = widget->substr(vertices.size());
+}
+
+/// What belongs to the step that is on show now.
+void enter_step(Ui& ui, const Lesson& lesson) {
+    ui.lesson.progress.note_step(lesson.id, ui.session.step);
+    point_as_told(ui, lesson.steps[static_cast<std::size_t>(ui.session.step)].state.point_at);
 }
 
 } // namespace
@@ -240,6 +243,7 @@ void show_reveal(Ui& ui, const Lesson& lesson, const LessonPrediction& predictio
     if (keeps_tab) keep_own_tab(session, own_tab);
     session.tab_guide.shows_all = shows_all;
     if (!faults.empty()) session.notice = fault_text(lesson, faults.front());
+    point_as_told(ui, prediction.then->point_at);
 }
 
 } // namespace

@@ -46,8 +46,8 @@ struct LargeFrame {
 
 /// Hints that the student does not want to see any more.
 struct HiddenHints {
-    std::weak_ptr<const Scene> scene; ///< of which they were
-    std::vector<std::string> acts;    ///< see SeenHint
+    std::weak_ptr<const Scene> scene;  ///< of which they were
+    std::vector<std::string> in_short; ///< see SeenHint
 };
 
 /// What the canvas keeps from one frame to the next.

@@ -13,13 +13,14 @@ namespace {
 bool is_hidden(const Ui& ui, const SeenHint& hint) {
     const HiddenHints& hidden = ui.canvas.hidden_hints;
     return hidden.scene.lock() == ui.session.scene &&
-           std::find(hidden.acts.begin(), hidden.acts.end(), hint.act) != hidden.acts.end();
+           std::find(hidden.in_short.begin(), hidden.in_short.end(), hint.in_short) !=
+               hidden.in_short.end();
 }
 
 void hide(Ui& ui, const SeenHint& hint) {
     HiddenHints& hidden = ui.canvas.hidden_hints;
     if (hidden.scene.lock() != ui.session.scene) hidden = {ui.session.scene, {}};
-    hidden.acts.push_back(hint.act);
+    hidden.in_short.push_back(hint.in_short);
 }
 
 } // namespace
@@ -27,21 +28,28 @@ void hide(Ui& ui, const SeenHint& hint) {
 void draw_hint_bar(Ui& ui) {
     const PictureHints& hints = ui.results.hints;
     if (hides_settings(ui.session) || hints.scene != ui.session.scene) return;
-    const auto shown = std::find_if(hints.found.begin(), hints.found.end(),
+    const auto first = std::find_if(hints.found.begin(), hints.found.end(),
                                     [&](const SeenHint& hint) { return !is_hidden(ui, hint); });
-    if (shown == hints.found.end()) return;
-    const SeenHint& hint = *shown;
-    const NoticeButton act{"canvas.hint_act", hint.act, hint.help};
+    if (first == hints.found.end()) return;
+    // What else helps against the same.
+    const auto other = std::find_if(first + 1, hints.found.end(),
+                                    [&](const SeenHint& hint) { return hint.seen == first->seen; });
+    const NoticeButton act{"canvas.hint_act", first->act, first->help};
     const NoticeButton no{"canvas.hint_hide", "hide", "Stops showing this for this model."};
-    const std::string without_numbers = hint.seen.substr(0, hint.seen.find(','));
+    std::vector<NoticeButton> buttons{act, no};
+    if (other != hints.found.end())
+        buttons.insert(buttons.begin() + 1, {"canvas.hint_other", other->act, other->help});
+    const std::string without_numbers = first->seen.substr(0, first->seen.find(','));
     const std::string_view clicked =
-        draw_notice_bar(ui, "canvas.hint", {hint.seen, without_numbers, hint.in_short, ""},
-                        hint.seen + ".\n" + hint.help, !hints.are_due, std::vector{act, no});
-    if (clicked == act.name) {
+        draw_notice_bar(ui, "canvas.hint", {first->seen, without_numbers, first->in_short, ""},
+                        first->seen + ".\n" + first->help, !hints.are_due, buttons);
+    const auto set = [&](const SeenHint& hint) {
         for (const std::string& assignment : hint.settings)
             set_from_text(ui.session.a.settings, assignment);
-    }
-    if (clicked == no.name) hide(ui, hint);
+    };
+    if (clicked == act.name) set(*first);
+    if (clicked == no.name) hide(ui, *first);
+    if (clicked == "canvas.hint_other") set(*other);
 }
 
 } // namespace rasterwalk

@@ -258,8 +258,8 @@ class Tour {
 
     /// A model of which nothing is seen.
     void hinted_model() {
-        Driver driver(session_of(test::sheet_of("Kd 1 1 1\nd 0\n")));
-        driver.hand.frames(4);
+        Driver driver(session_of(test::box(true)));
+        driver.hand.frames(20);
         look(driver);
     }
 
