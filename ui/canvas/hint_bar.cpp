@@ -41,7 +41,7 @@ void draw_hint_bar(Ui& ui) {
         buttons.insert(buttons.begin() + 1, {"canvas.hint_other", other->act, other->help});
     const std::string without_numbers = first->seen.substr(0, first->seen.find(','));
     const std::string_view clicked =
-        draw_notice_bar(ui, "canvas.hint", {first->seen, without_numbers, first->in_short, ""},
+        draw_notice_bar(ui, "canvas.hint", {first->seen, without_numbers, first->in_short},
                         first->seen + ".\n" + first->help, !hints.are_due, buttons);
     const auto set = [&](const SeenHint& hint) {
         for (const std::string& assignment : hint.settings)

@@ -12,11 +12,19 @@ std::string_view draw_notice_bar(Ui& ui, const char* name, const std::vector<std
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const Palette& p = palette(ui.options.theme);
     ImGui::PushFont(ui.fonts.small);
-    float width = 0.0f;
-    for (const NoticeButton& one : buttons)
-        width += button_width(one.label) + gap;
     const float left = ImGui::GetCursorScreenPos().x;
     const float right = left + ImGui::GetContentRegionAvail().x;
+    const auto width_of = [&](std::span<const NoticeButton> some) {
+        float width = 0.0f;
+        for (const NoticeButton& one : some)
+            width += button_width(one.label) + gap;
+        return width;
+    };
+    // What they are for is worth more than the last of them.
+    const float least = ImGui::CalcTextSize(forms.back().c_str()).x;
+    while (buttons.size() > 1 && least + width_of(buttons) > right - left)
+        buttons = buttons.first(buttons.size() - 1);
+    const float width = width_of(buttons);
     ImGui::AlignTextToFramePadding();
     const std::string shown = first_fitting(forms, right - width - left);
     text_in(is_true_now ? p.text : p.dim, shown);

@@ -16,9 +16,12 @@ struct NoticeButton {
     std::string label, help;
 };
 
-/// Draws the line, with the buttons at its right end.
+/// Draws the line, with the buttons at its right end. Where there is too little room for all of
+/// them, the last ones are left out.
 /// @param name of the widget that has the sentence
-/// @param forms of the sentence, from the longest to the shortest: the first that fits is shown
+/// @param forms of the sentence, from the longest to the shortest, at least one: the first that
+/// fits
+///              is shown
 /// @param help for the sentence
 /// @param is_true_now or else it is of the picture before, and dim
 /// @return the name of the button that was clicked; empty: none was

@@ -256,9 +256,10 @@ class Tour {
             seen.insert(name);
     }
 
-    /// A model of which nothing is seen.
+    /// A model of which most of what is seen is backs.
     void hinted_model() {
         Driver driver(session_of(test::box(true)));
+        driver.ui.session.a.settings.stage = Stage::shade;
         driver.hand.frames(20);
         look(driver);
     }
