@@ -111,7 +111,7 @@ void SeenHintsWork::choose_tries() {
     }
     const bool is_lit = shading_rule(settings) != Shading::unlit;
     const bool is_one_sided = settings.light_rules.sides == LightSides::one;
-    // Who lights both sides wants to see backs.
+    // Where both sides are lit, backs are wanted.
     const bool are_unwanted = are_backs() && settings.cull == Cull::none && is_one_sided;
     if (are_unwanted) add(Way::without_backs, {"cull=face_normal"});
     if (is_lit && is_one_sided && (are_unwanted || is_black()))

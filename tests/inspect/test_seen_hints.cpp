@@ -80,7 +80,7 @@ TEST_CASE("A box whose fronts point inward is told to be seen from behind, and n
     CHECK(hints[0].settings == std::vector<std::string>{"cull=face_normal"});
     CHECK(hints[1].seen == hints[0].seen);
     CHECK(hints[1].settings == std::vector<std::string>{"light.sides=two"});
-    // Whoever has done one of them wants no other.
+    // When one of them is done, neither is left.
     CHECK(hints_of(box(true), {"light.sides=two"}).empty());
     CHECK(hints_of(box(true), {"cull=face_normal"}).empty());
     CHECK(hints_of(box(true), {"stage=rows"}).empty());
