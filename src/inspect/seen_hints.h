@@ -47,7 +47,7 @@ struct SeenHint {
     friend bool operator==(const SeenHint&, const SeenHint&) = default;
 };
 
-/// Looks for what there is to say of the whole picture of a model: that most of what is seen are
+/// Looks for what there is to say of the whole picture of a model: that most of what is seen is
 /// backs, that all of it is transparent, or black. It names only what it has tried and counted;
 /// that draws the picture again, up to five times. It finds nothing where no setting helps, nor in
 /// scenes that are no models, where it is meant.

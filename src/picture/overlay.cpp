@@ -343,7 +343,7 @@ std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPict
         return fmt::format("at most {:.3f}, mean {:.3f} world units", totals.largest_error,
                            totals.mean_error);
     case Overlay::alone:
-        if (!picture.lone.triangle()) return "no triangle is on show";
+        if (!picture.lone.triangle()) return "no triangle is selected";
         if (!frame.is_drawn(*picture.lone.triangle()))
             return triangle_name(*picture.lone.triangle()) + " is left out";
         return fmt::format("{}, {} drawn", triangle_name(*picture.lone.triangle()),

@@ -31,7 +31,7 @@ struct Task {
     std::string format; ///< empty: all
 };
 
-/// What the process that reads tells the one that waits for it.
+/// Memory that the reading process shares with its parent.
 struct Progress {
     std::uint32_t file, read, findings;
 };

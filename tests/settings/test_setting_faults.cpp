@@ -51,7 +51,7 @@ TEST_CASE("A tessellation that makes too many triangles is told of with what is 
     CHECK(faults().empty());
 }
 
-TEST_CASE("A box that the lab's lines do not use is told of") {
+TEST_CASE("A box that has no effect on the lab's projection is reported") {
     Scene scene;
     Settings settings;
     const auto faults = [&] { return setting_faults(settings, scene); };

@@ -47,7 +47,7 @@ void point_as_told(Ui& ui, const std::optional<std::string>& widget) {
         ui.inspector.chosen.vertex_number = widget->substr(vertices.size());
 }
 
-/// What belongs to the step that is on show now.
+/// Notes that the current step was reached, and points at what it names.
 void enter_step(Ui& ui, const Lesson& lesson) {
     ui.lesson.progress.note_step(lesson.id, ui.session.step);
     point_as_told(ui, lesson.steps[static_cast<std::size_t>(ui.session.step)].state.point_at);
