@@ -207,6 +207,19 @@ void print_vertex_line(std::ostream& out, const char* space, std::string_view ax
     out << '\n';
 }
 
+/// The space between the world and camera space.
+const char* moved_name(CameraMove move) {
+    switch (move) {
+    case CameraMove::subtracted:
+        break;
+    case CameraMove::added:
+        return "plus camera";
+    case CameraMove::rotated_first:
+        return "v R";
+    }
+    return "minus camera";
+}
+
 void print_vertices(std::ostream& out, const TriangleReport& report, const Frame& frame) {
     const bool is_projected_scene = frame.scene->space == SceneSpace::world;
     const auto always = [](const ShadedVertex&) { return true; };
@@ -225,7 +238,7 @@ void print_vertices(std::ostream& out, const TriangleReport& report, const Frame
     out << '\n';
     print_vector(is_projected_scene ? "world" : "given", "world");
     if (is_projected_scene) {
-        print_vector("minus camera", "minus_camera");
+        print_vector(moved_name(camera_move_rule(frame.settings)), "minus_camera");
         print_vector("rotated", "rotated");
         print_vertex_line(out, "projected", "x", report, is_projected,
                           [&](const ShadedVertex& v) { return number(v.in("projected").x); });

@@ -63,7 +63,10 @@ struct Maker : ClipMaker {
 std::optional<Formula> Maker::corner(int vertex, int i) const {
     const ClipVertex& v = history.corners[static_cast<std::size_t>(vertex)];
     const std::string name = clip_coordinate_names[static_cast<std::size_t>(i)];
-    const std::string camera = i == 3 ? "rotated.z" : "rotated." + name;
+    const ImageAxes axes = frame.settings.image_axes;
+    const int from = axes == ImageAxes::exchanged && i < 2 ? 1 - i : i;
+    const std::string along = clip_coordinate_names[static_cast<std::size_t>(from)];
+    const std::string camera = i == 3 ? "rotated.z" : "rotated." + along;
     const Source source = from_vertex(history.triangle, vertex, camera);
     Formula formula{
         fmt::format("corner.{}.{}", vertex, name), name, "", "", {}, {coordinate(v, i)}};
@@ -79,11 +82,11 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
                 {"v", formula.result, from_vertex(history.triangle, vertex, "clip." + name)}};
             return formula;
         }
-        formula.expression = "f · " + name;
+        formula.expression = "f · " + along;
         formula.inputs = {
             {"f", {frame.settings.camera.focal_length}, from_setting("camera.focal_length")},
-            {name, {camera_place()[i]}, source}};
-        if (frame.settings.image_axes == ImageAxes::mirrored) formula.expression.insert(0, "−");
+            {along, {camera_place()[from]}, source}};
+        if (axes == ImageAxes::mirrored) formula.expression.insert(0, "−");
         return checked(formula, source);
     }
     formula.help = i == 2 ? "What the depth, " + std::string(depth_words(frame).name) +
@@ -294,6 +297,12 @@ std::optional<Formula> Maker::pixel(std::string_view corner, std::string_view pa
                      {"1/w", {pixel.inv_w}, from_formula(corner_formula_id(c, 3))},
                      {half, {static_cast<float>(middle), true}, from_setting("viewport.size")}},
                     {static_cast<float>(is_column ? pixel.column : pixel.row), true}};
+    if (frame.settings.image_axes == ImageAxes::uncentred) {
+        formula.help = "Divided by w and made a whole number; by mistake not moved to the middle "
+                       "of the picture.";
+        formula.expression = word + "(" + name + " · 1/w)";
+        formula.inputs.pop_back();
+    }
     return checked(formula, from_words("the viewport transform"));
 }
 

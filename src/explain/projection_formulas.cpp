@@ -11,6 +11,11 @@ namespace {
 
 constexpr const char* minus_sign = "−";
 
+/// Which coordinate of camera space goes along this axis of the picture: by mistake the other one.
+int source_axis(const Settings& settings, int i) {
+    return settings.image_axes == ImageAxes::exchanged ? 1 - i : i;
+}
+
 FormulaInput mix_of(float mix) {
     return {"mix", {mix}, from_setting("projection_mix")};
 }
@@ -89,18 +94,20 @@ void add_clip_place(VertexMaker& made, int i) {
     const ShadedVertex& shaded = made.report.shaded;
     const Settings& settings = made.frame.settings;
     const std::string axis = axis_names[i];
+    const int from = source_axis(settings, i);
+    const std::string source = axis_names[from];
     Formula formula{
         "clip." + axis,
         axis + "'",
         "Pixels from the middle of the picture, times w: in clip space.",
-        "f · ((1 − mix) · d + mix) / d · " + axis,
+        "f · ((1 − mix) · d + mix) / d · " + source,
         {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
          mix_of(settings.projection_mix),
          {"d",
           {orthographic_depth_rule(settings)},
           settings.orthographic_depth > 0.0f ? from_setting("orthographic_depth")
                                              : from_words("the depth of the world's origin")},
-         {axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)}},
+         {source, {shaded.in("rotated")[from]}, from_formula("rotated." + source)}},
         {shaded.position_clip[i]}};
     if (settings.image_axes == ImageAxes::mirrored) formula.expression.insert(0, minus_sign);
     if (made.is_by_matrices()) {
@@ -116,13 +123,15 @@ void add_projected(VertexMaker& made, int i) {
     const std::string axis = axis_names[i];
     const std::string word(rounding_function(settings.vertex_rounding));
     const bool is_bench = made.is_bench();
+    const int from = source_axis(settings, i);
+    const std::string source = axis_names[from];
     Formula projected{
         "projected." + axis,
         axis,
         "Pixels from the middle of the picture, before rounding. The program multiplies by 1/z.",
-        "f · " + axis + " · 1/z",
+        "f · " + source + " · 1/z",
         {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
-         {axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)},
+         {source, {shaded.in("rotated")[from]}, from_formula("rotated." + source)},
          {"1/z", {shaded.pixel.inv_w}, from_formula("zinv")}},
         {i == 0 ? shaded.in("projected").x : shaded.in("projected").y}};
     if (settings.image_axes == ImageAxes::mirrored) projected.expression.insert(0, minus_sign);
@@ -143,7 +152,7 @@ void add_projected(VertexMaker& made, int i) {
                   word + "(" + projected.expression + ")",
                   projected.inputs,
                   {static_cast<float>(i == 0 ? shaded.pixel.column : shaded.pixel.row), true}};
-    if (!is_bench) {
+    if (!is_bench && settings.image_axes != ImageAxes::uncentred) {
         const int side = i == 0 ? settings.viewport.width : settings.viewport.height;
         const int middle = side / 2;
         const std::string half = i == 0 ? "W/2" : "H/2";

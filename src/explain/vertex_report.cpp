@@ -29,33 +29,76 @@ void add_given(VertexMaker& made, const std::string& space, const std::array<con
     }
 }
 
-void add_camera_space(VertexMaker& made) {
-    const ShadedVertex& shaded = made.report.shaded;
-    const glm::vec3& camera = made.frame.settings.camera.position;
-    for (int i = 0; i < 3; ++i) {
-        const std::string axis = axis_names[i];
-        Formula formula{"minus_camera." + axis,
-                        axis,
-                        "The world moved so that the camera stands at the origin: P − C.",
-                        "P." + axis + " − C." + axis,
-                        {{"P." + axis, {shaded.in("world")[i]}, from_formula("world." + axis)},
-                         {"C." + axis, {camera[i]}, from_setting("camera.position")}},
-                        {shaded.in("minus_camera")[i]}};
-        if (made.is_bench()) {
-            formula.help = "The bench gives its vertices in pixels: there is no camera.";
-            formula.expression = "P." + axis;
-            formula.inputs.pop_back();
-        }
-        made.add(formula);
-    }
-}
-
 std::string rotation_id(int row, int column) {
     return fmt::format("R.{}.{}", row, column);
 }
 std::string rotation_symbol(int row, int column) {
     static constexpr const char* digits[] = {"₀", "₁", "₂"};
     return fmt::format("R{}{}", digits[row], digits[column]);
+}
+
+/// One coordinate of a point that is turned: d R, or by mistake R d.
+/// @param symbol of the point, "d"
+/// @param space  where it is
+void set_turned(const VertexMaker& made, const std::string& symbol, const std::string& space, int i,
+                Formula& formula) {
+    const bool is_row_vector = made.frame.settings.rotation == Rotation::row_vector;
+    for (int k = 0; k < 3; ++k) {
+        const std::string axis = axis_names[k], d = symbol + "." + axis;
+        const int row = is_row_vector ? k : i, column = is_row_vector ? i : k;
+        const std::string r = rotation_symbol(row, column);
+        formula.expression += (k == 0 ? "" : " + ") + d + " · " + r;
+        formula.inputs.push_back(
+            {d, {made.report.shaded.in(space)[k]}, from_formula(space + "." + axis)});
+        formula.inputs.push_back(
+            {r, {made.rotation[column][row]}, from_formula(rotation_id(row, column))});
+    }
+}
+
+/// A coordinate of a space and that of the camera's position, with a sign between them.
+/// @param space where the point is before that
+void set_moved(const VertexMaker& made, const std::string& symbol, const std::string& space,
+               const char* sign, int i, Formula& formula) {
+    const std::string axis = axis_names[i], point = symbol + "." + axis, camera = "C." + axis;
+    formula.expression = point + " " + sign + " " + camera;
+    formula.inputs = {
+        {point, {made.report.shaded.in(space)[i]}, from_formula(space + "." + axis)},
+        {camera, {made.frame.settings.camera.position[i]}, from_setting("camera.position")}};
+}
+
+void add_camera_space(VertexMaker& made) {
+    const ShadedVertex& shaded = made.report.shaded;
+    for (int i = 0; i < 3; ++i) {
+        const std::string axis = axis_names[i];
+        Formula formula{"minus_camera." + axis,
+                        axis,
+                        "The world moved so that the camera stands at the origin: P − C.",
+                        "",
+                        {},
+                        {shaded.in("minus_camera")[i]}};
+        if (made.is_bench()) {
+            formula.help = "The bench gives its vertices in pixels: there is no camera.";
+            formula.expression = "P." + axis;
+            formula.inputs = {
+                {"P." + axis, {shaded.in("world")[i]}, from_formula("world." + axis)}};
+            made.add(formula);
+            continue;
+        }
+        switch (camera_move_rule(made.frame.settings)) {
+        case CameraMove::subtracted:
+            set_moved(made, "P", "world", "−", i, formula);
+            break;
+        case CameraMove::added:
+            formula.help = "The world moved the wrong way: P + C, by mistake.";
+            set_moved(made, "P", "world", "+", i, formula);
+            break;
+        case CameraMove::rotated_first:
+            formula.help = "Turned before it is moved, by mistake.";
+            set_turned(made, "P", "world", i, formula);
+            break;
+        }
+        made.add(formula);
+    }
 }
 
 /// R of the camera for row vectors: row and column from 0, each a product of sines and cosines.
@@ -122,21 +165,43 @@ void add_rotated(VertexMaker& made) {
             made.add(formula);
             continue;
         }
-        const bool is_row_vector = made.frame.settings.rotation == Rotation::row_vector;
-        if (!is_row_vector) formula.help.replace(0, formula.help.find('.'), transposed_help);
-        for (int k = 0; k < 3; ++k) {
-            const std::string d = std::string("d.") + axis_names[k];
-            const int row = is_row_vector ? k : i, column = is_row_vector ? i : k;
-            const std::string r = rotation_symbol(row, column);
-            formula.expression += (k == 0 ? "" : " + ") + d + " · " + r;
-            formula.inputs.push_back({d,
-                                      {shaded.in("minus_camera")[k]},
-                                      from_formula(std::string("minus_camera.") + axis_names[k])});
-            formula.inputs.push_back(
-                {r, {made.rotation[column][row]}, from_formula(rotation_id(row, column))});
+        const CameraMove move = camera_move_rule(made.frame.settings);
+        const std::string distance_help = i == 2 ? " How far in front of the camera." : "";
+        if (move == CameraMove::rotated_first) {
+            formula.help = "Moved after it was turned, by mistake, by a C that was not turned." +
+                           distance_help;
+            set_moved(made, "d", "minus_camera", "−", i, formula);
+        } else {
+            const bool is_row_vector = made.frame.settings.rotation == Rotation::row_vector;
+            if (!is_row_vector) formula.help.replace(0, formula.help.find('.'), transposed_help);
+            if (move == CameraMove::added)
+                formula.help.replace(formula.help.find("P − C"), std::string("P − C").size(),
+                                     "P + C");
+            set_turned(made, "d", "minus_camera", i, formula);
         }
         made.add(formula);
     }
+}
+
+void add_inverse_z(VertexMaker& made) {
+    const ShadedVertex& shaded = made.report.shaded;
+    Formula formula{"zinv",
+                    "1/z",
+                    made.has_own_depth() ? "By this values are weighed."
+                                         : "What the depth buffer holds: larger is nearer.",
+                    "1 / z",
+                    {{"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
+                    {shaded.pixel.inv_w}};
+    if (!made.is_bench() && divided_by_rule(made.frame.settings) == DividedBy::distance) {
+        formula.help += " By mistake it is 1 over the distance from the camera.";
+        formula.expression = "1 / sqrt(x² + y² + z²)";
+        for (const char* const axis : {"x", "y"}) {
+            const int i = *axis == 'x' ? 0 : 1;
+            formula.inputs.push_back(
+                {axis, {shaded.in("rotated")[i]}, from_formula(std::string("rotated.") + axis)});
+        }
+    }
+    made.add(formula);
 }
 
 /// The normal as the light has it, if it was taken to the camera as a place.
@@ -204,14 +269,7 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
         add_clip_place(made, 1);
     }
     if (report.shaded.has_pixel) {
-        if (!made.is_mixed())
-            made.add({"zinv",
-                      "1/z",
-                      made.has_own_depth() ? "By this values are weighed."
-                                           : "What the depth buffer holds: larger is nearer.",
-                      "1 / z",
-                      {{"z", {report.shaded.in("rotated").z}, from_formula("rotated.z")}},
-                      {report.shaded.pixel.inv_w}});
+        if (!made.is_mixed()) add_inverse_z(made);
         add_projected(made, 0);
         add_projected(made, 1);
     }
@@ -269,7 +327,9 @@ std::string how_made_whole(const Settings& settings, SceneSpace space) {
     };
     std::string text = whole(settings.vertex_rounding);
     const std::string moved = "moved to the middle of the picture";
-    if (space == SceneSpace::world) {
+    if (space == SceneSpace::world && settings.image_axes == ImageAxes::uncentred) {
+        text += " and, by mistake, not moved to the middle of the picture";
+    } else if (space == SceneSpace::world) {
         const bool is_moved_first = settings.vertex_rounding == VertexRounding::truncate_sum;
         text = is_moved_first ? moved + " and " + text : text + " and " + moved;
     }

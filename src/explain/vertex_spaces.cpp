@@ -87,7 +87,21 @@ glm::dmat4 drawn_projection(const Frame& frame, const VertexRules& rules) {
     glm::dmat4 projection = projection_matrix(rules);
     if (frame.settings.image_axes == ImageAxes::mirrored)
         projection = glm::dmat4(glm::dmat3{{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}) * projection;
+    if (frame.settings.image_axes == ImageAxes::exchanged) {
+        // It is pixels that change places, and the picture need not be square.
+        const double aspect = static_cast<double>(rules.viewport.width) / rules.viewport.height;
+        projection =
+            glm::dmat4(glm::dmat3{{0, aspect, 0}, {1 / aspect, 0, 0}, {0, 0, 1}}) * projection;
+    }
     return projection;
+}
+
+/// Ts, with the mistake that it can hold.
+glm::dmat4 drawn_viewport(const Frame& frame, const VertexRules& rules) {
+    glm::dmat4 viewport = viewport_matrix(rules);
+    const glm::dvec2 middle(frame.stages.viewport_middle(rules));
+    viewport[3] = glm::dvec4(middle, viewport[3].z, viewport[3].w);
+    return viewport;
 }
 
 /// What Tp makes of x and y where view_box says what fills the picture.
@@ -107,6 +121,8 @@ std::string box_text(const Frame& frame, const VertexRules& rules) {
                                     in_text(clip_w(rules.near, mix))),
         frame.settings.image_axes == ImageAxes::mirrored
             ? " Both have the opposite sign here, by mistake."
+        : frame.settings.image_axes == ImageAxes::exchanged
+            ? " Here, by mistake, their pixels x' and y' change places."
             : "");
 }
 
@@ -200,7 +216,7 @@ SpacesOfVertex spaces_of_vertex(const Frame& frame, int triangle, int vertex, Ma
     add_product(
         spaces,
         {"window", "Pixels from the left and from the top, before rounding.", "Ts", {}, {}, {}},
-        viewport_matrix(drawn.rules));
+        drawn_viewport(frame, drawn.rules));
     return spaces;
 }
 

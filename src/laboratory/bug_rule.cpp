@@ -1,8 +1,16 @@
 #include "laboratory/bug_rule.h"
 
+#include <algorithm>
+
 #include "settings/setting_table.h"
 
 namespace rasterwalk {
+
+bool changes_rule(const Bug& bug) {
+    return std::any_of(bug.set.begin(), bug.set.end(), [](const auto& assignment) {
+        return assignment.first != "stage" && !assignment.first.starts_with("camera.");
+    });
+}
 
 void apply_bug_rule(const Bug& bug, Settings& settings) {
     for (const auto& [name, value] : bug.set) {

@@ -5,6 +5,10 @@
 
 namespace rasterwalk {
 
+/// Does the mistake change a rule by which pictures are drawn? Otherwise it only leads the camera
+/// to a wrong place. No picture tells that, since any place may be meant.
+bool changes_rule(const Bug& bug);
+
 /// Makes the mistake in these settings and leaves everything else as it is: the stage and whatever
 /// else the laboratory sets so that the mistake is easy to see.
 void apply_bug_rule(const Bug& bug, Settings& settings);

@@ -177,6 +177,7 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
     };
     if (!diagnosis.is_same()) {
         for (const Bug& bug : bugs) {
+            if (!changes_rule(bug)) continue;
             Settings settings = reference;
             apply_bug_rule(bug, settings);
             add({.id = bug.id, .name = bug.name, .is_bug = true},

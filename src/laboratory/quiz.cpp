@@ -64,6 +64,7 @@ Shown bugs_that_show(const Session& session, const std::vector<Bug>& bugs) {
     const Settings right = settings_to_try(session);
     const std::uint64_t reference = print_of(*session.scene, right);
     for (const Bug& bug : bugs) {
+        if (!changes_rule(bug)) continue;
         const Settings wrong = with_bug(right, bug);
         if (wrong == right) continue;
         const std::uint64_t print = print_of(*session.scene, wrong);

@@ -19,6 +19,13 @@ inline bool is_in_front_unasked(const glm::vec4& clip, const VertexRules& rules)
 ProjectedVertex project_marking_column(const ClipVertex& vertex, const VertexRules& rules,
                                        const Stages& stages, VertexSpaces* spaces);
 
+/// B74, in the slot viewport_middle: half of the picture's size is not added, so that its middle
+/// lies in the upper left corner.
+inline glm::ivec2 middle_in_corner(const VertexRules& rules) {
+    static_cast<void>(rules);
+    return {0, 0};
+}
+
 /// B15, in the slot snap_to_pixel: a vertex outside the picture is moved to its border, which bends
 /// the edges that end in it. No place is left beyond the centres of the pixels at the border.
 ScreenPlace snap_into_picture(const glm::vec2& projected, glm::ivec2 middle,

@@ -2,6 +2,9 @@
 
 // Mistakes in the slots of stages/vertex_shader.h.
 
+#include <cmath>
+
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "stages/matrices.h"
@@ -14,24 +17,55 @@ inline glm::vec3 rotate_transposed(const glm::vec3& minus_camera, const glm::mat
     return rotation * minus_camera;
 }
 
-/// B25, in the slot to_clip_space: -f for f turns the picture by half a turn.
-/// @tparam project the projection that is right
-template <auto project>
-glm::vec4 to_clip_space_mirrored(const glm::vec3& rotated, const VertexRules& rules) {
-    const glm::vec4 clip = project(rotated, rules);
+/// B70, in the slot to_camera_space: (v + C) R, so that the camera stands on the other side of the
+/// world's origin.
+CameraPlace to_camera_by_adding(const glm::vec3& position_world, const Camera& camera,
+                                const glm::mat3& rotation, const Stages& stages);
+
+/// B71, in the slot to_camera_space: v R - C, turned about the world's origin before it is moved.
+/// In place of v - C the report has v R.
+CameraPlace to_camera_rotated_first(const glm::vec3& position_world, const Camera& camera,
+                                    const glm::mat3& rotation, const Stages& stages);
+
+// The axes of the picture, by what becomes of x and y in clip space.
+
+/// As they should be: x right, y down.
+inline glm::vec4 axes_kept(const glm::vec4& clip) {
+    return clip;
+}
+/// B25: -f for f turns the picture by half a turn.
+inline glm::vec4 axes_mirrored(const glm::vec4& clip) {
     return {-clip.x, -clip.y, clip.z, clip.w};
 }
+/// B73: f y is taken to the right, and f x down.
+inline glm::vec4 axes_exchanged(const glm::vec4& clip) {
+    return {clip.y, clip.x, clip.z, clip.w};
+}
 
-/// B24 and B25 where matrices do the work, in the slot vertex_shader.
-template <bool is_transposed, bool is_mirrored>
+/// B75, in the slot to_clip_space: w is the distance from the camera, where it should be z. It has
+/// the sign of z, by which what is behind the camera is recognized all the same.
+/// @tparam project the projection that is right
+template <auto project>
+glm::vec4 to_clip_space_by_distance(const glm::vec3& rotated, const VertexRules& rules) {
+    glm::vec4 clip = project(rotated, rules);
+    const float distance = std::sqrt(glm::dot(rotated, rotated));
+    clip.w = rotated.z > 0.0f ? distance : -distance;
+    return clip;
+}
+
+/// In the slot to_clip_space: a projection with these axes.
+template <auto axes, auto project>
+glm::vec4 to_clip_space_with(const glm::vec3& rotated, const VertexRules& rules) {
+    return axes(project(rotated, rules));
+}
+
+/// B24, B25 and B73 where matrices do the work, in the slot vertex_shader.
+template <bool is_transposed, auto axes>
 ClipVertex mistaken_matrices(const Vertex& vertex, const glm::mat3& rotation,
                              const VertexRules& rules, const Stages& stages, VertexSpaces* spaces) {
     const glm::mat3 turn = is_transposed ? glm::transpose(rotation) : rotation;
     ClipVertex shaded = vertex_shader_by_matrices(vertex, turn, rules, stages, spaces);
-    if (is_mirrored && rules.space == SceneSpace::world) {
-        shaded.position_clip.x = -shaded.position_clip.x;
-        shaded.position_clip.y = -shaded.position_clip.y;
-    }
+    if (rules.space == SceneSpace::world) shaded.position_clip = axes(shaded.position_clip);
     return shaded;
 }
 

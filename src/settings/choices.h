@@ -151,14 +151,36 @@ template <>
 inline constexpr auto enum_words<Rotation> = word_list("row_vector", "transposed");
 static_assert(words_match<Rotation>);
 
-/// The sign of the focal length.
-enum class ImageAxes : std::uint8_t {
-    right_way, ///< f: x right, y down
-    mirrored,  ///< -f: the picture turned by half a turn: mistake B25
+/// How the world is moved to the camera, by the lab's lines.
+enum class CameraMove : std::uint8_t {
+    subtracted,    ///< (v - C) R
+    added,         ///< (v + C) R: mistake B70
+    rotated_first, ///< v R - C: mistake B71
 };
 template <>
-inline constexpr auto enum_words<ImageAxes> = word_list("right_way", "mirrored");
+inline constexpr auto enum_words<CameraMove> = word_list("subtracted", "added", "rotated_first");
+static_assert(words_match<CameraMove>);
+
+/// How the axes of the picture lie.
+enum class ImageAxes : std::uint8_t {
+    right_way, ///< x right, y down, counted from the middle
+    mirrored,  ///< -f for f: the picture turned by half a turn: mistake B25
+    exchanged, ///< x down, y right: mistake B73
+    uncentred, ///< counted from the upper left corner, without + W/2 and + H/2: mistake B74
+};
+template <>
+inline constexpr auto enum_words<ImageAxes> = word_list("right_way", "mirrored", "exchanged",
+                                                        "uncentred");
 static_assert(words_match<ImageAxes>);
+
+/// What w of clip space is, under perspective and by the lab's lines.
+enum class DividedBy : std::uint8_t {
+    z,        ///< how far in front of the camera
+    distance, ///< how far away from the camera: mistake B75
+};
+template <>
+inline constexpr auto enum_words<DividedBy> = word_list("z", "distance");
+static_assert(words_match<DividedBy>);
 
 /// How the pixels of a polygon are found.
 enum class Coverage : std::uint8_t {

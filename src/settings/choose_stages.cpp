@@ -29,26 +29,73 @@ void choose(Rotation rotation, Stages& stages) {
     if (rotation == Rotation::transposed) stages.rotate_to_camera = rotate_transposed;
 }
 
-void choose(ImageAxes axes, ClipDepth depth, Stages& stages) {
+void choose(CameraMove move, Stages& stages) {
+    switch (move) {
+    case CameraMove::subtracted:
+        break;
+    case CameraMove::added:
+        stages.to_camera_space = to_camera_by_adding;
+        break;
+    case CameraMove::rotated_first:
+        stages.to_camera_space = to_camera_rotated_first;
+        break;
+    }
+}
+
+using ClipSpaceFunction = decltype(Stages::to_clip_space);
+
+template <auto project>
+ClipSpaceFunction projection_with(ImageAxes axes) {
+    switch (axes) {
+    case ImageAxes::right_way:
+    case ImageAxes::uncentred:
+        break;
+    case ImageAxes::mirrored:
+        return to_clip_space_with<axes_mirrored, project>;
+    case ImageAxes::exchanged:
+        return to_clip_space_with<axes_exchanged, project>;
+    }
+    return project;
+}
+
+void choose(ImageAxes axes, DividedBy divided_by, ClipDepth depth, Stages& stages) {
     // Only perspective with 1/z is the lab's.
-    const bool is_lab = depth == ClipDepth::inv_z;
-    if (axes == ImageAxes::right_way)
-        stages.to_clip_space = is_lab ? to_clip_space : to_clip_space_mixed;
+    const bool is_lab = depth == ClipDepth::inv_z, is_by_z = divided_by == DividedBy::z;
+    if (is_by_z && is_lab)
+        stages.to_clip_space = projection_with<to_clip_space>(axes);
+    else if (is_by_z)
+        stages.to_clip_space = projection_with<to_clip_space_mixed>(axes);
+    else if (is_lab)
+        stages.to_clip_space = projection_with<to_clip_space_by_distance<to_clip_space>>(axes);
     else
-        stages.to_clip_space = is_lab ? to_clip_space_mirrored<to_clip_space>
-                                      : to_clip_space_mirrored<to_clip_space_mixed>;
+        stages.to_clip_space =
+            projection_with<to_clip_space_by_distance<to_clip_space_mixed>>(axes);
+    if (axes == ImageAxes::uncentred) stages.viewport_middle = middle_in_corner;
+}
+
+using VertexShaderFunction = decltype(Stages::vertex_shader);
+
+template <bool is_transposed>
+VertexShaderFunction matrices_with(ImageAxes axes) {
+    switch (axes) {
+    case ImageAxes::right_way:
+    case ImageAxes::uncentred:
+        break;
+    case ImageAxes::mirrored:
+        return mistaken_matrices<is_transposed, axes_mirrored>;
+    case ImageAxes::exchanged:
+        return mistaken_matrices<is_transposed, axes_exchanged>;
+    }
+    if constexpr (is_transposed)
+        return mistaken_matrices<true, axes_kept>;
+    else
+        return vertex_shader_by_matrices;
 }
 
 void choose(Transform transform, Rotation rotation, ImageAxes axes, Stages& stages) {
     if (transform == Transform::lab) return;
-    if (rotation == Rotation::row_vector && axes == ImageAxes::right_way)
-        stages.vertex_shader = vertex_shader_by_matrices;
-    else if (rotation == Rotation::row_vector)
-        stages.vertex_shader = mistaken_matrices<false, true>;
-    else if (axes == ImageAxes::right_way)
-        stages.vertex_shader = mistaken_matrices<true, false>;
-    else
-        stages.vertex_shader = mistaken_matrices<true, true>;
+    stages.vertex_shader =
+        rotation == Rotation::row_vector ? matrices_with<false>(axes) : matrices_with<true>(axes);
 }
 
 void choose(Transform transform, Translation translation, Stages& stages) {
@@ -522,7 +569,9 @@ Stages choose_stages(const Settings& settings, const Scene& scene) {
 Stages choose_stages(const Settings& settings) {
     Stages stages;
     choose(settings.rotation, stages);
-    choose(settings.image_axes, clip_depth_rule(settings, SceneSpace::world), stages);
+    choose(camera_move_rule(settings), stages);
+    choose(settings.image_axes, divided_by_rule(settings),
+           clip_depth_rule(settings, SceneSpace::world), stages);
     choose(settings.transform, settings.rotation, settings.image_axes, stages);
     choose(settings.transform, settings.translation, stages);
     choose(settings.normal_w, stages);

@@ -56,6 +56,11 @@ std::string idle_reason(const Setting& setting, const Settings& settings) {
         return "while view_box says what fills the picture";
     if (setting.name == "view_box" && settings.transform != Transform::matrices)
         return "unless a matrix for each space does the work";
+    const bool is_labs_alone = setting.name == "camera_move" || setting.name == "divided_by";
+    if (is_labs_alone && settings.transform == Transform::matrices)
+        return "while a matrix for each space does the work";
+    if (setting.name == "divided_by" && settings.projection_mix != 0.0f)
+        return "unless the projection is perspective";
     const auto* const found =
         std::find_if(std::begin(coverage_settings), std::end(coverage_settings),
                      [&](const CoverageSetting& one) { return one.name == setting.name; });

@@ -382,9 +382,31 @@ std::vector<Setting> make_table() {
         {"rotation", "Rotation applied as", "Camera",
          "How the camera's rotation R is applied: v R, or by mistake R v.", "Moving the camera", "",
          choice<&Settings::rotation>()},
-        {"image_axes", "Focal length sign", "Camera",
-         "The sign of the focal length; a negative one turns the picture by half a turn.",
+        {.name = "camera_move",
+         .title = "Move to the camera",
+         .group = "Camera",
+         .help = "How the camera's position C is applied: subtracted before the rotation, (v − C) "
+                 "R; or by mistake added, (v + C) R, or subtracted after the rotation, v R − C. "
+                 "Only where the lab's lines do the work.",
+         .section = "Moving the camera",
+         .unit = "",
+         .kind = choice<&Settings::camera_move>(),
+         .needs_world = true},
+        {"image_axes", "Picture axes", "Camera",
+         "How the axes of the picture lie: x to the right and y down from its middle; or by "
+         "mistake turned by half a turn, with a negative focal length, with x and y exchanged, or "
+         "counted from the upper left corner, without half of the picture's size.",
          "Drawing points", "", choice<&Settings::image_axes>()},
+        {.name = "divided_by",
+         .title = "x and y divided by",
+         .group = "Camera",
+         .help = "What x and y are divided by, and what the depth buffer holds one over: z, how "
+                 "far a point is in front of the camera; or by mistake its distance from the "
+                 "camera. Only in perspective, where the lab's lines do the work.",
+         .section = "Drawing points",
+         .unit = "",
+         .kind = choice<&Settings::divided_by>(),
+         .needs_world = true},
         {"behind_mark", "Mark behind the camera", "Camera",
          "How a vertex on or behind the camera plane is marked: it has no pixel, or by mistake the "
          "column −1.",

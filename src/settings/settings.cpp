@@ -94,6 +94,15 @@ ClipDepth clip_depth_rule(const Settings& settings, SceneSpace space) {
     return is_mixed && chosen == ClipDepth::inv_z ? ClipDepth::reversed : chosen;
 }
 
+CameraMove camera_move_rule(const Settings& settings) {
+    return settings.transform == Transform::lab ? settings.camera_move : CameraMove::subtracted;
+}
+
+DividedBy divided_by_rule(const Settings& settings) {
+    const bool is_labs = settings.transform == Transform::lab && settings.projection_mix == 0.0f;
+    return is_labs ? settings.divided_by : DividedBy::z;
+}
+
 namespace {
 
 Projection projection_rule(const Settings& settings, SceneSpace space) {

@@ -55,7 +55,9 @@ struct Settings {
     Blend blend = Blend::over; ///< only where the scene has something half transparent
     Camera camera;
     Rotation rotation = Rotation::row_vector;
+    CameraMove camera_move = CameraMove::subtracted; ///< only by the lab's lines
     ImageAxes image_axes = ImageAxes::right_way;
+    DividedBy divided_by = DividedBy::z; ///< see divided_by_rule()
     Transform transform = Transform::lab;
     MatrixOrder matrix_order = MatrixOrder::row_vectors; ///< of what is shown; changes no picture
     Translation translation = Translation::last_column;  ///< only where matrices do the work
@@ -108,6 +110,13 @@ std::optional<ViewBox> view_box_rule(const Settings& settings, SceneSpace space)
 /// Which depth clip space carries and the depth buffer holds. Without perspective 1/z is not linear
 /// on the screen, but z is: reversed ndc z takes its place then.
 ClipDepth clip_depth_rule(const Settings& settings, SceneSpace space);
+
+/// How the world is moved to the camera: as it should be where matrices do the work.
+CameraMove camera_move_rule(const Settings& settings);
+
+/// What x and y are divided by: z where matrices do the work, or where the projection is not
+/// perspective.
+DividedBy divided_by_rule(const Settings& settings);
 
 /// What the depth buffer holds, and how finely.
 DepthRules depth_rules(const Settings& settings, SceneSpace space);

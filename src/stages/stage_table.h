@@ -35,6 +35,7 @@ namespace rasterwalk {
 /// The slots, in the order of the pipeline.
 struct Stages {
     decltype(&rasterwalk::vertex_shader) vertex_shader = rasterwalk::vertex_shader;
+    decltype(&rasterwalk::to_camera_space) to_camera_space = rasterwalk::to_camera_space;
     decltype(&rasterwalk::rotate_to_camera) rotate_to_camera = rasterwalk::rotate_to_camera;
     decltype(&rasterwalk::to_clip_space) to_clip_space = rasterwalk::to_clip_space;
 

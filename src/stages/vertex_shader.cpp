@@ -17,24 +17,23 @@ bool is_finite(const glm::vec3& v) {
 }
 
 /// A vertex before the camera.
-struct CameraPlace {
-    glm::vec3 minus_camera; ///< the camera stands at the origin
-    glm::vec3 rotated;      ///< and looks along +z
+struct SeenVertex {
+    CameraPlace place;
     glm::vec4 clip;
 };
 
-CameraPlace seen_by_camera(const glm::vec3& position_world, const glm::mat3& rotation,
-                           const VertexRules& rules, const Stages& stages) {
-    CameraPlace place;
-    place.minus_camera = position_world - rules.camera.position;
-    place.rotated = stages.rotate_to_camera(place.minus_camera, rotation);
-    place.clip = stages.to_clip_space(place.rotated, rules);
-    return place;
+SeenVertex seen_by_camera(const glm::vec3& position_world, const glm::mat3& rotation,
+                          const VertexRules& rules, const Stages& stages) {
+    SeenVertex seen;
+    seen.place = call<to_camera_space>(stages.to_camera_space, position_world, rules.camera,
+                                       rotation, stages);
+    seen.clip = stages.to_clip_space(seen.place.rotated, rules);
+    return seen;
 }
 
 /// In a scene in pixel space x and y are columns and rows already: there is no camera.
-CameraPlace given_in_pixels(const glm::vec3& position, const VertexRules& rules) {
-    return {position, position, {position.x, position.y, clip_z(position.z, rules), position.z}};
+SeenVertex given_in_pixels(const glm::vec3& position, const VertexRules& rules) {
+    return {{position, position}, {position.x, position.y, clip_z(position.z, rules), position.z}};
 }
 
 } // namespace
@@ -49,6 +48,12 @@ glm::mat3 camera_rotation(const Camera& camera) {
     const glm::vec3 down(sp * sy, cp, sp * cy);
     const glm::vec3 forward(cp * sy, -sp, cp * cy);
     return {right, down, forward};
+}
+
+CameraPlace to_camera_space(const glm::vec3& position_world, const Camera& camera,
+                            const glm::mat3& rotation, const Stages& stages) {
+    const glm::vec3 minus_camera = position_world - camera.position;
+    return {minus_camera, stages.rotate_to_camera(minus_camera, rotation)};
 }
 
 SurfaceLight light_at_vertex(const Vertex& vertex, const VertexRules& rules, const Stages& stages) {
@@ -82,16 +87,16 @@ glm::vec3 VertexSpaces::in(std::string_view space) const {
 
 ClipVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation, const VertexRules& rules,
                          const Stages& stages, VertexSpaces* spaces) {
-    const CameraPlace place = rules.space == SceneSpace::world
-                                  ? seen_by_camera(vertex.position, rotation, rules, stages)
-                                  : given_in_pixels(vertex.position, rules);
+    const SeenVertex seen = rules.space == SceneSpace::world
+                                ? seen_by_camera(vertex.position, rotation, rules, stages)
+                                : given_in_pixels(vertex.position, rules);
     if (spaces != nullptr) {
         spaces->add("world", vertex.position);
-        spaces->add("minus_camera", place.minus_camera);
-        spaces->add("rotated", place.rotated);
+        spaces->add("minus_camera", seen.place.minus_camera);
+        spaces->add("rotated", seen.place.rotated);
     }
     constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-    const glm::vec4 clip = is_finite(place.rotated) ? place.clip : glm::vec4(not_a_number);
+    const glm::vec4 clip = is_finite(seen.place.rotated) ? seen.clip : glm::vec4(not_a_number);
     return {clip, start_varyings(vertex, rules, stages)};
 }
 

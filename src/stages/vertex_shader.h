@@ -8,8 +8,9 @@
 // Picture: move the world so that the camera stands at the origin, turn it so that the camera looks
 //          along +z, scale by the focal length.
 //
-// The classic mistakes: R v instead of v R, so that the camera turns the wrong way, and a minus
-// before the focal length, which turns the picture by half a turn.
+// The classic mistakes: R v instead of v R, so that the camera turns the wrong way; v + C, or
+// v R - C, for (v - C) R, so that it stands elsewhere; a minus before the focal length, which turns
+// the picture by half a turn; x and y exchanged; and the distance for z.
 //
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // chapter 6, viewing in 3D; Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH
@@ -161,6 +162,18 @@ glm::mat3 camera_rotation(const Camera& camera);
 inline glm::vec3 rotate_to_camera(const glm::vec3& minus_camera, const glm::mat3& rotation) {
     return minus_camera * rotation;
 }
+
+/// A point of the world on its way to the camera.
+struct CameraPlace {
+    glm::vec3 minus_camera; ///< the camera stands at the origin
+    glm::vec3 rotated;      ///< and looks along +z: camera space
+};
+
+/// Moves the world so that the camera stands at the origin, and then turns it: (v - C) R. Turned
+/// first, the camera's position would have to be turned as well.
+/// @param stages the table whose function turns
+CameraPlace to_camera_space(const glm::vec3& position_world, const Camera& camera,
+                            const glm::mat3& rotation, const Stages& stages);
 
 /// The perspective projection as far as it is linear, from camera space to clip space: the division
 /// by w follows.

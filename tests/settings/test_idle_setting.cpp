@@ -82,6 +82,34 @@ TEST_CASE("An idle setting says what makes it idle") {
     CHECK(idle_reason(*find_setting("line"), settings).empty());
 }
 
+TEST_CASE(
+    "Mistakes of the lab's lines are idle where matrices do the work, or another projection") {
+    const Scene room = lab_room();
+    Settings settings = default_settings(room);
+    settings.stage = Stage::depth;
+    settings.viewport = {50, 50};
+    settings.camera.focal_length = 50.0f;
+    settings.camera.yaw = 0.1f;
+    const auto check = [&](const char* name, const std::string& reason) {
+        const Setting& setting = *find_setting(name);
+        CAPTURE(name, reason);
+        CHECK(idle_reason(setting, settings) == reason);
+        CHECK(is_without_effect(room, settings, std::get<ChoiceSetting>(setting.kind)) ==
+              !reason.empty());
+    };
+    check("camera_move", "");
+    check("divided_by", "");
+    settings.projection_mix = 0.5f;
+    check("camera_move", "");
+    check("divided_by", "unless the projection is perspective");
+    settings.transform = Transform::matrices;
+    for (const float mix : {0.0f, 0.5f}) {
+        settings.projection_mix = mix;
+        check("camera_move", "while a matrix for each space does the work");
+        check("divided_by", "while a matrix for each space does the work");
+    }
+}
+
 TEST_CASE("With a flashlight the place of the lamp says nothing, and changes no picture") {
     const Setting& position = *find_setting("light.position");
     Scene scene;

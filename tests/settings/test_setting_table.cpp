@@ -80,7 +80,9 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "camera.target",
                                                  "camera.up",
                                                  "rotation",
+                                                 "camera_move",
                                                  "image_axes",
+                                                 "divided_by",
                                                  "behind_mark",
                                                  "outside_picture",
                                                  "transform",
@@ -188,7 +190,9 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     CHECK(settings.transform == Transform::matrices);
     CHECK(settings.matrix_order == MatrixOrder::column_vectors);
     CHECK(settings.projection_mix == 1.0f);
-    CHECK(settings.image_axes == ImageAxes::mirrored);
+    CHECK(settings.camera_move == CameraMove::rotated_first);
+    CHECK(settings.image_axes == ImageAxes::uncentred);
+    CHECK(settings.divided_by == DividedBy::distance);
     CHECK(settings.behind_mark == BehindMark::minus_one);
     CHECK(settings.outside_picture == OutsidePicture::clamped);
     CHECK(settings.light_rules.direction == LightDirection::not_normalized);

@@ -228,7 +228,8 @@ TEST_CASE("Half of the range of ndc z is used up at twice the near plane") {
 
 TEST_CASE("The mistakes of rotation and focal length are made by matrices too") {
     const Scene room = lab_room();
-    for (const char* mistake : {"rotation=transposed", "image_axes=mirrored"}) {
+    for (const char* mistake : {"rotation=transposed", "image_axes=mirrored",
+                                "image_axes=exchanged", "image_axes=uncentred"}) {
         Settings settings = default_settings(room);
         settings.camera.yaw = 0.125f;
         set_from_text(settings, mistake);

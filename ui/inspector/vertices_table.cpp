@@ -63,6 +63,39 @@ const char* coordinate_of(const Ui& ui, const VertexLine& line) {
     return is_mixed(ui) && std::string_view(line.id) == "zinv" ? "1/w" : line.coordinate;
 }
 
+/// Do mistakes of the camera or of the projection change what a line shows?
+bool has_mistake(const Ui& ui, const VertexLine& line) {
+    const Settings& settings = ui.results.a.frame.settings;
+    const std::string_view id = line.id;
+    const bool is_of_camera = id.starts_with("minus_camera.") || id.starts_with("rotated.");
+    if (is_of_camera) return camera_move_rule(settings) != CameraMove::subtracted;
+    return (id == "zinv" && divided_by_rule(settings) != DividedBy::z) ||
+           (id.starts_with("projected.") && settings.image_axes == ImageAxes::exchanged);
+}
+
+/// What a line shows, as its formula says it.
+std::string told_help(const Ui& ui, const VertexLine& line) {
+    for (const VertexReport& vertex : ui.results.a.inspected.vertices) {
+        if (const Formula* const formula = find_formula(vertex.formulas, line.id))
+            return formula->help;
+    }
+    return line.help;
+}
+
+/// The space to which a line belongs, before its coordinate.
+const char* space_of(const Ui& ui, const VertexLine& line) {
+    if (std::string_view(line.id) != "minus_camera.x") return line.space;
+    switch (camera_move_rule(ui.results.a.frame.settings)) {
+    case CameraMove::subtracted:
+        break;
+    case CameraMove::added:
+        return "+ camera";
+    case CameraMove::rotated_first:
+        return "v R";
+    }
+    return line.space;
+}
+
 /// What a line shows; how a number becomes whole depends on what is set.
 std::string help_of(const Ui& ui, const VertexLine& line) {
     const std::string_view id = line.id;
@@ -73,7 +106,7 @@ std::string help_of(const Ui& ui, const VertexLine& line) {
     if (id == "zinv" && depth_kind(ui.results.a.frame) != ClipDepth::inv_z)
         return "By this values are weighed; the depth buffer holds " +
                std::string(depth_words(ui.results.a.frame).name) + ".";
-    if (!std::string_view(line.id).starts_with("pixel.")) return line.help;
+    if (!id.starts_with("pixel.")) return has_mistake(ui, line) ? told_help(ui, line) : line.help;
     return how_made_whole(ui.results.a.frame.settings, ui.results.a.scene->space);
 }
 
@@ -139,7 +172,7 @@ void draw_labels(Ui& ui, const VertexLine& line) {
     }
     if (ui.inspector.is_narrow) {
         const bool is_pixel = std::string_view(line.space) == "pixel";
-        const std::string space = is_pixel || *line.space == '\0' ? "" : line.space;
+        const std::string space = is_pixel || *line.space == '\0' ? "" : space_of(ui, line);
         ImGui::PushFont(ui.fonts.small);
         const std::string coordinate = coordinate_of(ui, line);
         right_aligned(space.empty() ? coordinate : space + " " + coordinate, p.dim);
@@ -149,7 +182,7 @@ void draw_labels(Ui& ui, const VertexLine& line) {
         return;
     }
     if (*line.space != '\0') {
-        ImGui::TextUnformatted(line.space);
+        ImGui::TextUnformatted(space_of(ui, line));
         keep_item_whole(ui);
         name_widget(ui, name + ".space", help_of(ui, line));
     }
