@@ -2,6 +2,8 @@
 
 #include "explain/highlight_formulas.h"
 #include "explain/shadow_formulas.h"
+#include "mistakes/light.h"
+#include "mistakes/put_pixel.h"
 
 namespace rasterwalk {
 
@@ -65,6 +67,15 @@ Formula area_formula(const LitPoint& point, LightFalloff falloff) {
         area.help = "What the power is divided by: the distance does not count.";
         area.expression = "1";
         area.inputs.clear();
+    }
+    if (falloff == LightFalloff::pi_of_atan) {
+        area.help = "The sphere over which the power has spread, with a π that is 16 times too "
+                    "small.";
+        area.inputs.front() = {"π", {pi_of_atan}, from_words("atan(1) / 4, by mistake")};
+    }
+    if (falloff == LightFalloff::pi_three) {
+        area.help = "The sphere over which the power has spread, with 3 for π.";
+        area.inputs.front() = {"π", {3.0f, true}, from_words("3, by mistake")};
     }
     if (falloff == LightFalloff::cubed) {
         area.name = "4πr³";
@@ -294,12 +305,17 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
         append_way_along_axes(point, light, is_turned_round, formulas);
     else
         append_way(point, light, is_turned_round, formulas);
-    formulas.push_back({point.prefix + "r2",
-                        "r²",
-                        "The distance to the lamp, squared.",
-                        "r.x² + r.y² + r.z²",
-                        parts_of_vector("r", ray(point)),
-                        {terms.distance2}});
+    Formula square{point.prefix + "r2",
+                   "r²",
+                   "The distance to the lamp, squared.",
+                   "r.x² + r.y² + r.z²",
+                   parts_of_vector("r", ray(point)),
+                   {terms.distance2}};
+    if (rules.direction == LightDirection::with_w) {
+        square.help += " By mistake the square of w, which is 1, is in it.";
+        square.expression += " + 1";
+    }
+    formulas.push_back(square);
     formulas.push_back(cosine_formula(point, rules.direction));
     formulas.push_back(area_formula(point, rules.falloff));
     append_shadow_formulas(point, frame, formulas);
@@ -324,6 +340,10 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
             sum.help = "The direct light and, by mistake, the reflectance added to it.";
             sum.expression = "D + ρ";
             sum.inputs.pop_back();
+        }
+        if (rules.sum == LightSum::reflectance_twice) {
+            sum.help += " By mistake the reflectance is in it twice.";
+            sum.expression = "ρ · ρ · (D + N)";
         }
         if (has_highlight) {
             sum.help += " The highlight comes on top of it.";

@@ -16,6 +16,9 @@ inline glm::vec3 light_normal_as_place(const glm::vec3& normal, const Camera& ca
     return length > 0.0f ? moved / length : glm::vec3(0.0f);
 }
 
+/// atan(1) / 4, which is pi / 16.
+inline constexpr float pi_of_atan = 0.785398163f / 4.0f;
+
 // The vector of whose slant the cosine is taken.
 
 /// As it should be: from the point to the lamp.
@@ -38,12 +41,31 @@ inline float not_normalized(float) {
     return 1.0f;
 }
 
+// What the dot product of that vector with itself is.
+
+/// As it should be: x^2 + y^2 + z^2.
+inline float own_square(const glm::vec3& way) {
+    return glm::dot(way, way);
+}
+/// B76: of a vector of four numbers, the last of which is 1.
+inline float square_with_w(const glm::vec3& way) {
+    return glm::dot(way, way) + 1.0f;
+}
+
 // Over what the lamp's power is spread.
 
 /// As it should be: 4 pi r^2.
 inline float sphere_area(float distance2, float) {
     constexpr float pi = 3.14159265f;
     return 4.0f * pi * distance2;
+}
+/// B77a: pi = atan(1) / 4, where it should be atan(1) * 4.
+inline float area_with_pi_of_atan(float distance2, float) {
+    return 4.0f * pi_of_atan * distance2;
+}
+/// B77b: pi = 3.
+inline float area_with_pi_three(float distance2, float) {
+    return 4.0f * 3.0f * distance2;
 }
 // B20c, r^2, and the laws that are no mistakes: see stages/light.h.
 /// B20d: 4 pi r^3.
@@ -64,13 +86,19 @@ inline glm::vec3 reflectance_plus(const glm::vec3& reflectance, const glm::vec3&
     return direct + reflectance;
 }
 
+/// B78: reflectance * reflectance * (D + N).
+inline glm::vec3 reflectance_twice(const glm::vec3& reflectance, const glm::vec3& direct,
+                                   const glm::vec3& indirect) {
+    return reflectance * reflectance * (direct + indirect);
+}
+
 /// In the slot reflected_light: the same formula with these parts.
-template <auto way, auto length, auto area, auto sum>
+template <auto way, auto square, auto length, auto area, auto sum>
 LightTerms mistaken_light(const glm::vec3& position_world, const glm::vec3& normal,
                           const glm::vec3& reflectance, const Light& light) {
     LightTerms terms;
     terms.to_light = way(position_world, light.position);
-    terms.distance2 = glm::dot(terms.to_light, terms.to_light);
+    terms.distance2 = square(terms.to_light);
     const float distance = std::sqrt(terms.distance2);
     terms.sphere_area = area(terms.distance2, distance);
     // A cube may be 0 where the square is not yet.

@@ -385,32 +385,37 @@ enum class LightDirection : std::uint8_t {
     to_light,       ///< from the point to the lamp, at unit length
     from_light,     ///< from the lamp to the point: mistake B20
     not_normalized, ///< to the lamp, but as long as the way there: mistake B20
+    with_w,         ///< to the lamp, with w = 1 in its length: mistake B76
 };
 template <>
 inline constexpr auto enum_words<LightDirection> = word_list("to_light", "from_light",
-                                                             "not_normalized");
+                                                             "not_normalized", "with_w");
 static_assert(words_match<LightDirection>);
 
 /// Over what the lamp's power is spread.
 enum class LightFalloff : std::uint8_t {
-    sphere, ///< 4 pi r^2
-    no_4pi, ///< r^2: mistake B20 where the power is meant as the lab means it
-    linear, ///< r
-    none,   ///< 1: the light is as bright at every distance
-    cubed,  ///< 4 pi r^3: mistake B20
+    sphere,     ///< 4 pi r^2
+    no_4pi,     ///< r^2: mistake B20 where the power is meant as the lab means it
+    linear,     ///< r
+    none,       ///< 1: the light is as bright at every distance
+    cubed,      ///< 4 pi r^3: mistake B20
+    pi_of_atan, ///< 4 pi r^2 with pi = atan(1) / 4, a sixteenth of it: mistake B77
+    pi_three,   ///< 4 pi r^2 with pi = 3: mistake B77
 };
 template <>
 inline constexpr auto enum_words<LightFalloff> = word_list("sphere", "no_4pi", "linear", "none",
-                                                           "cubed");
+                                                           "cubed", "pi_of_atan", "pi_three");
 static_assert(words_match<LightFalloff>);
 
 /// How direct light, indirect light and reflectance are put together.
 enum class LightSum : std::uint8_t {
     reflectance_times, ///< reflectance * (D + N)
     reflectance_plus,  ///< D + reflectance: mistake B21
+    reflectance_twice, ///< reflectance * reflectance * (D + N): mistake B78
 };
 template <>
-inline constexpr auto enum_words<LightSum> = word_list("reflectance_times", "reflectance_plus");
+inline constexpr auto enum_words<LightSum> = word_list("reflectance_times", "reflectance_plus",
+                                                       "reflectance_twice");
 static_assert(words_match<LightSum>);
 
 /// What becomes of a normal that was interpolated.

@@ -402,27 +402,38 @@ void choose(NormalMapSpace space, Stages& stages) {
 
 using LightFunction = decltype(Stages::reflected_light);
 
-template <auto way, auto length, auto area>
+template <auto way, auto square, auto length, auto area>
 LightFunction light_with(LightSum sum) {
-    return sum == LightSum::reflectance_times ? mistaken_light<way, length, area, reflectance_times>
-                                              : mistaken_light<way, length, area, reflectance_plus>;
+    switch (sum) {
+    case LightSum::reflectance_times:
+        break;
+    case LightSum::reflectance_plus:
+        return mistaken_light<way, square, length, area, reflectance_plus>;
+    case LightSum::reflectance_twice:
+        return mistaken_light<way, square, length, area, reflectance_twice>;
+    }
+    return mistaken_light<way, square, length, area, reflectance_times>;
 }
 
-template <auto way, auto length>
-LightFunction light_with(LightFalloff falloff, LightSum sum) {
-    switch (falloff) {
+template <auto way, auto square, auto length>
+LightFunction light_with(const LightRules& rules) {
+    switch (rules.falloff) {
     case LightFalloff::sphere:
         break;
     case LightFalloff::no_4pi:
-        return light_with<way, length, area_without_4pi>(sum);
+        return light_with<way, square, length, area_without_4pi>(rules.sum);
     case LightFalloff::linear:
-        return light_with<way, length, area_of_distance>(sum);
+        return light_with<way, square, length, area_of_distance>(rules.sum);
     case LightFalloff::none:
-        return light_with<way, length, area_of_one>(sum);
+        return light_with<way, square, length, area_of_one>(rules.sum);
     case LightFalloff::cubed:
-        return light_with<way, length, cubed_area>(sum);
+        return light_with<way, square, length, cubed_area>(rules.sum);
+    case LightFalloff::pi_of_atan:
+        return light_with<way, square, length, area_with_pi_of_atan>(rules.sum);
+    case LightFalloff::pi_three:
+        return light_with<way, square, length, area_with_pi_three>(rules.sum);
     }
-    return light_with<way, length, sphere_area>(sum);
+    return light_with<way, square, length, sphere_area>(rules.sum);
 }
 
 void choose(HighlightRule rule, Stages& stages) {
@@ -447,13 +458,16 @@ void choose(const LightRules& rules, Stages& stages) {
         return;
     switch (rules.direction) {
     case LightDirection::to_light:
-        stages.reflected_light = light_with<way_to_lamp, own_length>(rules.falloff, rules.sum);
+        stages.reflected_light = light_with<way_to_lamp, own_square, own_length>(rules);
         break;
     case LightDirection::from_light:
-        stages.reflected_light = light_with<way_from_lamp, own_length>(rules.falloff, rules.sum);
+        stages.reflected_light = light_with<way_from_lamp, own_square, own_length>(rules);
         break;
     case LightDirection::not_normalized:
-        stages.reflected_light = light_with<way_to_lamp, not_normalized>(rules.falloff, rules.sum);
+        stages.reflected_light = light_with<way_to_lamp, own_square, not_normalized>(rules);
+        break;
+    case LightDirection::with_w:
+        stages.reflected_light = light_with<way_to_lamp, square_with_w, own_length>(rules);
         break;
     }
 }

@@ -500,14 +500,16 @@ std::vector<Setting> make_table() {
          "highlight, if its material has one (Blinn-Phong).",
          "Illumination", "", lamp_choice<&Light::model>()},
         {"light.direction", "Direction of the light", "Light",
-         "The vector whose slant counts: to the lamp at unit length, from the lamp, or as long as "
-         "the way.",
+         "The vector whose slant counts: to the lamp at unit length; or by mistake from the lamp, "
+         "as long as the way, or with w = 1 in its length.",
          "Illumination", "", light_choice<&LightRules::direction>()},
         {"light.falloff", "Falloff", "Light",
-         "Over what the power is spread: 4 pi r^2, r^2, r, nothing, or by mistake 4 pi r^3.",
+         "Over what the power is spread: 4 pi r^2, r^2, r, nothing, or by mistake 4 pi r^3, or "
+         "4 pi r^2 with a wrong pi.",
          "Illumination", "", light_choice<&LightRules::falloff>()},
         {"light.sum", "Sum of the light", "Light",
-         "How the light is put together: reflectance times (D + N), or D plus reflectance.",
+         "How the light is put together: reflectance times (D + N); or by mistake D plus "
+         "reflectance, or reflectance times itself times (D + N).",
          "Illumination", "", light_choice<&LightRules::sum>()},
         {"light.renormalize", "Normals made unit length", "Light",
          "Whether a normal that was interpolated is made unit length again at the pixel. Only on "

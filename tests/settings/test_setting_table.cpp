@@ -195,9 +195,9 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     CHECK(settings.divided_by == DividedBy::distance);
     CHECK(settings.behind_mark == BehindMark::minus_one);
     CHECK(settings.outside_picture == OutsidePicture::clamped);
-    CHECK(settings.light_rules.direction == LightDirection::not_normalized);
-    CHECK(settings.light_rules.falloff == LightFalloff::cubed);
-    CHECK(settings.light_rules.sum == LightSum::reflectance_plus);
+    CHECK(settings.light_rules.direction == LightDirection::with_w);
+    CHECK(settings.light_rules.falloff == LightFalloff::pi_three);
+    CHECK(settings.light_rules.sum == LightSum::reflectance_twice);
     CHECK(settings.light_rules.renormalize == Renormalize::off);
     CHECK(settings.light_rules.highlight == HighlightRule::long_half);
     CHECK(settings.light.place == LampPlace::camera);
