@@ -37,9 +37,10 @@ struct Colours {
     glm::vec3 of_a(std::size_t pixel) const { return of(a, pixel); }
     glm::vec3 of_b(std::size_t pixel) const { return of(b, pixel); }
     bool are_shown_alike(std::size_t pixel) const {
+        const glm::vec3 in_a = a.rules.screen.arrange(a.colour[pixel]);
+        const glm::vec3 in_b = b.rules.screen.arrange(b.colour[pixel]);
         for (int i = 0; i < 3; ++i) {
-            if (screen_byte(a.colour[pixel][i], a.rules.screen) !=
-                screen_byte(b.colour[pixel][i], b.rules.screen))
+            if (screen_byte(in_a[i], a.rules.screen) != screen_byte(in_b[i], b.rules.screen))
                 return false;
         }
         return true;
@@ -50,10 +51,11 @@ struct Colours {
         const glm::vec3& colour = framebuffer.colour[pixel];
         if (!shown_otherwise) return colour;
         const ScreenRules& screen = framebuffer.rules.screen;
+        const glm::vec3 arranged = screen.arrange(colour);
         glm::vec3 seen = shown_colour(colour, screen);
         for (int i = 0; i < 3; ++i) {
             // What is neither cut nor wrapped has no steps of 8 bits here.
-            const float encoded = screen.encode(colour[i]);
+            const float encoded = screen.encode(arranged[i]);
             if (encoded >= 0.0f && encoded <= 1.0f) seen[i] = encoded;
         }
         return seen;

@@ -323,27 +323,26 @@ void add_light(const Frame& frame, FragmentReport& report) {
                                               vertex, frame.stages);
     }
     report.light_per_vertex = report.under(report.interpolation).illumination;
+    std::array<FormulaInput, 3> by_vertex, own;
     for (int i = 0; i < 3; ++i) {
         const auto part = static_cast<std::size_t>(i);
-        const std::string name = channel_names[part];
-        FormulaInput carried{"R",
-                             {report.light_per_vertex[i]},
-                             from_formula(formula_id(colour[part], report.interpolation))};
+        FormulaInput& carried = by_vertex[part];
+        carried = {"R",
+                   {report.light_per_vertex[i]},
+                   from_formula(formula_id(colour[part], report.interpolation))};
         if (report.texture) {
             carried = append_painted(
                 "vertex_light.",
                 "The light of the vertices, interpolated, and painted by the texture.", i, carried,
                 report.texture->colour[i], report.formulas);
         }
-        Formula by_vertex = shown_channel("vertex_light.colour." + name, name, carried, frame);
-        by_vertex.help = "The light of the vertices, interpolated. " + by_vertex.help;
-        report.formulas.push_back(by_vertex);
-        Formula flat =
-            shown_channel("flat.colour." + name, name,
-                          {"ρ", {reflectance.value[i]}, reflectance.sources[part]}, frame);
-        flat.help = "The surface's own colour: this stage computes no light. " + flat.help;
-        report.formulas.push_back(flat);
+        own[part] = {"ρ", {reflectance.value[i]}, reflectance.sources[part]};
     }
+    append_shown_colour("vertex_light.colour.", by_vertex,
+                        "The light of the vertices, interpolated. ", frame, report.formulas);
+    append_shown_colour("flat.colour.", own,
+                        "The surface's own colour: this stage computes no light. ", frame,
+                        report.formulas);
 }
 
 } // namespace

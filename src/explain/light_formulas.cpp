@@ -167,11 +167,17 @@ FormulaInput append_painted(const std::string& prefix, const std::string& help, 
     return {light.symbol, result, from_formula(id)};
 }
 
+namespace {
+
+/// What the screen shows of a channel.
 Formula shown_channel(std::string id, std::string name, const FormulaInput& channel,
                       const Frame& frame) {
     const ScreenRules& screen = frame.stages.screen;
-    const bool is_encoded = frame.settings.encoding == Encoding::srgb;
-    const std::string encoded = is_encoded ? "srgb(" + channel.symbol + ")" : channel.symbol;
+    const Encoding encoding = frame.settings.encoding;
+    const std::string encoded = encoding == Encoding::srgb ? "srgb(" + channel.symbol + ")"
+                                : encoding == Encoding::gamma
+                                    ? "pow(max(0, " + channel.symbol + "), 1 / γ)"
+                                    : channel.symbol;
     Formula formula{std::move(id),
                     std::move(name),
                     "As the screen can show it: cut to 0..1.",
@@ -182,10 +188,32 @@ Formula shown_channel(std::string id, std::string name, const FormulaInput& chan
         formula.help = "As the screen shows it: what is left of 255 times the channel in 8 bits.";
         formula.expression = "wrap(int(255 · " + encoded + "), 256) / 255";
     }
-    if (is_encoded)
+    if (encoding == Encoding::srgb)
         formula.help += " Before that the light is encoded by the sRGB curve, which the screen "
                         "undoes.";
+    if (encoding == Encoding::gamma) {
+        formula.help += " Before that, by mistake, it is raised to the power of 1/γ.";
+        formula.inputs.push_back({"γ", {gamma_of_screens}, from_words("the gamma of screens")});
+    }
     return formula;
+}
+
+} // namespace
+
+void append_shown_colour(const std::string& prefix, const std::array<FormulaInput, 3>& channels,
+                         const std::string& about, const Frame& frame,
+                         std::vector<Formula>& formulas) {
+    const bool is_turned = frame.settings.channel_order == ChannelOrder::bgr;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const std::string name = channel_names[i];
+        const std::size_t from = is_turned ? channels.size() - 1 - i : i;
+        Formula shown = shown_channel(prefix + name, name, channels[from], frame);
+        shown.help.insert(0, about);
+        if (from != i)
+            shown.help += std::string(" By mistake the screen takes ") + channel_names[from] +
+                          " for " + name + ".";
+        formulas.push_back(shown);
+    }
 }
 
 void append_side_formulas(LitPoint& point, const SourcedVector& surface, const Frame& frame,
@@ -354,16 +382,17 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
         }
         formulas.push_back(sum);
     }
+    std::array<FormulaInput, 3> channels;
     for (int i = 0; i < 3; ++i) {
-        const std::string name = channel_names[i];
-        FormulaInput channel{
-            "R", {point.light.reflected[i]}, from_formula(point.prefix + "R." + name)};
+        FormulaInput& channel = channels[static_cast<std::size_t>(i)];
+        channel = {
+            "R", {point.light.reflected[i]}, from_formula(point.prefix + "R." + channel_names[i])};
         if (point.paint) {
             channel = append_painted(point.prefix, "The reflected light, painted by the texture.",
                                      i, channel, (*point.paint)[i], formulas);
         }
-        formulas.push_back(shown_channel(point.prefix + "colour." + name, name, channel, frame));
     }
+    append_shown_colour(point.prefix + "colour.", channels, "", frame, formulas);
 }
 
 } // namespace rasterwalk

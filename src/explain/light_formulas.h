@@ -88,9 +88,13 @@ FormulaInput append_painted(const std::string& prefix, const std::string& help, 
                             const FormulaInput& light, float texture,
                             std::vector<Formula>& formulas);
 
-/// A channel as the screen shows it: encoded, and cut to 0..1 or wrapped. The formula's one input,
-/// and its symbol in the expression, is the channel as it was worked out.
-Formula shown_channel(std::string id, std::string name, const FormulaInput& channel,
-                      const Frame& frame);
+/// Appends a colour as the screen shows it, with the id `prefix` and red ...: each channel encoded,
+/// and cut to 0..1 or wrapped. The first input of a formula is the channel as it was worked out; it
+/// is another one where the channels are out of order.
+/// @param channels red, green, blue, each with its symbol in the expression
+/// @param about    stands before the help of each, or is empty
+void append_shown_colour(const std::string& prefix, const std::array<FormulaInput, 3>& channels,
+                         const std::string& about, const Frame& frame,
+                         std::vector<Formula>& formulas);
 
 } // namespace rasterwalk

@@ -8,6 +8,10 @@ Rectangle drawn_area_without_zero(Viewport picture) {
     return {1, 1, picture.width, picture.height};
 }
 
+float encode_gamma(float channel) {
+    return channel > 0.0f ? std::pow(channel, 1.0f / gamma_of_screens) : 0.0f;
+}
+
 std::uint8_t to_byte_wrapped(float channel) {
     constexpr float too_large = 0x1p31f;
     const float value = 255.0f * channel;

@@ -31,12 +31,15 @@ struct Scales {
     std::uint32_t most = 1; ///< fragments on a pixel
 };
 
-/// @param i index of the pixel in the planes
+/// @tparam arranges are the channels in another order than red first?
+/// @param  i        index of the pixel in the planes
+template <bool arranges>
 Rgb pixel_colour(const Framebuffer& framebuffer, View view, const Scales& scales, std::size_t i) {
     switch (view) {
     case View::colour: {
-        const glm::vec3& c = framebuffer.colour[i];
         const ScreenRules& screen = framebuffer.rules.screen;
+        const glm::vec3& colour = framebuffer.colour[i];
+        const glm::vec3 c = arranges ? screen.arrange(colour) : colour;
         return {screen_byte(c.r, screen), screen_byte(c.g, screen), screen_byte(c.b, screen)};
     }
     case View::depth: {
@@ -56,20 +59,29 @@ Rgb pixel_colour(const Framebuffer& framebuffer, View view, const Scales& scales
 }
 
 /// @param pixels of the planes
-void paint(const Framebuffer& framebuffer, View view, const Scales& scales, const Rectangle& pixels,
-           Image& image) {
+template <bool arranges>
+void paint_with(const Framebuffer& framebuffer, View view, const Scales& scales,
+                const Rectangle& pixels, Image& image) {
     const auto width = static_cast<std::size_t>(framebuffer.size.width);
     for (int row = pixels.top; row < pixels.bottom; ++row) {
         const std::size_t first = static_cast<std::size_t>(row) * width;
         for (int column = pixels.left; column < pixels.right; ++column) {
             const std::size_t i = first + static_cast<std::size_t>(column);
-            const Rgb rgb = pixel_colour(framebuffer, view, scales, i);
+            const Rgb rgb = pixel_colour<arranges>(framebuffer, view, scales, i);
             image.rgba[4 * i + 0] = rgb.r;
             image.rgba[4 * i + 1] = rgb.g;
             image.rgba[4 * i + 2] = rgb.b;
             image.rgba[4 * i + 3] = 255;
         }
     }
+}
+
+void paint(const Framebuffer& framebuffer, View view, const Scales& scales, const Rectangle& pixels,
+           Image& image) {
+    if (framebuffer.rules.screen.arrange == red_first)
+        paint_with<false>(framebuffer, view, scales, pixels, image);
+    else
+        paint_with<true>(framebuffer, view, scales, pixels, image);
 }
 
 } // namespace
@@ -95,7 +107,8 @@ std::uint8_t screen_byte(float channel, const ScreenRules& screen) {
 
 glm::vec3 shown_colour(const glm::vec3& colour, const ScreenRules& screen) {
     const auto seen = [&](float channel) { return screen.visible_channel(screen.encode(channel)); };
-    return {seen(colour.r), seen(colour.g), seen(colour.b)};
+    const glm::vec3 arranged = screen.arrange(colour);
+    return {seen(arranged.r), seen(arranged.g), seen(arranged.b)};
 }
 
 DepthInterval values_of(const DepthRange& range) {

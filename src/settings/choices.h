@@ -529,10 +529,20 @@ static_assert(words_match<Bounds>);
 enum class Encoding : std::uint8_t {
     linear, ///< as the light that it is: the lab
     srgb,   ///< by the sRGB transfer function, which a screen undoes
+    gamma,  ///< to the power of 1/2.2, although linear numbers are asked for: mistake B80
 };
 template <>
-inline constexpr auto enum_words<Encoding> = word_list("linear", "srgb");
+inline constexpr auto enum_words<Encoding> = word_list("linear", "srgb", "gamma");
 static_assert(words_match<Encoding>);
+
+/// In which order the channels go to the screen.
+enum class ChannelOrder : std::uint8_t {
+    rgb, ///< red first
+    bgr, ///< blue first, so that red and blue change places: mistake B79
+};
+template <>
+inline constexpr auto enum_words<ChannelOrder> = word_list("rgb", "bgr");
+static_assert(words_match<ChannelOrder>);
 
 /// What a channel above 1 is shown as.
 enum class ColourOverOne : std::uint8_t {

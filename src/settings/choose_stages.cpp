@@ -537,13 +537,26 @@ void choose(Bounds bounds, Stages& stages) {
 }
 
 void choose(Encoding encoding, Stages& stages) {
-    if (encoding == Encoding::srgb) stages.screen.encode = encode_srgb;
+    switch (encoding) {
+    case Encoding::linear:
+        break;
+    case Encoding::srgb:
+        stages.screen.encode = encode_srgb;
+        break;
+    case Encoding::gamma:
+        stages.screen.encode = encode_gamma;
+        break;
+    }
 }
 
 void choose(ColourOverOne over_one, Stages& stages) {
     if (over_one == ColourOverOne::clamp) return;
     stages.screen.to_byte = to_byte_wrapped;
     stages.screen.visible_channel = visible_channel_wrapped;
+}
+
+void choose(ChannelOrder order, Stages& stages) {
+    if (order == ChannelOrder::bgr) stages.screen.arrange = blue_first;
 }
 
 template <bool normals_differ>
@@ -613,6 +626,7 @@ Stages choose_stages(const Settings& settings) {
     choose(settings.bounds, stages);
     choose(settings.encoding, stages);
     choose(settings.colour_over_one, stages);
+    choose(settings.channel_order, stages);
     return stages;
 }
 

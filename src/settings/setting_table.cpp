@@ -638,12 +638,17 @@ std::vector<Setting> make_table() {
          "Drawing points", "", choice<&Settings::bounds>()},
         {"encoding", "Bytes hold", "Picture",
          "How light becomes a byte: linearly, so that twice the light is twice the byte; or by the "
-         "sRGB curve, which a screen undoes, so that it sends out the light that was computed. "
+         "sRGB curve, which a screen undoes, so that it sends out the light that was computed; or, "
+         "by mistake where linear numbers are asked for, to the power of 1/2.2. "
          "Textures are not decoded: their bytes are read as linear numbers either way.",
          "Beyond the lab", "", choice<&Settings::encoding>()},
         {"colour_over_one", "Channels above 1", "Picture",
          "What a channel above 1 is shown as: 1, or what is left of it in 8 bits.", "Illumination",
          "", choice<&Settings::colour_over_one>()},
+        {"channel_order", "Order of channels", "Picture",
+         "In which order red, green and blue go to the screen: red first, or by mistake blue "
+         "first, so that red and blue change places.",
+         "Drawing points", "", choice<&Settings::channel_order>()},
     };
 }
 

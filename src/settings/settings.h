@@ -80,6 +80,7 @@ struct Settings {
     ShadowRules shadow_rules;
     Encoding encoding = Encoding::linear;
     ColourOverOne colour_over_one = ColourOverOne::clamp;
+    ChannelOrder channel_order = ChannelOrder::rgb;
     Viewport viewport;
 
     friend bool operator==(const Settings&, const Settings&) = default;

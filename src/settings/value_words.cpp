@@ -145,8 +145,11 @@ constexpr SaidWord said_words[] = {
     {"bounds", "inside", "from 0 on"},
     {"bounds", "excludes_zero", "above 0"},
     {"encoding", "srgb", "sRGB"},
+    {"encoding", "gamma", "c^(1/2.2)"},
     {"colour_over_one", "clamp", "1"},
     {"colour_over_one", "wrap", "its low 8 bits"},
+    {"channel_order", "rgb", "red first"},
+    {"channel_order", "bgr", "blue first"},
 };
 
 } // namespace

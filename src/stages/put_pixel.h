@@ -8,14 +8,16 @@
 // as 1. Before that a channel may be encoded by the sRGB curve, which a screen undoes.
 //
 // The classic mistakes: `> 0` for `>= 0` in the test whether the place lies in the picture, which
-// leaves its first row and column black; and to forget the cut at 1, so that 256 becomes 0 again
-// and the brightest places get rings in all colours.
+// leaves its first row and column black; to forget the cut at 1, so that 256 becomes 0 again and
+// the brightest places get rings in all colours; and to give blue where the screen expects red.
 //
 // Source: The OpenGL Graphics System, version 4.6 (core profile), section 2.3.5.1: a number from 0
 // to 1 as an unsigned normalized integer. The specification rounds to the nearest; the lab cuts.
 // The sRGB curve: IEC 61966-2-1:1999.
 
 #include <cstdint>
+
+#include <glm/vec3.hpp>
 
 #include "scene/scene.h"
 #include "stages/rectangle.h"
@@ -54,8 +56,15 @@ std::uint8_t to_byte(float channel);
 /// What is seen of a channel, from 0 to 1: it is cut at both ends.
 float visible_channel(float channel);
 
-/// What becomes of a channel on its way to the screen: it is encoded, and then made a byte.
+/// The channels of a colour in the order in which the lab's screen takes them: red, green, blue.
+inline glm::vec3 red_first(const glm::vec3& colour) {
+    return colour;
+}
+
+/// What becomes of a colour on its way to the screen: its channels are put in order, and then each
+/// is encoded and made a byte.
 struct ScreenRules {
+    decltype(&red_first) arrange = red_first;
     decltype(&encode_srgb) encode = encode_linear;
     decltype(&rasterwalk::to_byte) to_byte = rasterwalk::to_byte;
     decltype(&rasterwalk::visible_channel) visible_channel = rasterwalk::visible_channel;

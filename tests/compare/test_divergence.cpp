@@ -107,7 +107,8 @@ Differences differences(const Frame& a, const Frame& b) {
     const bool with_light = step_of(a.settings) == StripStep::vertex_light &&
                             step_of(b.settings) == StripStep::vertex_light;
     const bool as_shown = a.settings.colour_over_one != b.settings.colour_over_one ||
-                          a.settings.encoding != b.settings.encoding;
+                          a.settings.encoding != b.settings.encoding ||
+                          a.settings.channel_order != b.settings.channel_order;
     // Where the runs find pixels in different ways, only what they find is compared.
     const auto way = [](const Frame& frame) {
         return frame.settings.stage < Stage::rows ? Coverage::rows : frame.settings.coverage;

@@ -52,8 +52,9 @@ bool is_same(float a, float b) {
     return test::same_bits(a, b) || (std::isnan(a) && std::isnan(b));
 }
 
-void check_colour(const FragmentReport& report, const FragmentEvent& event,
+void check_colour(const Frame& frame, const FragmentReport& report, const FragmentEvent& event,
                   const std::string& where) {
+    const bool is_blue_first = frame.settings.channel_order == ChannelOrder::bgr;
     const bool is_blended = report.alpha < 1.0f;
     for (int c = 0; c < 3; ++c) {
         const std::string channel = channels[static_cast<std::size_t>(c)];
@@ -61,9 +62,10 @@ void check_colour(const FragmentReport& report, const FragmentEvent& event,
             find_formula(report.formulas, shown_id(report.shading) + channel);
         REQUIRE(shown != nullptr);
         const float worked_out = shown->inputs.front().number.value;
-        if (!is_same(worked_out, report.colour[c]))
+        const float expected = report.colour[is_blue_first ? 2 - c : c];
+        if (!is_same(worked_out, expected))
             FAIL(where << ": " << shown->id << " is of " << worked_out << ", the shader gives "
-                       << report.colour[c]);
+                       << expected);
         if (event.fate != Fate::written) continue;
         const float put =
             is_blended ? number_of(report.formulas, "blend." + channel) : report.colour[c];
@@ -98,7 +100,7 @@ int check_choice(const Scene& scene, const Choice& choice, test::Random& random)
         const std::optional<FragmentReport> report = fragment_report(frame, event.cursor);
         if (!report) FAIL(where << " has no report");
         test::check_formulas(frame, report->formulas, where);
-        check_colour(*report, event, where);
+        check_colour(frame, *report, event, where);
         const int vertex = random.integer(0, triangle_corners - 1);
         test::check_formulas(
             frame, vertex_report(frame, event.cursor.triangle, vertex).formulas,

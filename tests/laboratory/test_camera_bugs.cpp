@@ -215,5 +215,28 @@ TEST_CASE("B75: vertices are divided by their distance, and the room no longer f
     CHECK(behind > 0);
 }
 
+TEST_CASE("B79: red and blue change places on the screen, and nowhere before it") {
+    const DrawnBug bug("B79");
+    CHECK(has_same_planes(bug.wrong_picture, bug.right_picture));
+    const Image wrong = view_image(bug.wrong_picture, View::colour);
+    const Image right = view_image(bug.right_picture, View::colour);
+    std::int64_t changed = 0;
+    for (std::size_t i = 0; i < wrong.rgba.size(); i += 4) {
+        const bool is_swapped = wrong.rgba[i] == right.rgba[i + 2] &&
+                                wrong.rgba[i + 1] == right.rgba[i + 1] &&
+                                wrong.rgba[i + 2] == right.rgba[i];
+        if (!is_swapped) FAIL("pixel " << i / 4);
+        changed += right.rgba[i] != right.rgba[i + 2] ? 1 : 0;
+    }
+    CHECK(changed > 50000);
+    CHECK(changed < 250000);
+    const PixelDifference difference = pixel_difference(bug.wrong_picture, bug.right_picture);
+    CHECK(difference.different == changed);
+    CHECK(difference.shown == changed);
+    // Of another view of the picture the channels are no colours of the scene.
+    CHECK(view_image(bug.wrong_picture, View::depth).rgba ==
+          view_image(bug.right_picture, View::depth).rgba);
+}
+
 } // namespace camera_bug_tests
 } // namespace

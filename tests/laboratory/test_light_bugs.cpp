@@ -109,5 +109,32 @@ TEST_CASE("B78: the reflectance is in every colour twice") {
     }
 }
 
+TEST_CASE("B80: every byte is that of the channel to the power of 1/2.2") {
+    const DrawnBug bug("B80");
+    CHECK(has_same_planes(bug.wrong_picture, bug.right_picture));
+    const Image wrong = view_image(bug.wrong_picture, View::colour);
+    const Image right = view_image(bug.right_picture, View::colour);
+    for (std::size_t i = 0; i < bug.wrong_picture.colour.size(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            const double channel = std::clamp(double{bug.right_picture.colour[i][c]}, 0.0, 1.0);
+            const double expected = 255.0 * std::pow(channel, 1.0 / 2.2);
+            const std::size_t at = 4 * i + static_cast<std::size_t>(c);
+            const int byte = wrong.rgba[at];
+            // The fraction is cut off, and float may be a hair below.
+            if (byte > expected + 1e-3 || byte < expected - 1.001)
+                FAIL("pixel " << i << ": " << byte << " in place of " << expected);
+            if (byte < right.rgba[at]) FAIL("pixel " << i << " is darker");
+        }
+    }
+    const auto byte_of = [&](float channel) {
+        return int{screen_byte(channel, bug.wrong.stages.screen)};
+    };
+    CHECK(byte_of(0.0f) == 0);
+    CHECK(byte_of(1.0f) == 255);
+    CHECK(byte_of(0.15f) == static_cast<int>(0.4222 * 255.0));
+    CHECK(byte_of(-1.0f) == 0);
+    CHECK(byte_of(std::nanf("")) == 0);
+}
+
 } // namespace light_bug_tests
 } // namespace

@@ -119,7 +119,8 @@ TEST_CASE("The table holds exactly the settings that are promised, each with hel
                                                  "viewport.size",
                                                  "bounds",
                                                  "encoding",
-                                                 "colour_over_one"};
+                                                 "colour_over_one",
+                                                 "channel_order"};
     std::vector<std::string_view> names;
     for (const Setting& setting : setting_table()) {
         names.push_back(setting.name);
@@ -202,8 +203,9 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
     CHECK(settings.light_rules.highlight == HighlightRule::long_half);
     CHECK(settings.light.place == LampPlace::camera);
     CHECK(settings.light.model == LightModel::blinn_phong);
-    CHECK(settings.encoding == Encoding::srgb);
+    CHECK(settings.encoding == Encoding::gamma);
     CHECK(settings.colour_over_one == ColourOverOne::wrap);
+    CHECK(settings.channel_order == ChannelOrder::bgr);
 }
 
 TEST_CASE("A setting's values as text are those of its defaults: every choice's first word") {

@@ -25,11 +25,18 @@ void draw_clamped(Ui& ui, const glm::vec3& colour) {
     const Palette& p = palette(ui.options.theme);
     FormulaLine line(ui, 0.0f);
     const Frame& frame = ui.results.a.frame;
-    const bool is_encoded = frame.settings.encoding == Encoding::srgb;
+    const Encoding encoding = frame.settings.encoding;
+    const bool is_encoded = encoding != Encoding::linear;
     const bool is_cut = shown_colour(colour, ScreenRules{}) != colour;
-    if (!is_cut && !is_encoded) return;
+    const bool is_turned = frame.settings.channel_order == ChannelOrder::bgr;
+    if (!is_cut && !is_encoded && !is_turned) return;
     const bool is_wrapped = frame.settings.colour_over_one == ColourOverOne::wrap;
-    line.text(is_cut && is_wrapped ? "wrapped " : is_encoded ? "sRGB " : "clamped ", p.dim);
+    line.text(is_cut && is_wrapped          ? "wrapped "
+              : encoding == Encoding::srgb  ? "sRGB "
+              : encoding == Encoding::gamma ? "c^(1/2.2) "
+              : is_cut                      ? "clamped "
+                                            : "blue first ",
+              p.dim);
     const glm::vec3 cut = shown_colour(colour, frame.stages.screen);
     for (int i = 0; i < 3; ++i)
         line.text(shown({cut[i]}) + (i < 2 ? "  " : ""), p.text);

@@ -75,7 +75,8 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
           {"light.highlight", "right"},
           {"encoding", "linear"},
           {"light.sides", "one"},
-          {"colour_over_one", "clamp"}}) {
+          {"colour_over_one", "clamp"},
+          {"channel_order", "rgb"}}) {
         if (!is_asked(name, right, settings))
             return unknown(std::string(name) + " other than " + std::string(right));
     }
