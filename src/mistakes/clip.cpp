@@ -9,16 +9,29 @@ namespace rasterwalk {
 
 namespace {
 
-/// Where the edge from `outside` to `inside` is cut, over the wrong length.
-float wrong_cut_place(const ClipVertex& inside, const ClipVertex& outside, float near) {
-    return (near - outside.position_clip.w) / inside.position_clip.w;
+/// A new corner at the near plane.
+struct NearCut {
+    float t = 0.0f; ///< from the corner inside, 0, to the one outside, 1
+    ClipVertex corner;
+};
+
+/// B31: over the wrong length, counted from the corner outside.
+NearCut cut_with_wrong_t(const ClipVertex& inside, const ClipVertex& outside, float near) {
+    const float t = (near - outside.position_clip.w) / inside.position_clip.w;
+    NearCut cut{1.0f - t, {}};
+    cut.corner.position_clip =
+        outside.position_clip + t * (inside.position_clip - outside.position_clip);
+    cut.corner.varyings = outside.varyings + (inside.varyings - outside.varyings) * t;
+    return cut;
 }
 
-/// @param t from the corner outside, 0, to the one inside, 1
-ClipVertex cut_at(const ClipVertex& inside, const ClipVertex& outside, float t) {
-    ClipVertex cut;
-    cut.position_clip = outside.position_clip + t * (inside.position_clip - outside.position_clip);
-    cut.varyings = outside.varyings + (inside.varyings - outside.varyings) * t;
+/// B82: in the right place, with what the corner outside brought along.
+NearCut cut_place_alone(const ClipVertex& inside, const ClipVertex& outside, float near) {
+    const float d_inside = inside.position_clip.w - near;
+    const float d_outside = outside.position_clip.w - near;
+    NearCut cut{cut_place(d_inside, d_outside),
+                cut_edge(inside, outside, double{d_inside}, double{d_outside})};
+    cut.corner.varyings = outside.varyings;
     return cut;
 }
 
@@ -47,20 +60,9 @@ bool is_labs(const VertexRules& rules) {
     return rules.space == SceneSpace::world && rules.projection.clip_depth == ClipDepth::inv_z;
 }
 
-} // namespace
-
-Clipped drop_partly_outside(std::vector<ClipVertex>& corners, const ViewVolume& volume,
-                            ClipSink* sink) {
-    static_cast<void>(sink);
-    if (volume.rules.space == SceneSpace::pixels) return {};
-    const bool is_dropped = std::any_of(corners.begin(), corners.end(), [&](const ClipVertex& v) {
-        return outcode(v, volume.view) != 0;
-    });
-    return {is_dropped ? Rejection::partly_outside : Rejection::none, false};
-}
-
-Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const ViewVolume& volume,
-                               ClipSink* sink) {
+/// Cuts by the near plane with corners that `cut` makes.
+template <NearCut (*cut)(const ClipVertex& inside, const ClipVertex& outside, float near)>
+Clipped clip_near_with(std::vector<ClipVertex>& corners, const ViewVolume& volume, ClipSink* sink) {
     if (!is_labs(volume.rules)) return {};
     const float near = volume.rules.near;
     const auto is_inside = [&](const ClipVertex& v) { return v.position_clip.w >= near; };
@@ -87,10 +89,9 @@ Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const ViewVolum
         if (step.is_cut) {
             const ClipVertex& inside = step.is_from_inside ? a : b;
             const ClipVertex& outside = step.is_from_inside ? b : a;
-            const float wrong_t = wrong_cut_place(inside, outside, near);
-            // The step counts t from the corner inside.
-            step.t = 1.0f - wrong_t;
-            step.cut = cut_at(inside, outside, wrong_t);
+            const NearCut made = cut(inside, outside, near);
+            step.t = made.t;
+            step.cut = made.corner;
             kept.push_back(step.cut);
         }
         if (sink != nullptr) sink->clip_step(step);
@@ -98,6 +99,28 @@ Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const ViewVolum
     if (sink != nullptr) sink->end_plane(ClipPlane::near, kept);
     corners.swap(kept);
     return {Rejection::none, true};
+}
+
+} // namespace
+
+Clipped drop_partly_outside(std::vector<ClipVertex>& corners, const ViewVolume& volume,
+                            ClipSink* sink) {
+    static_cast<void>(sink);
+    if (volume.rules.space == SceneSpace::pixels) return {};
+    const bool is_dropped = std::any_of(corners.begin(), corners.end(), [&](const ClipVertex& v) {
+        return outcode(v, volume.view) != 0;
+    });
+    return {is_dropped ? Rejection::partly_outside : Rejection::none, false};
+}
+
+Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const ViewVolume& volume,
+                               ClipSink* sink) {
+    return clip_near_with<cut_with_wrong_t>(corners, volume, sink);
+}
+
+Clipped clip_near_with_uncut_varyings(std::vector<ClipVertex>& corners, const ViewVolume& volume,
+                                      ClipSink* sink) {
+    return clip_near_with<cut_place_alone>(corners, volume, sink);
 }
 
 Clipped clip_after_division(std::vector<ClipVertex>& corners, const ViewVolume& volume,

@@ -12,4 +12,9 @@ namespace rasterwalk {
 Rejection cull_by_view_axis(std::span<const ClipVertex> corners, const VertexRules& rules,
                             const SightRays& rays, CullTest* test = nullptr);
 
+/// B81, in the slot cull: by the side from which the light falls, dot(n, p - L) > 0 with the lamp L
+/// where the camera should stand. In pixel space, where there is no lamp, nothing is culled.
+Rejection cull_by_lamp(std::span<const ClipVertex> corners, const VertexRules& rules,
+                       const SightRays& rays, CullTest* test = nullptr);
+
 } // namespace rasterwalk

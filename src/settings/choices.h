@@ -29,11 +29,12 @@ enum class Clip : std::uint8_t {
     wrong_t,    ///< cut by the near plane, in a wrong place: mistake B31
     after_division, ///< cut by the picture's sides on the screen: mistake B32
     clamped,        ///< vertices behind the near plane are moved onto it: mistake B33
+    uncut_varyings, ///< cut by the near plane, but not what travels with the place: mistake B82
 };
 template <>
 inline constexpr auto enum_words<Clip> = word_list("leave_out", "none", "near", "all", "guard_band",
                                                    "whole_only", "wrong_t", "after_division",
-                                                   "clamped");
+                                                   "clamped", "uncut_varyings");
 static_assert(words_match<Clip>);
 
 /// Which triangles are found to lie outside before they are clipped.
@@ -54,11 +55,12 @@ enum class Cull : std::uint8_t {
     vertex_normals,  ///< of whose vertices all normals point away from the camera
     fragment_normal, ///< no triangle, but the fragments at which the interpolated normal does
     view_axis,       ///< whose normal points the way the camera looks: mistake B34
+    lamp,            ///< whose normal points away from the lamp: mistake B81
 };
 template <>
 inline constexpr auto enum_words<Cull> = word_list("none", "face_normal", "screen_area",
-                                                   "vertex_normals", "fragment_normal",
-                                                   "view_axis");
+                                                   "vertex_normals", "fragment_normal", "view_axis",
+                                                   "lamp");
 static_assert(words_match<Cull>);
 
 /// How a vertex behind the camera is marked.

@@ -145,6 +145,9 @@ void choose(Clip clip, Stages& stages) {
     case Clip::clamped:
         stages.clip = move_to_near_plane;
         break;
+    case Clip::uncut_varyings:
+        stages.clip = clip_near_with_uncut_varyings;
+        break;
     }
 }
 
@@ -166,6 +169,9 @@ void choose(Cull cull, Stages& stages) {
         break;
     case Cull::view_axis:
         stages.cull = cull_by_view_axis;
+        break;
+    case Cull::lamp:
+        stages.cull = cull_by_lamp;
         break;
     }
 }

@@ -472,13 +472,13 @@ std::vector<Setting> make_table() {
         {"clip", "Clipped", "View volume",
          "What becomes of triangles that reach out of the view: left out if a vertex lies behind "
          "the camera, cut by planes before the division, or nothing, so that what is behind is "
-         "drawn upside down. The last four are mistakes.",
+         "drawn upside down. The last five are mistakes.",
          "Drawing points", "", choice<&Settings::clip>()},
         {"cull", "Backs left out", "View volume",
          "How triangles are found that show their back to the camera, and left out: by the normal "
          "of the surface, by the way their corners go round on the screen, by the normals of all "
          "vertices; or fragment by fragment, by the interpolated normal; or, by mistake, by the "
-         "direction in which the camera looks.",
+         "direction in which the camera looks, or by the lamp.",
          "Drawing points", "", choice<&Settings::cull>()},
         {"light.position", "Lamp position", "Light",
          "Where the lamp is: x right, y down, z into the picture.", "Illumination", "world units",

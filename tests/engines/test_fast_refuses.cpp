@@ -165,6 +165,12 @@ TEST_CASE("Each word of each setting is drawn as by the steps, refused, or a rul
           "depth_format=inv_z_16", "depth_index=transposed", "bounds=excludes_zero",
           "encoding=srgb", "view_box=-0.1,0.1,0,0.2"}) // by matrices
         CHECK(refused.contains(assignment));
+    for (const char* mistake :
+         {"camera_move=added", "camera_move=rotated_first", "image_axes=exchanged",
+          "image_axes=uncentred", "divided_by=distance", "cull=lamp", "light.direction=with_w",
+          "light.falloff=pi_of_atan", "light.falloff=pi_three", "light.sum=reflectance_twice",
+          "encoding=gamma", "channel_order=bgr"})
+        CHECK(refused.contains(mistake));
 }
 
 TEST_CASE("A refusal says which setting is meant, and is no whole sentence") {

@@ -47,6 +47,7 @@ std::string answer_help(const Frame& frame, Cull way) {
                "points least away.";
     case Cull::none:
     case Cull::view_axis:
+    case Cull::lamp:
         break;
     }
     return "";
