@@ -104,7 +104,8 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         ->type_name("NAME")
         ->allow_extra_args(false);
     rows.add_option("--set", line.rows.assignments,
-                    "rounding, line, line_walk, edge_samples or row_start: name=value; repeatable")
+                    "rounding, line, line_walk, edge_samples, row_start or row_search: name=value; "
+                    "repeatable")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
 
@@ -155,6 +156,11 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
                     "triangle if not given")
         ->type_name("X,Y")
         ->allow_extra_args(false);
+    diagnose
+        .add_option("--seconds", line.diagnose.seconds,
+                    "Search no longer than this for what may be wrong with a picture")
+        ->type_name("SECONDS")
+        ->capture_default_str();
     add_json(diagnose, line.diagnose.json);
     add_view_options(diagnose, line.diagnose.view);
 

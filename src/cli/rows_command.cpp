@@ -40,14 +40,14 @@ int parse_coordinate(std::string_view part, const std::string& whole) {
 }
 
 void check_assignment(const std::string& assignment) {
-    constexpr std::array<std::string_view, 8> known{
-        "rounding",  "line",         "bresenham_rule", "line_rounding",
-        "line_walk", "edge_samples", "row_start",      "viewport.size"};
+    constexpr std::array<std::string_view, 9> known{"rounding",      "line",       "bresenham_rule",
+                                                    "line_rounding", "line_walk",  "edge_samples",
+                                                    "row_start",     "row_search", "viewport.size"};
     const std::string_view name = std::string_view(assignment).substr(0, assignment.find('='));
     if (find_setting(name) == nullptr) return; // set_from_text has a better sentence for it
     if (std::find(known.begin(), known.end(), name) == known.end()) {
         throw UsageError("rows depend on rounding, line, bresenham_rule, line_walk, "
-                         "edge_samples, row_start and viewport.size, not on " +
+                         "edge_samples, row_start, row_search and viewport.size, not on " +
                          std::string(name) + ".");
     }
 }

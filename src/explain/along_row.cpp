@@ -1,6 +1,7 @@
 #include "explain/along_row.h"
 
 #include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -106,6 +107,15 @@ Formula by_weights(const FragmentReport& report, Formula formula, Interpolation 
 
 } // namespace
 
+namespace {
+
+/// Is it what a row carries for the depth and for the weight of varyings?
+bool is_depth(std::string_view id) {
+    return id == "zinv" || id == "depth.carried";
+}
+
+} // namespace
+
 Formula along_row(const FragmentReport& report, std::string id, std::string name, std::string help,
                   Interpolation way, const EndPart& part, float result) {
     const CarriedRow& row = report.row;
@@ -126,7 +136,13 @@ Formula along_row(const FragmentReport& report, std::string id, std::string name
     switch (row.walk) {
     case LineWalk::accumulate:
     case LineWalk::integer_step: // only the place's step is cut, and along a row it is 1
+    case LineWalk::zinv_falls:   // only what goes with 1/z falls
         formula.expression = "accumulate(left, (right − left) / (n − 1), i)";
+        if (row.walk == LineWalk::zinv_falls && is_depth(formula.id))
+            formula.expression = "accumulate(left, (left − right) / (n − 1), i)";
+        break;
+    case LineWalk::short_step:
+        formula.expression = "accumulate(left, (right − left) / n, i)";
         break;
     case LineWalk::multiply:
         formula.expression = "left + i · ((right − left) / (n − 1))";

@@ -85,6 +85,8 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
     std::string margin_help = "How much nearer than what is stored; ";
     if (report.depth_test == DepthTest::reversed)
         margin_help += "the test is the wrong way round, and below 0 the fragment is drawn.";
+    else if (report.depth_test == DepthTest::or_equal)
+        margin_help += "at 0 and above it the fragment is drawn.";
     else
         margin_help += fmt::format("above {} the fragment is drawn.", margin_limit(rules));
     report.formulas.push_back(

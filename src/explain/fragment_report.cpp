@@ -19,9 +19,6 @@ namespace rasterwalk {
 
 namespace {
 
-constexpr std::array<Interpolation, interpolation_count> ways{
-    Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice};
-
 using Carried = std::array<Fragment, interpolation_count>; ///< indexed by Interpolation
 
 /// Keeps the event of one fragment, and who wrote on its pixel before.
@@ -101,11 +98,13 @@ Formula difference(const QuantityInfo& info, Interpolation way, float wrong, flo
                     {{"affine", {wrong}, from_formula(formula_id(info.quantity, way))},
                      {"perspective", {perspective}, from_formula(id + ".perspective")}},
                     {std::abs(wrong - perspective)}};
-    if (way == Interpolation::zinv_twice) {
-        formula.help = "How far the value divided by z once too often is from the right one.";
-        formula.expression = "abs(wrong − perspective)";
-        formula.inputs[0].symbol = "wrong";
-    }
+    if (way == Interpolation::affine) return formula;
+    formula.help = fmt::format("How far the value {} is from the right one.",
+                               way == Interpolation::zinv_twice  ? "divided by z once too often"
+                               : way == Interpolation::undivided ? "never divided by 1/z"
+                                                                 : "divided by 1/z twice");
+    formula.expression = "abs(wrong − perspective)";
+    formula.inputs[0].symbol = "wrong";
     return formula;
 }
 
@@ -134,6 +133,27 @@ void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& 
          {part_of(report.under(Interpolation::zinv_twice), quantity)}});
 }
 
+/// What is recovered of a value that the row carries rightly, where it is divided by 1/z too rarely
+/// or too often at the pixel.
+void add_divided_wrongly(FragmentReport& report, const QuantityInfo& info, Interpolation way,
+                         float carried) {
+    const std::string id(info.words.id), symbol = "(" + std::string(info.words.carried_name) + ")";
+    Formula formula{id + "." + std::string(word_of(way)),
+                    std::string(info.words.name),
+                    std::string(info.words.help) +
+                        " Carried divided by z, and by mistake not divided by 1/z here.",
+                    symbol,
+                    {{symbol, {carried}, from_formula(id + ".carried")}},
+                    {part_of(report.under(way), info.quantity)}};
+    if (way == Interpolation::divided_twice) {
+        formula.help = std::string(info.words.help) +
+                       " Carried divided by z, and by mistake divided by 1/z twice here.";
+        formula.expression += " / ((1/z) · (1/z))";
+        formula.inputs.push_back({"(1/z)", {report.fragment.inv_w}, from_formula("zinv")});
+    }
+    report.formulas.push_back(formula);
+}
+
 void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried& carried) {
     const std::string id(info.words.id), name(info.words.name),
         carried_name(info.words.carried_name);
@@ -157,10 +177,12 @@ void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried
          {{symbol, {part_of(carried[0].varyings, quantity)}, from_formula(id + ".carried")},
           {"(1/z)", {carried[0].inv_w}, from_formula("zinv")}},
          {part_of(report.under(Interpolation::perspective), quantity)}});
-    const Interpolation wrong = report.interpolation == Interpolation::zinv_twice
-                                    ? Interpolation::zinv_twice
-                                    : Interpolation::affine;
+    const Interpolation wrong = report.interpolation == Interpolation::perspective
+                                    ? Interpolation::affine
+                                    : report.interpolation;
     if (wrong == Interpolation::zinv_twice) add_twice(report, info, carried);
+    if (wrong == Interpolation::undivided || wrong == Interpolation::divided_twice)
+        add_divided_wrongly(report, info, wrong, part_of(carried[0].varyings, quantity));
     report.formulas.push_back(
         difference(info, wrong, part_of(report.under(wrong), quantity),
                    part_of(report.under(Interpolation::perspective), quantity)));
@@ -351,8 +373,7 @@ std::string formula_id(Quantity quantity, Interpolation way) {
     if (quantity == Quantity::zinv) return "zinv";
     const std::string id(quantity_info(quantity).words.id);
     if (way == Interpolation::perspective) return id + ".perspective";
-    const bool is_twice = way == Interpolation::zinv_twice && is_varying(quantity);
-    return id + (is_twice ? ".zinv_twice" : ".affine");
+    return id + "." + std::string(word_of(is_varying(quantity) ? way : Interpolation::affine));
 }
 
 namespace {
@@ -420,7 +441,7 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.texture_alpha = surface.texture_alpha;
 
     Carried carried;
-    for (const Interpolation way : ways) {
+    for (const Interpolation way : all_interpolations) {
         const auto i = static_cast<std::size_t>(way);
         carried[i] = report.row.at(way, report.step);
         report.varyings[i] = recover_varyings(carried[i], report.row.stages[i]);

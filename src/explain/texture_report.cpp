@@ -121,7 +121,10 @@ class TextureFormulas {
     /// How far u and v move from a pixel to the next, and how far that is in texels.
     void add_side(const std::string& name, const std::string& next, const glm::vec2& side,
                   const glm::vec2& slope, float weight_slope, float length) {
-        const bool is_divided = frame_.settings.interpolation != Interpolation::affine;
+        const Interpolation way = frame_.settings.interpolation;
+        const bool is_divided = way != Interpolation::affine;
+        const bool has_weight = is_divided && way != Interpolation::undivided;
+        const bool is_squared = way == Interpolation::divided_twice;
         const TextureLevel& base = report_.surface.texture->base();
         for (const TextureAxis& axis : texture_axes) {
             const std::string u = axis.coordinate;
@@ -138,10 +141,16 @@ class TextureFormulas {
                   coordinate(axis),
                   {"e",
                    {weight_slope},
-                   from_words(is_divided ? "what 1/z grows by to " + next : "no weight changes")},
+                   from_words(is_squared ? "what 1/z times 1/z grows by to " + next +
+                                               ", as if in equal steps"
+                              : has_weight ? "what 1/z grows by to " + next
+                                           : "no weight changes")},
                   {"w",
                    {report_.weight},
-                   is_divided ? from_formula("zinv") : from_words("affine values have no weight")}},
+                   is_squared   ? from_words("1/z times 1/z, by mistake")
+                   : has_weight ? from_formula("zinv")
+                   : is_divided ? from_words("nothing is divided, by mistake")
+                                : from_words("affine values have no weight")}},
                  {side[axis.index]}});
         }
         formulas_.push_back(
@@ -168,6 +177,11 @@ class TextureFormulas {
               whole_input("last", report_.surface.texture->last_level(),
                           "the last level, of one texel")},
              {report_.level}});
+        if (frame_.settings.texel_rule != TexelRule::level_along_x) return;
+        Formula& level = formulas_.back();
+        level.help += " By mistake only its reach to the next column counts.";
+        level.expression = "min(log2(max(1, right)), last)";
+        level.inputs.erase(level.inputs.begin() + 1);
     }
 
     /// The number of a texel once it is wrapped, as an expression of `texel`.
@@ -348,7 +362,7 @@ std::optional<TextureReport> texture_report(const Frame& frame, int triangle,
     report.reflectance = reflectance_at(fragment, report.surface, frame.stages);
     report.right = side_in_texels(report.place.footprint.right, texture.base());
     report.down = side_in_texels(report.place.footprint.down, texture.base());
-    report.level = texture_level(report.place.footprint, texture);
+    report.level = frame.stages.texture_level(report.place.footprint, texture);
     report.colour = frame.stages.sample_texture(texture, report.place, frame.stages, &report.taken);
     return report;
 }

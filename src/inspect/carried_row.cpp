@@ -87,8 +87,7 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
     row.index = index;
     row.walk = frame.settings.line_walk;
     const EdgeRules edges = edge_rules(frame.settings);
-    for (const Interpolation way :
-         {Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice}) {
+    for (const Interpolation way : all_interpolations) {
         Settings settings = frame.settings;
         settings.interpolation = way;
         set_step(settings, StripStep::vertex_light);

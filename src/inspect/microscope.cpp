@@ -131,7 +131,9 @@ EdgeMicroscope microscope(const ScreenVertex& a, const ScreenVertex& b, const Ed
     BothWays ways(edge);
     PolygonRows rows;
     // Where coverage walks no edges they are those of stage `edges`.
-    const Stages walking = walking_edges(stages);
+    Stages walking = walking_edges(stages);
+    // Also those samples are looked at that are left out of the row table.
+    walking.entered_samples = entered_samples;
     walking.compute_polygon_rows(std::array{a, b}, rules, walking, rows, &ways);
     edge.count = static_cast<int>(edge.forward.size());
     const int steps = std::max(edge.count - 1, 1);

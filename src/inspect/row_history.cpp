@@ -22,8 +22,8 @@ class HistoryMaker : public SampleSink {
   public:
     using Wanted = std::function<bool(const EdgeSample&)>;
 
-    HistoryMaker(RowHistory& into, Wanted is_wanted)
-        : history_(into), is_wanted_(std::move(is_wanted)) {}
+    HistoryMaker(RowHistory& into, const Stages& stages, Wanted is_wanted)
+        : history_(into), stages_(stages), is_wanted_(std::move(is_wanted)) {}
 
     void begin_rows(const PolygonRows& rows) override {
         history_.rows.first_row = rows.first_row;
@@ -43,6 +43,7 @@ class HistoryMaker : public SampleSink {
         history_.edge_samples.resize(static_cast<std::size_t>(sample.edge) + 1);
         ++history_.edge_samples.back();
         if (!is_wanted_(sample)) return;
+        history_.last_index = -1;
         enter(sample);
         ++history_.samples;
         history_.last = sample;
@@ -56,18 +57,21 @@ class HistoryMaker : public SampleSink {
                                         sample.fragment.column, sample.fragment.row});
             return;
         }
-        const auto row = static_cast<std::size_t>(sample.fragment.row - history_.rows.first_row);
+        const int index = stages_.find_row(sample.fragment.row, history_.rows).index;
+        history_.last_index = index;
+        const auto row = static_cast<std::size_t>(index);
         if (sample.write.left) {
-            history_.rows.left[row] = row_end(sample.fragment);
+            history_.rows.left[row] = stages_.row_end(sample.fragment);
             replace(history_.left_by[row], sample);
         }
         if (sample.write.right) {
-            history_.rows.right[row] = row_end(sample.fragment);
+            history_.rows.right[row] = stages_.row_end(sample.fragment);
             replace(history_.right_by[row], sample);
         }
     }
 
     RowHistory& history_;
+    const Stages& stages_;
     Wanted is_wanted_;
 };
 
@@ -131,7 +135,7 @@ std::span<const InsideSpan> spans_of_row(const RowHistory& history, int row) {
 
 RowHistory row_history(const Frame& frame, int triangle, const Cursor& to) {
     RowHistory history;
-    HistoryMaker maker(history, comes_before(triangle, to));
+    HistoryMaker maker(history, frame.stages, comes_before(triangle, to));
     PolygonRows rows;
     compute_rows(frame, triangle, rows, &maker);
     keep_tested(frame, triangle, to, history.rows);
@@ -144,7 +148,8 @@ RowHistory row_history(const Frame& frame, int triangle, const Cursor& to) {
 RowHistory row_history(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
                        int samples) {
     RowHistory history;
-    HistoryMaker maker(history, [&](const EdgeSample&) { return history.samples < samples; });
+    HistoryMaker maker(history, stages,
+                       [&](const EdgeSample&) { return history.samples < samples; });
     PolygonRows table;
     stages.compute_polygon_rows(vertices, rules, stages, table, &maker);
     history.spans = inside_spans(vertices, rules, stages);

@@ -48,6 +48,7 @@ struct RowHistory {
     int samples = 0;                ///< entered so far
     int sample_count = 0;           ///< of all edges
     std::optional<EdgeSample> last; ///< the sample entered last
+    int last_index = -1;            ///< of the row it was entered in; -1: outside the table
     /// Where active edges made the table: all stretches that lie inside, from the top and from the
     /// left. A row of the table reaches from the first of its row to the last. Else empty.
     std::vector<InsideSpan> spans;

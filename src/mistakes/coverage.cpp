@@ -23,6 +23,15 @@ void begin_rows_at_picture(PolygonCorners vertices, const EdgeRules& rules, Poly
     rows.right.assign(rows.right.size(), end);
 }
 
+void begin_rows_without_last(PolygonCorners vertices, const EdgeRules& rules, PolygonRows& rows) {
+    begin_polygon_rows(vertices, rules, rows);
+    if (rows.size() > 1) empty_table(rows.first_row, rows.size() - 1, rows);
+}
+
+FoundRow find_nearest_row(int row, const PolygonRows& rows) {
+    return {std::clamp(row - rows.first_row, 0, rows.size() - 1), 1};
+}
+
 Rectangle polygon_box_at_picture(PolygonCorners vertices, const EdgeRules& rules,
                                  const Stages& stages) {
     Rectangle box = polygon_box(vertices, rules, stages);

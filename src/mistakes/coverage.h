@@ -18,6 +18,18 @@ int edge_sample_count_by_rows(const ScreenVertex& a, const ScreenVertex& b);
 /// |ay - by + 1|). An edge keeps its first sample even where the mistake would leave it none.
 int edge_sample_count_shifted(const ScreenVertex& a, const ScreenVertex& b);
 
+/// B91, in the slot entered_samples: the loop over the samples of an edge ends before the last. The
+/// next edge begins there; only an edge of a single sample has none left.
+constexpr int entered_without_last(int count, bool) {
+    return count - 1;
+}
+
+/// B94, in the slot entered_samples: the loop over the edges ends before the last, which leads back
+/// to the first vertex.
+constexpr int entered_without_last_edge(int count, bool is_last_edge) {
+    return is_last_edge ? 0 : count;
+}
+
 /// B6, in the slot begin_polygon_rows: the left ends start at the picture's width and the right
 /// ends at 0, which is not extreme enough: phantom pixels for polygons beside the picture.
 void begin_rows_at_picture(PolygonCorners vertices, const EdgeRules& rules, PolygonRows& rows);
@@ -25,6 +37,22 @@ void begin_rows_at_picture(PolygonCorners vertices, const EdgeRules& rules, Poly
 /// The box that goes with begin_rows_at_picture: rows also reach to where their ends started.
 Rectangle polygon_box_at_picture(PolygonCorners vertices, const EdgeRules& rules,
                                  const Stages& stages);
+
+/// B95, in the slot begin_polygon_rows: the table has bottom - top rows, without the + 1, and the
+/// samples of the last row fall below it. Under guard: a level polygon keeps its row.
+void begin_rows_without_last(PolygonCorners vertices, const EdgeRules& rules, PolygonRows& rows);
+
+/// B93, in the slot find_row: a row above the table is taken to be its first, one below it its
+/// last.
+FoundRow find_nearest_row(int row, const PolygonRows& rows);
+
+/// B90, in the slot row_end: the row takes the column of a sample, and all other values stay at 0,
+/// with which it was begun.
+inline RowEnd row_end_of_column(const Fragment& sample) {
+    RowEnd end;
+    end.column = sample.column;
+    return end;
+}
 
 /// B27, in the slot find_row: asks every row of the table whether it is the one. The answer is the
 /// same, the work is not. Under guard: a table is searched through until its samples have asked

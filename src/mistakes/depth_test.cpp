@@ -14,6 +14,11 @@ DepthResult depth_test_reversed(const Fragment& fragment, float stored, const De
     return {depth, is_nearer(stored, depth, rules.projection.clip_depth)};
 }
 
+DepthResult depth_test_or_equal(const Fragment& fragment, float stored, const DepthRules& rules) {
+    const float depth = held_depth(fragment.depth, rules);
+    return {depth, depth == stored || is_nearer(depth, stored, rules.projection.clip_depth)};
+}
+
 glm::ivec2 depth_cell_transposed(int column, int row) {
     return {row, column};
 }

@@ -1,8 +1,10 @@
 #pragma once
 
-// Mistakes in the slots of stages/interpolate.h.
+// Mistakes in the slots of stages/interpolate.h and stages/spans.h, and in those of the weights by
+// which varyings are carried.
 
 #include "stages/interpolate.h"
+#include "stages/spans.h"
 
 namespace rasterwalk {
 
@@ -10,8 +12,20 @@ namespace rasterwalk {
 /// fraction. The other values keep their right steps.
 LineStep line_step_of_integers(const LineEnd& a, const LineEnd& b, const LinePart& part);
 
-/// B3, in the slot varying_weight: q itself is interpolated, which is wrong except at the vertices.
+/// B92, in the slot line_step: divided by the number of samples, where there is one step less. The
+/// last sample falls short of the end by one step.
+LineStep line_step_by_samples(const LineEnd& a, const LineEnd& b, const LinePart& part);
+
+/// B89, in the slot row_fragments: along a row 1/z changes by as much as it should, the other way.
+void row_fragments_with_falling_zinv(const Stages& stages, const Row& row, int first,
+                                     VaryingSet carried, std::span<LineSample> result);
+
+/// B3, in the slots varying_weight and recovery_weight: q itself is interpolated, which is wrong
+/// except at the vertices. B86, in the slot recovery_weight alone: q/z is taken for q.
 float varying_weight_one(float zinv);
+
+/// B87, in the slot recovery_weight: q/z is divided by 1/z twice, which leaves q z.
+float recovery_weight_squared(float zinv);
 
 /// B4, in the slot span_end: the varyings, which the vertices have divided by z already, are
 /// multiplied by 1/z a second time.

@@ -10,6 +10,10 @@ float texel_place_of_whole_centres(float coordinate, TextureDirection, int count
     return among_texels(coordinate, count) + 0.5f;
 }
 
+float texture_level_along_x(const Footprint& footprint, const Texture& texture) {
+    return texture_level({footprint.right, glm::vec2(0.0f)}, texture);
+}
+
 int wrap_by_remainder(int texel, int count) {
     return texel % count;
 }

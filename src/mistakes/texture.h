@@ -1,6 +1,6 @@
 #pragma once
 
-// Mistakes in the slots of stages/texture_lookup.h.
+// Mistakes in the slots of stages/texture_lookup.h and stages/texture_level.h.
 
 #include "stages/texture_lookup.h"
 
@@ -12,6 +12,10 @@ float texel_place_upside_down(float coordinate, TextureDirection direction, int 
 /// B66, in the slot texel_place: the centre of texel i is taken to be at i, so that every place
 /// lies half a texel further on.
 float texel_place_of_whole_centres(float coordinate, TextureDirection direction, int count);
+
+/// B97, in the slot texture_level: only how far the pixel reaches to the next column counts. Where
+/// it reaches further to the next row the level is too fine.
+float texture_level_along_x(const Footprint& footprint, const Texture& texture);
 
 /// B67, in the slot wrap_texel: what % leaves, which is below 0 for a texel below 0.
 int wrap_by_remainder(int texel, int count);

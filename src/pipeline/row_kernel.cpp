@@ -67,7 +67,7 @@ class RowWalk {
     static constexpr std::array<glm::vec3 Varyings::*, sizeof...(carried)> members{carried...};
 
     static Values values_at(const RowEnd& end, const Stages& stages) {
-        const float weight = call<rasterwalk::varying_weight>(stages.varying_weight, end.inv_w);
+        const float weight = call<rasterwalk::varying_weight>(stages.recovery_weight, end.inv_w);
         Values values{end.depth, weight};
         std::size_t k = 2;
         for (glm::vec3 Varyings::*const member : members) {
@@ -251,7 +251,7 @@ bool has_lab_rows(const Frame& frame) {
     const bool is_walked =
         stages.row_fragments == row_fragments && stages.line_step == line_step &&
         stages.interpolate == interpolate && stages.span_end == span_end &&
-        (stages.varying_weight == varying_weight || stages.varying_weight == varying_weight_one);
+        (stages.recovery_weight == varying_weight || stages.recovery_weight == varying_weight_one);
     const bool is_tested = stages.cull_fragment == keep_fragment &&
                            stages.depth_test == depth_test && stages.depth_cell == depth_cell &&
                            frame.settings.depth_order == DepthOrder::after_depth_test;

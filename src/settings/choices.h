@@ -3,6 +3,7 @@
 // The words of those settings that choose a function for a slot of the table of stages, the right
 // one or a mistake, each with its words. Which function a word means is in choose_stages.cpp.
 
+#include <array>
 #include <cstdint>
 
 #include "base/enum_words.h"
@@ -273,10 +274,12 @@ enum class LineWalk : std::uint8_t {
     multiply,     ///< a + i * step: one rounding error instead of i of them
     exact,        ///< place by integer fractions, without error; the others by a (1 - t) + b t
     integer_step, ///< the place's step divided as int by int; the others accumulated: mistake B11
+    short_step,   ///< each step divided by the number of samples, not of steps: mistake B92
+    zinv_falls,   ///< along rows 1/z falls where it should rise: mistake B89
 };
 template <>
 inline constexpr auto enum_words<LineWalk> = word_list("accumulate", "multiply", "exact",
-                                                       "integer_step");
+                                                       "integer_step", "short_step", "zinv_falls");
 static_assert(words_match<LineWalk>);
 
 /// How many samples an edge has.
@@ -284,27 +287,35 @@ enum class EdgeSamples : std::uint8_t {
     longest_axis, ///< max(|dx|, |dy|) + 1: the lab
     rows,         ///< |dy| + 1: mistake B5, shallow edges get one sample a row
     shifted,      ///< max(|ax - bx + 1|, |ay - by + 1|): mistake B12
+    without_last, ///< as the lab, but the last one is not entered: mistake B91
+    no_last_edge, ///< as the lab, but of the last edge none is entered: mistake B94
 };
 template <>
-inline constexpr auto enum_words<EdgeSamples> = word_list("longest_axis", "rows", "shifted");
+inline constexpr auto enum_words<EdgeSamples> = word_list("longest_axis", "rows", "shifted",
+                                                          "without_last", "no_last_edge");
 static_assert(words_match<EdgeSamples>);
 
-/// Where the two ends of a row stand in the table before its first sample.
+/// What the row table is begun with: where the two ends of a row stand before its first sample, and
+/// how many rows there are.
 enum class RowStart : std::uint8_t {
-    extreme, ///< left at +INT_MAX, right at -INT_MAX: the lab
-    window,  ///< left at the picture's width, right at 0: mistake B6, phantom pixels beside it
+    extreme,   ///< left at +INT_MAX, right at -INT_MAX: the lab
+    window,    ///< left at the picture's width, right at 0: mistake B6, phantom pixels beside it
+    row_short, ///< as the lab, but without the last row: mistake B95
 };
 template <>
-inline constexpr auto enum_words<RowStart> = word_list("extreme", "window");
+inline constexpr auto enum_words<RowStart> = word_list("extreme", "window", "row_short");
 static_assert(words_match<RowStart>);
 
-/// How an edge sample finds its row in the table. The picture is the same, the work is not.
+/// How an edge sample finds its row in the table, and what the row takes from it.
 enum class RowSearch : std::uint8_t {
-    indexed,  ///< by its own number: row - first_row
-    all_rows, ///< by asking every row of the table: mistake B27
+    indexed,     ///< by its own number: row - first_row
+    all_rows,    ///< by asking every row of the table, which leads to the same one: mistake B27
+    clamped,     ///< by its number; beyond the table the nearest row is taken: mistake B93
+    column_only, ///< by its number; the row takes the column and no other value: mistake B90
 };
 template <>
-inline constexpr auto enum_words<RowSearch> = word_list("indexed", "all_rows");
+inline constexpr auto enum_words<RowSearch> = word_list("indexed", "all_rows", "clamped",
+                                                        "column_only");
 static_assert(words_match<RowSearch>);
 
 /// What becomes of a row of the table that no edge sample has reached.
@@ -331,23 +342,35 @@ enum class Interpolation : std::uint8_t {
     perspective, ///< q/z is interpolated and divided by 1/z at the pixel: right
     affine,      ///< q is interpolated as it is: wrong except at the vertices; mistake B3
     zinv_twice,  ///< q/z is multiplied by 1/z again at the ends of a row, divided once: mistake B4
+    undivided,   ///< q/z is interpolated and taken for q at the pixel: mistake B86
+    divided_twice, ///< q/z is interpolated and divided by 1/z twice at the pixel: mistake B87
 };
 template <>
-inline constexpr auto enum_words<Interpolation> = word_list("perspective", "affine", "zinv_twice");
+inline constexpr auto enum_words<Interpolation> = word_list("perspective", "affine", "zinv_twice",
+                                                            "undivided", "divided_twice");
 static_assert(words_match<Interpolation>);
 
 inline constexpr std::size_t interpolation_count = enum_words<Interpolation>.size();
 
-/// How a place in a texture becomes the number of a texel.
+/// All of them, in order.
+inline constexpr auto all_interpolations = [] {
+    std::array<Interpolation, interpolation_count> all{};
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i] = static_cast<Interpolation>(i);
+    return all;
+}();
+
+/// How a place in a texture becomes the number of a texel, and of a mip level.
 enum class TexelRule : std::uint8_t {
     right,         ///< v from the top, centres at i + 1/2, numbers from 0 on
     upside_down,   ///< v from the bottom: mistake B65
     whole_centres, ///< centres at i: mistake B66
     remainder,     ///< texel % count where the texture is repeated: mistake B67
+    level_along_x, ///< the mip level by the side of the footprint along x alone: mistake B97
 };
 template <>
 inline constexpr auto enum_words<TexelRule> = word_list("right", "upside_down", "whole_centres",
-                                                        "remainder");
+                                                        "remainder", "level_along_x");
 static_assert(words_match<TexelRule>);
 
 /// How a colour of a normal map becomes a normal.
@@ -494,9 +517,11 @@ enum class DepthTest : std::uint8_t {
     linear_z,  ///< compares z interpolated as if it were linear: wrong
     off,       ///< the last one drawn wins
     reversed,  ///< smaller 1/z wins: mistake B17a
+    or_equal,  ///< larger 1/z wins, and of two that are equal the later: mistake B88a
 };
 template <>
-inline constexpr auto enum_words<DepthTest> = word_list("inverse_z", "linear_z", "off", "reversed");
+inline constexpr auto enum_words<DepthTest> = word_list("inverse_z", "linear_z", "off", "reversed",
+                                                        "or_equal");
 static_assert(words_match<DepthTest>);
 
 /// How what is half transparent is laid over what its pixel shows.

@@ -197,6 +197,12 @@ void choose(LineWalk walk, Stages& stages) {
     case LineWalk::integer_step:
         stages.line_step = line_step_of_integers;
         break;
+    case LineWalk::short_step:
+        stages.line_step = line_step_by_samples;
+        break;
+    case LineWalk::zinv_falls:
+        stages.row_fragments = row_fragments_with_falling_zinv;
+        break;
     }
 }
 
@@ -209,6 +215,12 @@ void choose(EdgeSamples samples, Stages& stages) {
         break;
     case EdgeSamples::shifted:
         stages.edge_sample_count = edge_sample_count_shifted;
+        break;
+    case EdgeSamples::without_last:
+        stages.entered_samples = entered_without_last;
+        break;
+    case EdgeSamples::no_last_edge:
+        stages.entered_samples = entered_without_last_edge;
         break;
     }
 }
@@ -278,13 +290,33 @@ void choose(Snap snap, PixelSample sample, Stages& stages) {
 }
 
 void choose(RowStart start, Stages& stages) {
-    if (start == RowStart::extreme) return;
-    stages.begin_polygon_rows = begin_rows_at_picture;
-    stages.polygon_box = polygon_box_at_picture;
+    switch (start) {
+    case RowStart::extreme:
+        break;
+    case RowStart::window:
+        stages.begin_polygon_rows = begin_rows_at_picture;
+        stages.polygon_box = polygon_box_at_picture;
+        break;
+    case RowStart::row_short:
+        stages.begin_polygon_rows = begin_rows_without_last;
+        break;
+    }
 }
 
 void choose(RowSearch search, Stages& stages) {
-    if (search == RowSearch::all_rows) stages.find_row = find_row_among_all;
+    switch (search) {
+    case RowSearch::indexed:
+        break;
+    case RowSearch::all_rows:
+        stages.find_row = find_row_among_all;
+        break;
+    case RowSearch::clamped:
+        stages.find_row = find_nearest_row;
+        break;
+    case RowSearch::column_only:
+        stages.row_end = row_end_of_column;
+        break;
+    }
 }
 
 void choose(EmptyRows rows, Stages& stages) {
@@ -332,9 +364,16 @@ void choose(Interpolation interpolation, Stages& stages) {
         break;
     case Interpolation::affine:
         stages.varying_weight = varying_weight_one;
+        stages.recovery_weight = varying_weight_one;
         break;
     case Interpolation::zinv_twice:
         stages.span_end = span_end_times_zinv;
+        break;
+    case Interpolation::undivided:
+        stages.recovery_weight = varying_weight_one;
+        break;
+    case Interpolation::divided_twice:
+        stages.recovery_weight = recovery_weight_squared;
         break;
     }
 }
@@ -382,6 +421,9 @@ void choose(TexelRule rule, TextureWrap wrap, Stages& stages) {
         if (wrap != TextureWrap::repeat) break;
         stages.wrap_texel = wrap_by_remainder;
         stages.read_texel = read_texel_in_memory;
+        break;
+    case TexelRule::level_along_x:
+        stages.texture_level = texture_level_along_x;
         break;
     }
 }
@@ -517,6 +559,9 @@ void choose(DepthTest test, const DepthRules& rules, Stages& stages) {
         break;
     case DepthTest::reversed:
         stages.depth_test = depth_test_reversed;
+        break;
+    case DepthTest::or_equal:
+        stages.depth_test = depth_test_or_equal;
         break;
     }
 }

@@ -12,7 +12,7 @@ namespace rasterwalk {
 namespace {
 
 /// 1/z of the nearest thing that a depth buffer may be made to start with, and of the farthest.
-constexpr float largest_depth_clear = 1e6f;
+constexpr float largest_depth_clear = 0x1p31f; // INT_MAX as a float
 constexpr float largest_depth_epsilon = 10.0f;
 
 /// Nearer to the camera the division by z leaves the range of floats.
@@ -173,19 +173,23 @@ std::vector<Setting> make_table() {
          "Drawing edges", "", choice<&Settings::bresenham_rule>()},
         {"line_walk", "Walking a line", "Rows and edges",
          "How the samples of a line are found: by adding up steps, by multiplying, without error, "
-         "or with a step that was divided as int by int. Edges do so only where the line algorithm "
-         "is interpolate, rows always.",
+         "or by mistake with a step that was divided as int by int, with one divided by the number "
+         "of samples, or along rows with a 1/z that falls where it should rise. Edges do so only "
+         "where the line algorithm is interpolate, rows always.",
          "Drawing edges", "", choice<&Settings::line_walk>()},
         {"edge_samples", "Samples of an edge", "Rows and edges",
          "How many samples an edge has: as many as its longer axis, one in each row, or "
-         "|a − b + 1| where |a − b| + 1 was meant. Only where the line algorithm is interpolate.",
+         "|a − b + 1| where |a − b| + 1 was meant; or all but the last, or none for the last edge. "
+         "Only where the line algorithm is interpolate.",
          "Filled triangles", "", choice<&Settings::edge_samples>()},
-        {"row_start", "Row ends begin at", "Rows and edges",
+        {"row_start", "Row table begins with", "Rows and edges",
          "Where the ends of a row stand before its first sample: at ±INT_MAX, or left at the "
-         "picture's width and right at 0.",
+         "picture's width and right at 0. Or the table has one row too few, by mistake.",
          "Filled triangles", "", choice<&Settings::row_start>()},
         {"row_search", "Finding a row", "Rows and edges",
-         "How a sample finds its row in the table: by its number, or by asking every row.",
+         "How a sample finds its row in the table: by its number, or by asking every row. By "
+         "mistake a sample beyond the table goes to the nearest row, or a row takes only the "
+         "column of a sample.",
          "Filled triangles", "", choice<&Settings::row_search>()},
         {"empty_rows", "Rows without samples", "Rows and edges",
          "What becomes of a row that no sample reached: nothing, or right − left + 1 fragments, "
@@ -197,7 +201,8 @@ std::vector<Setting> make_table() {
          "Filled triangles", "", choice<&Settings::spans>()},
         {"depth_test", "Depth test", "Depth and interpolation",
          "What decides which fragment is nearer: 1/z, or what else the depth buffer holds; z "
-         "interpolated in a straight line; nothing; or the same as first, the wrong way round.",
+         "interpolated in a straight line; nothing; the same as first, the wrong way round; or "
+         "with ≥ in place of >.",
          "Depth buffer", "", choice<&Settings::depth_test>()},
         {"depth_format", "Depth buffer holds", "Depth and interpolation",
          "What the depth buffer holds: 1/z; ndc z, 0 at the near plane and 1 at the far one; or "
@@ -226,7 +231,8 @@ std::vector<Setting> make_table() {
          "", choice<&Settings::depth_order>()},
         {"interpolation", "Between the vertices", "Depth and interpolation",
          "How values between the vertices are found: divided by z on the way, straight across the "
-         "picture, or divided by z twice and multiplied once.",
+         "picture, divided by z twice and multiplied once, or divided by z and at the pixel by 1/z "
+         "never or twice.",
          "Light per pixel", "", choice<&Settings::interpolation>()},
         {"texture",
          "Textures",
@@ -283,8 +289,9 @@ std::vector<Setting> make_table() {
          "Number of a texel",
          "Texture",
          "How a place in a texture becomes the number of a texel: rightly, or by mistake with v "
-         "from the bottom, with the centres of texels at whole numbers, or with a remainder that "
-         "may be below 0. The last one only where texture_wrap is repeat.",
+         "from the bottom, with the centres of texels at whole numbers, with a remainder that may "
+         "be below 0 (only where texture_wrap is repeat), or with a mip level that looks along x "
+         "alone (only where texture_filter has levels).",
          "Light per pixel",
          "",
          choice<&Settings::texel_rule>(),

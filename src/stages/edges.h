@@ -11,7 +11,8 @@
 // The classic mistake is to count by the rows alone, |dy| + 1: steep lines look right, and shallow
 // ones become dots, one a row. A row table made so passes the lab's own printed test. The other is
 // to put the + 1 inside the bars, |a - b + 1|: lines that go right or down then lack two samples,
-// and take steps that leave holes.
+// and take steps that leave holes. Others lose samples on their way into the table: the last one of
+// every edge, or all of the edge that leads back to the first vertex.
 //
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // section 3.2, scan converting lines.
@@ -22,5 +23,11 @@ namespace rasterwalk {
 
 /// Number of samples of the edge from a to b, both ends included: max(|dx|, |dy|) + 1.
 int edge_sample_count(const ScreenVertex& a, const ScreenVertex& b);
+
+/// How many of an edge's samples are entered in the row table, from the first on: all of them.
+/// @param is_last_edge the one that leads back to the polygon's first vertex
+constexpr int entered_samples(int count, [[maybe_unused]] bool is_last_edge) {
+    return count;
+}
 
 } // namespace rasterwalk

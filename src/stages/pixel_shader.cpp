@@ -5,7 +5,7 @@
 namespace rasterwalk {
 
 float weight_of(const Fragment& fragment, const Stages& stages) {
-    return call<varying_weight>(stages.varying_weight, fragment.inv_w);
+    return call<varying_weight>(stages.recovery_weight, fragment.inv_w);
 }
 
 Varyings recover_varyings(const Fragment& fragment, const Stages& stages) {

@@ -76,7 +76,7 @@ constexpr float varying_weight(float zinv) {
     return zinv;
 }
 
-/// The same of a fragment, as the table has it.
+/// By what a fragment divides its varyings, as the table has it.
 float weight_of(const Fragment& fragment, const Stages& stages);
 
 /// The varyings of a fragment as q: divided by their weight.

@@ -23,9 +23,10 @@ std::span<LineDecision> decisions_of(PolygonRows& rows, int count) {
 }
 
 /// Enters a sample, if the table has its row.
-template <class Values>
-RowWrite enter_sample(int column, int row, const Values& values, bool has_varyings,
-                      const Stages& stages, PolygonRows& rows) {
+/// @param enter_in puts the sample at an end of its row: void (RowEnd&)
+template <class EnterIn>
+RowWrite enter_sample(int column, int row, EnterIn enter_in, const Stages& stages,
+                      PolygonRows& rows) {
     const FoundRow found = call<find_row>(stages.find_row, row, rows);
     rows.looked_at += found.looked_at;
     if (found.index < 0) {
@@ -35,31 +36,34 @@ RowWrite enter_sample(int column, int row, const Values& values, bool has_varyin
     RowWrite write{true, false, false};
     const auto index = static_cast<std::size_t>(found.index);
     if (column < rows.left[index].column) {
-        enter(column, values, has_varyings, rows.left[index]);
+        enter_in(rows.left[index]);
         write.left = true;
     }
     if (column > rows.right[index].column) {
-        enter(column, values, has_varyings, rows.right[index]);
+        enter_in(rows.right[index]);
         write.right = true;
     }
     return write;
 }
 
-/// Does a running value make the samples of an edge? Then none need be kept.
+/// Does a running value make the samples of an edge, and do rows take all of it? Then none need be
+/// kept.
 bool has_running_samples(const Stages& stages) {
     return stages.line == line_by_interpolate && stages.line_step == line_step &&
-           stages.interpolate == interpolate;
+           stages.interpolate == interpolate && stages.row_end == row_end;
 }
 
 /// Enters the samples of an edge while it is walked.
-void walk_edge(const LineEnd& a, const LineEnd& b, const LinePart& part, const Stages& stages,
-               PolygonRows& rows) {
+/// @param entered how many of them, from the first on
+void walk_edge(const LineEnd& a, const LineEnd& b, const LinePart& part, int entered,
+               const Stages& stages, PolygonRows& rows) {
     const bool has_varyings = !(part.carried == VaryingSet{});
     RunningSample sample(a, b, part);
-    for (int s = 0; s < part.count; ++s) {
+    for (int s = 0; s < entered; ++s) {
         const LineEnd& at = sample.values();
-        enter_sample(to_pixel(at.x, part.rounding), to_pixel(at.y, part.rounding), at, has_varyings,
-                     stages, rows);
+        const int column = to_pixel(at.x, part.rounding), row = to_pixel(at.y, part.rounding);
+        enter_sample(
+            column, row, [&](RowEnd& end) { enter(column, at, has_varyings, end); }, stages, rows);
         sample.advance();
     }
 }
@@ -100,7 +104,13 @@ void begin_polygon_rows(PolygonCorners vertices, const EdgeRules&, PolygonRows& 
 RowWrite add_edge_sample(const Fragment& sample, VaryingSet carried, const Stages& stages,
                          PolygonRows& rows) {
     const bool has_varyings = !(carried == VaryingSet{});
-    return enter_sample(sample.column, sample.row, sample, has_varyings, stages, rows);
+    const auto enter_in = [&](RowEnd& end) {
+        if (stages.row_end == row_end)
+            enter(sample.column, sample, has_varyings, end);
+        else
+            end = stages.row_end(sample);
+    };
+    return enter_sample(sample.column, sample.row, enter_in, stages, rows);
 }
 
 void compute_polygon_rows(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
@@ -116,15 +126,16 @@ void compute_polygon_rows(PolygonCorners vertices, const EdgeRules& rules, const
         const ScreenVertex& to = vertices[(i + 1) % vertices.size()];
         const LineEnd a = line_end(from), b = line_end(to);
         const int count = call<edge_sample_count>(stages.edge_sample_count, from, to);
+        const int entered = stages.entered_samples(count, i + 1 == vertices.size());
         const LinePart part{count, 0, rules.rounding, rules.carried};
         if (keeps_nothing) {
-            walk_edge(a, b, part, stages, rows);
+            walk_edge(a, b, part, entered, stages, rows);
             continue;
         }
         const std::span<LineSample> line = samples_of(rows.line, count);
         const std::span<LineDecision> decisions = decisions_of(rows, tells_decisions ? count : 0);
         call<line_by_interpolate>(stages.line, a, b, part, stages, line, decisions);
-        for (int s = 0; s < count; ++s) {
+        for (int s = 0; s < entered; ++s) {
             const LineSample& sample = line[static_cast<std::size_t>(s)];
             const RowWrite write = add_edge_sample(sample.fragment, rules.carried, stages, rows);
             if (sink == nullptr) continue;

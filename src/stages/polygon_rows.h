@@ -10,9 +10,10 @@
 //
 // Before the first sample a row is empty in a curious way: its left end stands at +INT_MAX and its
 // right end at -INT_MAX, so that any sample is an improvement. The classic mistakes are start
-// values that are not extreme, and to trust that each sample falls in one of the table's rows: with
+// values that are not extreme, a table with one row too few, rows that take the column of a sample
+// and not its other values, and to trust that each sample falls in one of the table's rows: with
 // accumulated floats a few per cent of edges leave it, and a program without a guard writes to row
-// -1.
+// -1. To put such a sample in the nearest row hides the mistake and spoils that row.
 //
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // section 3.6, filling polygons span by span.
@@ -119,7 +120,7 @@ inline FoundRow find_row(int row, const PolygonRows& rows) {
 RowWrite add_edge_sample(const Fragment& sample, VaryingSet carried, const Stages& stages,
                          PolygonRows& rows);
 
-/// The lab's ComputePolygonRows: all samples of all edges, in order; edge i goes from vertex i to
+/// The lab's ComputePolygonRows: the samples of all edges, in order; edge i goes from vertex i to
 /// vertex i + 1, the last back to the first. `rows` is reused to save allocations.
 /// @param vertices at least one
 /// @param stages   the table whose functions walk the edges and find the rows

@@ -20,15 +20,7 @@ RowSpan row_span(const Stages& stages, const PolygonRows& rows, int index) {
 
 void row_fragments(const Stages& stages, const Row& row, int first, VaryingSet carried,
                    std::span<LineSample> result) {
-    const LineEnd a = line_end(call<span_end>(stages.span_end, row.left), row.row);
-    const LineEnd b = line_end(call<span_end>(stages.span_end, row.right), row.row);
-    const LinePart part{row.count, first, Rounding::truncate, carried, false};
-    const LineStep step = call<line_step>(stages.line_step, a, b, part);
-    call<interpolate>(stages.interpolate, a, b, step, part, result);
-    for (LineSample& sample : result) {
-        sample.fragment.column = row.left.column + first++;
-        sample.fragment.row = row.row;
-    }
+    row_fragments_with<[](LineStep&) {}>(stages, row, first, carried, result);
 }
 
 bool walks_edges(const Stages& stages) {

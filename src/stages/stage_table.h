@@ -78,7 +78,9 @@ struct Stages {
     decltype(&rasterwalk::polygon_box) polygon_box = rasterwalk::polygon_box;
     decltype(&rasterwalk::begin_polygon_rows) begin_polygon_rows = rasterwalk::begin_polygon_rows;
     decltype(&rasterwalk::edge_sample_count) edge_sample_count = rasterwalk::edge_sample_count;
+    int (*entered_samples)(int count, bool is_last_edge) = rasterwalk::entered_samples;
     decltype(&rasterwalk::find_row) find_row = rasterwalk::find_row;
+    RowEnd (*row_end)(const Fragment& sample) = rasterwalk::row_end;
     decltype(&rasterwalk::compute_polygon_rows) compute_polygon_rows =
         rasterwalk::compute_polygon_rows;
     decltype(&walk_everywhere) walked_area = walk_everywhere;
@@ -102,6 +104,8 @@ struct Stages {
     decltype(&rasterwalk::interpolate) interpolate = rasterwalk::interpolate;
     RowEnd (*span_end)(const RowEnd& end) = rasterwalk::span_end;
     float (*varying_weight)(float zinv) = rasterwalk::varying_weight;
+    // By what a fragment divides its varyings; rightly by the weight that the vertices gave them.
+    float (*recovery_weight)(float zinv) = rasterwalk::varying_weight;
 
     decltype(&rasterwalk::depth_test) depth_test = rasterwalk::depth_test;
     decltype(&rasterwalk::depth_cell) depth_cell = rasterwalk::depth_cell;
@@ -110,8 +114,9 @@ struct Stages {
     decltype(&rasterwalk::pixel_shader) pixel_shader = rasterwalk::pixel_shader;
     VaryingSet (*varyings_read)(Shading shading) = rasterwalk::varyings_read;
 
-    // Texture lookup: where a place lies among the texels, which texel stands beyond the border,
-    // how it is read, and which texels are mixed.
+    // Texture lookup: which level suits a footprint, where a place lies among the texels, which
+    // texel stands beyond the border, how it is read, and which texels are mixed.
+    decltype(&rasterwalk::texture_level) texture_level = rasterwalk::texture_level;
     decltype(&rasterwalk::texel_place) texel_place = rasterwalk::texel_place;
     decltype(&rasterwalk::read_texel) read_texel = rasterwalk::read_texel;
     int (*wrap_texel)(int texel, int count) = wrap_repeat;
@@ -136,6 +141,22 @@ auto call(decltype(likely) slot, const Arguments&... arguments) {
         return call<others...>(slot, arguments...);
     else
         return slot(arguments...);
+}
+
+/// row_fragments() with a function that changes the steps of the row: void (LineStep&).
+template <auto change_step>
+void row_fragments_with(const Stages& stages, const Row& row, int first, VaryingSet carried,
+                        std::span<LineSample> result) {
+    const LineEnd a = line_end(call<span_end>(stages.span_end, row.left), row.row);
+    const LineEnd b = line_end(call<span_end>(stages.span_end, row.right), row.row);
+    const LinePart part{row.count, first, Rounding::truncate, carried, false};
+    LineStep step = call<line_step>(stages.line_step, a, b, part);
+    change_step(step);
+    call<interpolate>(stages.interpolate, a, b, step, part, result);
+    for (LineSample& sample : result) {
+        sample.fragment.column = row.left.column + first++;
+        sample.fragment.row = row.row;
+    }
 }
 
 /// The varyings that edges and rows carry where no texture is shown: what the pixel shader and the

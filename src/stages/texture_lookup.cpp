@@ -95,14 +95,14 @@ glm::vec3 sample_bilinear(const Texture& texture, const TexturePlace& place, con
 glm::vec3 sample_mipmap(const Texture& texture, const TexturePlace& place, const Stages& stages,
                         TakenTexels* taken) {
     glm::vec3 colour(0.0f);
-    add_four(texture, nearest_level(texture_level(place.footprint, texture)), place.texcoord, 1.0f,
-             stages, colour, taken);
+    add_four(texture, nearest_level(stages.texture_level(place.footprint, texture)), place.texcoord,
+             1.0f, stages, colour, taken);
     return colour;
 }
 
 glm::vec3 sample_trilinear(const Texture& texture, const TexturePlace& place, const Stages& stages,
                            TakenTexels* taken) {
-    const float level = texture_level(place.footprint, texture);
+    const float level = stages.texture_level(place.footprint, texture);
     const int first = static_cast<int>(level);
     const float share = level - static_cast<float>(first);
     glm::vec3 colour(0.0f);

@@ -221,8 +221,8 @@ TEST_CASE("A point that is none, or lies too far out, ends with exit code 2") {
 
 TEST_CASE("rows refuses settings that rows do not depend on, and polygons without end") {
     expect({"rows", "1,1", "--set", "light.power=3"}, 2,
-           "rows depend on rounding, line, bresenham_rule, line_walk, edge_samples, row_start and "
-           "viewport.size, not on light.power.");
+           "rows depend on rounding, line, bresenham_rule, line_walk, edge_samples, row_start, "
+           "row_search and viewport.size, not on light.power.");
     std::vector<std::string> arguments(1002, "1,1");
     arguments[0] = "rows";
     expect(arguments, 2, "a polygon may have at most 1000 points.");

@@ -82,8 +82,8 @@ void check_row_end(const FragmentReport& report, const PolygonRows& rows, const 
                    const FormulaInput& input, const std::string& where) {
     const RowEnd& end =
         input.source.is_right ? rows.right[report.cursor.index] : rows.left[report.cursor.index];
-    constexpr std::array<const char*, interpolation_count> in_force{".carried", ".affine",
-                                                                    ".carried_twice"};
+    constexpr std::array<const char*, interpolation_count> in_force{
+        ".carried", ".affine", ".carried_twice", ".carried", ".carried"};
     const char* const suffix = in_force[static_cast<std::size_t>(report.interpolation)];
     std::optional<float> expected;
     if (id == "column") expected = static_cast<float>(end.column);

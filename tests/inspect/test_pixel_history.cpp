@@ -34,6 +34,7 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
     }
     const Settings& settings = frame.settings;
     const bool reversed = depth_rule(settings) == DepthTest::reversed;
+    const bool or_equal = depth_rule(settings) == DepthTest::or_equal;
     const float epsilon =
         depth_rule(settings) == DepthTest::inverse_z ? settings.depth_epsilon : 0.0f;
     const bool has_cell = has_depth_cell(frame.stages, pixel.x, pixel.y, settings.viewport) ||
@@ -54,7 +55,9 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
         // Each rounded sum as the test has it, so that what lies on the limit is judged alike.
         const float limit =
             kind == ClipDepth::ndc ? entry.stored - epsilon : entry.stored + epsilon;
-        const bool is_ahead = kind == ClipDepth::ndc ? entry.depth < limit : entry.depth > limit;
+        const bool is_ahead =
+            (kind == ClipDepth::ndc ? entry.depth < limit : entry.depth > limit) ||
+            (or_equal && entry.depth == limit);
         const bool should_pass =
             !history.depth_tested || (reversed ? entry.margin < 0.0f : is_ahead);
         if ((entry.fate == Fate::written) != should_pass) return fault(name + " fate");

@@ -12,6 +12,7 @@
 #include "mistakes/texture.h"
 #include "pipeline/draw.h"
 #include "session/content.h"
+#include "support/bug_runs.h"
 #include "support/texture_oracle.h"
 #include "tests/support/catch.h"
 
@@ -160,4 +161,50 @@ TEST_CASE("B67: the texel that a pixel took is told as it was read") {
     CHECK(report->heaviest().row == 8);
     const TextureLevel& base = (*runs.session.scene->textures.front()).base();
     CHECK(report->heaviest().colour == base.at(7, 7));
+}
+
+TEST_CASE("B97: each pixel has the level of what it reaches along x, and far ones are too fine") {
+    const test::BugRuns runs("B97");
+    std::vector<test::OracleLevel> chain;
+    for (const TextureLevel& level : (*runs.session.scene->textures.front()).levels) {
+        chain.push_back({level.width, level.height, {}});
+        for (const glm::vec3& texel : level.texels)
+            chain.back().texels.emplace_back(texel);
+    }
+    const std::vector<FragmentEvent>& told = runs.wrong.told.fragments;
+    int held = 0, finer = 0;
+    for (std::size_t i = 1; i + 1 < told.size(); ++i) {
+        const auto place = [&](const FragmentEvent& event) {
+            return glm::dvec2(event.fragment.varyings.texcoord) /
+                   static_cast<double>(event.fragment.inv_w);
+        };
+        const Cursor &before = told[i - 1].cursor, &behind = told[i + 1].cursor;
+        const bool is_one_row = before.triangle == behind.triangle && before.index == behind.index;
+        // The last one drawn stays.
+        const std::size_t pixel =
+            runs.wrong.picture.at(told[i].fragment.column, told[i].fragment.row);
+        if (!is_one_row || runs.wrong.picture.owner[pixel] != told[i].cursor.triangle) continue;
+        // Along a row of this floor z is the same, and u grows in equal steps.
+        const glm::dvec2 right = (place(told[i + 1]) - place(told[i - 1])) / 2.0;
+        const test::OracleColour wanted =
+            test::oracle_sample(chain, place(told[i]), right, glm::dvec2(0.0),
+                                TextureFilter::mipmap, TextureWrap::repeat);
+        if (wanted.is_tie) continue;
+        ++held;
+        const glm::dvec3 off =
+            glm::abs(glm::dvec3(runs.wrong.picture.colour[pixel]) - wanted.colour);
+        if (std::max({off.x, off.y, off.z}) > 2.0 / 255.0)
+            FAIL(to_text(told[i].cursor) << " is of another level");
+        finer += runs.wrong.picture.colour[pixel] != runs.right.picture.colour[pixel] ? 1 : 0;
+    }
+    CHECK(held > 10000);
+    CHECK(finer > 2000);
+    // Seen face on, a pixel reaches equally far along both.
+    const Texture& texture = *runs.session.scene->textures.front();
+    const float side = 8.0f / static_cast<float>(texture.base().width);
+    const float high = 8.0f / static_cast<float>(texture.base().height);
+    const Footprint square{{side, 0.0f}, {0.0f, high}};
+    CHECK(texture_level_along_x(square, texture) == texture_level(square, texture));
+    CHECK(texture_level_along_x({{side, 0.0f}, {0.0f, 2.0f * high}}, texture) ==
+          texture_level(square, texture));
 }

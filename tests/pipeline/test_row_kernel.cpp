@@ -91,7 +91,7 @@ TEST_CASE("No row is drawn at once where another function stands in a slot of th
         [](Stages& s) { s.line_step = Again<line_step>::call; },
         [](Stages& s) { s.interpolate = Again<interpolate>::call; },
         [](Stages& s) { s.span_end = Again<span_end>::call; },
-        [](Stages& s) { s.varying_weight = Again<varying_weight>::call; },
+        [](Stages& s) { s.recovery_weight = Again<varying_weight>::call; },
         [](Stages& s) { s.cull_fragment = Again<keep_fragment>::call; },
         [](Stages& s) { s.depth_test = Again<depth_test>::call; },
         [](Stages& s) { s.depth_cell = Again<depth_cell>::call; },

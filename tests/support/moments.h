@@ -88,8 +88,12 @@ inline std::vector<Cursor> all_moments(const Frame& frame) {
         const bool is_walked =
             settings.coverage == Coverage::rows || settings.stage == Stage::edges;
         for (int e = 0; is_walked && e < corners; ++e) {
-            const int count =
+            if (settings.edge_samples == EdgeSamples::no_last_edge &&
+                settings.line == LineAlgorithm::interpolate && e == corners - 1)
+                continue;
+            int count =
                 edge_sample_count(vertices[e], vertices[(e + 1) % corners], settings.edge_samples);
+            if (settings.edge_samples == EdgeSamples::without_last) --count;
             for (int s = 0; s < count; ++s)
                 moments.push_back({t, Phase::edges, e, s});
         }

@@ -103,7 +103,10 @@ std::string word_of_perspective(const Settings& settings) {
     case Interpolation::affine:
         return "off";
     case Interpolation::zinv_twice:
+    case Interpolation::divided_twice:
         return "twice";
+    case Interpolation::undivided:
+        return "half";
     }
     return {};
 }
@@ -113,6 +116,7 @@ std::string word_of_depth_test(const Settings& settings, const Frame& frame) {
     case DepthTest::off:
         return "off";
     case DepthTest::inverse_z:
+    case DepthTest::or_equal:
         return std::string(depth_words(frame).short_name);
     case DepthTest::reversed:
         // Not its own word, which is that of a depth format too.

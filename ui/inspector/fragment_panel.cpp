@@ -217,10 +217,12 @@ void draw_depth(Ui& ui) {
     keep_text_whole(ui);
     ImGui::PopStyleColor();
     const Frame& frame = ui.results.a.frame;
-    name_widget(ui, "fragment.fate",
-                "The fragment is drawn if its value is " +
-                    std::string(depth_words(ui.results.a.frame).nearer) + ": margin > " +
-                    margin_limit(depth_rules(frame.settings, frame.scene->space)) + ".");
+    name_widget(
+        ui, "fragment.fate",
+        "The fragment is drawn if its value is " +
+            std::string(depth_words(ui.results.a.frame).nearer) +
+            (report.depth_test == DepthTest::or_equal ? " or equal: margin ≥ " : ": margin > ") +
+            margin_limit(depth_rules(frame.settings, frame.scene->space)) + ".");
     for (const char* id : {"blend.red", "blend.green", "blend.blue"})
         draw_fragment_line(ui, id, std::string(id).substr(std::string("blend.").size()));
     draw_colours(ui);

@@ -73,41 +73,59 @@ struct ValueColumn {
     }
 };
 
+/// What is said of the column that is not the right one.
+struct WrongWay {
+    std::vector<std::string> titles;
+    const char *help, *off_help;
+};
+
+/// @param is_mixed w is not z
+WrongWay wrong_way_words(Interpolation way, bool is_mixed) {
+    switch (way) {
+    case Interpolation::perspective:
+    case Interpolation::affine:
+        break;
+    case Interpolation::zinv_twice:
+        return {{is_mixed ? "1/w twice" : "1/z twice", "twice"},
+                is_mixed
+                    ? "Carried as q/w², by mistake, and divided by 1/w only once."
+                    : "Carried as q/z², by mistake, and divided by 1/z only once at the pixel.",
+                "How far the value divided by z twice is from the right one."};
+    case Interpolation::undivided:
+        return {{"undivided", "undiv."},
+                is_mixed ? "Carried as q/w, and by mistake not divided by 1/w at the pixel."
+                         : "Carried as q/z, and by mistake not divided by 1/z at the pixel.",
+                "How far the value never divided by 1/z is from the right one."};
+    case Interpolation::divided_twice:
+        return {{"divided twice", "twice"},
+                is_mixed ? "Carried as q/w, and by mistake divided by 1/w twice at the pixel."
+                         : "Carried as q/z, and by mistake divided by 1/z twice at the pixel.",
+                "How far the value divided by 1/z twice is from the right one."};
+    }
+    return {{"affine"},
+            "Interpolated as it is, in equal steps across the picture.",
+            "How far the affine value is from the right one."};
+}
+
 std::array<ValueColumn, 4> value_columns(const Ui& ui) {
     const Interpolation way = report_of(ui).interpolation;
-    const bool affine = way != Interpolation::perspective;
-    const bool twice = way == Interpolation::zinv_twice;
+    const bool is_right = way == Interpolation::perspective;
     const bool is_mixed = weight_name(ui.results.a.frame) == "1/w";
+    const WrongWay wrong = wrong_way_words(way, is_mixed);
     const float number = text_width(ui.fonts.mono, "−0.0000");
     float names = 0.0f;
     for (const QuantityInfo& info : listed_quantities(ui))
         names = std::max(names, text_width(ui.fonts.mono, info.words.name));
     std::array<ValueColumn, 4> columns{
         ValueColumn{"value", {"value"}, "What is interpolated along the row.", false, names},
-        twice ? ValueColumn{"affine",
-                            {is_mixed ? "1/w twice" : "1/z twice", "twice"},
-                            is_mixed ? "Carried as q/w², by mistake, and divided by 1/w only once."
-                                     : "Carried as q/z², by mistake, and divided by 1/z only once "
-                                       "at the pixel.",
-                            true,
-                            number}
-              : ValueColumn{"affine",
-                            {"affine"},
-                            "Interpolated as it is, in equal steps across the picture.",
-                            affine,
-                            number},
+        ValueColumn{"affine", wrong.titles, wrong.help, !is_right, number},
         ValueColumn{"perspective",
                     {"perspective", "persp."},
                     is_mixed ? "Carried as q/w and divided by 1/w at the pixel."
                              : "Carried as q/z and divided by 1/z at the pixel.",
-                    !affine,
+                    is_right,
                     number},
-        ValueColumn{"off",
-                    {"off by"},
-                    twice ? "How far the value divided by z twice is from the right one."
-                          : "How far the affine value is from the right one.",
-                    false,
-                    number}};
+        ValueColumn{"off", {"off by"}, wrong.off_help, false, number}};
     for (ValueColumn& column : columns) {
         if (!column.in_force) continue;
         for (std::string& title : column.titles)

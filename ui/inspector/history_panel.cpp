@@ -80,6 +80,8 @@ std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
     const std::string other = triangle_words(ui, next.cursor.triangle);
     const float ahead = -sign * next.margin_to_winner;
     if (!(ahead > 0.0f)) {
+        if (depth_rule(ui.results.a.frame.settings) == DepthTest::or_equal)
+            return {text + ": it came after " + other + ", which is just as near.", ""};
         const bool has_epsilon = depth_epsilon_rule(ui.results.a.frame.settings) > 0.0f;
         return {text + ": it came before " + other +
                     (has_epsilon ? ", which is not nearer by more than epsilon."

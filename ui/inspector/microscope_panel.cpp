@@ -188,11 +188,15 @@ void draw_verdict(Ui& ui) {
 const char* walk_text(LineWalk walk) {
     switch (walk) {
     case LineWalk::accumulate:
+    case LineWalk::zinv_falls: // along rows
         return "each sample adds the step to the one before, in float";
     case LineWalk::multiply:
         return "sample i is the start plus i times the step, in float";
     case LineWalk::integer_step:
         return "each sample adds the step to the one before; the step is divided as int by int";
+    case LineWalk::short_step:
+        return "each sample adds the step to the one before; the step is divided by the samples, "
+               "one too many";
     case LineWalk::exact:
         return "pixels come from whole fractions; the floats are only shown";
     }

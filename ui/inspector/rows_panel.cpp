@@ -91,7 +91,7 @@ void draw_moment(Ui& ui) {
     ImGui::PopFont();
     std::string words = "row " + whole_text(last.fragment.row);
     if (last.write.inside) {
-        words += ", " + element_name(entry_form, last.fragment.row - history.rows.first_row);
+        words += ", " + element_name(entry_form, history.last_index);
     }
     words += ": ";
     if (!last.write.inside) {

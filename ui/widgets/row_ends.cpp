@@ -56,7 +56,7 @@ std::optional<int> row_at_work(const Ui& ui) {
     if (done->phase == Phase::rows) return history.rows.first_row + done->index;
     if (done->phase == Phase::tests) return tested_row(history.rows.tested, done->index).row;
     if (done->phase == Phase::edges && history.last && history.last->write.inside)
-        return history.last->fragment.row;
+        return history.rows.first_row + history.last_index;
     return std::nullopt;
 }
 
@@ -65,7 +65,8 @@ RowWrite just_written(const Ui& ui, int row) {
     const std::optional<Cursor>& done = ui.results.a.done;
     const bool is_sample =
         done && done->triangle == ui.results.a.triangle && done->phase == Phase::edges;
-    if (!is_sample || !history.last || history.last->fragment.row != row) return {};
+    const int written = history.rows.first_row + history.last_index;
+    if (!is_sample || history.last_index < 0 || written != row) return {};
     return history.last->write;
 }
 

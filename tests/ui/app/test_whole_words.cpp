@@ -74,8 +74,7 @@ TEST_CASE("No panel shortens what it says, nor does the line below the time line
 
 TEST_CASE("The Fragment tab names its columns and its pixel in whole words") {
     for (const SmallWindow& window : all_windows()) {
-        for (const Interpolation way :
-             {Interpolation::perspective, Interpolation::affine, Interpolation::zinv_twice}) {
+        for (const Interpolation way : all_interpolations) {
             CAPTURE(window.size.x, window.size.y, window.text_scale, word_of(way));
             Driver driver("lab-room.toml", window.size, window.text_scale);
             driver.ui.session.a.settings.interpolation = way;
@@ -95,7 +94,12 @@ TEST_CASE("The Fragment tab names its columns and its pixel in whole words") {
                 CHECK(right.starts_with("● ") == is_right);
                 CHECK(wrong.starts_with("● ") == !is_right);
                 CHECK((right.ends_with("perspective") || right.ends_with("persp.")));
-                CHECK(wrong.ends_with(way == Interpolation::zinv_twice ? "twice" : "affine"));
+                const bool is_twice =
+                    way == Interpolation::zinv_twice || way == Interpolation::divided_twice;
+                if (way == Interpolation::undivided)
+                    CHECK((wrong.ends_with("undivided") || wrong.ends_with("undiv.")));
+                else
+                    CHECK(wrong.ends_with(is_twice ? "twice" : "affine"));
                 // At the usual size nothing need be short.
                 if (window.size.x / window.text_scale >= 1600.0f) {
                     CHECK(right.ends_with("perspective"));
