@@ -1,9 +1,11 @@
 #include "cli/diagnose_command.h"
 
+#include <chrono>
 #include <ostream>
 
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "base/files.h"
 #include "base/image.h"
 #include "base/numbers.h"
@@ -33,7 +35,7 @@ struct Result {
 };
 
 Finding diagnose_picture_file(const Result& result, const Session& session,
-                              const std::vector<Bug>& bugs, std::ostream& err,
+                              const std::vector<Bug>& bugs, double seconds, std::ostream& err,
                               ProgressLine& progress) {
     Image picture = parse_exact_image(result.bytes, result.name);
     const Settings& view = session.a.settings;
@@ -44,8 +46,11 @@ Finding diagnose_picture_file(const Result& result, const Session& session,
             << reference.camera.focal_length << ".\n";
     }
     DiagnosisWork work(std::move(picture), result.name, *session.scene, reference, bugs);
+    const auto begin = std::chrono::steady_clock::now();
     while (!work.is_done()) {
         work.advance(frame_limit);
+        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+        if (passed.count() > seconds) work.stop_searching();
         const PicturesDrawn drawn = work.pictures();
         progress.say(fmt::format("Trying each mistake: {} of {} pictures", drawn.done, drawn.all));
     }
@@ -69,23 +74,39 @@ Finding diagnose_rows_file(const DiagnoseOptions& options, const Result& result,
     return finding;
 }
 
+/// Of those that come together, the names that each may have.
+Json mistakes_to_json(const Candidate& candidate) {
+    Json mistakes = Json::array();
+    for (const Suspect& suspect : candidate.mistakes)
+        mistakes.push_back(texts_to_json(suspect.ids));
+    return mistakes;
+}
+
 Json to_json(const Finding& finding) {
     const Diagnosis& diagnosis = finding.diagnosis;
     Json candidates = Json::array();
     for (const Candidate& candidate : diagnosis.candidates) {
+        std::vector<std::string> names;
+        for (const Suspect& suspect : candidate.mistakes)
+            names.insert(names.end(), suspect.names.begin(), suspect.names.end());
         candidates.push_back({{"different", candidate.different},
                               {"distance", candidate.distance},
                               {"explained", candidate.explained},
-                              {"ids", texts_to_json(candidate.ids)},
-                              {"names", texts_to_json(candidate.names)},
+                              {"ids", texts_to_json(candidate.ids())},
+                              {"likely", candidate.is_likely},
+                              {"mistakes", mistakes_to_json(candidate)},
+                              {"names", texts_to_json(names)},
                               {"remark", candidate.remark}});
     }
     return {{"candidates", std::move(candidates)},
+            {"complete", diagnosis.is_complete},
             {"different", diagnosis.different},
             {"distance", diagnosis.distance},
+            {"findings", texts_to_json(diagnosis.findings)},
             {"held_against", finding.held_against},
             {"kind", finding.kind},
             {"place", diagnosis.place},
+            {"rules", diagnosis.rules},
             {"verdict", diagnosis.verdict}};
 }
 
@@ -93,23 +114,34 @@ void print_text(const Finding& finding, std::ostream& out) {
     const Diagnosis& diagnosis = finding.diagnosis;
     const bool is_picture = finding.kind == "picture";
     out << "Held against " << finding.held_against << ": " << diagnosis.verdict << '\n';
-    if (diagnosis.is_same()) return;
-    out << counted(diagnosis.different, is_picture ? "pixel" : "row",
-                   is_picture ? "pixels" : "rows")
-        << (diagnosis.different == 1 ? " differs" : " differ")
-        << (is_picture ? " from the right picture" : " from the reference");
-    const Candidate* const likely = likely_candidate(diagnosis);
-    if (likely != nullptr && !likely->remark.empty()) out << ' ' << likely->remark;
-    out << '.';
-    if (!diagnosis.place.empty()) out << ' ' << diagnosis.place;
-    out << '\n';
+    if (!diagnosis.rules.empty()) {
+        const bool is_sure = diagnosis.is_same() || likely_candidate(diagnosis) != nullptr;
+        out << (is_sure ? "Your program draws with " : "The nearest right picture is drawn with ")
+            << diagnosis.rules
+            << (is_sure ? ", which is just as right; the reference does the same.\n" : ".\n");
+    }
+    if (!diagnosis.is_same()) {
+        out << counted(diagnosis.different, is_picture ? "pixel differs" : "row differs",
+                       is_picture ? "pixels differ" : "rows differ")
+            << (is_picture ? " from the right picture." : " from the reference.");
+        if (!diagnosis.place.empty()) out << ' ' << diagnosis.place;
+        out << '\n';
+    }
+    for (const std::string& sentence : diagnosis.findings)
+        out << sentence << '\n';
+    if (!diagnosis.is_complete)
+        out << "The search was stopped before everything was tried: see --seconds.\n";
     if (diagnosis.candidates.empty()) return;
     out << "\nexplains  differ still  mistake\n";
     for (const Candidate& candidate : diagnosis.candidates) {
         out << fmt::format("{:>8}  {:>12}  ", explained_text(candidate.explained, 1),
                            candidate.different);
-        for (std::size_t i = 0; i < candidate.ids.size(); ++i)
-            out << (i > 0 ? " or " : "") << candidate.ids[i] << ": " << candidate.names[i];
+        for (std::size_t i = 0; i < candidate.mistakes.size(); ++i) {
+            const Suspect& suspect = candidate.mistakes[i];
+            if (i > 0) out << ", together with ";
+            for (std::size_t k = 0; k < suspect.ids.size(); ++k)
+                out << (k > 0 ? " or " : "") << suspect.ids[k] << ": " << suspect.names[k];
+        }
         if (!candidate.remark.empty()) out << ", " << candidate.remark;
         out << '\n';
     }
@@ -119,13 +151,15 @@ void print_text(const Finding& finding, std::ostream& out) {
 
 ExitCode diagnose_command(const DiagnoseOptions& options, std::ostream& out, std::ostream& err,
                           ProgressLine& progress) {
+    if (!(options.seconds > 0.0)) throw UsageError("--seconds takes a number above 0.");
     const Session session = open_view(options.view);
     const std::vector<Bug> bugs = read_bugs();
     const Result result{options.file == "-" ? standard_input_name : options.file,
                         read_input(options.file, largest_image_file)};
-    const Finding finding = is_image(result.bytes)
-                                ? diagnose_picture_file(result, session, bugs, err, progress)
-                                : diagnose_rows_file(options, result, session, bugs);
+    const Finding finding =
+        is_image(result.bytes)
+            ? diagnose_picture_file(result, session, bugs, options.seconds, err, progress)
+            : diagnose_rows_file(options, result, session, bugs);
     if (options.json) {
         print_json(to_json(finding), out);
     } else {

@@ -14,6 +14,7 @@ struct DiagnoseOptions {
     ViewOptions view;                 ///< the reference
     std::string file;                 ///< a picture, or a printed row table
     std::vector<std::string> polygon; ///< X,Y of each vertex whose table was printed; may be empty
+    double seconds = 20.0;            ///< that a picture is searched for, above 0
     bool json = false;
 };
 

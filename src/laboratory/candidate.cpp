@@ -1,128 +1,150 @@
 #include "laboratory/candidate.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/enumerated.h"
 
 namespace rasterwalk {
 
 namespace {
 
-/// Each further assumption must be worth this part of the distance.
-constexpr double price_of_assumption = 0.02;
-
 /// What explains less is said to explain nothing, "0.0 %".
 constexpr double least_explained = 0.0005;
 
-/// Below this part nothing is likely.
-constexpr double explains_nothing = 0.3;
+/// Below this part a mistake that is not likely is not named in the verdict.
+constexpr double worth_naming = 0.5;
 
-double price(const Hypothesis& h) {
-    return h.distance * (1.0 + price_of_assumption * h.assumptions);
-}
-
-/// B and a number: a mistake of the laboratory.
-bool is_bug_id(const std::string& id) {
-    return id.size() > 1 && id[0] == 'B' && id[1] >= '0' && id[1] <= '9';
-}
-
-std::string candidate_text(const Candidate& candidate) {
-    std::string text;
-    for (std::size_t i = 0; i < candidate.names.size(); ++i) {
-        if (i > 0) text += i + 1 == candidate.names.size() ? " or " : ", ";
+std::string suspect_text(const Suspect& suspect) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < suspect.names.size(); ++i) {
         // The name of a mistake is a sentence of its own.
-        text += is_bug_id(candidate.ids[i]) ? candidate.ids[i] + " “" + candidate.names[i] + "”"
-                                            : candidate.names[i];
+        names.push_back(is_bug_id(suspect.ids[i]) ? suspect.ids[i] + " “" + suspect.names[i] + "”"
+                                                  : suspect.names[i]);
     }
-    return candidate.remark.empty() ? text : fmt::format("{} ({})", text, candidate.remark);
+    return enumerated(names, "or");
 }
 
-bool is_likely(const Candidate& candidate) {
-    return candidate.distance == 0.0 || candidate.explained >= explains_nothing;
+bool has_name(const Suspect& suspect, const std::string& id) {
+    return std::find(suspect.ids.begin(), suspect.ids.end(), id) != suspect.ids.end();
 }
 
-std::string verdict_text(const Candidate& first, std::string_view same) {
-    const std::string who = candidate_text(first);
-    if (first.distance == 0.0) {
-        return fmt::format("{} {} {}.", who, first.ids.size() > 1 ? "make" : "makes", same);
+/// Do both hold a mistake of this name?
+bool is_in(const Suspect& one, const Candidate& candidate) {
+    return std::any_of(candidate.mistakes.begin(), candidate.mistakes.end(),
+                       [&](const Suspect& other) { return has_name(other, one.ids.front()); });
+}
+
+/// Has the candidate all the mistakes of the other, under one of their names?
+bool contains(const Candidate& candidate, const Candidate& other) {
+    return std::all_of(other.mistakes.begin(), other.mistakes.end(), [&](const Suspect& suspect) {
+        return std::any_of(suspect.ids.begin(), suspect.ids.end(), [&](const std::string& id) {
+            return is_in({{id}, {}}, candidate);
+        });
+    });
+}
+
+/// Gives the one mistake that only the other has as another name to the one that only this has.
+void add_names(const Candidate& other, Candidate& candidate) {
+    std::vector<Suspect*> own;
+    std::vector<const Suspect*> others;
+    for (Suspect& suspect : candidate.mistakes) {
+        const bool is_shared =
+            std::any_of(suspect.ids.begin(), suspect.ids.end(), [&](const std::string& id) {
+                return is_in({{id}, {}}, other);
+            });
+        if (!is_shared) own.push_back(&suspect);
     }
-    const std::string explained = explained_text(first.explained, 0);
-    if (!is_likely(first)) {
-        return fmt::format("No known mistake explains the difference; the nearest, {}, explains "
-                           "{} of it.",
-                           who, explained);
+    for (const Suspect& suspect : other.mistakes) {
+        if (!is_in(suspect, candidate)) others.push_back(&suspect);
     }
-    return fmt::format("Most likely {}, which explains {} of the difference.", who, explained);
+    if (own.size() != 1 || others.size() != 1) return;
+    own.front()->ids.push_back(others.front()->ids.front());
+    own.front()->names.push_back(others.front()->names.front());
 }
 
 } // namespace
 
-void rank_candidates(std::vector<Hypothesis> hypotheses, std::string_view same,
-                     Diagnosis& diagnosis) {
+std::vector<std::string> Candidate::ids() const {
+    std::vector<std::string> all;
+    for (const Suspect& suspect : mistakes)
+        all.insert(all.end(), suspect.ids.begin(), suspect.ids.end());
+    return all;
+}
+
+bool is_bug_id(std::string_view id) {
+    return id.size() > 1 && id[0] == 'B' && id[1] >= '0' && id[1] <= '9';
+}
+
+std::vector<Candidate> ranked(std::vector<Hypothesis> hypotheses) {
     std::stable_sort(hypotheses.begin(), hypotheses.end(),
                      [](const Hypothesis& a, const Hypothesis& b) {
-                         if (price(a) != price(b)) return price(a) < price(b);
-                         if (a.assumptions != b.assumptions) return a.assumptions < b.assumptions;
-                         return a.is_bug && !b.is_bug;
+                         if (a.price != b.price) return a.price < b.price;
+                         return a.is_of_bugs && !b.is_of_bugs;
                      });
+    std::vector<Candidate> candidates;
     std::vector<const Hypothesis*> leaders; // of each candidate
     for (const Hypothesis& h : hypotheses) {
         const auto leader = std::find_if(leaders.begin(), leaders.end(), [&](const Hypothesis* l) {
-            return l->result == h.result && l->distance == h.distance;
+            return l->result == h.result && l->candidate.distance == h.candidate.distance;
         });
         if (leader != leaders.end()) {
-            // What needs more assumptions, or is only another name of a bug's setting, adds
-            // nothing.
-            Candidate& candidate =
-                diagnosis.candidates[static_cast<std::size_t>(leader - leaders.begin())];
-            const bool is_equal =
-                h.is_bug == (*leader)->is_bug && h.assumptions == (*leader)->assumptions;
-            const bool is_new =
-                std::find(candidate.ids.begin(), candidate.ids.end(), h.id) == candidate.ids.end();
-            if (is_equal && is_new) {
-                candidate.ids.push_back(h.id);
-                candidate.names.push_back(h.name);
-            }
+            // What assumes more, or is only another name of a bug's setting, adds nothing.
+            if (h.is_of_bugs == (*leader)->is_of_bugs && h.assumed == (*leader)->assumed)
+                add_names(h.candidate,
+                          candidates[static_cast<std::size_t>(leader - leaders.begin())]);
             continue;
         }
-        // The same mistake with other assumptions is worse than what is listed already.
-        const bool is_listed =
-            std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
-                        [&](const Candidate& candidate) {
-                            return std::find(candidate.ids.begin(), candidate.ids.end(), h.id) !=
-                                   candidate.ids.end();
-                        });
-        if (is_listed || diagnosis.candidates.size() == most_candidates) continue;
-        // Beside what makes the very same, nothing else explains anything more.
-        if (!leaders.empty() && leaders.front()->distance == 0.0) continue;
-        const double explained =
-            diagnosis.distance > 0.0 ? 1.0 - h.distance / diagnosis.distance : 0.0;
-        // What brings nothing nearer is not worth naming.
-        if (explained < least_explained) continue;
+        if (candidates.size() == most_candidates || h.candidate.explained < least_explained)
+            continue;
+        // Beside what makes the very same nothing explains anything more; nor does the same mistake
+        // under other assumptions, or with a second one that leaves more unexplained, or without
+        // the second one.
+        const bool adds_nothing =
+            std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& better) {
+                return better.different == 0 || contains(h.candidate, better) ||
+                       contains(better, h.candidate);
+            });
+        if (adds_nothing) continue;
         leaders.push_back(&h);
-        diagnosis.candidates.push_back({{h.id},
-                                        {h.name},
-                                        h.remark,
-                                        h.distance,
-                                        h.different,
-                                        std::clamp(explained, 0.0, 1.0),
-                                        h.recipe,
-                                        h.right});
+        candidates.push_back(h.candidate);
     }
-    if (diagnosis.is_same()) {
-        diagnosis.verdict = "no difference";
-    } else if (leaders.empty()) {
-        diagnosis.verdict = "No known mistake explains the difference.";
-    } else {
-        diagnosis.verdict = verdict_text(diagnosis.candidates.front(), same);
-    }
+    return candidates;
+}
+
+std::string candidate_text(const Candidate& candidate) {
+    std::vector<std::string> texts;
+    for (const Suspect& suspect : candidate.mistakes)
+        texts.push_back(suspect_text(suspect));
+    return fmt::format("{}", fmt::join(texts, " together with "));
 }
 
 const Candidate* likely_candidate(const Diagnosis& diagnosis) {
     if (diagnosis.is_same() || diagnosis.candidates.empty()) return nullptr;
     const Candidate& first = diagnosis.candidates.front();
-    return is_likely(first) ? &first : nullptr;
+    return first.is_likely ? &first : nullptr;
+}
+
+std::string verdict_on(const Diagnosis& diagnosis, std::string_view same) {
+    if (diagnosis.is_same()) return "no difference";
+    if (diagnosis.candidates.empty()) return "No known mistake explains the difference.";
+    const Candidate& first = diagnosis.candidates.front();
+    const std::string who =
+        candidate_text(first) + (first.remark.empty() ? "" : " (" + first.remark + ")");
+    if (first.different == 0) {
+        const bool is_one = first.mistakes.size() == 1 && first.ids().size() == 1;
+        return fmt::format("{} {} {}.", who, is_one ? "makes" : "make", same);
+    }
+    const std::string explained = explained_text(first.explained, 0);
+    if (first.explained < worth_naming) return "No known mistake explains the difference.";
+    if (!first.is_likely) {
+        return fmt::format("No known mistake explains the difference; the nearest, {}, explains "
+                           "{} of it.",
+                           who, explained);
+    }
+    return fmt::format("Most likely {}, which explains {} of the difference.", who, explained);
 }
 
 std::string explained_text(double part, int digits) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "laboratory/image_variant.h"
@@ -19,52 +20,67 @@ struct PictureRecipe {
     friend bool operator==(const PictureRecipe&, const PictureRecipe&) = default;
 };
 
-/// A mistake that may have made a result. Mistakes that make the very same result are one
-/// candidate.
-struct Candidate {
+/// One mistake by all the names that it may have: each of them makes the very same result.
+struct Suspect {
     std::vector<std::string> ids;   ///< of bugs: "B9"; of others a word: "upside_down"
     std::vector<std::string> names; ///< what they are, in the same order
-    std::string remark;         ///< what it is assumed with: "with light.power=14"; may be empty
+};
+
+/// What may have made a result: one mistake, or a few that come together.
+struct Candidate {
+    std::vector<Suspect> mistakes;
+    std::string remark;         ///< by which rules it is drawn, beside those of the reference that
+                                ///< was asked for: "with light.power=14"; may be empty
     double distance = 0.0;      ///< from the result; 0: the very same
-    std::int64_t different = 0; ///< pixels or rows that differ from the result
-    double explained = 0.0;     ///< part of the difference from the reference, 0..1
+    std::int64_t different = 0; ///< pixels or rows that still differ from the result
+    double explained = 0.0;     ///< part of what differs without the mistakes, 0..1
+    bool is_likely = false;     ///< it explains nearly all, and next to nothing speaks against it
     std::optional<PictureRecipe> recipe{}; ///< of its picture; none: it makes rows
-    std::optional<Settings> right{}; ///< without the mistake but with what the remark assumes;
-                                     ///< none: the reference
+    std::optional<Settings> right{};       ///< the same without the mistakes; none: the reference
+
+    /// Of all its mistakes.
+    std::vector<std::string> ids() const;
 };
 
 /// What may be wrong with a result that was compared with the reference.
 struct Diagnosis {
-    std::string verdict;               ///< a sentence; "no difference"
-    double distance = 0.0;             ///< of the reference from the result
-    std::int64_t different = 0;        ///< pixels or rows that differ from the reference, drawn
-                                       ///< with what the likely candidate assumes
-    std::string place;                 ///< where they do, a sentence; empty if none does
+    std::string verdict;        ///< a sentence; "no difference"
+    std::string rules;          ///< by which other rules, just as right, and with which numbers the
+                                ///< result was made: "stage=fill and light.power=9". The reference
+                                ///< has taken them over. Empty: by those that were asked for
+    double distance = 0.0;      ///< of the reference from the result
+    std::int64_t different = 0; ///< pixels or rows that differ from it
+    std::string place;          ///< where they do, a sentence; empty if none does
+    std::vector<std::string> findings; ///< what can be said all the same where no mistake is
+                                       ///< likely: sentences
     std::vector<Candidate> candidates; ///< most likely first
+    bool is_complete = true;           ///< all was tried; else it was stopped before
 
     bool is_same() const { return different == 0; }
 };
 
 /// A candidate before it is known which others come to the same.
 struct Hypothesis {
-    std::string id{}, name{}, remark{};
-    int assumptions = 1;       ///< how many things differ from the reference
-    bool is_bug = false;       ///< of the laboratory
-    bool explains_more = true; ///< than what it assumes beside the mistake does alone
-    double distance = 0.0;
-    std::int64_t different = 0;
-    std::uint64_t result = 0;              ///< the same number for the same result
-    std::optional<PictureRecipe> recipe{}; ///< as that of the candidate
-    std::optional<Settings> right{};       ///< likewise
+    Candidate candidate;      ///< each mistake with one name
+    double price = 0.0;       ///< of what it leaves unexplained and of what it assumes
+    double assumed = 0.0;     ///< of what it assumes alone
+    std::uint64_t result = 0; ///< the same number for the same result
+    bool is_of_bugs = false;  ///< all its mistakes are the laboratory's
 };
 
-/// Ranks the hypotheses, names those of the same result together, and says the verdict.
-/// @param same what a candidate of distance 0 makes: "this very picture"
-void rank_candidates(std::vector<Hypothesis> hypotheses, std::string_view same,
-                     Diagnosis& diagnosis);
+/// The best hypotheses, at most most_candidates: those of the same result are named together, and
+/// none is listed that adds nothing to a better one.
+std::vector<Candidate> ranked(std::vector<Hypothesis> hypotheses);
 
 /// The candidate of which the verdict says that it is likely; null if there is none.
 const Candidate* likely_candidate(const Diagnosis& diagnosis);
+
+/// The verdict on what differs.
+/// @param same what a candidate of distance 0 makes: "this very picture"
+std::string verdict_on(const Diagnosis& diagnosis, std::string_view same);
+
+/// The mistakes of a candidate, without its remark: "B3 “Position interpolated as it is”".
+std::string candidate_text(const Candidate& candidate);
 
 /// How much of the difference is explained, as it is said: "87 %", "87.2 %". Less than all is never
 /// rounded up to it: it then has a digit more, or ends below it, "99.9 %".
@@ -72,7 +88,14 @@ const Candidate* likely_candidate(const Diagnosis& diagnosis);
 /// @param digits behind the point
 std::string explained_text(double part, int digits);
 
+/// B and a number: is this the id of a mistake of the laboratory?
+bool is_bug_id(std::string_view id);
+
 /// So many candidates are named at most.
 inline constexpr std::size_t most_candidates = 10;
+
+/// A candidate is likely that explains at least this part of what is wrong, and makes at most this
+/// part of what is right wrong.
+inline constexpr double explains_nearly_all = 0.99, speaks_against = 0.001;
 
 } // namespace rasterwalk

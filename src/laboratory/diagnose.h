@@ -15,14 +15,13 @@
 #include "base/limits.h"
 #include "laboratory/bug.h"
 #include "laboratory/candidate.h"
+#include "laboratory/picture_search.h"
 #include "laboratory/printed_rows.h"
 #include "pipeline/work.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
 
 namespace rasterwalk {
-
-class PictureTrial; // laboratory/picture_trial.h
 
 /// Settings whose picture has the same size as this one and shows the same view: the focal length
 /// follows the height. Throws UsageError if that makes it too long or too short.
@@ -36,8 +35,10 @@ struct PicturesDrawn {
 };
 
 /// What may be wrong with a picture, found in parts. The reference draws the scene by the settings,
-/// whose viewport must have the picture's size. Tried are the stages, all orientations, shifts by a
-/// pixel, the lamp's power as it fits best, every bug, and every other word of every choice.
+/// whose viewport must have the picture's size. What differs in rules of which none is wrong, in
+/// the stage, the lamp and the camera is found and becomes the reference; what then remains is
+/// explained by the mistakes, one or two at once, by other words of settings, and by a picture that
+/// is turned or moved.
 class DiagnosisWork {
   public:
     /// Scene and bugs must live as long.
@@ -51,27 +52,33 @@ class DiagnosisWork {
     /// Goes on by about a slice. Throws InputError if all of it is more than most_diagnosis_work.
     void advance(const WorkLimit& limit = {});
 
+    /// Searches no further: what remains is to look closely at what was found so far.
+    void stop_searching();
+
     bool is_done() const { return found_.has_value(); }
     PicturesDrawn pictures() const { return pictures_; }
 
     const Image& picture() const { return picture_; }
     /// What was found, once it is done.
     const Diagnosis& found() const { return *found_; }
-    /// And the picture of the reference, with what the likely candidate assumes.
+    /// And the picture of the reference, by the rules that it has taken over.
     const Image& right_picture() const { return right_picture_; }
 
   private:
     void ask();
+    void look_closely(const std::vector<Trying>& tried);
     void refuse_too_much() const;
 
     Image picture_;
     std::string name_;
     Settings reference_;
-    const std::vector<Bug>* bugs_;
+    std::vector<Deed> deeds_;
     std::unique_ptr<PictureTrial> trial_;
     PicturesDrawn pictures_;
     Image right_picture_;
     bool is_affordable_ = false; ///< by the work that the reference is
+    bool is_stopped_ = false;
+    std::optional<std::vector<Trying>> tried_; ///< once nothing more is searched
     std::optional<Diagnosis> found_;
 };
 
@@ -91,10 +98,10 @@ static_assert(largest_image_side <= largest_viewport,
               "a picture that is read is drawn in its size");
 
 /// About how many pictures are drawn before it is known that no mistake explains a picture.
-inline constexpr double pictures_tried = 600.0;
+inline constexpr double pictures_tried = 1500.0;
 
 /// The most work that all these pictures may be, in fragments (see FrameWork): enough for the room
 /// in the largest picture.
-inline constexpr double most_diagnosis_work = 5e10;
+inline constexpr double most_diagnosis_work = 1.5e11;
 
 } // namespace rasterwalk

@@ -167,12 +167,22 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
     diagnosis.different = apart.different;
     diagnosis.place = first_different_row(right, rows);
     std::vector<Hypothesis> hypotheses;
-    const auto add = [&](Hypothesis hypothesis, const Rows& table) {
+    const auto add = [&](const std::string& id, const std::string& name, const Rows& table) {
+        Hypothesis hypothesis;
         hypothesis.result = fingerprint(table);
         if (hypothesis.result == right_print) return;
         const RowsDistance distance = rows_distance(table, rows);
-        hypothesis.distance = distance.mean;
-        hypothesis.different = distance.different;
+        Candidate& candidate = hypothesis.candidate;
+        candidate.mistakes = {{{id}, {name}}};
+        candidate.distance = distance.mean;
+        candidate.different = distance.different;
+        candidate.explained = std::clamp(1.0 - distance.mean / apart.mean, 0.0, 1.0);
+        // Rows are few: but for one in a hundred all of them must be so.
+        candidate.is_likely = static_cast<double>(distance.different) <=
+                              (1.0 - explains_nearly_all) * static_cast<double>(apart.different);
+        hypothesis.price = distance.mean;
+        hypothesis.assumed = 1.0;
+        hypothesis.is_of_bugs = is_bug_id(id);
         hypotheses.push_back(std::move(hypothesis));
     };
     if (!diagnosis.is_same()) {
@@ -180,8 +190,7 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
             if (!changes_rule(bug)) continue;
             Settings settings = reference;
             apply_bug_rule(bug, settings);
-            add({.id = bug.id, .name = bug.name, .is_bug = true},
-                table_of(subject, scene, settings));
+            add(bug.id, bug.name, table_of(subject, scene, settings));
         }
         for (const Setting& setting : setting_table()) {
             const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
@@ -190,16 +199,17 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
                 Settings settings = reference;
                 set_value(settings, setting, word);
                 const std::string id = fmt::format("{}={}", setting.name, word);
-                add({.id = id, .name = "Made by " + id}, table_of(subject, scene, settings));
+                add(id, "Made by " + id, table_of(subject, scene, settings));
             }
         }
         for (const RowsEdit& edit : rows_edits()) {
             Rows edited = right;
             edit.apply(edited);
-            add({.id = edit.id, .name = edit.name}, edited);
+            add(edit.id, edit.name, edited);
         }
     }
-    rank_candidates(std::move(hypotheses), "this very table", diagnosis);
+    diagnosis.candidates = ranked(std::move(hypotheses));
+    diagnosis.verdict = verdict_on(diagnosis, "this very table");
     return diagnosis;
 }
 

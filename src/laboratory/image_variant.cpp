@@ -37,6 +37,9 @@ Image rearranged(const Image& image, From from) {
     return result;
 }
 
+/// Steps of 255: as much is no difference, and so much is one that counts in full.
+constexpr int same_within = 1, wholly_wrong = 16;
+
 /// A hash with one pixel more: FNV-1a, by whole pixels.
 std::uint64_t hashed(std::uint64_t hash, const std::uint8_t* pixel) {
     const std::uint32_t bytes = std::uint32_t{pixel[0]} | std::uint32_t{pixel[1]} << 8u |
@@ -47,18 +50,53 @@ std::uint64_t hashed(std::uint64_t hash, const std::uint8_t* pixel) {
 
 } // namespace
 
+bool is_same_pixel(const std::uint8_t* a, const std::uint8_t* b) {
+    for (int channel = 0; channel < 3; ++channel) {
+        if (std::abs(static_cast<int>(a[channel]) - static_cast<int>(b[channel])) > same_within)
+            return false;
+    }
+    return true;
+}
+
+bool is_black(const std::uint8_t* pixel) {
+    return std::max({pixel[0], pixel[1], pixel[2]}) <= same_within;
+}
+
+bool has_same_hue(const std::uint8_t* a, const std::uint8_t* b) {
+    constexpr int least_sum = 30, hundredths_apart = 3;
+    const int sum_a = a[0] + a[1] + a[2], sum_b = b[0] + b[1] + b[2];
+    if (sum_a < least_sum || sum_b < least_sum) return true;
+    for (int i = 0; i < 3; ++i) {
+        if (100 * std::abs(a[i] * sum_b - b[i] * sum_a) > hundredths_apart * sum_a * sum_b)
+            return false;
+    }
+    return true;
+}
+
 void ImageMeasure::measure_to(const Image& image, const Image& other, int row) {
     const auto width = 4 * static_cast<std::size_t>(image.width);
     const std::size_t begin = static_cast<std::size_t>(rows_) * width;
     const std::size_t end = static_cast<std::size_t>(row) * width;
     for (std::size_t i = begin; i < end; i += 4) {
-        int pixel = 0;
+        int largest = 0;
         for (std::size_t channel = 0; channel < 3; ++channel) {
-            pixel += std::abs(static_cast<int>(image.rgba[i + channel]) -
-                              static_cast<int>(other.rgba[i + channel]));
+            const int apart = std::abs(static_cast<int>(image.rgba[i + channel]) -
+                                       static_cast<int>(other.rgba[i + channel]));
+            sum_ += apart;
+            largest = std::max(largest, apart);
         }
-        sum_ += pixel;
-        different_ += pixel > 0 ? 1 : 0;
+        if (largest > same_within) {
+            ++different_;
+            wrong_ += std::min(largest, wholly_wrong);
+        }
+        const std::uint8_t *pixel = image.rgba.data() + i, *wanted = other.rgba.data() + i;
+        if (is_black(wanted)) {
+            ++black_;
+            black_otherwise_ += is_black(pixel) ? 0 : 1;
+        } else {
+            ++seen_;
+            seen_otherwise_ += is_black(pixel) || !has_same_hue(pixel, wanted) ? 1 : 0;
+        }
         print_ = hashed(print_, image.rgba.data() + i);
     }
     channels_ += static_cast<std::int64_t>(3 * (end - begin) / 4);
@@ -67,7 +105,12 @@ void ImageMeasure::measure_to(const Image& image, const Image& other, int row) {
 
 ImageDistance ImageMeasure::distance() const {
     if (channels_ == 0) return {};
-    return {static_cast<double>(sum_) / static_cast<double>(channels_), different_};
+    const auto part = [](std::int64_t some, std::int64_t all) {
+        return all > 0 ? static_cast<double>(some) / static_cast<double>(all) : 0.0;
+    };
+    return {static_cast<double>(sum_) / static_cast<double>(channels_), different_,
+            static_cast<double>(wrong_) / wholly_wrong,
+            part(seen_otherwise_, seen_) + 0.25 * part(black_otherwise_, black_)};
 }
 
 Image with_differences_marked(const Image& image, const Image& other, float scale) {
@@ -93,7 +136,7 @@ Image with_differences_marked(const Image& image, const Image& other, float scal
     for (int row = 0; row < image.height; ++row) {
         for (int column = 0; column < image.width; ++column) {
             const auto from = pixel(image, column, row);
-            if (std::equal(from, from + 3, pixel(other, column, row))) continue;
+            if (is_same_pixel(&*from, &*pixel(other, column, row))) continue;
             for (int y = first(row, result.height); y <= last(row, result.height); ++y) {
                 for (int x = first(column, result.width); x <= last(column, result.width); ++x)
                     std::copy(orange.begin(), orange.end(), pixel(result, x, y));
@@ -109,7 +152,7 @@ Differences differences_of(const Image& a, const Image& b) {
     auto from = a.rgba.begin(), other = b.rgba.begin();
     for (int row = 0; row < a.height; ++row) {
         for (int column = 0; column < a.width; ++column, from += 4, other += 4) {
-            if (std::equal(from, from + 3, other)) continue;
+            if (is_same_pixel(&*from, &*other)) continue;
             ++found.pixels;
             area = {std::min(area.left, column), std::min(area.top, row),
                     std::max(area.right, column + 1), row + 1};

@@ -1,14 +1,10 @@
 #include "laboratory/picture_trial.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
+#include <utility>
 
-#include <fmt/format.h>
-
-#include "base/limits.h"
-#include "base/numbers.h"
 #include "picture/view_image.h"
-#include "settings/setting_table.h"
 
 namespace rasterwalk {
 
@@ -23,88 +19,119 @@ int row_after(double work, int done, const Image& picture) {
     return done + rows_within(part, pixel_work, {picture.width, picture.height}, done);
 }
 
-Settings with_power(Settings settings, float power) {
-    settings.light.power = glm::vec3(power);
-    return settings;
-}
-
-/// The power as a person would have chosen it, if that fits no worse.
-float rounded_power(PictureTrial& trial, const Settings& settings, float power) {
-    const auto distance = [&](float value) {
-        return trial.drawn(with_power(settings, value)).distance.mean;
-    };
-    float best = power;
-    double smallest = distance(power);
-    for (const float digits : {1.0f, 10.0f, 100.0f}) {
-        const float candidate = std::round(power * digits) / digits;
-        if (candidate <= 0.0f) continue;
-        const double there = distance(candidate);
-        if (there < smallest) {
-            best = candidate;
-            smallest = there;
-        }
-    }
-    return best;
-}
-
-/// The step at which the picture comes nearest to having been drawn.
-StripStep nearest_step(PictureTrial& trial, const Settings& reference) {
-    Settings settings = reference;
-    StripStep nearest = step_of(reference);
-    double smallest = trial.drawn(reference).distance.mean;
-    for (const StageInfo& info : stage_list()) {
-        set_step(settings, info.step);
-        const double distance = trial.drawn(settings).distance.mean;
-        if (distance < smallest) {
-            nearest = info.step;
-            smallest = distance;
-        }
-    }
-    return nearest;
-}
-
 } // namespace
 
-const Drawn& PictureTrial::drawn(const PictureRecipe& recipe) {
-    for (const Drawn& one : drawn_) {
-        if (one.recipe == recipe) return one;
+/// Of the numbers and words that most often differ; others only cost a comparison more.
+std::size_t PictureTrial::Hash::operator()(const PictureRecipe& recipe) const {
+    const Settings& s = recipe.settings;
+    std::size_t hash = 0;
+    const auto add = [&](auto value) {
+        hash = hash * 1099511628211u ^ std::hash<decltype(value)>()(value);
+    };
+    for (int i = 0; i < 3; ++i) {
+        add(s.camera.position[i]);
+        add(s.light.position[i]);
     }
+    add(s.camera.yaw);
+    add(s.camera.focal_length);
+    add(s.light.power.x);
+    add(s.light.indirect.x);
+    add(s.depth_clear);
+    for (const int word : {static_cast<int>(s.stage),
+                           static_cast<int>(s.shading),
+                           static_cast<int>(s.coverage),
+                           static_cast<int>(s.vertex_rounding),
+                           static_cast<int>(s.line),
+                           static_cast<int>(s.line_rounding),
+                           static_cast<int>(s.line_walk),
+                           static_cast<int>(s.edge_samples),
+                           static_cast<int>(s.row_start),
+                           static_cast<int>(s.spans),
+                           static_cast<int>(s.bounds),
+                           static_cast<int>(s.depth_test),
+                           static_cast<int>(s.interpolation),
+                           static_cast<int>(s.rotation),
+                           static_cast<int>(s.image_axes),
+                           static_cast<int>(s.clip),
+                           static_cast<int>(s.cull),
+                           static_cast<int>(s.light_rules.direction),
+                           static_cast<int>(s.light_rules.falloff),
+                           static_cast<int>(s.light_rules.sum),
+                           static_cast<int>(recipe.orientation),
+                           recipe.right,
+                           recipe.down}) {
+        add(word);
+    }
+    return hash;
+}
+
+const Drawn& PictureTrial::drawn(const PictureRecipe& recipe) {
+    const auto found = drawn_.find(recipe);
+    if (found != drawn_.end()) return found->second;
     want({Want::distance, recipe});
     static const Drawn nothing;
     return nothing;
 }
 
-/// Light is the sum of a part without the lamp and one that grows with its power, so two pictures
-/// tell it.
-std::optional<float> PictureTrial::fitted_power(const Settings& settings) {
-    if (shading_rule(settings) == Shading::unlit) return std::nullopt;
-    for (const Fitted& one : fitted_) {
-        if (one.settings == settings) return one.power;
-    }
-    want({Want::power, PictureRecipe{settings}});
-    return std::nullopt;
+const Settings& PictureTrial::fitted(const Settings& settings, const Settings& usual,
+                                     FitSubject subject, FitEffort effort) {
+    const bool counts = subject == FitSubject::camera ? scene_->space == SceneSpace::world &&
+                                                            settings.camera.aim == CameraAim::angles
+                                                      : shading_rule(settings) != Shading::unlit;
+    if (!counts) return settings;
+    const Wanted wanted{Want::fit, PictureRecipe{settings}, subject, effort, PictureRecipe{usual}};
+    const auto found = fitted_.find(wanted);
+    if (found != fitted_.end()) return found->second;
+    want(wanted);
+    return settings;
 }
 
-const Image* PictureTrial::picture_of(const PictureRecipe& recipe) {
+PixelCounts PictureTrial::compared(const PictureRecipe& with, const PictureRecipe& without) {
+    const Wanted wanted{.what = Want::comparison, .recipe = with, .without = without};
+    const auto found = compared_.find(wanted);
+    if (found != compared_.end()) return found->second;
+    want(wanted);
+    return {};
+}
+
+const KeptPicture* PictureTrial::picture_of(const PictureRecipe& recipe) {
     if (kept_recipe_ == recipe) return &kept_;
     want({Want::picture, recipe});
     return nullptr;
 }
 
 void PictureTrial::want(const Wanted& wanted) {
-    if (std::find(wanted_.begin(), wanted_.end(), wanted) == wanted_.end())
+    if (is_stopped_) {
+        is_answered_ = false;
+    } else if (std::find(wanted_.begin(), wanted_.end(), wanted) == wanted_.end()) {
         wanted_.push_back(wanted);
+    }
 }
 
-void PictureTrial::begin_again() {
-    hypotheses.clear();
-    tried.clear();
+void PictureTrial::stop_drawing() {
+    is_stopped_ = true;
+    wanted_.clear();
+    measure_ = {};
+    is_fitting_ = false;
 }
 
 void PictureTrial::advance(const WorkLimit& limit) {
-    for (double left = limit.slice; is_waiting() && left > 0.0;) {
+    for (double left = limit.slice; !wanted_.empty() && left > 0.0;) {
         const Wanted& wanted = wanted_.front();
-        left -= wanted.what == Want::power ? fit(wanted, left) : measure(wanted, left);
+        switch (wanted.what) {
+        case Want::distance:
+            left -= measure(wanted, left);
+            break;
+        case Want::fit:
+            left -= fit(wanted, left);
+            break;
+        case Want::comparison:
+            left -= compare(wanted, left);
+            break;
+        case Want::picture:
+            left -= keep(wanted, left);
+            break;
+        }
     }
 }
 
@@ -131,24 +158,28 @@ double PictureTrial::draw(const Settings& settings, double most) {
     return 0.5 * pixel_work * rows * image_.width;
 }
 
+/// The same, turned and moved into `rearranged_`.
+double PictureTrial::draw_recipe(const PictureRecipe& recipe, double most) {
+    const double done = draw(recipe.settings, most);
+    if (done > 0.0) return done;
+    picture_work_ = drawing_.work() + pixel_work * image_.width * image_.height;
+    rearranged_ = shifted(oriented(image_, recipe.orientation), recipe.right, recipe.down);
+    return 0.0;
+}
+
 double PictureTrial::measure(const Wanted& wanted, double most) {
     const PictureRecipe& recipe = wanted.recipe;
-    if (const double done = draw(recipe.settings, most); done > 0.0) return done;
     const bool is_plain = recipe == PictureRecipe{recipe.settings};
-    if (!is_plain && !rearranged_)
-        rearranged_ = shifted(oriented(image_, recipe.orientation), recipe.right, recipe.down);
-    const Image& image = is_plain ? image_ : *rearranged_;
+    if (measure_.rows() == 0 || on_canvas_ != recipe.settings) {
+        const double done = is_plain ? draw(recipe.settings, most) : draw_recipe(recipe, most);
+        if (done > 0.0) return done;
+        picture_work_ = drawing_.work() + pixel_work * image_.width * image_.height;
+    }
+    const Image& image = is_plain ? image_ : rearranged_;
     const int begun = measure_.rows(), end = row_after(most, begun, image);
     measure_.measure_to(image, *picture_, end);
     if (end == image.height) {
-        picture_work_ = drawing_.work() + pixel_work * image.width * image.height;
-        if (wanted.what == Want::picture) {
-            kept_ = image;
-            kept_recipe_ = recipe;
-        } else {
-            drawn_.push_back({recipe, measure_.distance(), measure_.print()});
-        }
-        rearranged_.reset();
+        drawn_.emplace(recipe, Drawn{measure_.distance(), measure_.print()});
         measure_ = {};
         wanted_.pop_front();
     }
@@ -156,94 +187,52 @@ double PictureTrial::measure(const Wanted& wanted, double most) {
 }
 
 double PictureTrial::fit(const Wanted& wanted, double most) {
-    const Settings& settings = wanted.recipe.settings;
-    const bool has_without = !fit_.without.empty();
-    if (const double done = draw(with_power(settings, has_without ? 1.0f : 0.0f), most); done > 0.0)
-        return done;
-    if (!has_without) {
-        fit_.without = drawing_.picture().colour;
-        return 1.0;
+    if (!is_fitting_) {
+        fit_.begin(*picture_, *scene_, {wanted.recipe.settings, wanted.without.settings},
+                   wanted.subject, wanted.effort);
+        is_fitting_ = true;
     }
-    const int begun = fit_.rows, end = row_after(most, begun, *picture_);
-    sum_rows(end);
-    if (end == picture_->height) {
-        const double power = fit_.squares > 0.0 ? fit_.products / fit_.squares : 0.0;
-        const bool fits = power > 0.0 && power < static_cast<double>(largest_power);
-        fitted_.push_back(
-            {settings, fits ? std::optional(static_cast<float>(power)) : std::nullopt});
-        fit_ = {};
+    const double done = fit_.advance(most);
+    if (fit_.is_done()) {
+        fitted_.emplace(wanted, fit_.found());
+        is_fitting_ = false;
         wanted_.pop_front();
     }
-    return std::max(pixel_work * (end - begun) * picture_->width, 1.0);
+    return done;
 }
 
-void PictureTrial::sum_rows(int end) {
-    const std::vector<glm::vec3>&without = fit_.without, &with = drawing_.picture().colour;
-    const auto width = static_cast<std::size_t>(picture_->width);
-    const bool is_encoded = drawing_.picture().rules.screen.encode == encode_srgb;
-    const auto light_of = [&](std::uint8_t byte) {
-        const double channel = (byte + 0.5) / 255.0;
-        return is_encoded ? double{decode_srgb(static_cast<float>(channel))} : channel;
+double PictureTrial::compare(const Wanted& wanted, double most) {
+    const bool is_begun = without_ == wanted.without;
+    const PictureRecipe& recipe = is_begun ? wanted.recipe : wanted.without;
+    if (const double done = draw_recipe(recipe, most); done > 0.0) return done;
+    const std::size_t count = picture_->rgba.size() / 4;
+    const auto is_right = [&](std::size_t i) {
+        return is_same_pixel(rearranged_.rgba.data() + 4 * i, picture_->rgba.data() + 4 * i);
     };
-    for (std::size_t i = static_cast<std::size_t>(fit_.rows) * width;
-         i < static_cast<std::size_t>(end) * width; ++i) {
-        for (int channel = 0; channel < 3; ++channel) {
-            const std::uint8_t byte = picture_->rgba[4 * i + static_cast<std::size_t>(channel)];
-            const double part =
-                static_cast<double>(with[i][channel]) - static_cast<double>(without[i][channel]);
-            // Black may be a gap, and white may be cut off.
-            if (byte == 0 || byte == 255 || !(part > 0.0) || !std::isfinite(part)) continue;
-            const double wanted = light_of(byte) - static_cast<double>(without[i][channel]);
-            fit_.products += part * wanted;
-            fit_.squares += part * part;
+    if (!is_begun) {
+        is_right_.resize(count);
+        for (std::size_t i = 0; i < count; ++i)
+            is_right_[i] = is_right(i);
+        without_ = wanted.without;
+    } else {
+        PixelCounts counts;
+        for (std::size_t i = 0; i < count; ++i) {
+            const bool was_right = is_right_[i], is_now = is_right(i);
+            ++(was_right ? counts.right : counts.wrong);
+            if (was_right != is_now) ++(is_now ? counts.explained : counts.spoilt);
         }
+        compared_.emplace(wanted, counts);
+        wanted_.pop_front();
     }
-    fit_.rows = end;
+    return static_cast<double>(count);
 }
 
-std::string power_remark(const std::string& remark, const Settings& settings) {
-    return fmt::format("{} light.power={}", remark.empty() ? "with" : remark + " and",
-                       number_text(settings.light.power.x));
-}
-
-std::optional<Settings> with_fitted_power(PictureTrial& trial, const Settings& settings) {
-    const std::optional<float> power = trial.fitted_power(settings);
-    if (!power) return std::nullopt;
-    const Settings lit = with_power(settings, rounded_power(trial, settings, *power));
-    constexpr double clearly_nearer = 0.9;
-    const double nearer = trial.drawn(lit).distance.mean;
-    if (nearer > clearly_nearer * trial.drawn(settings).distance.mean) return std::nullopt;
-    return lit;
-}
-
-std::vector<Base> find_bases(PictureTrial& trial, const Settings& reference) {
-    std::vector<Base> bases{{reference, "", 0}};
-    const auto add = [&](const Settings& settings, const std::string& remark, int assumptions) {
-        for (const Base& base : bases) {
-            if (base.settings == settings) return;
-        }
-        bases.push_back({settings, remark, assumptions});
-    };
-    const auto at_step = [&](const StripStep& step) {
-        Settings settings = reference;
-        set_step(settings, step);
-        return settings;
-    };
-    const auto remark_of = [&](const StripStep& step) {
-        if (step == step_of(reference)) return std::string();
-        return fmt::format("with stage={}",
-                           stage_list()[static_cast<std::size_t>(strip_place(step))].name);
-    };
-    const StripStep nearest = nearest_step(trial, reference);
-    if (trial.is_waiting()) return bases;
-    add(at_step(nearest), remark_of(nearest), 1);
-    for (const StripStep& step : {StripStep::vertex_light, StripStep::pixel_light}) {
-        const std::optional<Settings> lit = with_fitted_power(trial, at_step(step));
-        if (!lit) continue;
-        const std::string remark = remark_of(step);
-        add(*lit, power_remark(remark, *lit), remark.empty() ? 1 : 2);
-    }
-    return bases;
+double PictureTrial::keep(const Wanted& wanted, double most) {
+    if (const double done = draw_recipe(wanted.recipe, most); done > 0.0) return done;
+    kept_ = {rearranged_, drawing_.picture().owner};
+    kept_recipe_ = wanted.recipe;
+    wanted_.pop_front();
+    return static_cast<double>(kept_.owners.size());
 }
 
 } // namespace rasterwalk

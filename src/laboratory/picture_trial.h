@@ -3,15 +3,13 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
-#include <string>
-#include <utility>
+#include <unordered_map>
 #include <vector>
-
-#include <glm/vec3.hpp>
 
 #include "base/image.h"
 #include "laboratory/candidate.h"
 #include "laboratory/image_variant.h"
+#include "laboratory/parameter_fit.h"
 #include "pipeline/frame_drawing.h"
 #include "pipeline/work.h"
 #include "scene/scene.h"
@@ -21,9 +19,22 @@ namespace rasterwalk {
 
 /// What was drawn and measured once.
 struct Drawn {
-    PictureRecipe recipe;
     ImageDistance distance; ///< from the picture
     std::uint64_t print = 0;
+};
+
+/// What a mistake does to the pixels of a picture that is drawn without it.
+struct PixelCounts {
+    std::int64_t wrong = 0;     ///< without the mistake
+    std::int64_t explained = 0; ///< of these, right with it
+    std::int64_t right = 0;     ///< without the mistake
+    std::int64_t spoilt = 0;    ///< of these, wrong with it
+};
+
+/// A picture with what is asked of it at the end.
+struct KeptPicture {
+    Image image;
+    std::vector<std::int32_t> owners; ///< triangle that each pixel shows; -1: none
 };
 
 /// Everything that is tried on one picture. What a question needs is drawn in parts: until all of
@@ -37,16 +48,21 @@ class PictureTrial {
     const Drawn& drawn(const PictureRecipe& recipe);
     const Drawn& drawn(const Settings& settings) { return drawn(PictureRecipe{settings}); }
 
-    /// The lamp's power with which the picture comes nearest, all else as it is; none if it does
-    /// not show, or while the trial is waiting for it.
-    std::optional<float> fitted_power(const Settings& settings);
+    /// The settings with the numbers with which their picture comes nearest; as they are while the
+    /// trial is waiting for it, and where no light or no camera counts.
+    /// @param usual see ParameterFit
+    const Settings& fitted(const Settings& settings, const Settings& usual, FitSubject subject,
+                           FitEffort effort);
+
+    /// How a picture made by one recipe compares with the picture made by another.
+    PixelCounts compared(const PictureRecipe& with, const PictureRecipe& without);
 
     /// The picture itself, which is kept until another is asked for; null while the trial is
     /// waiting for it.
-    const Image* picture_of(const PictureRecipe& recipe);
+    const KeptPicture* picture_of(const PictureRecipe& recipe);
 
     /// Has a question not been answered?
-    bool is_waiting() const { return !wanted_.empty(); }
+    bool is_waiting() const { return !wanted_.empty() || !is_answered_; }
     std::size_t pictures_missing() const { return wanted_.size(); }
 
     /// Goes on drawing and measuring what was asked for.
@@ -55,89 +71,64 @@ class PictureTrial {
     /// About how much work a picture is, drawn and measured; known once one is.
     double picture_work() const { return picture_work_; }
 
-    /// Forgets what was added, not what was drawn.
-    void begin_again();
-    void add(Hypothesis hypothesis, const Drawn& one) {
-        hypothesis.distance = one.distance.mean;
-        hypothesis.different = one.distance.different;
-        hypothesis.result = one.print;
-        hypotheses.push_back(std::move(hypothesis));
-    }
-    /// Of a mistake, with which the lamp's power may be fitted anew.
-    void add(Hypothesis hypothesis, const Drawn& one, const Settings& settings) {
-        tried.push_back({hypotheses.size(), settings});
-        hypothesis.recipe = PictureRecipe{settings};
-        add(std::move(hypothesis), one);
+    /// From now on nothing new is drawn: what is missing stays so, and what was asked for is let
+    /// go.
+    void stop_drawing();
+    void draw_again() {
+        is_stopped_ = false;
+        is_answered_ = true;
     }
 
     const Scene& scene() const { return *scene_; }
-    std::vector<Hypothesis> hypotheses;
-    struct Tried {
-        std::size_t hypothesis = 0; ///< its number
-        Settings settings;
-    };
-    std::vector<Tried> tried;
+    const Image& picture() const { return *picture_; }
 
   private:
-    /// The light of a frame without the lamp and with it, and what fits them to the picture.
-    struct Fit {
-        std::vector<glm::vec3> without; ///< colours; empty until they are drawn
-        int rows = 0;                   ///< that are summed up
-        double products = 0.0, squares = 0.0;
-    };
-    struct Fitted {
-        Settings settings;
-        std::optional<float> power;
-    };
-    enum class Want : std::uint8_t { distance, power, picture };
+    enum class Want : std::uint8_t { distance, fit, comparison, picture };
     struct Wanted {
         Want what;
         PictureRecipe recipe;
+        FitSubject subject = FitSubject::lamp;
+        FitEffort effort = FitEffort::quick;
+        PictureRecipe without{}; ///< of a comparison; of a fit, what is usual
 
         friend bool operator==(const Wanted&, const Wanted&) = default;
+    };
+    struct Hash {
+        std::size_t operator()(const PictureRecipe& recipe) const;
+        std::size_t operator()(const Wanted& wanted) const { return (*this)(wanted.recipe); }
     };
 
     void want(const Wanted& wanted);
     double draw(const Settings& settings, double most);
+    double draw_recipe(const PictureRecipe& recipe, double most);
     double measure(const Wanted& wanted, double most);
     double fit(const Wanted& wanted, double most);
-    void sum_rows(int end);
+    double compare(const Wanted& wanted, double most);
+    double keep(const Wanted& wanted, double most);
 
     const Image* picture_;
     const Scene* scene_;
-    std::deque<Drawn> drawn_; // whose members do not move
-    std::vector<Fitted> fitted_;
+    std::unordered_map<PictureRecipe, Drawn, Hash> drawn_;
+    std::unordered_map<Wanted, Settings, Hash> fitted_;
+    std::unordered_map<Wanted, PixelCounts, Hash> compared_;
     std::optional<PictureRecipe> kept_recipe_;
-    Image kept_;
+    KeptPicture kept_;
     std::deque<Wanted> wanted_;
+    bool is_answered_ = true; ///< false: a question was refused since nothing is drawn any more
+    bool is_stopped_ = false;
 
     // The first that is wanted, on its way:
     FrameDrawing drawing_;
     std::optional<Settings> on_canvas_; ///< what is being drawn, or was drawn last
     Image image_;                       ///< of that, as far as `image_rows_`
     int image_rows_ = 0;
-    std::optional<Image> rearranged_; ///< turned and moved
+    Image rearranged_; ///< turned and moved
     ImageMeasure measure_;
-    Fit fit_;
+    ParameterFit fit_;
+    bool is_fitting_ = false;
+    std::optional<PictureRecipe> without_; ///< of which `is_right_` is
+    std::vector<bool> is_right_;           ///< its pixels
     double picture_work_ = 0.0;
 };
-
-/// Settings from which the mistakes are tried, and what they assume beside the reference.
-struct Base {
-    Settings settings;
-    std::string remark;
-    int assumptions = 0;
-};
-
-/// The reference, and what else the student may have set without it being a mistake: the stage and
-/// the lamp's power.
-std::vector<Base> find_bases(PictureTrial& trial, const Settings& reference);
-
-/// The settings with the lamp's power that fits best; none if it does not show, or no power brings
-/// the picture clearly nearer.
-std::optional<Settings> with_fitted_power(PictureTrial& trial, const Settings& settings);
-
-/// "with light.power=14", behind what is assumed already.
-std::string power_remark(const std::string& remark, const Settings& settings);
 
 } // namespace rasterwalk

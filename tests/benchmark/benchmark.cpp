@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "camera_benchmark.h"
 #include "compare/compare.h"
+#include "diagnosis_benchmark.h"
 #include "frame_benchmark.h"
 #include "inspect/culling_cost.h"
 #include "inspect/pixel_history.h"
@@ -41,7 +42,8 @@ constexpr const char* usage =
     "usage: rasterwalk-benchmark [REPETITIONS]\n"
     "       rasterwalk-benchmark camera [--steps N] [--against FILE] [NAME...]\n"
     "       rasterwalk-benchmark models [--against FILE] [NAME...]\n"
-    "       rasterwalk-benchmark frames [NAME...]";
+    "       rasterwalk-benchmark frames [NAME...]\n"
+    "       rasterwalk-benchmark diagnoses [ID...]";
 
 /// How long one thing took, over all its repetitions.
 struct Measurement {
@@ -254,6 +256,10 @@ int main(int argc, char** argv) {
         }
         if (!words.empty() && words.front() == "frames") {
             print_frame_times({words.begin() + 1, words.end()});
+            return 0;
+        }
+        if (!words.empty() && words.front() == "diagnoses") {
+            print_diagnosis_times({words.begin() + 1, words.end()});
             return 0;
         }
         if (words.size() > 1) throw UsageError(usage);

@@ -46,6 +46,32 @@ TEST_CASE("diagnose names the mistake, exit code 1") {
     CHECK_THAT(json.out, ContainsSubstring("\"B3\""));
 }
 
+TEST_CASE("diagnose says by which rules a right picture is drawn") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("mine.png");
+    REQUIRE(render(path, {"--set", "vertex_rounding=truncate_sum", "--stage", "fill"}).exit_code ==
+            0);
+    const CliRun result = run({"diagnose", path});
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.out, ContainsSubstring("no difference"));
+    CHECK_THAT(result.out, ContainsSubstring("Your program draws with stage=fill and "
+                                             "vertex_rounding=truncate_sum, which is just as "
+                                             "right"));
+}
+
+TEST_CASE("diagnose stops after its seconds and says so") {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("mine.png");
+    REQUIRE(
+        render(path, {"--set", "edge_samples=rows", "--set", "interpolation=affine"}).exit_code ==
+        0);
+    const CliRun result = run({"diagnose", path, "--seconds", "0.000001"});
+    CHECK(result.exit_code == 1);
+    CHECK_THAT(result.out, ContainsSubstring("The search was stopped before everything was tried"));
+    CHECK_THAT(run({"diagnose", path, "--seconds", "0.000001", "--json"}).out,
+               ContainsSubstring("\"complete\" : false"));
+}
+
 TEST_CASE("A picture in the place of a scene is told what it is for, exit code 2") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("mine.png");
@@ -112,6 +138,8 @@ TEST_CASE("diagnose complains about files in a sentence") {
     CHECK(exit_code("BM and then nothing") == 3);
     CHECK(run({"diagnose", folder.file("none.png")}).exit_code == 4);
     CHECK(run({"diagnose"}).exit_code == 2);
+    for (const char* seconds : {"0", "-1", "nan", "soon"})
+        CHECK(run({"diagnose", folder.file("none.png"), "--seconds", seconds}).exit_code == 2);
 }
 
 TEST_CASE("diagnose and check say on a terminal how far they are, and leave nothing there") {

@@ -29,17 +29,62 @@ TEST_CASE("What is explained in part is never said to be explained in full") {
     }
 }
 
-TEST_CASE("A verdict does not say that all is explained where pixels still differ") {
-    Diagnosis diagnosis;
-    diagnosis.distance = 1000.0;
-    diagnosis.different = 500;
-    Hypothesis nearly;
-    nearly.id = "B9";
-    nearly.name = "Nearly";
-    nearly.distance = 0.4; // 99.96 % are explained
-    nearly.different = 3;
-    rank_candidates({nearly}, "this very picture", diagnosis);
-    CHECK(diagnosis.verdict == "Most likely B9 “Nearly”, which explains 99.9 % of the difference.");
+namespace {
+namespace candidates {
+
+Hypothesis made_by(std::vector<std::string> ids, std::int64_t left, std::uint64_t result) {
+    Hypothesis h;
+    for (const std::string& id : ids)
+        h.candidate.mistakes.push_back({{id}, {"Name of " + id}});
+    h.candidate.distance = static_cast<double>(left) / 1000.0;
+    h.candidate.different = left;
+    h.candidate.explained = 1.0 - static_cast<double>(left) / 500.0;
+    h.candidate.is_likely = h.candidate.explained >= explains_nearly_all;
+    h.assumed = static_cast<double>(ids.size());
+    h.price = static_cast<double>(left) + h.assumed;
+    h.result = result;
+    h.is_of_bugs = true;
+    return h;
 }
+
+std::string verdict(std::vector<Hypothesis> hypotheses) {
+    Diagnosis diagnosis;
+    diagnosis.different = 500;
+    diagnosis.candidates = ranked(std::move(hypotheses));
+    return verdict_on(diagnosis, "this very picture");
+}
+
+TEST_CASE("A verdict does not say that all is explained where pixels still differ") {
+    CHECK(verdict({made_by({"B9"}, 3, 1)}) ==
+          "Most likely B9 “Name of B9”, which explains 99 % of the difference.");
+    CHECK(verdict({made_by({"B9"}, 0, 1)}) == "B9 “Name of B9” makes this very picture.");
+    CHECK(verdict({made_by({"B9"}, 100, 1)}) ==
+          "No known mistake explains the difference; the nearest, B9 “Name of B9”, explains 80 % "
+          "of it.");
+    CHECK(verdict({made_by({"B9"}, 400, 1)}) == "No known mistake explains the difference.");
+}
+
+TEST_CASE("Mistakes of the same result are one candidate, under all their names") {
+    CHECK(verdict({made_by({"B9"}, 0, 1), made_by({"B8"}, 0, 1)}) ==
+          "B9 “Name of B9” or B8 “Name of B8” make this very picture.");
+    CHECK(verdict({made_by({"B9", "B3"}, 0, 1), made_by({"B9", "B4"}, 0, 1)}) ==
+          "B9 “Name of B9” together with B3 “Name of B3” or B4 “Name of B4” make this very "
+          "picture.");
+}
+
+TEST_CASE("A candidate that adds nothing to a better one is not listed") {
+    // With a second mistake that leaves more, the same mistake alone, and what is no better.
+    const std::vector<Candidate> listed =
+        ranked({made_by({"B3"}, 50, 1), made_by({"B3", "B9"}, 60, 2), made_by({"B5"}, 90, 3),
+                made_by({"B5"}, 95, 4), made_by({"B8"}, 500, 5)});
+    REQUIRE(listed.size() == 2);
+    CHECK(listed[0].ids() == std::vector<std::string>{"B3"});
+    CHECK(listed[1].ids() == std::vector<std::string>{"B5"});
+    // Beside what makes the very same nothing explains anything more.
+    CHECK(ranked({made_by({"B3", "B9"}, 0, 1), made_by({"B5"}, 90, 3)}).size() == 1);
+}
+
+} // namespace candidates
+} // namespace
 
 } // namespace rasterwalk

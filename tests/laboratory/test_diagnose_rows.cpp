@@ -86,7 +86,7 @@ TEST_CASE("The table of every bug is told, if the bug changes it") {
         CAPTURE(bug.id);
         const Diagnosis diagnosis = diagnose(text, shallow_points);
         REQUIRE_FALSE(diagnosis.candidates.empty());
-        const std::vector<std::string>& ids = diagnosis.candidates.front().ids;
+        const std::vector<std::string>& ids = diagnosis.candidates.front().ids();
         CHECK(std::find(ids.begin(), ids.end(), bug.id) != ids.end());
         CHECK_THAT(diagnosis.verdict, ContainsSubstring("this very table"));
     }

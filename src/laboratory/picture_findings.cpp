@@ -1,0 +1,155 @@
+#include "laboratory/picture_findings.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/element_names.h"
+#include "base/enumerated.h"
+#include "base/numbers.h"
+#include "laboratory/image_variant.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Of all pixels, so many may be those of rounding alone.
+constexpr double rounding_part = 0.002;
+
+const std::uint8_t* pixel_of(const Image& image, std::size_t i) {
+    return image.rgba.data() + 4 * i;
+}
+
+/// How the wrong pixels are wrong.
+struct Kinds {
+    std::int64_t missing = 0, extra = 0, other_hue = 0, brightness = 0;
+};
+
+std::string first_stage(const Kinds& kinds) {
+    if (kinds.missing + kinds.extra > 0) {
+        std::vector<std::string> what;
+        if (kinds.missing > 0) {
+            what.push_back(counted(kinds.missing, "pixel is", "pixels are") +
+                           " black and should not be");
+        }
+        if (kinds.extra > 0) {
+            what.push_back(counted(kinds.extra, "pixel is", "pixels are") +
+                           " not black and should be");
+        }
+        return enumerated(what) + ": the difference begins no later than with the pixels that "
+                                  "triangles cover, so look "
+                                  "at points, edges and rows first.";
+    }
+    if (kinds.other_hue > 0) {
+        return "Every pixel is covered that should be, but " +
+               counted(kinds.other_hue, "pixel has", "pixels have") +
+               " another hue: either another surface is in front there, or the surface has another "
+               "colour.";
+    }
+    return "Every pixel shows a surface of the right hue: only brightness differs, so look at the "
+           "light first.";
+}
+
+/// Pixels that a part or a triangle has in the right picture, and how many of them are wrong.
+struct Share {
+    std::int64_t all = 0, wrong = 0;
+};
+
+using Shares = std::map<int, Share>;
+
+/// Those with most wrong pixels first.
+std::vector<std::pair<int, Share>> by_wrong(const Shares& shares) {
+    std::vector<std::pair<int, Share>> sorted;
+    for (const auto& [number, share] : shares) {
+        if (share.wrong > 0) sorted.emplace_back(number, share);
+    }
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& a, const auto& b) { return a.second.wrong > b.second.wrong; });
+    return sorted;
+}
+
+} // namespace
+
+std::vector<std::string> findings_of(const KeptPicture& right, const Image& picture,
+                                     const Scene& scene) {
+    Kinds kinds;
+    Shares parts, triangles;
+    const std::size_t count = picture.rgba.size() / 4;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint8_t *should = pixel_of(right.image, i), *is = pixel_of(picture, i);
+        const bool is_wrong = !is_same_pixel(should, is);
+        const int owner = right.owners[i];
+        if (owner >= 0) {
+            Share& part = parts[part_of(scene, owner)];
+            ++part.all;
+            part.wrong += is_wrong ? 1 : 0;
+            Share& triangle = triangles[owner];
+            ++triangle.all;
+            triangle.wrong += is_wrong ? 1 : 0;
+        }
+        if (!is_wrong) continue;
+        if (is_black(is) && !is_black(should)) {
+            ++kinds.missing;
+        } else if (owner < 0 && !is_black(is)) {
+            ++kinds.extra;
+        } else if (!has_same_hue(is, should)) {
+            ++kinds.other_hue;
+        } else {
+            ++kinds.brightness;
+        }
+    }
+    if (kinds.missing + kinds.extra + kinds.other_hue + kinds.brightness == 0) return {};
+
+    std::vector<std::string> findings{first_stage(kinds)};
+    constexpr std::size_t most_named = 3;
+    std::vector<std::string> names;
+    for (const auto& [part, share] : by_wrong(parts)) {
+        if (names.size() == most_named || part < 0) break;
+        names.push_back(fmt::format("{} ({} of {})",
+                                    scene.parts[static_cast<std::size_t>(part)].name, share.wrong,
+                                    share.all));
+    }
+    if (!names.empty()) findings.push_back("Most wrong pixels are in: " + enumerated(names) + ".");
+    names.clear();
+    for (const auto& [triangle, share] : by_wrong(triangles)) {
+        if (names.size() == most_named) break;
+        names.push_back(fmt::format("{} ({})", triangle_name(triangle), share.wrong));
+    }
+    if (!names.empty()) findings.push_back("By triangles: " + enumerated(names) + ".");
+    names.clear();
+    for (const auto& [part, share] : parts) {
+        if (part >= 0 && share.wrong == 0)
+            names.push_back(scene.parts[static_cast<std::size_t>(part)].name);
+    }
+    if (!names.empty()) findings.push_back("Right to the last pixel: " + enumerated(names) + ".");
+    return findings;
+}
+
+bool is_rounding(const KeptPicture& right, const Image& picture) {
+    const std::size_t count = picture.rgba.size() / 4;
+    const auto most = static_cast<std::int64_t>(rounding_part * static_cast<double>(count));
+    std::int64_t wrong = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (is_same_pixel(pixel_of(right.image, i), pixel_of(picture, i))) continue;
+        if (++wrong > most) return false;
+        const int column = static_cast<int>(i % static_cast<std::size_t>(picture.width));
+        const int row = static_cast<int>(i / static_cast<std::size_t>(picture.width));
+        bool is_of_neighbour = false;
+        for (int y = std::max(row - 1, 0); y <= std::min(row + 1, picture.height - 1); ++y) {
+            for (int x = std::max(column - 1, 0); x <= std::min(column + 1, picture.width - 1);
+                 ++x) {
+                const auto there =
+                    static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                    static_cast<std::size_t>(x);
+                is_of_neighbour |=
+                    is_same_pixel(pixel_of(right.image, there), pixel_of(picture, i));
+            }
+        }
+        if (!is_of_neighbour) return false;
+    }
+    return true;
+}
+
+} // namespace rasterwalk

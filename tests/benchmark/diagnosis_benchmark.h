@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rasterwalk {
+
+/// Prints how much time of the processor it takes to diagnose the picture of each mistake in the
+/// lab's room, 500 x 500 pixels, and whether it is named first: `B3 1.4 s named`; at last the
+/// largest of all.
+/// @param names ids of the mistakes; empty: all
+void print_diagnosis_times(const std::vector<std::string>& names);
+
+} // namespace rasterwalk
