@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <system_error>
 
 #include "base/error.h"
 #include "session/content.h"
@@ -37,37 +39,28 @@ void take_up(Lesson& lesson, Lesson&& newer) {
 
 } // namespace
 
-LessonList::FileState LessonList::state_of(const std::string& path) {
-    FileState state{path, {}, 0};
-    std::error_code fault;
-    const auto written = std::filesystem::last_write_time(path, fault);
-    if (!fault) state.written = written;
-    const std::uintmax_t size = std::filesystem::file_size(path, fault);
-    if (!fault) state.size = size;
-    return state;
-}
-
-std::vector<LessonList::FileState> LessonList::files_in_folder() const {
+std::vector<LessonList::LessonFile> LessonList::files_in_folder() const {
     namespace fs = std::filesystem;
-    std::vector<FileState> files;
+    std::vector<LessonFile> files;
     std::error_code fault;
     for (fs::directory_iterator entry(folder_, fault), end; !fault && entry != end;
          entry.increment(fault)) {
         if (!is_lesson_file(entry->path().filename().string())) continue;
-        files.push_back(state_of(entry->path().string()));
+        const std::string path = entry->path().string();
+        files.push_back({path, file_state(path)});
     }
     std::sort(files.begin(), files.end(),
-              [](const FileState& a, const FileState& b) { return a.path < b.path; });
+              [](const LessonFile& a, const LessonFile& b) { return a.path < b.path; });
     if (files.size() > most_lessons) files.resize(most_lessons);
     return files;
 }
 
 void LessonList::refresh() {
-    std::vector<FileState> files = files_in_folder();
+    std::vector<LessonFile> files = files_in_folder();
     if (is_read_ && files == files_) return;
     std::vector<Lesson> lessons;
-    for (const FileState& file : files) {
-        const auto known = std::find_if(files_.begin(), files_.end(), [&](const FileState& other) {
+    for (const LessonFile& file : files) {
+        const auto known = std::find_if(files_.begin(), files_.end(), [&](const LessonFile& other) {
             return other.path == file.path;
         });
         if (!is_read_ || known == files_.end()) {
@@ -109,12 +102,12 @@ const Lesson* LessonList::find(std::string_view id) {
                                     [&](const Lesson& lesson) { return lesson.id == id; });
     if (found == lessons.end()) return nullptr;
     const auto index = static_cast<std::size_t>(found - lessons.begin());
-    const FileState now = state_of(files_[index].path);
-    if (now != files_[index]) {
-        files_[index] = now;
+    const FileState now = file_state(files_[index].path);
+    if (now != files_[index].state) {
+        files_[index].state = now;
         // A file that was taken away, or is just being written, leaves its lesson open.
         if (now.size > 0) {
-            take_up(lessons_[index], read_lesson(now.path));
+            take_up(lessons_[index], read_lesson(files_[index].path));
             ++number_;
         }
     }
@@ -123,7 +116,7 @@ const Lesson* LessonList::find(std::string_view id) {
 
 bool LessonList::is_edited(std::string_view id) const {
     for (std::size_t i = 0; i < lessons_.size(); ++i) {
-        if (lessons_[i].id == id) return state_of(files_[i].path) != files_[i];
+        if (lessons_[i].id == id) return file_state(files_[i].path) != files_[i].state;
     }
     return false;
 }

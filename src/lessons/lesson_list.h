@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/file_state.h"
 #include "lessons/lesson.h"
 
 namespace rasterwalk {
@@ -38,20 +39,18 @@ class LessonList {
     const std::string& folder() const { return folder_; }
 
   private:
-    struct FileState {
+    struct LessonFile {
         std::string path;
-        std::filesystem::file_time_type written{};
-        std::uintmax_t size = 0;
+        FileState state;
 
-        friend bool operator==(const FileState&, const FileState&) = default;
+        friend bool operator==(const LessonFile&, const LessonFile&) = default;
     };
-    static FileState state_of(const std::string& path);
-    std::vector<FileState> files_in_folder() const;
+    std::vector<LessonFile> files_in_folder() const;
 
     bool is_read_ = false;
     std::uint64_t number_ = 0;
     std::string folder_;
-    std::vector<FileState> files_; ///< of the same index as lessons_
+    std::vector<LessonFile> files_; ///< of the same index as lessons_
     std::vector<Lesson> lessons_;
 };
 

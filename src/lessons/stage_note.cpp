@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "base/error.h"
@@ -14,22 +13,6 @@
 namespace rasterwalk {
 
 namespace {
-
-/// When the file was last written, and its size: together they tell whether it changed.
-struct FileState {
-    std::filesystem::file_time_type written{};
-    std::uintmax_t size = 0;
-};
-
-FileState state_of(const std::string& path) {
-    FileState state;
-    std::error_code fault;
-    const auto written = std::filesystem::last_write_time(path, fault);
-    if (!fault) state.written = written;
-    const std::uintmax_t size = std::filesystem::file_size(path, fault);
-    if (!fault) state.size = size;
-    return state;
-}
 
 /// None where one of its numbers is not there.
 std::optional<std::string> paragraph_about(std::string_view paragraph, const FactReader& fact) {
@@ -84,18 +67,15 @@ StageNote read_stage_note(const std::string& folder, std::string_view name) {
 const StageNote& StageNotes::find(const std::string& name) {
     const auto found = kept_.find(name);
     if (found != kept_.end()) {
-        const FileState now = state_of(found->second.note.path);
-        if (now.written == found->second.written && now.size == found->second.size) {
-            return found->second.note;
-        }
+        if (file_state(found->second.note.path) == found->second.state) return found->second.note;
     }
     Kept& kept = kept_[name];
     try {
         const std::string folder = lessons_folder();
-        const FileState state = state_of(folder + "/stages/" + name + ".md");
-        kept = {read_stage_note(folder, name), state.written, state.size};
+        const FileState state = file_state(folder + "/stages/" + name + ".md");
+        kept = {read_stage_note(folder, name), state};
     } catch (const Error& fault) {
-        kept = {{{}, {}, fault.what()}, {}, 0};
+        kept = {{{}, {}, fault.what()}, {}};
     }
     return kept.note;
 }

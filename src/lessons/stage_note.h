@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
 
+#include "base/file_state.h"
 #include "facts/expression.h"
 #include "session/session.h"
 
@@ -39,8 +39,7 @@ class StageNotes {
   private:
     struct Kept {
         StageNote note;
-        std::filesystem::file_time_type written{};
-        std::uintmax_t size = 0;
+        FileState state;
     };
     std::map<std::string, Kept> kept_;
 };

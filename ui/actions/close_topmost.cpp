@@ -31,7 +31,7 @@ void close_topmost(Ui& ui) {
     } else if (const std::optional<Sheet> sheet = ui.sheets.topmost()) {
         ui.sheets.show(*sheet, false);
     } else if (is_diagnosing(ui)) {
-        stop_diagnosis(ui);
+        give_up_diagnosis(ui);
     } else if (is_settings_open(ui)) {
         close_settings_sheet(ui);
     } else if (is_drawer_open(ui)) {

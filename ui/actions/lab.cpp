@@ -1,8 +1,11 @@
 #include "ui/actions/lab.h"
 
 #include <algorithm>
+#include <chrono>
+#include <functional>
 
 #include "base/error.h"
+#include "base/file_state.h"
 #include "base/files.h"
 #include "base/image.h"
 #include "laboratory/diagnose.h"
@@ -24,15 +27,13 @@ std::string size_words(Viewport size) {
 }
 
 /// What a picture is held against: another size than that of the scene is said.
-/// @param drawn_by the settings of the reference, before it took the size of the picture
-std::string picture_words(const LabLook& lab, const Settings& drawn_by) {
-    const std::string what =
-        "the picture of " + lab.compared_scene->name +
-        (lab.holds_against_set ? " with the camera, light and stage that are set"
-                               : " as the handout draws it");
-    const Viewport usual = drawn_by.viewport, size = lab.reference.viewport;
+std::string picture_words(const LabReference& against, Viewport size) {
+    const std::string what = "the picture of " + against.scene->name +
+                             (against.is_set ? " with the camera, light and stage that are set"
+                                             : " as the handout draws it");
+    const Viewport usual = against.settings.viewport;
     if (size == usual) return what + ", " + size_words(usual) + " pixels like yours";
-    return what + ", drawn anew in the size of yours: " + size_words(size) + " pixels instead of " +
+    return what + ", drawn in the size of yours: " + size_words(size) + " pixels instead of " +
            size_words(usual);
 }
 
@@ -47,37 +48,75 @@ void keep_pictures(LabLook& lab, const DiagnosisWork& work) {
     ++pictures.number;
 }
 
-/// Decides what a result is held against.
-void choose_reference(Ui& ui) {
-    LabLook& lab = ui.lab;
-    const Session& session = ui.session;
-    lab.compared_scene = session.scene;
-    lab.reference = with_handout_rules(session.a.settings);
-    if (lab.holds_against_set) return;
+/// What a result is held against now.
+LabReference chosen_reference(const Session& session, bool what_is_set) {
+    LabReference reference{what_is_set, session.scene, with_handout_rules(session.a.settings)};
+    if (what_is_set) return reference;
     // Of what a lesson has left behind nothing counts.
     Scene room = read_scene_file(lessons_folder() + "/" + std::string(usual_scene));
-    if (!(*session.scene == room))
-        lab.compared_scene = std::make_shared<const Scene>(std::move(room));
-    lab.reference = default_settings(*lab.compared_scene);
+    if (!(*session.scene == room)) reference.scene = std::make_shared<const Scene>(std::move(room));
+    reference.settings = default_settings(*reference.scene);
+    return reference;
 }
 
-void begin_picture(Ui& ui, const std::string& path) {
-    LabLook& lab = ui.lab;
-    Image picture = parse_exact_image(read_file(path, largest_image_file), path);
-    const Settings usual = lab.reference;
-    lab.reference = fitted_to(usual, picture, lab.compared_scene->space);
-    lab.held_against = picture_words(lab, usual);
-    lab.work = std::make_unique<DiagnosisWork>(std::move(picture), path, *lab.compared_scene,
-                                               lab.reference, lab_bugs(ui));
+/// Is this what is being checked, or what was answered?
+bool is_known(const LabLook& lab, const LabSubject& subject) {
+    const LabSubject* const last = lab.check    ? &lab.check->subject
+                                   : lab.answer ? &lab.answer->subject
+                                                : nullptr;
+    return last != nullptr && last->bytes == subject.bytes &&
+           last->against.is_set == subject.against.is_set;
 }
 
-void diagnose_rows_file(Ui& ui, const std::string& path) {
+/// Reads the watched file, and begins to check it; rows are answered at once. Throws Error; what
+/// was going on goes on then.
+/// @param again it may be the very same: then nothing is begun
+void begin_check(Ui& ui, bool again) {
     LabLook& lab = ui.lab;
-    const std::vector<PrintedRow> rows = parse_printed_rows(read_file(path), path);
-    std::string about;
-    lab.diagnosis =
-        diagnose_rows(rows, {}, *lab.compared_scene, lab.reference, lab_bugs(ui), about);
-    lab.held_against = "the row table of " + about;
+    const std::string& path = lab.watched_path;
+    refuse_endless_file(path);
+    LabSubject subject;
+    subject.is_picture = is_image_file(path);
+    const std::string bytes =
+        subject.is_picture ? read_file(path, largest_image_file) : read_file(path);
+    subject.bytes = std::hash<std::string>()(bytes);
+    subject.against = lab.reference;
+    subject.reference = lab.reference.settings;
+    lab.is_given_up = false;
+    if (again && is_known(lab, subject)) return;
+    const Scene& scene = *subject.against.scene;
+    if (subject.is_picture) {
+        Image picture = parse_exact_image(bytes, path);
+        subject.reference = fitted_to(subject.reference, picture, scene.space);
+        subject.held_against = picture_words(subject.against, subject.reference.viewport);
+        auto work = std::make_unique<DiagnosisWork>(std::move(picture), path, scene,
+                                                    subject.reference, lab_bugs(ui));
+        lab.check = std::nullopt; // the old work goes before its scene
+        lab.check.emplace(LabCheck{std::move(subject), std::move(work)});
+    } else {
+        const std::vector<PrintedRow> rows = parse_printed_rows(bytes, path);
+        std::string about;
+        Diagnosis found = diagnose_rows(rows, {}, scene, subject.reference, lab_bugs(ui), about);
+        subject.held_against = "the row table of " + about;
+        lab.check = std::nullopt;
+        lab.answer.emplace(LabAnswer{std::move(subject), std::move(found)});
+    }
+}
+
+void carry_on_check(LabLook& lab, const WorkLimit& limit) {
+    LabCheck& check = *lab.check;
+    const auto begin = std::chrono::steady_clock::now();
+    check.work->advance(limit);
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    check.seconds += passed.count();
+    if (check.work->is_done()) {
+        keep_pictures(lab, *check.work);
+        lab.answer.emplace(LabAnswer{check.subject, check.work->found()});
+        lab.check = std::nullopt;
+    } else if (check.seconds > longest_search && !check.is_stopped) {
+        check.is_stopped = true;
+        check.work->stop_searching();
+    }
 }
 
 } // namespace
@@ -117,8 +156,9 @@ void show_candidate(Ui& ui, const Bug& bug, const Candidate& candidate) {
     end_comparison(session);
     const Run before = session.a;
     const std::shared_ptr<const Scene> before_scene = session.scene;
-    const Settings& reference = ui.lab.reference;
-    if (before_scene != ui.lab.compared_scene) show_scene(session, ui.lab.compared_scene);
+    const std::shared_ptr<const Scene> scene = ui.lab.answer->subject.against.scene;
+    const Settings& reference = ui.lab.answer->subject.reference;
+    if (before_scene != scene) show_scene(session, scene);
     const bool is_drawn = candidate.recipe.has_value();
     show_bug(bug.id, is_drawn ? candidate.recipe->settings : wrong_run(bug, reference),
              is_drawn ? candidate.right.value_or(reference) : correct_run(bug, reference), session);
@@ -154,65 +194,84 @@ void finish_quiz(Ui& ui) {
 
 namespace {
 
-void begin_check(Ui& ui, const std::string& path, bool against_set) {
+/// Asks for the file to be checked: the frame before says that it may take a while.
+void ask_for_check(Ui& ui, const std::string& path, bool against_set) {
     LabLook& lab = ui.lab;
-    lab.holds_against_set = against_set;
-    stop_diagnosis(ui);
+    give_up_diagnosis(ui);
+    if (path != lab.watched_path) lab.answer = std::nullopt;
     lab.mode = LabMode::result;
     open_tab(ui, "lab");
-    lab.result_path = lab.checked_path = path;
-    lab.diagnosis = std::nullopt;
+    lab.result_path = lab.watched_path = path;
+    lab.reference.is_set = against_set;
     lab.result_fault.clear();
-    // The frame before says that it may take a while.
     lab.frames_to_result = 2;
 }
 
 } // namespace
 
 void diagnose_file(Ui& ui, const std::string& path) {
-    begin_check(ui, path, false);
+    ask_for_check(ui, path, false);
 }
 
 void hold_result_against(Ui& ui, bool what_is_set) {
-    begin_check(ui, ui.lab.checked_path, what_is_set);
+    ask_for_check(ui, ui.lab.watched_path, what_is_set);
 }
 
 void carry_on_diagnosis(Ui& ui, const WorkLimit& limit) {
     LabLook& lab = ui.lab;
     const bool begins = lab.frames_to_result > 0 && --lab.frames_to_result == 0;
-    if (!begins && lab.work == nullptr) return;
+    const bool reads = begins || result_was_edited(ui);
+    if (!reads && !lab.check) return;
     try {
-        if (begins) {
-            const std::string path = lab.checked_path;
+        if (reads) {
+            lab.result_fault.clear();
+            lab.watched = file_state(lab.watched_path);
             // The answer takes the place of the question: in sight, and scrolled by keys.
-            give_focus(ui, "lab.mode.result");
-            refuse_endless_file(path);
-            choose_reference(ui);
-            lab.is_picture = is_image_file(path);
-            lab.is_picture ? begin_picture(ui, path) : diagnose_rows_file(ui, path);
+            if (begins) give_focus(ui, "lab.mode.result");
+            if (begins || lab.reference.scene == nullptr)
+                lab.reference = chosen_reference(ui.session, lab.reference.is_set);
+            begin_check(ui, !begins);
         } else {
-            lab.work->advance(limit);
-            if (!lab.work->is_done()) return;
-            lab.diagnosis = lab.work->found();
-            keep_pictures(lab, *lab.work);
-            lab.work = nullptr;
+            carry_on_check(lab, limit);
         }
     } catch (const Error& fault) {
         lab.result_fault = fault.what();
-        lab.work = nullptr;
+        // Of a file that cannot be read now, what was read before can still be answered.
+        if (!reads) lab.check = std::nullopt;
     } catch (...) { // what had no room cannot go on
-        lab.work = nullptr;
+        lab.check = std::nullopt;
         throw;
     }
 }
 
 void stop_diagnosis(Ui& ui) {
-    ui.lab.frames_to_result = 0;
-    ui.lab.work = nullptr;
+    LabLook& lab = ui.lab;
+    if (!lab.check || lab.check->is_stopped) {
+        give_up_diagnosis(ui);
+        return;
+    }
+    lab.check->is_stopped = true;
+    lab.check->work->stop_searching();
+}
+
+void give_up_diagnosis(Ui& ui) {
+    LabLook& lab = ui.lab;
+    lab.is_given_up = lab.answer && is_diagnosing(ui);
+    lab.frames_to_result = 0;
+    lab.check = std::nullopt;
+    // When the file changes, it is held against the same as before.
+    if (lab.answer) lab.reference = lab.answer->subject.against;
+}
+
+bool result_was_edited(const Ui& ui) {
+    const LabLook& lab = ui.lab;
+    const bool is_on_show = ui.session.tab == "lab" && lab.mode == LabMode::result;
+    return is_on_show && !lab.watched_path.empty() && lab.frames_to_result == 0 &&
+           file_state(lab.watched_path) != lab.watched;
 }
 
 bool is_diagnosing(const Ui& ui) {
-    return ui.lab.frames_to_result > 0 || ui.lab.work != nullptr;
+    return ui.lab.frames_to_result > 0 || ui.lab.check.has_value();
 }
 
 } // namespace rasterwalk

@@ -32,21 +32,33 @@ void finish_quiz(Ui& ui);
 
 /// Holds a picture (not a JPG) or a text of printed rows against the lab's room as the handout
 /// draws it, and opens the laboratory with what may be wrong with it: from the next frame but one
-/// on, see carry_on_diagnosis().
+/// on, see carry_on_diagnosis(). From then on the file is watched.
 void diagnose_file(Ui& ui, const std::string& path);
 
-/// Holds the file that was checked last against what is set, or against the handout's picture
-/// again. The next file is held against that anyway.
+/// Holds the watched file against what is set, or against the handout's picture again. The next
+/// file is held against that anyway.
 void hold_result_against(Ui& ui, bool what_is_set);
 
-/// Reads the file that waits for it, or goes on with the picture that is being checked. To be
-/// called once a frame.
+/// Reads the file that waits for it, or goes on with the picture that is being checked: no longer
+/// than longest_search. While its answer is on show, a file that has changed is checked again by
+/// itself, against the same. To be called once a frame.
 void carry_on_diagnosis(Ui& ui, const WorkLimit& limit = frame_limit);
 
-/// Checks the file no further.
+/// Searches no further: what was found so far is looked at and becomes the answer. Where that has
+/// been asked for already, or nothing was searched yet, the check is given up.
 void stop_diagnosis(Ui& ui);
+
+/// Checks the file no further. An answer that there was before stays.
+void give_up_diagnosis(Ui& ui);
+
+/// Has the file changed whose answer is on show, since it was looked at last?
+bool result_was_edited(const Ui& ui);
 
 /// Is a file being checked, or about to be?
 bool is_diagnosing(const Ui& ui);
+
+/// For so long mistakes are searched in a picture, seconds of work. Then it is answered with what
+/// was found.
+inline constexpr double longest_search = 60.0;
 
 } // namespace rasterwalk

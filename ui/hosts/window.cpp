@@ -14,6 +14,7 @@
 #include "base/files.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
+#include "ui/actions/lab.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/reading.h"
 #include "ui/actions/view_files.h"
@@ -222,7 +223,8 @@ void run(Window& window) {
         }
         const bool is_due = glfwGetTime() >= due;
         guarded(window.ui, [&] {
-            if (lesson_was_edited(window.ui)) window.frames_due = frames_after_event;
+            if (lesson_was_edited(window.ui) || result_was_edited(window.ui))
+                window.frames_due = frames_after_event;
         });
         if (window.frames_due <= 0 && !is_due) continue;
         // What waits comes in the next frame, and needs as many after it.

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace rasterwalk {
 
 struct Ui;
 struct Bug;
+struct Candidate;
+struct Diagnosis;
+struct LabAnswer;
 
 // The parts of the bug laboratory; see lab_panel.cpp.
 
@@ -32,6 +36,32 @@ struct PictureCaption {
 /// The picture that was diagnosed, and that of the program's own with its caption: beside each
 /// other, or one below the other where there is little room.
 void draw_lab_pictures(Ui& ui, const PictureCaption& beside);
+
+/// How the card of a diagnosis begins.
+struct LabHeadline {
+    std::vector<std::string> names; ///< of the likely mistakes, or a sentence: each a line
+    std::string rest;               ///< how much of what is wrong that is; may be empty
+};
+LabHeadline headline_of(const LabAnswer& answer);
+
+/// How much differs, and where; empty: nothing.
+std::string difference_words(const LabAnswer& answer);
+
+/// By which rules and numbers the program works, or the nearest right picture is drawn, where they
+/// are not those of the reference that was asked for; empty: by those.
+std::string rules_words(const Diagnosis& diagnosis);
+
+/// What each likely mistake is, and how it is mended, as Markdown; may be empty.
+std::string remedy_words(Ui& ui, const Diagnosis& diagnosis);
+
+/// The mistakes of a candidate, and what it is assumed with.
+std::string candidate_words(const Candidate& candidate);
+
+/// The mistake of the laboratory that a candidate names first; null: it names none.
+const Bug* bug_of(Ui& ui, const Candidate& candidate);
+
+/// The card that says what may be wrong with a result.
+void draw_lab_answer(Ui& ui);
 
 /// A result of the student's own, and what may be wrong with it.
 void draw_lab_result(Ui& ui);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/file_state.h"
 #include "base/image.h"
 #include "laboratory/bug.h"
 #include "laboratory/candidate.h"
@@ -34,6 +36,36 @@ struct LabPictures {
     std::array<PictureTexture, 2> small; ///< as they are shown
 };
 
+/// What a result is held against.
+struct LabReference {
+    bool is_set = false; ///< what is set when it is asked for; else what the handout draws
+    std::shared_ptr<const Scene> scene;
+    Settings settings;
+};
+
+/// A file of the student's own, and what it is held against.
+struct LabSubject {
+    std::size_t bytes = 0;   ///< a hash of those of the file
+    bool is_picture = false; ///< else rows
+    LabReference against;
+    Settings reference;       ///< of `against`, in the size of the picture
+    std::string held_against; ///< "the picture of lab-room"
+};
+
+/// A picture that is being checked.
+struct LabCheck {
+    LabSubject subject; ///< its scene must outlive the work
+    std::unique_ptr<DiagnosisWork> work;
+    double seconds = 0.0;    ///< that it was worked on
+    bool is_stopped = false; ///< nothing more is searched: what was found is looked at
+};
+
+/// What came of a file that was checked, and what is on show of it.
+struct LabAnswer {
+    LabSubject subject;
+    Diagnosis diagnosis;
+};
+
 /// What the bug laboratory keeps from one frame to the next.
 struct LabLook {
     std::vector<Bug> bugs; ///< read when the laboratory is opened first
@@ -46,22 +78,20 @@ struct LabLook {
     float bottom = 0.0f;
     std::shared_ptr<MarkdownPage> page;
     LabMode mode = LabMode::bugs;
-    int seed = 0;                   ///< of the next quiz; 0: the program takes one
-    bool wants_two = false;         ///< the next quiz hides two mistakes
-    std::string result_path;        ///< of the student's own result, as it is typed
-    std::string checked_path;       ///< of the result that was checked last
-    bool holds_against_set = false; ///< a result: against what is set, else what the handout draws
+    int seed = 0;             ///< of the next quiz; 0: the program takes one
+    bool wants_two = false;   ///< the next quiz hides two mistakes
+    std::string result_path;  ///< of the student's own result, as it is typed
+    std::string watched_path; ///< of the result that was asked for last: it is watched
+    FileState watched;        ///< that file, when it was looked at last
+    LabReference reference;   ///< what was asked for last
     int frames_to_result = 0; ///< it is diagnosed when this falls to 0 from 1; until then it waits
-    std::string result_fault; ///< why it could not be diagnosed
-    std::unique_ptr<DiagnosisWork> work; ///< of a picture, as long as it goes on; null: none does
-    std::string held_against;            ///< "the picture of lab-room"
-    bool is_picture = false;             ///< what was held against it; else rows
-    std::optional<Diagnosis> diagnosis;
-    std::shared_ptr<MarkdownPage> remedy; ///< what is said of the likely mistake
-    /// What a result was held against, so that a mistake is shown on the very same.
-    std::shared_ptr<const Scene> compared_scene;
-    Settings reference;
-    LabPictures pictures; ///< of a picture that was diagnosed
+    std::string result_fault; ///< why the file as it now is could not be diagnosed
+    bool is_given_up = false; ///< a check was, since there is the answer
+    std::optional<LabCheck> check; ///< as long as it goes on
+    /// Of the watched file, maybe as it was before; stays until there is another.
+    std::optional<LabAnswer> answer;
+    std::shared_ptr<MarkdownPage> remedy; ///< what is said of the likely mistakes
+    LabPictures pictures;                 ///< of a picture that was diagnosed
 };
 
 } // namespace rasterwalk

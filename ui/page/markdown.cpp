@@ -184,8 +184,14 @@ void draw_pictures(Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sig
 
 /// What the edges of the window may not cut.
 void keep_lines_whole(Ui& ui, const MarkdownPage& page, const Sight& sight) {
+    // Where the room of a window that is lower now, or scrolled, would cut counts too.
+    const float edge = sight.top + page_room(ui) - ImGui::GetScrollY();
+    const Sight at_edge{sight.origin, edge, edge};
+    const auto is_near = [&](float low, float high) {
+        return sight.holds(low, high) || at_edge.holds(low, high);
+    };
     const auto keep = [&](float low, float high) {
-        if (sight.holds(low, high)) keep_whole(ui, sight.origin.y + low, sight.origin.y + high);
+        if (is_near(low, high)) keep_whole(ui, sight.origin.y + low, sight.origin.y + high);
     };
     for (const PagePicture& picture : page.layout.pictures)
         keep(picture.low.y, picture.high.y);
@@ -194,8 +200,7 @@ void keep_lines_whole(Ui& ui, const MarkdownPage& page, const Sight& sight) {
     const float u = ui.options.text_scale;
     const std::vector<PagePiece>& pieces = page.layout.pieces;
     for (const PageShape& shape : page.layout.shapes) {
-        if (shape.kind != PageShape::Kind::card || !sight.holds(shape.low.y, shape.high.y))
-            continue;
+        if (shape.kind != PageShape::Kind::card || !is_near(shape.low.y, shape.high.y)) continue;
         // Of a box at least the first line that is no heading in small letters.
         const auto first = std::find_if(pieces.begin(), pieces.end(), [&](const PagePiece& piece) {
             return piece.at.y >= shape.low.y && piece.font != PageFont::small;

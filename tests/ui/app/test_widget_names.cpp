@@ -9,13 +9,17 @@
 #include "base/files.h"
 #include "facts/facts.h"
 #include "picture/overlay.h"
+#include "picture/view_image.h"
+#include "pipeline/draw.h"
 #include "session/second_run.h"
 #include "session/tabs.h"
 #include "settings/setting_table.h"
 #include "support/hinted_models.h"
 #include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/many_walls.h"
+#include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
@@ -48,6 +52,7 @@ class Tour {
         groups();
         large_frame();
         hinted_model();
+        diagnosed();
     }
 
   private:
@@ -261,6 +266,40 @@ class Tour {
         Driver driver(session_of(test::box(true)));
         driver.ui.session.a.settings.stage = Stage::shade;
         driver.hand.frames(20);
+        look(driver);
+    }
+
+    /// A picture while it is checked, with a likely mistake, and with none; and no file at all.
+    void diagnosed() {
+        const test::TemporaryFolder folder;
+        Driver driver;
+        const std::string path = folder.file("mine.png");
+        const auto check = [&](const Image& picture) {
+            write_png(picture, path);
+            diagnose_file(driver.ui, path);
+            driver.hand.frames(3);
+            for (const auto& [name, place] : driver.ui.widgets)
+                seen.insert(name);
+            while (is_diagnosing(driver.ui))
+                carry_on_diagnosis(driver.ui, {});
+            look(driver);
+        };
+        Settings wrong = default_settings(*driver.ui.session.scene);
+        for (const char* set : {"viewport.size=100x100", "camera.focal_length=100", "stage=fill",
+                                "spans=last_dropped"})
+            set_from_text(wrong, set);
+        const Frame frame = prepare_frame(*driver.ui.session.scene, wrong);
+        Image picture = view_image(draw_frame(frame), View::colour);
+        check(picture);
+        std::fill_n(picture.rgba.begin(), picture.rgba.size() / 2, std::uint8_t{255});
+        check(picture);
+        diagnose_file(driver.ui, path);
+        driver.hand.frames(3);
+        stop_diagnosis(driver.ui);
+        while (is_diagnosing(driver.ui))
+            carry_on_diagnosis(driver.ui, {});
+        look(driver);
+        diagnose_file(driver.ui, folder.file("nothing.png"));
         look(driver);
     }
 

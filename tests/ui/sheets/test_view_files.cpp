@@ -451,7 +451,7 @@ TEST_CASE("A result of one's own is chosen from a list of pictures and texts") {
         carry_on_diagnosis(driver.ui, {});
     driver.hand.rest();
     CHECK(driver.ui.lab.result_path == folder.file("mine.png"));
-    CHECK((driver.ui.lab.diagnosis || !driver.ui.lab.result_fault.empty()));
+    CHECK((driver.ui.lab.answer || !driver.ui.lab.result_fault.empty()));
 
     // The folder is remembered.
     driver.hand.click("lab.choose");

@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <imgui.h>
+
+#include "ui/actions/compare.h"
+#include "ui/actions/lab.h"
+#include "ui/actions/lesson_links.h"
+#include "ui/inspector/lab_parts.h"
+#include "ui/page/markdown.h"
+#include "ui/ui.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// A named sentence that wraps; nothing if it is empty.
+void draw_sentence(Ui& ui, const std::string& name, const std::string& words,
+                   const std::string& help) {
+    if (words.empty()) return;
+    wrapped_text(words);
+    keep_text_whole(ui);
+    name_widget(ui, name, help);
+    note_text(ui, name, words);
+}
+
+void draw_headline(Ui& ui, const LabAnswer& answer) {
+    const LabHeadline headline = headline_of(answer);
+    std::string all;
+    ImGui::BeginGroup();
+    ImGui::PushFont(ui.fonts.bold);
+    for (const std::string& name : headline.names) {
+        wrapped_text(name);
+        keep_text_whole(ui);
+        all += (all.empty() ? "" : " ") + name;
+    }
+    ImGui::PopFont();
+    if (!headline.rest.empty()) {
+        wrapped_text(headline.rest);
+        keep_text_whole(ui);
+        all += " " + headline.rest;
+    }
+    ImGui::EndGroup();
+    name_widget(ui, "lab.diagnosis", "What is most likely.");
+    note_text(ui, "lab.diagnosis", all);
+}
+
+void draw_pictures(Ui& ui, const LabAnswer& answer) {
+    if (!answer.subject.is_picture) return;
+    const Diagnosis& diagnosis = answer.diagnosis;
+    draw_lab_pictures(
+        ui, {"Where it is not right", !diagnosis.is_same()         ? "Orange: not as it should be."
+                                      : diagnosis.findings.empty() ? "The very same."
+                                                                   : "Orange: only rounding."});
+}
+
+/// How much differs and where, and what else can be said of it.
+void draw_findings(Ui& ui, const LabAnswer& answer) {
+    const Diagnosis& diagnosis = answer.diagnosis;
+    draw_sentence(
+        ui, "lab.difference", difference_words(answer),
+        "How much is not right, and where. One step of 255 is no difference: a byte may be "
+        "cut or rounded.");
+    draw_sentence(ui, "lab.rules", rules_words(diagnosis),
+                  "Rules and numbers other than the handout's, of which none is wrong. What is not "
+                  "right is counted without them.");
+    for (std::size_t i = 0; i < diagnosis.findings.size(); ++i) {
+        draw_sentence(ui, "lab.finding." + std::to_string(i), diagnosis.findings[i],
+                      "What the wrong pixels have in common.");
+    }
+    if (!diagnosis.is_complete) {
+        draw_sentence(ui, "lab.incomplete", "The search was stopped before everything was tried.",
+                      "What is most likely of what was tried so far.");
+    }
+    ImGui::Spacing();
+}
+
+/// What the likely mistakes are, and how they are mended.
+void draw_remedy(Ui& ui, const Diagnosis& diagnosis) {
+    const std::string text = remedy_words(ui, diagnosis);
+    if (text.empty()) return;
+    const MarkdownEvents events =
+        draw_markdown(ui, ui.lab.remedy, text, ImGui::CalcItemWidth(), "lab.remedy.");
+    name_widget(ui, "lab.remedy", "What is likely wrong, and how it is mended.");
+    note_text(ui, "lab.remedy", text);
+    ImGui::Spacing();
+    answer_links(ui, document_of(*ui.lab.remedy), events);
+}
+
+/// What the result was held against, and the other choice. Returns true if that is asked for.
+bool draw_reference(Ui& ui, const LabAnswer& answer) {
+    const bool is_set = answer.subject.against.is_set;
+    const bool is_unsure =
+        !answer.diagnosis.is_same() && likely_candidate(answer.diagnosis) == nullptr;
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+    draw_sentence(ui, "lab.held_against", "Compared with " + answer.subject.held_against + ".",
+                  "The reference: what the right program makes.");
+    ImGui::PopStyleColor();
+    if (answer.subject.is_picture && is_unsure && !is_set) {
+        draw_sentence(ui, "lab.lamp_and_camera",
+                      "If your lamp or camera differs from the handout's and was not found, set it "
+                      "here and hold your picture against that.",
+                      "The arrows move and turn the camera; W, A, S, D, Q and E move the lamp.");
+    }
+    const bool pressed = button(
+        ui, "lab.other_reference",
+        is_set ? "Hold it against the handout's picture" : "Hold it against what is set",
+        Look::link,
+        is_set ? "The lab's room with the camera, light and stage of the handout."
+               : "The scene that is open, with the camera, light and stage that are set now. For a "
+                 "picture of another scene, or from another place.");
+    keep_item_whole(ui);
+    return pressed;
+}
+
+/// One candidate: how much of the difference it explains, as a bar and a number, and its name.
+void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
+    const Palette& p = palette(ui.options.theme);
+    const float u = ui.options.text_scale;
+    const Bug* const bug = bug_of(ui, candidate);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushFont(ui.fonts.mono);
+    right_aligned(explained_text(candidate.explained, 1), p.text);
+    ImGui::PopFont();
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const float bottom = ImGui::GetItemRectMax().y + 2.0f * u;
+    const float full = ImGui::GetItemRectSize().x;
+    const auto part = static_cast<float>(std::clamp(candidate.explained, 0.0, 1.0));
+    ImGui::GetWindowDrawList()->AddRectFilled({low.x, bottom},
+                                              {low.x + part * full, bottom + 2.0f * u},
+                                              packed(colour_of(Meaning::pass, ui.options.theme)));
+    ImGui::TableNextColumn();
+    wrapped_text(candidate_words(candidate));
+    keep_text_whole(ui);
+    const std::string name = "lab.candidate." + std::to_string(index);
+    name_widget(ui, name,
+                "With this " + grouped(candidate.different) +
+                    " still differ from your result; mean distance " +
+                    fixed(candidate.distance, 3) + " steps of 255.");
+    note_text(ui, name, candidate.ids().front());
+    keep_item_whole(ui);
+    ImGui::TableNextColumn();
+    if (bug == nullptr) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4.0f * u, 0.0f));
+    if (button(ui, "lab.show." + std::to_string(index), "show", Look::link,
+               "Turns this mistake on as it was tried on your file, and compares it with the "
+               "reference.")) {
+        show_candidate(ui, *bug, candidate);
+    }
+    ImGui::PopStyleVar();
+}
+
+/// All that may be wrong, the likeliest first.
+void draw_candidates(Ui& ui, const Diagnosis& diagnosis) {
+    if (diagnosis.candidates.empty()) return;
+    if (!begin_lined_table("candidates", 3)) return;
+    const float u = ui.options.text_scale;
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 70.0f * u);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.0f);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 46.0f * u);
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    ImGui::PushFont(ui.fonts.small);
+    ImGui::TableNextColumn();
+    right_aligned("explains", palette(ui.options.theme).dim);
+    name_widget(ui, "lab.header.explains",
+                "How much of the difference from the reference is gone with this mistake.");
+    ImGui::TableNextColumn();
+    text_in(palette(ui.options.theme).dim, "mistake");
+    name_widget(ui, "lab.header.mistake", "What may have been done; the likeliest first.");
+    ImGui::PopFont();
+    for (std::size_t i = 0; i < diagnosis.candidates.size(); ++i)
+        draw_candidate(ui, diagnosis.candidates[i], static_cast<int>(i));
+    ImGui::EndTable();
+}
+
+} // namespace
+
+void draw_lab_answer(Ui& ui) {
+    const LabAnswer& answer = *ui.lab.answer;
+    begin_card(ui);
+    draw_headline(ui, answer);
+    draw_pictures(ui, answer);
+    draw_findings(ui, answer);
+    draw_remedy(ui, answer.diagnosis);
+    const bool wants_other = draw_reference(ui, answer);
+    end_card(ui);
+    draw_candidates(ui, answer.diagnosis);
+    if (wants_other) hold_result_against(ui, !answer.subject.against.is_set);
+}
+
+} // namespace rasterwalk
