@@ -158,7 +158,8 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         ->allow_extra_args(false);
     diagnose
         .add_option("--seconds", line.diagnose.seconds,
-                    "Search no longer than this for what may be wrong with a picture")
+                    "Search no longer than this for what may be wrong with a picture, then look "
+                    "closely at what was found")
         ->type_name("SECONDS")
         ->capture_default_str();
     add_json(diagnose, line.diagnose.json);

@@ -42,8 +42,10 @@ Finding diagnose_picture_file(const Result& result, const Session& session,
     const Settings reference = fitted_to(view, picture, session.scene->space);
     if (!(reference.viewport == view.viewport)) {
         err << "rasterwalk: the picture has " << size_text(picture.width, picture.height)
-            << " pixels; the reference is drawn in that size, with a focal length of "
-            << reference.camera.focal_length << ".\n";
+            << " pixels; the reference is drawn in that size";
+        if (session.scene->space == SceneSpace::world)
+            err << ", with a focal length of " << reference.camera.focal_length;
+        err << ".\n";
     }
     DiagnosisWork work(std::move(picture), result.name, *session.scene, reference, bugs);
     const auto begin = std::chrono::steady_clock::now();
@@ -52,7 +54,11 @@ Finding diagnose_picture_file(const Result& result, const Session& session,
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
         if (passed.count() > seconds) work.stop_searching();
         const PicturesDrawn drawn = work.pictures();
-        progress.say(fmt::format("Trying each mistake: {} of {} pictures", drawn.done, drawn.all));
+        if (drawn.all == 0) continue;
+        progress.say(fmt::format("{}: {} of {} pictures",
+                                 passed.count() > seconds ? "Looking at what was found"
+                                                          : "Trying each mistake",
+                                 drawn.done, drawn.all));
     }
     progress.clear();
     return {work.found(), "picture", "the picture of " + session.scene->name};

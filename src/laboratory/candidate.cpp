@@ -129,20 +129,18 @@ const Candidate* likely_candidate(const Diagnosis& diagnosis) {
 
 std::string verdict_on(const Diagnosis& diagnosis, std::string_view same) {
     if (diagnosis.is_same()) return "no difference";
-    if (diagnosis.candidates.empty()) return "No known mistake explains the difference.";
+    const std::string none = diagnosis.is_complete
+                                 ? "No known mistake explains the difference"
+                                 : "No mistake that was tried so far explains the difference";
+    if (diagnosis.candidates.empty()) return none + ".";
     const Candidate& first = diagnosis.candidates.front();
     const std::string who =
         candidate_text(first) + (first.remark.empty() ? "" : " (" + first.remark + ")");
-    if (first.different == 0) {
-        const bool is_one = first.mistakes.size() == 1 && first.ids().size() == 1;
-        return fmt::format("{} {} {}.", who, is_one ? "makes" : "make", same);
-    }
+    if (first.different == 0) return fmt::format("{} makes {}.", who, same);
     const std::string explained = explained_text(first.explained, 0);
-    if (first.explained < worth_naming) return "No known mistake explains the difference.";
+    if (first.explained < worth_naming) return none + ".";
     if (!first.is_likely) {
-        return fmt::format("No known mistake explains the difference; the nearest, {}, explains "
-                           "{} of it.",
-                           who, explained);
+        return fmt::format("{}; the nearest, {}, explains {} of it.", none, who, explained);
     }
     return fmt::format("Most likely {}, which explains {} of the difference.", who, explained);
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 // A result that a student brings, a picture or a printed row table, held against the reference: the
-// mistakes that may have made it are carried out, one by one, and it is measured how near each
-// comes.
+// mistakes that may have made it are carried out, alone and two at once, and it is measured how
+// near each comes.
 
 #include <memory>
 #include <optional>

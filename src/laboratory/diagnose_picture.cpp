@@ -8,6 +8,7 @@
 #include "base/numbers.h"
 #include "laboratory/diagnose.h"
 #include "laboratory/picture_findings.h"
+#include "scene/tessellation.h"
 #include "settings/setting_table.h"
 
 namespace rasterwalk {
@@ -33,7 +34,7 @@ bool needs_each_deed(PictureTrial& trial, const Trying& trying) {
         Trying less = trying;
         less.deeds.erase(less.deeds.begin() + static_cast<std::ptrdiff_t>(i));
         const double without = trial.drawn(recipe_of(less)).distance.wrong;
-        if (wrong > (1.0 - least_gain) * without) return false;
+        if (wrong >= (1.0 - least_gain) * without) return false; // also where nothing is wrong
     }
     return true;
 }
@@ -167,11 +168,9 @@ void DiagnosisWork::ask() {
 void DiagnosisWork::look_closely(const std::vector<Trying>& tried) {
     PictureTrial& trial = *trial_;
     const Trying none{reference_, {}};
-    const bool is_as_asked = tried.size() <= 1; // nothing had to be searched
+    const bool is_as_asked = tried.size() <= 1; // nothing was searched, or nothing but one picture
     const Trying& base = is_as_asked ? none : best_base(trial, tried, reference_);
-    const Drawn& plain = trial.drawn(base.right);
     Diagnosis found;
-    found.is_complete = !is_stopped_;
     std::vector<Hypothesis> hypotheses;
     if (!is_as_asked) hypotheses = hypotheses_of(trial, tried, base, reference_);
     if (trial.is_waiting()) return;
@@ -182,24 +181,28 @@ void DiagnosisWork::look_closely(const std::vector<Trying>& tried) {
     const Candidate* const likely = !found.candidates.empty() && found.candidates.front().is_likely
                                         ? &found.candidates.front()
                                         : nullptr;
-    found.different = plain.distance.different;
     const Settings right =
         likely == nullptr ? convincing_base(trial, tried, base, reference_).right : *likely->right;
     const KeptPicture* const kept = trial.picture_of(PictureRecipe{right});
     if (trial.is_waiting()) return;
+    const Differences differences = differences_of(kept->image, picture_);
+    found.different = differences.pixels;
     if (likely == nullptr && is_rounding(*kept, picture_)) {
         found.candidates.clear();
         if (found.different > 0) {
-            found.findings = {counted(found.different, "pixel differs", "pixels differ") +
-                              " along edges, as rounding of floats may make them."};
+            found.findings = {counted(found.different, "pixel has", "pixels have") +
+                              " the colour of a neighbour, as the rounding of floats along edges "
+                              "can cause."};
         }
         found.different = 0;
     } else {
-        const Differences differences = differences_of(kept->image, picture_);
-        found.different = differences.pixels;
         found.place = place_words(differences);
-        if (likely == nullptr) found.findings = findings_of(*kept, picture_, trial.scene());
+        if (likely == nullptr) {
+            const int parts = tessellation_of(trial.scene(), right.tessellation);
+            found.findings = findings_of(*kept, picture_, trial.scene(), parts);
+        }
     }
+    found.is_complete = !is_stopped_ || found.is_same();
     found.distance = trial.drawn(right).distance.mean;
     if (trial.is_waiting()) return;
     right_picture_ = kept->image;

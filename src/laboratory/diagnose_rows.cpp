@@ -177,7 +177,7 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
         candidate.distance = distance.mean;
         candidate.different = distance.different;
         candidate.explained = std::clamp(1.0 - distance.mean / apart.mean, 0.0, 1.0);
-        // Rows are few: but for one in a hundred all of them must be so.
+        // Rows are few: at most one in a hundred of those that differ may still do so.
         candidate.is_likely = static_cast<double>(distance.different) <=
                               (1.0 - explains_nearly_all) * static_cast<double>(apart.different);
         hypothesis.price = distance.mean;

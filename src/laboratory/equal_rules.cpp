@@ -53,9 +53,10 @@ Settings by_equal_rule(const Assignments& rule, const Settings& settings) {
     return changed;
 }
 
-bool is_equal_there(const Assignments& rule, const Settings& settings) {
+bool is_equal_there(const Assignments& rule, const Settings& settings, const Scene& scene) {
     if (rule.front().first != "interpolation") return true;
-    return step_of(settings) == StripStep::vertex_light;
+    return step_of(settings) == StripStep::vertex_light && scene.space == SceneSpace::world &&
+           scene.textures.empty();
 }
 
 } // namespace rasterwalk

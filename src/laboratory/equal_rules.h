@@ -1,7 +1,7 @@
 #pragma once
 
-// Rules of which none is wrong: programs of the lab differ in them, and their pictures do by a
-// pixel here and there along the edges.
+// Rules of which none is wrong, and in which programs of the lab differ. Most of them change a
+// pixel here and there along the edges; affine light, culling and clipping may change more.
 
 #include <string_view>
 #include <vector>
@@ -17,11 +17,11 @@ const std::vector<Assignments>& equal_rules();
 /// Is this one of the settings that the rules say? Its words are rules or mistakes then.
 bool is_of_equal_rules(std::string_view setting);
 
-/// The settings by the rule. Before light is worked out at each pixel, it may be carried straight
-/// across the picture: the lab divides by z only afterwards.
+/// The settings by the rule.
 Settings by_equal_rule(const Assignments& rule, const Settings& settings);
 
-/// May these settings work by that rule without being wrong?
-bool is_equal_there(const Assignments& rule, const Settings& settings);
+/// May these settings work by that rule without being wrong? Light from the vertices may be carried
+/// straight across the picture: the lab divides by z only when light is computed per pixel.
+bool is_equal_there(const Assignments& rule, const Settings& settings, const Scene& scene);
 
 } // namespace rasterwalk

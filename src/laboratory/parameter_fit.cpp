@@ -15,11 +15,12 @@ namespace rasterwalk {
 
 namespace {
 
-/// How high the small picture is, pixels, in which most of the search goes on, and that in which it
-/// ends for the lamp. For the camera it ends in the picture's own size: an edge tells each pixel.
-constexpr int small_height = 100, larger_height = 200;
-/// And that in which the camera's starts are looked for.
-constexpr int smallest_height = 50;
+/// The longer side of the small picture, pixels, in which most of the search goes on, and of that
+/// in which it ends for the lamp. For the camera it ends in the picture's own size, up to a limit:
+/// an edge tells each pixel.
+constexpr int small_side = 100, larger_side = 200, largest_side_of_edges = 1000;
+/// And of that in which the camera's starts, and a lamp in a hurry, are looked for.
+constexpr int smallest_side = 50;
 
 /// A difference of a channel above this, steps of 255, counts by its size and not by its square.
 constexpr double far_apart = 20.0;
@@ -165,9 +166,10 @@ std::vector<float> ParameterFit::values_of(const Image& image) const {
     return values;
 }
 
-ParameterFit::Sight ParameterFit::make_sight(int largest_height) const {
+ParameterFit::Sight ParameterFit::make_sight(int largest_side) const {
     Sight sight;
-    sight.shrunk = std::max(1, (picture_->height + largest_height - 1) / largest_height);
+    const int side = std::max(picture_->width, picture_->height);
+    sight.shrunk = std::max(1, (side + largest_side - 1) / largest_side);
     sight.size = {std::max(1, picture_->width / sight.shrunk),
                   std::max(1, picture_->height / sight.shrunk)};
     const auto place = [&](int i, int small, int full) {
@@ -220,7 +222,7 @@ void ParameterFit::begin(const Image& picture, const Scene& scene, const FitStar
     const double unit = std::max({extent.half.x, extent.half.y, extent.half.z});
     reach_ = {1.2 * unit, 1.2 * unit, 1.6 * unit, 0.8, 0.0};
     if (effort == FitEffort::closer) {
-        sight_ = make_sight(small_height);
+        sight_ = make_sight(small_side);
         best_.cost = std::numeric_limits<double>::max();
         starts_ = {{numbers_of(start_), all_free}};
         begin_descent();
@@ -235,7 +237,7 @@ void ParameterFit::begin_scan() {
     const auto ask = [&](Numbers numbers) { probes_.push_back({numbers}); };
     const Extent extent = extent_of(*scene_);
     if (subject_ == FitSubject::lamp) {
-        sight_ = make_sight(effort_ == FitEffort::quick ? smallest_height : small_height);
+        sight_ = make_sight(effort_ == FitEffort::quick ? smallest_side : small_side);
         // What is black and what it is without the lamp, then with it in many places.
         const auto lit = [](const glm::dvec3& p, double power, double indirect) {
             return Numbers{p.x, p.y, p.z, power, power, power, indirect};
@@ -252,7 +254,7 @@ void ParameterFit::begin_scan() {
         }
         ask(lit(place, trial_power, 0.0));
     } else {
-        sight_ = make_sight(smallest_height);
+        sight_ = make_sight(smallest_side);
         constexpr int places = 8; // to each side, alone; half as many in pairs
         for (std::size_t which = 0; which < number_count(); ++which) {
             for (int i = -places; i <= places; ++i) {
@@ -273,13 +275,14 @@ void ParameterFit::begin_scan() {
     phase_ = Phase::scan;
 }
 
-/// The nearest starts, the student's own among them.
+/// The nearest starts, and the one it began with.
 void ParameterFit::end_scan() {
     const std::size_t wanted = effort_ == FitEffort::quick    ? 1
                                : subject_ == FitSubject::lamp ? 2
                                                               : 11;
     starts_.clear();
     const Probe own = probes_.front();
+    if (subject_ == FitSubject::camera) probes_.erase(probes_.begin()); // own is added below
     if (subject_ == FitSubject::lamp) {
         // Light is a sum of what is there without the lamp, and what grows with each of both
         // numbers: the best of them are known without a picture more.
@@ -331,9 +334,8 @@ void ParameterFit::end_scan() {
     if (subject_ == FitSubject::camera) starts_.push_back({starts_.front().place, all_but_focal});
     starts_.push_back({own.place, subject_ == FitSubject::camera ? all_but_focal : all_free});
     std::reverse(starts_.begin(), starts_.end()); // taken from the end
-    sight_ =
-        make_sight(effort_ == FitEffort::quick && subject_ == FitSubject::lamp ? smallest_height
-                                                                               : small_height);
+    sight_ = make_sight(effort_ == FitEffort::quick && subject_ == FitSubject::lamp ? smallest_side
+                                                                                    : small_side);
     best_.cost = std::numeric_limits<double>::max();
     approached_ = 0;
     stride_ = longest_stride;
@@ -510,7 +512,7 @@ void ParameterFit::end_descent() {
     }
     if (is_larger_) return begin_rounding();
     is_larger_ = true;
-    sight_ = make_sight(subject_ == FitSubject::camera ? picture_->height : larger_height);
+    sight_ = make_sight(subject_ == FitSubject::camera ? largest_side_of_edges : larger_side);
     starts_.assign(1, {best_.place, best_.free});
     if (subject_ == FitSubject::camera) starts_.insert(starts_.begin(), {best_.place, all_free});
     if (subject_ == FitSubject::camera) {
@@ -632,8 +634,12 @@ double ParameterFit::advance(double most) {
             continue;
         }
         make_view_image(drawing_.picture(), View::colour, std::nullopt, image_);
-        probe.colours = values_of(image_);
-        probe.cost = cost_of(probe.colours);
+        std::vector<float> colours = values_of(image_);
+        probe.cost = cost_of(colours);
+        // Only these are read again.
+        const bool is_read =
+            phase_ == Phase::slopes || (phase_ == Phase::scan && subject_ == FitSubject::lamp);
+        if (is_read) probe.colours = std::move(colours);
         done += 2.0 * static_cast<double>(image_.width) * image_.height;
         is_drawing_ = false;
         ++drawn_;

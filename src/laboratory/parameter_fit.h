@@ -24,8 +24,9 @@ enum class FitSubject : std::uint8_t {
 
 /// How much is spent on it.
 enum class FitEffort : std::uint8_t {
-    quick,    ///< on a small picture: near enough to tell which mistake may be the one
-    closer,   ///< as thorough, but only from numbers that are nearly right already
+    quick,  ///< of the lamp only, on a small picture: near enough to tell which mistake may be the
+            ///< one
+    closer, ///< as thorough, but only from numbers that are nearly right already
     thorough, ///< on a larger one, and rounded as a person would have chosen them
 };
 

@@ -38,9 +38,9 @@ std::string first_stage(const Kinds& kinds) {
             what.push_back(counted(kinds.extra, "pixel is", "pixels are") +
                            " not black and should be");
         }
-        return enumerated(what) + ": the difference begins no later than with the pixels that "
-                                  "triangles cover, so look "
-                                  "at points, edges and rows first.";
+        return enumerated(what) +
+               ": look first at the pixels that triangles cover (points, edges, rows), then at the "
+               "depth test, then at light that may be 0.";
     }
     if (kinds.other_hue > 0) {
         return "Every pixel is covered that should be, but " +
@@ -73,21 +73,19 @@ std::vector<std::pair<int, Share>> by_wrong(const Shares& shares) {
 } // namespace
 
 std::vector<std::string> findings_of(const KeptPicture& right, const Image& picture,
-                                     const Scene& scene) {
+                                     const Scene& scene, int parts_of_side) {
     Kinds kinds;
-    Shares parts, triangles;
+    std::vector<Share> of_triangle(static_cast<std::size_t>(scene.triangle_count()));
     const std::size_t count = picture.rgba.size() / 4;
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint8_t *should = pixel_of(right.image, i), *is = pixel_of(picture, i);
         const bool is_wrong = !is_same_pixel(should, is);
-        const int owner = right.owners[i];
+        const int owner =
+            right.owners[i] < 0 ? -1 : right.owners[i] / (parts_of_side * parts_of_side);
         if (owner >= 0) {
-            Share& part = parts[part_of(scene, owner)];
-            ++part.all;
-            part.wrong += is_wrong ? 1 : 0;
-            Share& triangle = triangles[owner];
-            ++triangle.all;
-            triangle.wrong += is_wrong ? 1 : 0;
+            Share& share = of_triangle[static_cast<std::size_t>(owner)];
+            ++share.all;
+            share.wrong += is_wrong ? 1 : 0;
         }
         if (!is_wrong) continue;
         if (is_black(is) && !is_black(should)) {
@@ -102,6 +100,15 @@ std::vector<std::string> findings_of(const KeptPicture& right, const Image& pict
     }
     if (kinds.missing + kinds.extra + kinds.other_hue + kinds.brightness == 0) return {};
 
+    Shares parts, triangles;
+    for (std::size_t t = 0; t < of_triangle.size(); ++t) {
+        if (of_triangle[t].all == 0) continue;
+        const int triangle = static_cast<int>(t);
+        triangles[triangle] = of_triangle[t];
+        Share& part = parts[part_of(scene, triangle)];
+        part.all += of_triangle[t].all;
+        part.wrong += of_triangle[t].wrong;
+    }
     std::vector<std::string> findings{first_stage(kinds)};
     constexpr std::size_t most_named = 3;
     std::vector<std::string> names;
@@ -111,13 +118,14 @@ std::vector<std::string> findings_of(const KeptPicture& right, const Image& pict
                                     scene.parts[static_cast<std::size_t>(part)].name, share.wrong,
                                     share.all));
     }
-    if (!names.empty()) findings.push_back("Most wrong pixels are in: " + enumerated(names) + ".");
+    if (!names.empty())
+        findings.push_back("Parts with the most wrong pixels: " + enumerated(names) + ".");
     names.clear();
     for (const auto& [triangle, share] : by_wrong(triangles)) {
         if (names.size() == most_named) break;
         names.push_back(fmt::format("{} ({})", triangle_name(triangle), share.wrong));
     }
-    if (!names.empty()) findings.push_back("By triangles: " + enumerated(names) + ".");
+    if (!names.empty()) findings.push_back("Triangles with the most: " + enumerated(names) + ".");
     names.clear();
     for (const auto& [part, share] : parts) {
         if (part >= 0 && share.wrong == 0)

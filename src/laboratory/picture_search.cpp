@@ -155,7 +155,9 @@ class Search {
             for (const Assignments& rule : equal_rules()) {
                 if (vertices_only && rule.front().first != "vertex_rounding") continue;
                 Trying other{by_equal_rule(rule, trying.right), trying.deeds};
-                if (other.right == trying.right || !is_equal_there(rule, trying.right)) continue;
+                if (other.right == trying.right ||
+                    !is_equal_there(rule, trying.right, trial_.scene()))
+                    continue;
                 if (recipe_of(other) == recipe_of(trying)) continue;
                 others.push_back(std::move(other));
             }
@@ -181,9 +183,11 @@ class Search {
     /// The two stages at which the picture is nearest to having been drawn: the nearest, and the
     /// one that a mistake most easily makes it look like.
     std::vector<Trying> stage_bases() {
-        std::vector<Trying> all;
-        for (const StageInfo& info : stage_list())
-            all.push_back(at_step(info.step));
+        std::vector<Trying> all{{reference_, {}}};
+        for (const StageInfo& info : stage_list()) {
+            const Trying at = at_step(info.step);
+            if (is_of_use(info, trial_.scene()) && !(at.right == reference_)) all.push_back(at);
+        }
         for (const Trying& trying : all)
             note(trying);
         if (is_waiting()) return {};
@@ -221,7 +225,11 @@ class Search {
             });
             if (!is_there) bases.push_back(base);
         };
-        add(at_step(sibling(step_of(all.front().right))));
+        const StripStep other = sibling(step_of(all.front().right));
+        const StageInfo& info = stage_list()[static_cast<std::size_t>(strip_place(other))];
+        if (is_of_use(info, trial_.scene())) add(at_step(other));
+        // A shading that is no step of the strip is asked for.
+        if (!(at_step(step_of(reference_)).right == reference_)) add({reference_, {}});
         // Much is wrong: then the stage may not be the one it seems, but the one that is asked for.
         constexpr double much = 0.3;
         if (drawn(all.front()).distance.wrong > much * pixel_count()) add({reference_, {}});
@@ -320,12 +328,15 @@ class Search {
         std::vector<Trying> starts;
         for (const Trying& at : cameras) {
             for (const StageInfo& info : stage_list()) {
+                if (!is_of_use(info, trial_.scene())) continue;
                 starts.push_back(at);
                 set_step(starts.back().right, info.step);
             }
-            starts.push_back(at);
-            set_step(starts.back().right, StripStep::vertex_light);
-            starts.back().right.interpolation = Interpolation::affine; // as right at the vertices
+            Trying straight = at; // as right, for light of the vertices
+            set_step(straight.right, StripStep::vertex_light);
+            straight.right.interpolation = Interpolation::affine;
+            if (is_equal_there({{"interpolation", "affine"}}, straight.right, trial_.scene()))
+                starts.push_back(straight);
         }
         for (Trying& start : starts)
             start = fitted(start, FitSubject::lamp, FitEffort::quick);
@@ -518,6 +529,7 @@ double assumption_unit(PictureTrial& trial, const Settings& reference) {
     constexpr double part = 0.01, least = 0.5, most = 20.0;
     double wrong = std::numeric_limits<double>::max();
     for (const StageInfo& info : stage_list()) {
+        if (!is_of_use(info, trial.scene())) continue;
         Settings settings = reference;
         set_step(settings, info.step);
         wrong = std::min(wrong, trial.drawn(settings).distance.wrong);

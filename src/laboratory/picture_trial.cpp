@@ -75,9 +75,9 @@ const Drawn& PictureTrial::drawn(const PictureRecipe& recipe) {
 
 const Settings& PictureTrial::fitted(const Settings& settings, const Settings& usual,
                                      FitSubject subject, FitEffort effort) {
-    const bool counts = subject == FitSubject::camera ? scene_->space == SceneSpace::world &&
-                                                            settings.camera.aim == CameraAim::angles
-                                                      : shading_rule(settings) != Shading::unlit;
+    const bool counts = scene_->space == SceneSpace::world &&
+                        (subject == FitSubject::camera ? settings.camera.aim == CameraAim::angles
+                                                       : shading_rule(settings) != Shading::unlit);
     if (!counts) return settings;
     const Wanted wanted{Want::fit, PictureRecipe{settings}, subject, effort, PictureRecipe{usual}};
     const auto found = fitted_.find(wanted);

@@ -50,7 +50,7 @@ class PictureTrial {
 
     /// The settings with the numbers with which their picture comes nearest; as they are while the
     /// trial is waiting for it, and where no light or no camera counts.
-    /// @param usual see ParameterFit
+    /// @param usual see FitStart
     const Settings& fitted(const Settings& settings, const Settings& usual, FitSubject subject,
                            FitEffort effort);
 

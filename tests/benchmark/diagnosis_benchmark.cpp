@@ -20,7 +20,7 @@ void print_diagnosis_times(const std::vector<std::string>& names) {
     const auto picture_by = [&](const Settings& settings) {
         return view_image(draw_frame(prepare_frame(scene, settings)), View::colour);
     };
-    double largest = 0.0;
+    double longest = 0.0;
     for (const Bug& bug : bugs) {
         if (!names.empty() && std::find(names.begin(), names.end(), bug.id) == names.end())
             continue;
@@ -36,9 +36,9 @@ void print_diagnosis_times(const std::vector<std::string>& names) {
             found.candidates.empty() ? std::vector<std::string>{} : found.candidates.front().ids();
         const bool is_named = std::find(ids.begin(), ids.end(), bug.id) != ids.end();
         std::printf("%-5s %5.1f s %s\n", bug.id.c_str(), seconds, is_named ? "named" : "");
-        largest = std::max(largest, seconds);
+        longest = std::max(longest, seconds);
     }
-    std::printf("largest %.1f s\n", largest);
+    std::printf("longest %.1f s\n", longest);
 }
 
 } // namespace rasterwalk

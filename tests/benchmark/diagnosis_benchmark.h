@@ -5,9 +5,9 @@
 
 namespace rasterwalk {
 
-/// Prints how much time of the processor it takes to diagnose the picture of each mistake in the
-/// lab's room, 500 x 500 pixels, and whether it is named first: `B3 1.4 s named`; at last the
-/// largest of all.
+/// Prints how much processor time it takes to diagnose the picture of each mistake in the lab's
+/// room, 500 x 500 pixels, and whether the mistake is named first: `B3 1.4 s named`; finally the
+/// longest of these times.
 /// @param names ids of the mistakes; empty: all
 void print_diagnosis_times(const std::vector<std::string>& names);
 

@@ -66,9 +66,9 @@ TEST_CASE("A verdict does not say that all is explained where pixels still diffe
 
 TEST_CASE("Mistakes of the same result are one candidate, under all their names") {
     CHECK(verdict({made_by({"B9"}, 0, 1), made_by({"B8"}, 0, 1)}) ==
-          "B9 “Name of B9” or B8 “Name of B8” make this very picture.");
+          "B9 “Name of B9” or B8 “Name of B8” makes this very picture.");
     CHECK(verdict({made_by({"B9", "B3"}, 0, 1), made_by({"B9", "B4"}, 0, 1)}) ==
-          "B9 “Name of B9” together with B3 “Name of B3” or B4 “Name of B4” make this very "
+          "B9 “Name of B9” together with B3 “Name of B3” or B4 “Name of B4” makes this very "
           "picture.");
 }
 
