@@ -79,7 +79,7 @@ class ParameterFit {
     Settings with(const Numbers& numbers) const;
     Settings in_sight(const Numbers& numbers) const;
     Numbers numbers_of(const Settings& settings) const;
-    Sight make_sight(int largest_height) const;
+    Sight make_sight(int largest_side) const;
     std::vector<float> values_of(const Image& image) const;
     double cost_of(const std::vector<float>& colours) const;
     void begin_scan();
