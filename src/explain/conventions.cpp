@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "base/enumerated.h"
 #include "stages/vertex_shader.h"
 
 namespace rasterwalk {
@@ -79,19 +82,15 @@ std::string formula_of(Conventions chosen) {
 }
 
 std::string sentence_of(Conventions chosen) {
-    std::string sentence;
-    const int count = std::popcount(static_cast<unsigned>(chosen));
-    int number = 0;
+    std::vector<std::string> names;
     for (std::size_t i = 0; i < convention_count; ++i) {
-        if (!has(chosen, static_cast<Convention>(i))) continue;
-        if (number > 0) sentence += number + 1 == count ? " and " : ", ";
-        sentence += said_conventions[i];
-        ++number;
+        if (has(chosen, static_cast<Convention>(i))) names.emplace_back(said_conventions[i]);
     }
+    std::string sentence = enumerated(names);
     sentence[0] = sentence[0] >= 'a' && sentence[0] <= 'z'
                       ? static_cast<char>(sentence[0] - 'a' + 'A')
                       : sentence[0];
-    return sentence + (count == 1 ? " changes nothing with this camera." : " cancel.");
+    return sentence + (names.size() == 1 ? " changes nothing with this camera." : " cancel.");
 }
 
 } // namespace

@@ -37,12 +37,13 @@ void add_mixed_w(VertexMaker& made) {
     }
     made.add(w);
     if (!shaded.has_pixel) return;
-    made.add({"zinv",
-              "1/w",
-              "By this values are weighed; the same at all vertices where rays are parallel.",
-              "1 / w",
-              {{"w", {shaded.position_clip.w}, from_formula("clip.w")}},
-              {shaded.pixel.inv_w}});
+    made.add(
+        {"zinv",
+         "1/w",
+         "Values are weighted by this; it is the same at all vertices where rays are parallel.",
+         "1 / w",
+         {{"w", {shaded.position_clip.w}, from_formula("clip.w")}},
+         {shaded.pixel.inv_w}});
 }
 
 void set_clip_depth(Formula& formula, const VertexRules& rules, const FormulaInput& z) {

@@ -187,7 +187,7 @@ void add_inverse_z(VertexMaker& made) {
     const ShadedVertex& shaded = made.report.shaded;
     Formula formula{"zinv",
                     "1/z",
-                    made.has_own_depth() ? "By this values are weighed."
+                    made.has_own_depth() ? "Values are weighted by this."
                                          : "What the depth buffer holds: larger is nearer.",
                     "1 / z",
                     {{"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},

@@ -66,19 +66,19 @@ class DiagnosisWork {
 
   private:
     void ask();
-    void look_closely(const std::vector<Trying>& tried);
+    void look_closely(const std::vector<Attempt>& tried);
     void refuse_too_much() const;
 
     Image picture_;
     std::string name_;
     Settings reference_;
-    std::vector<Deed> deeds_;
+    std::vector<Change> changes_;
     std::unique_ptr<PictureTrial> trial_;
     PicturesDrawn pictures_;
     Image right_picture_;
     bool is_affordable_ = false; ///< by the work that the reference is
     bool is_stopped_ = false;
-    std::optional<std::vector<Trying>> tried_; ///< once nothing more is searched
+    std::optional<std::vector<Attempt>> tried_; ///< once nothing more is searched
     std::optional<Diagnosis> found_;
 };
 

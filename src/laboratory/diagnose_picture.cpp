@@ -15,24 +15,24 @@ namespace rasterwalk {
 
 namespace {
 
-Candidate candidate_of(const Trying& trying, const Settings& reference) {
+Candidate candidate_of(const Attempt& attempt, const Settings& reference) {
     Candidate candidate;
-    for (const Deed* deed : trying.deeds)
-        candidate.mistakes.push_back({{deed->id}, {deed->name}});
-    const std::string rules = enumerated(rules_beside(trying.right, reference));
+    for (const Change* change : attempt.changes)
+        candidate.mistakes.push_back({{change->id}, {change->name}});
+    const std::string rules = enumerated(rules_beside(attempt.right, reference));
     if (!rules.empty()) candidate.remark = "with " + rules;
-    candidate.recipe = recipe_of(trying);
-    candidate.right = trying.right;
+    candidate.recipe = recipe_of(attempt);
+    candidate.right = attempt.right;
     return candidate;
 }
 
-/// Does each of its deeds take something away from what is wrong without it?
-bool needs_each_deed(PictureTrial& trial, const Trying& trying) {
+/// Does each of its changes take something away from what is wrong without it?
+bool needs_each_change(PictureTrial& trial, const Attempt& attempt) {
     constexpr double least_gain = 0.01;
-    const double wrong = trial.drawn(recipe_of(trying)).distance.wrong;
-    for (std::size_t i = 0; i < trying.deeds.size(); ++i) {
-        Trying less = trying;
-        less.deeds.erase(less.deeds.begin() + static_cast<std::ptrdiff_t>(i));
+    const double wrong = trial.drawn(recipe_of(attempt)).distance.wrong;
+    for (std::size_t i = 0; i < attempt.changes.size(); ++i) {
+        Attempt less = attempt;
+        less.changes.erase(less.changes.begin() + static_cast<std::ptrdiff_t>(i));
         const double without = trial.drawn(recipe_of(less)).distance.wrong;
         if (wrong >= (1.0 - least_gain) * without) return false; // also where nothing is wrong
     }
@@ -40,29 +40,29 @@ bool needs_each_deed(PictureTrial& trial, const Trying& trying) {
 }
 
 /// What was tried and comes nearer than the picture without any mistake.
-std::vector<Hypothesis> hypotheses_of(PictureTrial& trial, const std::vector<Trying>& tried,
-                                      const Trying& base, const Settings& reference) {
+std::vector<Hypothesis> hypotheses_of(PictureTrial& trial, const std::vector<Attempt>& tried,
+                                      const Attempt& base, const Settings& reference) {
     const double unit = assumption_unit(trial, reference);
     const double base_price = price_of(trial, base, reference, unit);
     std::vector<Hypothesis> hypotheses;
-    for (const Trying& trying : tried) {
-        const PictureRecipe recipe = recipe_of(trying);
+    for (const Attempt& attempt : tried) {
+        const PictureRecipe recipe = recipe_of(attempt);
         const Drawn& drawn = trial.drawn(recipe);
         // Nor is it named if the base explains as much and assumes less.
-        const double price = price_of(trial, trying, reference, unit);
-        if (trying.deeds.empty() || price >= base_price) continue;
-        if (!needs_each_deed(trial, trying)) continue;
-        const ImageDistance& without = trial.drawn(trying.right).distance;
+        const double price = price_of(trial, attempt, reference, unit);
+        if (attempt.changes.empty() || price >= base_price) continue;
+        if (!needs_each_change(trial, attempt)) continue;
+        const ImageDistance& without = trial.drawn(attempt.right).distance;
         Hypothesis h;
-        h.candidate = candidate_of(trying, reference);
+        h.candidate = candidate_of(attempt, reference);
         h.candidate.distance = drawn.distance.mean;
         h.candidate.different = drawn.distance.different;
         h.candidate.explained = std::clamp(1.0 - drawn.distance.wrong / without.wrong, 0.0, 1.0);
-        h.assumed = assumptions_of(trying, reference);
+        h.assumed = assumptions_of(attempt, reference);
         h.price = price;
         h.result = drawn.print;
-        h.is_of_bugs = std::all_of(trying.deeds.begin(), trying.deeds.end(),
-                                   [](const Deed* deed) { return deed->bug != nullptr; });
+        h.is_of_bugs = std::all_of(attempt.changes.begin(), attempt.changes.end(),
+                                   [](const Change* change) { return change->bug != nullptr; });
         hypotheses.push_back(std::move(h));
     }
     return hypotheses;
@@ -70,26 +70,26 @@ std::vector<Hypothesis> hypotheses_of(PictureTrial& trial, const std::vector<Try
 
 /// The reference where no mistake is likely: with rules and numbers of its own only if they explain
 /// most of what differs, or something would be said of the program that is not true.
-const Trying& convincing_base(PictureTrial& trial, const std::vector<Trying>& tried,
-                              const Trying& best, const Settings& reference) {
+const Attempt& convincing_base(PictureTrial& trial, const std::vector<Attempt>& tried,
+                               const Attempt& best, const Settings& reference) {
     constexpr double convincing = 0.5;
-    const Trying* plain = nullptr;
-    const auto different = [&](const Trying& trying) {
-        return static_cast<double>(trial.drawn(trying.right).distance.different);
+    const Attempt* plain = nullptr;
+    const auto different = [&](const Attempt& attempt) {
+        return static_cast<double>(trial.drawn(attempt.right).distance.different);
     };
-    const auto light = [&](const Trying& trying) {
-        return trial.drawn(trying.right).distance.mean;
+    const auto light = [&](const Attempt& attempt) {
+        return trial.drawn(attempt.right).distance.mean;
     };
-    const auto surface = [&](const Trying& trying) {
-        return trial.drawn(trying.right).distance.other_surface;
+    const auto surface = [&](const Attempt& attempt) {
+        return trial.drawn(attempt.right).distance.other_surface;
     };
-    for (const Trying& trying : tried) {
+    for (const Attempt& attempt : tried) {
         Settings same = reference;
-        set_step(same, step_of(trying.right));
-        if (!trying.deeds.empty() || !(trying.right == same)) continue;
-        if (plain == nullptr || surface(trying) < surface(*plain) - 0.02 ||
-            (surface(trying) < surface(*plain) + 0.02 && light(trying) < light(*plain)))
-            plain = &trying;
+        set_step(same, step_of(attempt.right));
+        if (!attempt.changes.empty() || !(attempt.right == same)) continue;
+        if (plain == nullptr || surface(attempt) < surface(*plain) - 0.02 ||
+            (surface(attempt) < surface(*plain) + 0.02 && light(attempt) < light(*plain)))
+            plain = &attempt;
     }
     if (plain == nullptr || different(best) <= convincing * different(*plain)) return best;
     return *plain;
@@ -124,7 +124,8 @@ Settings fitted_to(const Settings& settings, const Image& picture, SceneSpace sp
 DiagnosisWork::DiagnosisWork(Image picture, const std::string& name, const Scene& scene,
                              const Settings& reference, const std::vector<Bug>& bugs)
     : picture_(std::move(picture)), name_(name), reference_(reference),
-      deeds_(known_deeds(bugs, scene)), trial_(std::make_unique<PictureTrial>(picture_, scene)) {}
+      changes_(known_changes(bugs, scene)),
+      trial_(std::make_unique<PictureTrial>(picture_, scene)) {}
 
 DiagnosisWork::~DiagnosisWork() = default;
 
@@ -142,7 +143,7 @@ void DiagnosisWork::stop_searching() {
     if (is_done() || tried_) return;
     is_stopped_ = true;
     trial_->stop_drawing();
-    tried_ = search_picture(*trial_, reference_, deeds_);
+    tried_ = search_picture(*trial_, reference_, changes_);
     trial_->draw_again();
     pictures_ = {};
 }
@@ -157,19 +158,19 @@ void DiagnosisWork::ask() {
         is_affordable_ = true;
     }
     if (!tried_) {
-        std::vector<Trying> tried{{reference_, {}}};
-        if (apart.different > 0) tried = search_picture(trial, reference_, deeds_);
+        std::vector<Attempt> tried{{reference_, {}}};
+        if (apart.different > 0) tried = search_picture(trial, reference_, changes_);
         if (trial.is_waiting()) return;
         tried_ = std::move(tried);
     }
     look_closely(*tried_);
 }
 
-void DiagnosisWork::look_closely(const std::vector<Trying>& tried) {
+void DiagnosisWork::look_closely(const std::vector<Attempt>& tried) {
     PictureTrial& trial = *trial_;
-    const Trying none{reference_, {}};
+    const Attempt none{reference_, {}};
     const bool is_as_asked = tried.size() <= 1; // nothing was searched, or nothing but one picture
-    const Trying& base = is_as_asked ? none : best_base(trial, tried, reference_);
+    const Attempt& base = is_as_asked ? none : best_base(trial, tried, reference_);
     Diagnosis found;
     std::vector<Hypothesis> hypotheses;
     if (!is_as_asked) hypotheses = hypotheses_of(trial, tried, base, reference_);

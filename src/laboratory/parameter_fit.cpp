@@ -7,8 +7,11 @@
 #include <utility>
 
 #include <glm/common.hpp>
+#include <glm/vec3.hpp>
 
+#include "base/linear_system.h"
 #include "picture/view_image.h"
+#include "scene/scene_box.h"
 #include "settings/setting_table.h"
 
 namespace rasterwalk {
@@ -38,8 +41,8 @@ constexpr double much_worse = 2.0;
 /// seen nor cut off at white.
 constexpr double trial_power = 5.0;
 
-/// Numbers of the camera that programs change together: who turns or walks sideways walks along
-/// too.
+/// Numbers of the camera that programs change together: a camera that turns or moves sideways
+/// mostly moves forward too.
 constexpr std::array<std::pair<std::size_t, std::size_t>, 6> camera_pairs{
     {{2, 3}, {0, 3}, {0, 2}, {1, 2}, {2, 4}, {0, 1}}};
 
@@ -58,47 +61,6 @@ double huber(double difference) {
 
 double rounded_to(double value, double unit) {
     return std::round(value / unit) * unit;
-}
-
-/// Solves a small system by Gauss and Jordan with the largest pivot; false if it has no solution.
-template <std::size_t n>
-bool solve(std::array<std::array<double, n>, n> a, std::array<double, n>& b) {
-    for (std::size_t column = 0; column < n; ++column) {
-        std::size_t pivot = column;
-        for (std::size_t row = column; row < n; ++row) {
-            if (std::abs(a[row][column]) > std::abs(a[pivot][column])) pivot = row;
-        }
-        if (!(std::abs(a[pivot][column]) > 0.0)) return false;
-        std::swap(a[pivot], a[column]);
-        std::swap(b[pivot], b[column]);
-        for (std::size_t row = 0; row < n; ++row) {
-            if (row == column) continue;
-            const double factor = a[row][column] / a[column][column];
-            for (std::size_t i = column; i < n; ++i)
-                a[row][i] -= factor * a[column][i];
-            b[row] -= factor * b[column];
-        }
-    }
-    for (std::size_t i = 0; i < n; ++i)
-        b[i] /= a[i][i];
-    return true;
-}
-
-/// The box in which the scene lies.
-struct Extent {
-    glm::dvec3 middle{0.0}, half{1.0};
-};
-
-Extent extent_of(const Scene& scene) {
-    glm::vec3 low(std::numeric_limits<float>::max()), high(-std::numeric_limits<float>::max());
-    for (int t = 0; t < scene.triangle_count(); ++t) {
-        for (int i = 0; i < 3; ++i) {
-            low = glm::min(low, scene.corner(t, i).position);
-            high = glm::max(high, scene.corner(t, i).position);
-        }
-    }
-    if (!(low.x <= high.x)) return {};
-    return {0.5 * (glm::dvec3(low) + glm::dvec3(high)), 0.5 * (glm::dvec3(high) - glm::dvec3(low))};
 }
 
 } // namespace
@@ -218,8 +180,8 @@ void ParameterFit::begin(const Image& picture, const Scene& scene, const FitStar
                  ? Numbers{0.02, 0.02, 0.02, 0.2, 0.2, 0.2, 0.01}
                  : Numbers{0.02, 0.02, 0.02, 0.008,
                            0.01 * static_cast<double>(start_.camera.focal_length)};
-    const Extent extent = extent_of(scene);
-    const double unit = std::max({extent.half.x, extent.half.y, extent.half.z});
+    const glm::dvec3 half = 0.5 * (box_of(scene).high - box_of(scene).low);
+    const double unit = std::max({half.x, half.y, half.z});
     reach_ = {1.2 * unit, 1.2 * unit, 1.6 * unit, 0.8, 0.0};
     if (effort == FitEffort::closer) {
         sight_ = make_sight(small_side);
@@ -235,7 +197,7 @@ void ParameterFit::begin_scan() {
     const Numbers own = numbers_of(start_);
     probes_.assign(1, {own});
     const auto ask = [&](Numbers numbers) { probes_.push_back({numbers}); };
-    const Extent extent = extent_of(*scene_);
+    const SceneBox box = box_of(*scene_);
     if (subject_ == FitSubject::lamp) {
         sight_ = make_sight(effort_ == FitEffort::quick ? smallest_side : small_side);
         // What is black and what it is without the lamp, then with it in many places.
@@ -248,7 +210,8 @@ void ParameterFit::begin_scan() {
         for (const double x : {-0.6, 0.0, 0.6}) {
             for (const double y : {-0.6, 0.0, 0.6}) {
                 for (const double z : {-1.5, -0.7, 0.0, 0.6}) {
-                    ask(lit(extent.middle + extent.half * glm::dvec3(x, y, z), trial_power, 0.0));
+                    ask(lit(box.middle() + 0.5 * (box.high - box.low) * glm::dvec3(x, y, z),
+                            trial_power, 0.0));
                 }
             }
         }
@@ -303,7 +266,7 @@ void ParameterFit::end_scan() {
                 }
             }
             probes_[p].cost = std::numeric_limits<double>::max();
-            if (!solve(squares, sums) || sums[0] < 0.0 || sums[1] < 0.0) continue;
+            if (!solve_linear_system(squares, sums) || sums[0] < 0.0 || sums[1] < 0.0) continue;
             for (std::size_t channel = 3; channel < 6; ++channel)
                 probes_[p].place[channel] = trial_power * sums[0];
             probes_[p].place[6] = sums[1];
@@ -463,7 +426,7 @@ void ParameterFit::solve_step() {
     for (std::size_t i = 0; i < most_numbers; ++i)
         damped[i][i] += damping_ * squares_[i][i] + 1e-9 * largest + 1e-12;
     Numbers step = slopes_;
-    if (!solve(damped, step)) return end_descent();
+    if (!solve_linear_system(damped, step)) return end_descent();
     if (is_white_) step[4] = step[5] = step[3];
     Numbers next = from_.place;
     for (std::size_t i = 0; i < number_count(); ++i)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -17,25 +16,7 @@ namespace {
 constexpr double usual_distance = 0.5;
 constexpr double largest_half_diagonal = 0.6;
 
-constexpr double smallest_radius = 1e-3;
-
 } // namespace
-
-double SceneBox::radius() const {
-    return std::max(0.5 * glm::length(high - low), smallest_radius);
-}
-
-SceneBox box_of(const Scene& scene) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    SceneBox box{glm::dvec3(infinity), glm::dvec3(-infinity)};
-    for (const Vertex& vertex : scene.mesh.vertices()) {
-        const glm::dvec3 place(vertex.position);
-        if (!std::isfinite(place.x + place.y + place.z)) continue;
-        box.low = glm::min(box.low, place);
-        box.high = glm::max(box.high, place);
-    }
-    return box.low.x <= box.high.x ? box : SceneBox();
-}
 
 glm::dvec3 PicturePlane::place_of(const glm::dvec2& pixel) const {
     const glm::dvec2 projected = pixel - middle;

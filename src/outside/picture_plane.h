@@ -13,21 +13,10 @@
 #include <glm/vec3.hpp>
 
 #include "scene/scene.h"
+#include "scene/scene_box.h"
 #include "stages/orthographic.h"
 
 namespace rasterwalk {
-
-/// The smallest box, along the axes of the world, around all that a scene draws.
-struct SceneBox {
-    glm::dvec3 low{-1.0}, high{1.0};
-
-    glm::dvec3 middle() const { return 0.5 * (low + high); }
-    /// Of the ball around it; never 0.
-    double radius() const;
-};
-
-/// Around all vertices that are finite; a scene without any gets the box from -1 to 1.
-SceneBox box_of(const Scene& scene);
 
 /// Where the picture stands in the world.
 struct PicturePlane {

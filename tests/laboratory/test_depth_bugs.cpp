@@ -48,8 +48,8 @@ void for_each_pair(const BugRuns& runs, const F& f) {
     }
 }
 
-/// Every place is `moved(right place, z)`, and is lit there; tells of how many fragments the light
-/// became weaker, and of how many stronger.
+/// Checks that each place is `moved(right place, z)` and lit there, and counts the fragments that
+/// became darker and those that became brighter.
 template <class Moved>
 std::array<int, 2> require_places(const BugRuns& runs, const Moved& moved) {
     int weaker = 0, stronger = 0;

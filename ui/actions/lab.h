@@ -39,9 +39,9 @@ void diagnose_file(Ui& ui, const std::string& path);
 /// file is held against that anyway.
 void hold_result_against(Ui& ui, bool what_is_set);
 
-/// Reads the file that waits for it, or goes on with the picture that is being checked: no longer
-/// than longest_search. While its answer is on show, a file that has changed is checked again by
-/// itself, against the same. To be called once a frame.
+/// Reads the file that is waiting, or continues checking the picture, for at most longest_search.
+/// While an answer is shown, its file is checked again when it changes, against the same reference.
+/// To be called once a frame.
 void carry_on_diagnosis(Ui& ui, const WorkLimit& limit = frame_limit);
 
 /// Searches no further: what was found so far is looked at and becomes the answer. Where that has
@@ -51,14 +51,13 @@ void stop_diagnosis(Ui& ui);
 /// Checks the file no further. An answer that there was before stays.
 void give_up_diagnosis(Ui& ui);
 
-/// Has the file changed whose answer is on show, since it was looked at last?
+/// Has the file whose answer is shown changed since it was last read?
 bool result_was_edited(const Ui& ui);
 
 /// Is a file being checked, or about to be?
 bool is_diagnosing(const Ui& ui);
 
-/// For so long mistakes are searched in a picture, seconds of work. Then it is answered with what
-/// was found.
+/// How long a picture is searched for mistakes, seconds of work; the answer is then what was found.
 inline constexpr double longest_search = 60.0;
 
 } // namespace rasterwalk

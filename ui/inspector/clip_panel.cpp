@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/element_names.h"
+#include "base/enumerated.h"
 #include "base/numbers.h"
 #include "session/quiz_state.h"
 #include "session/tabs.h"
@@ -30,10 +31,7 @@ std::string list_of_planes(Outcode code) {
     for (std::size_t p = 0; p < clip_plane_count; ++p) {
         if ((code >> p & 1u) != 0) names.push_back("the " + plane_name(static_cast<ClipPlane>(p)));
     }
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-    return text;
+    return enumerated(names);
 }
 
 /// What becomes of the triangle, in a sentence.

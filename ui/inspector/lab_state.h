@@ -56,11 +56,11 @@ struct LabSubject {
 struct LabCheck {
     LabSubject subject; ///< its scene must outlive the work
     std::unique_ptr<DiagnosisWork> work;
-    double seconds = 0.0;    ///< that it was worked on
-    bool is_stopped = false; ///< nothing more is searched: what was found is looked at
+    double seconds = 0.0;    ///< of work so far
+    bool is_stopped = false; ///< the search has ended: what was found is examined
 };
 
-/// What came of a file that was checked, and what is on show of it.
+/// The result of checking a file, as it is shown.
 struct LabAnswer {
     LabSubject subject;
     Diagnosis diagnosis;

@@ -102,9 +102,10 @@ std::string help_of(const Ui& ui, const VertexLine& line) {
     if (is_mixed(ui) && id.starts_with("projected."))
         return "Pixels from the middle of the picture, before rounding.";
     if (is_mixed(ui) && id == "zinv")
-        return "By this values are weighed; the same at all vertices where rays are parallel.";
+        return "Values are weighted by this; it is the same at all vertices where rays are "
+               "parallel.";
     if (id == "zinv" && depth_kind(ui.results.a.frame) != ClipDepth::inv_z)
-        return "By this values are weighed; the depth buffer holds " +
+        return "Values are weighted by this; the depth buffer holds " +
                std::string(depth_words(ui.results.a.frame).name) + ".";
     if (!id.starts_with("pixel.")) return has_mistake(ui, line) ? told_help(ui, line) : line.help;
     return how_made_whole(ui.results.a.frame.settings, ui.results.a.scene->space);
