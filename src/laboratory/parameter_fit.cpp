@@ -32,8 +32,8 @@ constexpr double far_apart = 20.0;
 constexpr double hardly_worse = 1.02;
 /// Others than the usual ones are taken only if these are worse than by this.
 constexpr double clearly_worse = 1.15;
-/// And one number more of the camera must be worth this part.
-constexpr double for_each_number = 0.1;
+/// And one number more of the camera must be worth this part, another position of the lamp this.
+constexpr double for_each_number = 0.1, for_position = 0.03;
 /// And coloured light only if white light is worse than by this.
 constexpr double much_worse = 2.0;
 
@@ -49,7 +49,7 @@ constexpr std::array<std::pair<std::size_t, std::size_t>, 6> camera_pairs{
 /// How far a coarse search looks around itself at first, a part of what was scanned.
 constexpr double longest_stride = 0.125;
 
-constexpr std::uint32_t all_free = ~0u, all_but_focal = ~(1u << 4u);
+constexpr std::uint32_t all_free = ~0u, all_but_focal = ~(1u << 4u), all_but_position = ~7u;
 
 constexpr int most_steps = 12, most_larger_steps = 8, most_refused = 4;
 
@@ -216,6 +216,7 @@ void ParameterFit::begin_scan() {
             }
         }
         ask(lit(place, trial_power, 0.0));
+        ask(lit({usual_[0], usual_[1], usual_[2]}, trial_power, 0.0));
     } else {
         sight_ = make_sight(smallest_side);
         constexpr int places = 8; // to each side, alone; half as many in pairs
@@ -282,6 +283,7 @@ void ParameterFit::end_scan() {
         }
         probes_.erase(probes_.begin(), probes_.begin() + 3);
     }
+    const Probe in_place = probes_.back(); // of a lamp in its usual place
     std::stable_sort(probes_.begin(), probes_.end(),
                      [](const Probe& a, const Probe& b) { return a.cost < b.cost; });
     // Of the camera the nearest of each kind: one number alone, a pair.
@@ -296,6 +298,8 @@ void ParameterFit::end_scan() {
     }
     if (subject_ == FitSubject::camera) starts_.push_back({starts_.front().place, all_but_focal});
     starts_.push_back({own.place, subject_ == FitSubject::camera ? all_but_focal : all_free});
+    if (subject_ == FitSubject::lamp && effort_ == FitEffort::thorough)
+        starts_.push_back({in_place.place, all_but_position});
     std::reverse(starts_.begin(), starts_.end()); // taken from the end
     sight_ = make_sight(effort_ == FitEffort::quick && subject_ == FitSubject::lamp ? smallest_side
                                                                                     : small_side);
@@ -454,10 +458,12 @@ void ParameterFit::take_step() {
 void ParameterFit::end_descent() {
     // Whatever has one number more to be chosen must be worth it.
     double price = 1.0;
-    if (subject_ == FitSubject::camera)
+    if (subject_ == FitSubject::camera) {
         price += for_each_number * static_cast<double>(std::popcount(from_.free & 31u));
-    else if (!is_white_)
-        price = much_worse;
+    } else {
+        if (from_.free == all_free) price += for_position;
+        if (!is_white_) price *= much_worse;
+    }
     if (price * from_.cost < best_.cost) {
         best_ = from_;
         best_.cost *= price;
@@ -466,7 +472,7 @@ void ParameterFit::end_descent() {
     if (is_white_ && is_larger_) {
         // A coloured lamp, if that is much better.
         is_white_ = false;
-        starts_ = {{best_.place, all_free}};
+        starts_ = {{best_.place, best_.free}};
         return begin_descent();
     }
     if (effort_ == FitEffort::quick) {

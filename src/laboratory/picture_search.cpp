@@ -4,12 +4,49 @@
 #include <array>
 #include <utility>
 
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
 #include "laboratory/bug_rule.h"
 #include "laboratory/equal_rules.h"
 
 namespace rasterwalk {
 
 namespace {
+
+glm::vec3 rounded_to_parts(const glm::vec3& value, float parts) {
+    return glm::round(value * parts) / parts;
+}
+
+/// The lamp as it is and with a rounder position, or the usual one; the same for indirect light.
+std::vector<Light> with_rounder_places(const Light& light, const Light& usual) {
+    std::vector<Light> lights;
+    for (const glm::vec3& position :
+         {light.position, usual.position, rounded_to_parts(light.position, 10.0f),
+          rounded_to_parts(light.position, 20.0f), rounded_to_parts(light.position, 100.0f)}) {
+        for (const glm::vec3& indirect : {light.indirect, usual.indirect}) {
+            lights.push_back(light);
+            lights.back().position = position;
+            lights.back().indirect = indirect;
+        }
+    }
+    return lights;
+}
+
+/// The lamp as it is and with a white power that is rounder, or the usual one.
+std::vector<Light> with_rounder_powers(const Light& light, const Light& usual) {
+    const float mean = (light.power.x + light.power.y + light.power.z) / 3.0f;
+    std::vector<Light> lights{light, light};
+    lights.back().power = usual.power;
+    for (const float parts : {1.0f, 2.0f, 10.0f}) {
+        for (const float steps : {-1.0f, 0.0f, 1.0f}) {
+            lights.push_back(light);
+            lights.back().power =
+                glm::max(rounded_to_parts(glm::vec3(mean + steps / parts), parts), 0.0f);
+        }
+    }
+    return lights;
+}
 
 /// The search itself. Each of its functions asks the trial, and gives up as soon as that is
 /// waiting.
@@ -317,8 +354,10 @@ class Search {
     /// A mistake changes which lamp fits: each bug with a lamp of its own.
     void try_bugs_with_lamps(const std::vector<Attempt>& bases) {
         std::vector<Attempt> attempts;
-        for (const Attempt& base : bases) {
+        for (Attempt base : bases) {
             if (shading_rule(base.right) == Shading::unlit) continue;
+            // Without a lamp no mistake of the light shows.
+            if (base.right.light.power == glm::vec3(0.0f)) base.right.light = reference_.light;
             for (const Change& change : changes_) {
                 if (change.bug == nullptr) continue;
                 Attempt attempt = base;
@@ -341,6 +380,41 @@ class Search {
             note(fitted(attempt, FitSubject::lamp, FitEffort::thorough));
     }
 
+    /// The nearest with a lamp that fits better, then with numbers as a person chooses them, and
+    /// with those and the rules of the reference: a fit in a small picture can end next to them.
+    void try_better_lamps(std::size_t count) {
+        const Light& usual = reference_.light;
+        for (Attempt attempt : nearest(count, 2)) {
+            if (shading_rule(attempt.right) == Shading::unlit) continue;
+            if (attempt.right.light == usual) continue;
+            if (drawn(attempt).distance.different == 0) continue;
+            attempt = fitted(attempt, FitSubject::lamp, FitEffort::thorough);
+            if (is_waiting()) return;
+            Attempt plain = attempt;
+            plain.right = at_step(step_of(attempt.right)).right;
+            plain.right.camera = attempt.right.camera;
+            plain.right.light = attempt.right.light;
+            for (Attempt other : {attempt, plain}) {
+                other = note_nearest(other, with_rounder_places(other.right.light, usual));
+                if (is_waiting()) return;
+                note_nearest(other, with_rounder_powers(other.right.light, usual));
+            }
+        }
+    }
+
+    /// Notes the attempt with each of these lamps; returns the one that comes nearest.
+    Attempt note_nearest(const Attempt& attempt, const std::vector<Light>& lights) {
+        std::vector<Attempt> others;
+        for (const Light& light : lights) {
+            others.push_back(attempt);
+            others.back().right.light = light;
+            note(others.back());
+        }
+        if (is_waiting()) return attempt;
+        sort(others);
+        return others.front();
+    }
+
     /// What helps beside the nearest.
     void try_second_changes(std::size_t count) {
         for (const Attempt& attempt : nearest(count, 1)) {
@@ -356,7 +430,8 @@ class Search {
         if (best.empty() || !is_explained(best.front())) return false;
         if (drawn(best.front()).distance.different == 0) return true;
         constexpr std::size_t looked_at = 2;
-        try_second_changes(looked_at);
+        try_better_lamps(looked_at);
+        if (!is_waiting()) try_second_changes(looked_at);
         if (!is_waiting()) refine(nearest_count, 2);
         return true;
     }
@@ -408,8 +483,7 @@ class Search {
         if (is_waiting()) return;
         refine(nearest_count, 2);
         if (is_settled()) return;
-        for (const Attempt& attempt : nearest(2, 2))
-            note(this->fitted(attempt, FitSubject::lamp, FitEffort::thorough));
+        try_better_lamps(nearest_count);
         if (is_waiting()) return;
         refine(2, 2);
     }

@@ -90,14 +90,28 @@ TEST_CASE("The picture of every single bug is told, from three camera positions"
         ++tried;
         CAPTURE(pose.name, bug.id);
         const Image picture = picture_of(scene, wrong_run(bug, view));
-        if (picture == picture_of(scene, correct_run(bug, view))) continue;
+        const Image right = picture_of(scene, correct_run(bug, view));
+        if (picture == right) continue;
         const Diagnosis diagnosis = diagnose_picture(picture, scene, view, bugs);
         if (is_made_by(bug, view) || !changes_rule(bug)) {
             // The reference makes it too, or it is only another place of the camera.
             CHECK(diagnosis.is_same());
             continue;
         }
+        const auto apart = static_cast<double>(differences_of(picture, right).pixels);
+        if (diagnosis.is_same()) {
+            // So few pixels count as rounding.
+            CHECK(apart <= 0.002 * view.viewport.width * view.viewport.height);
+            continue;
+        }
         const int place = place_of(diagnosis, bug.id);
+        // Several that make one picture are not all listed.
+        const bool is_one_of_many = place < 0 && !diagnosis.candidates.empty() &&
+                                    diagnosis.candidates.front().different == 0;
+        if (is_one_of_many) {
+            CHECK_THAT(diagnosis.verdict, ContainsSubstring(" or "));
+            continue;
+        }
         ++shown;
         CHECK(place >= 0);
         CHECK(place <= 2);
