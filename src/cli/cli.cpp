@@ -192,6 +192,9 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         ->required();
     check.add_flag("--luck", line.check.luck,
                    "Also try each task of the lessons at random: how often is it solved by luck?");
+    check.add_flag("--style", line.check.style,
+                   "Only look for phrases that read as if translated, in texts, strings and "
+                   "comments");
 
     CLI::App& facts = add_command(line, "facts", "List the names that lessons can ask for",
                                   [&] { facts_command(line.facts, out); });

@@ -73,6 +73,7 @@ void bugs_command(const BugsOptions& options, std::ostream& out);
 struct CheckOptions {
     std::vector<std::string> paths; ///< folders, lessons, scenes
     bool luck = false;              ///< each task is tried at random as well
+    bool style = false;             ///< only the English of texts, strings and comments
 };
 /// Prints every fault, file:line and a sentence. Returns ExitCode::difference if there is one.
 /// Throws AccessError for a file that is not there.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/numbers.h"
 #include "cli/json.h"
 #include "facts/facts.h"
@@ -20,6 +21,8 @@
 #include "session/content.h"
 #include "session/scene_file.h"
 #include "settings/setting_table.h"
+#include "text/prose.h"
+#include "text/style.h"
 
 namespace rasterwalk {
 
@@ -162,6 +165,48 @@ int check_file(const std::string& path, FileCheck& check) {
     return static_cast<int>(faults.size()) + unlucky;
 }
 
+/// The files that hold prose, those of all folders below too, by name; but not what is built, nor
+/// what is hidden.
+void add_prose(const fs::path& path, std::vector<std::string>& files) {
+    std::error_code fault;
+    if (!fs::is_directory(path, fault)) {
+        if (!fs::exists(path, fault))
+            throw AccessError("cannot read '" + path.string() + "': there is no such file.");
+        files.push_back(path.string());
+        return;
+    }
+    std::vector<fs::path> entries;
+    for (fs::directory_iterator entry(path, fault), end; !fault && entry != end;
+         entry.increment(fault))
+        entries.push_back(entry->path());
+    if (fault) throw AccessError("cannot read '" + path.string() + "': " + fault.message() + ".");
+    std::sort(entries.begin(), entries.end());
+    for (const fs::path& entry : entries) {
+        const std::string name = entry.filename().string();
+        std::error_code ignored;
+        const bool is_folder = fs::is_directory(entry, ignored);
+        if (is_folder && !fs::is_symlink(entry, ignored) && name[0] != '.' && name != "build")
+            add_prose(entry, files);
+        else if (!is_folder && prose_kind(name))
+            files.push_back(entry.lexically_normal().string());
+    }
+}
+
+int check_styles(const std::vector<std::string>& files, FileCheck& check) {
+    const Style style = read_style(lessons_folder() + "/style.toml");
+    int faults = 0;
+    for (const std::string& file : files) {
+        const std::vector<ProseWord> words =
+            prose_of(read_file(file), prose_kind(file).value_or(ProseKind::script));
+        for (const Fault& fault : style_faults(words, style)) {
+            check.progress.clear();
+            check.out << file << ':' << fault.line << ": " << fault.sentence << '\n';
+            ++faults;
+        }
+    }
+    return faults;
+}
+
 const char* type_name(ValueType type) {
     switch (type) {
     case ValueType::number:
@@ -181,11 +226,21 @@ const char* type_name(ValueType type) {
 ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostream& err,
                        ProgressLine& progress) {
     FileCheck check{.out = out, .progress = progress, .luck = options.luck};
-    const std::vector<std::string> files = files_to_check(options.paths);
+    std::vector<std::string> files;
+    if (options.style) {
+        for (const std::string& path : options.paths)
+            add_prose(path, files);
+    } else {
+        files = files_to_check(options.paths);
+    }
     if (files.empty()) throw InputError("there is nothing to check: no lessons, no scenes.");
     int faults = 0;
-    for (const std::string& file : files)
-        faults += check_file(file, check);
+    if (options.style) {
+        faults = check_styles(files, check);
+    } else {
+        for (const std::string& file : files)
+            faults += check_file(file, check);
+    }
     progress.clear();
     const std::string in_files = counted(static_cast<std::int64_t>(files.size()), "file", "files");
     if (faults > 0) {

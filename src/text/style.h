@@ -1,0 +1,37 @@
+#pragma once
+
+// Phrases that read as if they were translated, with advice on what to write instead.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/faults.h"
+#include "text/prose.h"
+
+namespace rasterwalk {
+
+/// Words in a row: at each place those that may be there, in small letters; "*" is any word.
+using Phrase = std::vector<std::vector<std::string>>;
+
+struct StyleRule {
+    Phrase phrase;
+    std::string advice; ///< what to write instead
+};
+
+struct Style {
+    std::vector<StyleRule> rules;
+    std::vector<Phrase> meant; ///< within these no rule holds
+};
+
+/// Reads the file of phrases (lessons/style.toml). A phrase is words between blanks, each with
+/// others that may take its place: "tell|tells a|the *". Throws InputError, and AccessError for a
+/// file that cannot be read.
+Style read_style(const std::string& path);
+Style parse_style(std::string_view text, const std::string& path);
+
+/// Each phrase of a rule in a text, at the line of its first word: the words as they are, and the
+/// advice.
+std::vector<Fault> style_faults(const std::vector<ProseWord>& words, const Style& style);
+
+} // namespace rasterwalk
