@@ -70,7 +70,7 @@ std::set<ColumnRow> filled(const Frame& frame, bool has_last) {
 } // namespace
 
 TEST_CASE("About one edge in a hundred misses its end by a + i * step; by a (1 - t) + b t none") {
-    require_said("04-edges.md", "It happens to about one edge in a hundred.");
+    require_said("04-edges.md", "This happens to about one edge in a hundred.");
     constexpr int edges = 20'000;
     Random random(4);
     int missed = 0, mixed_missed = 0;
