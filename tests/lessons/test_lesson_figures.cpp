@@ -152,7 +152,7 @@ TEST_CASE("Without the last pixel of each row the lab's triangle loses two rows 
 }
 
 TEST_CASE("Without the last pixel of each row the room loses column 499, and no gap opens") {
-    require_said("bugs.toml", "In the room all of column 499 is black.");
+    require_said("bugs.toml", "In the room, the whole of column 499 is black.");
     require_said("stages/fill.md", "column 499 stays black");
     const Drawn whole({"stage=fill"}), narrow({"stage=fill", "spans=last_dropped"});
     CHECK(whole.stats.uncovered == 998);
@@ -169,8 +169,8 @@ TEST_CASE("Without the last pixel of each row the room loses column 499, and no 
     CHECK(narrow.drawn_twice() == 1'398);
 }
 
-TEST_CASE("About 1.6 of 100 fragments of the room are second copies on a shared edge") {
-    require_said("bugs.toml", "About 1.6 of 100 fragments are second copies.");
+TEST_CASE("About 1.6 percent of the fragments of the room are second copies on a shared edge") {
+    require_said("bugs.toml", "About 1.6 percent of all fragments are second copies.");
     const Drawn room({"stage=fill"});
     const double share =
         100.0 * static_cast<double>(room.drawn_twice()) / static_cast<double>(room.stats.fragments);
