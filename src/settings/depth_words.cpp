@@ -6,13 +6,13 @@ namespace rasterwalk {
 
 const DepthWords& depth_words(ClipDepth kind) {
     static constexpr std::array list{
-        DepthWords{ClipDepth::inv_z, "1/z", "1/z", "0 is infinitely far: larger is nearer.",
+        DepthWords{ClipDepth::inv_z, "1/z", "1/z", "0 is infinitely far; larger is nearer.",
                    "larger", "smaller"},
         DepthWords{ClipDepth::ndc, "ndc z", "ndc z",
-                   "0 at the near plane, 1 at the far one: smaller is nearer.", "smaller",
+                   "0 at the near plane, 1 at the far one; smaller is nearer.", "smaller",
                    "larger"},
         DepthWords{ClipDepth::reversed, "reversed z", "rev z",
-                   "1 less ndc z: 1 at the near plane, 0 at the far one, larger is nearer.",
+                   "1 minus NDC z: 1 at the near plane, 0 at the far one; larger is nearer.",
                    "larger", "smaller"},
     };
     static_assert(is_indexed_by(list, &DepthWords::kind));

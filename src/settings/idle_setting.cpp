@@ -50,15 +50,15 @@ bool is_asked(const CoverageSetting& setting, Coverage coverage) {
 
 std::string idle_reason(const Setting& setting, const Settings& settings) {
     if (setting.name == "light.position" && settings.light.place == LampPlace::camera)
-        return "while the lamp stands at the camera";
+        return "while the lamp is at the camera";
     const bool has_box = view_box_rule(settings, SceneSpace::world).has_value();
     if (has_box && (setting.name == "camera.focal_length" || setting.name == "orthographic_depth"))
-        return "while view_box says what fills the picture";
+        return "while view_box sets what fills the picture";
     if (setting.name == "view_box" && settings.transform != Transform::matrices)
-        return "unless a matrix for each space does the work";
+        return "unless transform is matrices";
     const bool is_labs_alone = setting.name == "camera_move" || setting.name == "divided_by";
     if (is_labs_alone && settings.transform == Transform::matrices)
-        return "while a matrix for each space does the work";
+        return "while transform is matrices";
     if (setting.name == "divided_by" && settings.projection_mix != 0.0f)
         return "unless the projection is perspective";
     const auto* const found =

@@ -17,7 +17,9 @@ Preset read_preset(const TomlInput& input) {
     Preset preset{input.text("name"), input.text("about"), {}};
     for (const toml::node& node : input.list("set")) {
         const auto* text = node.as_string();
-        if (text == nullptr) input.fail(node, "each entry of 'set' is text: \"name=value\".");
+        if (text == nullptr)
+            input.fail(node, "each entry of 'set' must be text, like "
+                             "\"name=value\".");
         const std::string& assignment = text->get();
         try {
             Settings tried;

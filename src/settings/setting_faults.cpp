@@ -17,7 +17,7 @@ std::vector<SettingFault> setting_faults(const Settings& settings, const Scene& 
     if (asks_planes && !(settings.near < settings.far)) {
         faults.push_back({"the far plane, at " + number_text(settings.far) +
                               ", is not behind the near plane, at " + number_text(settings.near) +
-                              ": nothing lies between them",
+                              ", so nothing lies between them",
                           "far plane not behind the near one"});
     }
     if (has_camera && settings.view_box && !view_box_rule(settings, space)) {
@@ -34,10 +34,10 @@ std::vector<SettingFault> setting_faults(const Settings& settings, const Scene& 
     const int parts = tessellation_of(scene, settings.tessellation);
     if (has_camera && parts != settings.tessellation) {
         faults.push_back(
-            {fmt::format("tessellation = {} makes more than {} of this scene: it is cut into {}",
+            {fmt::format("tessellation = {} makes more than {} of this scene, so it is cut into {}",
                          settings.tessellation,
                          counted(most_tessellated_triangles, "triangle", "triangles"),
-                         counted(parts, "part an edge", "parts an edge")),
+                         counted(parts, "part per edge", "parts per edge")),
              fmt::format("tessellation {}", parts)});
     }
     return faults;

@@ -39,15 +39,15 @@ inline constexpr std::array rejection_list{
     RejectionWords{Rejection::not_finite, "not_finite", "a coordinate is not a finite number",
                    "a coordinate is not a finite number",
                    "a coordinate that is not a finite number",
-                   "a coordinate that is no finite number", true},
+                   "a coordinate that is not a finite number", true},
     RejectionWords{
         Rejection::behind_camera, "behind_camera", "a vertex lies on or behind the camera plane",
         "a vertex lies on or behind the camera plane", "a vertex on or behind the camera plane",
         "a vertex on or behind the camera plane (z ≤ 0)", true},
     RejectionWords{Rejection::too_far_out, "too_far_out", "a vertex is projected too far out",
                    "a vertex is projected too far out",
-                   "an edge of absurd length, its vertex too near or too much enlarged",
-                   "a vertex so close to the camera plane, or so much enlarged, that its edges "
+                   "an absurdly long edge, its vertex too near or too far enlarged",
+                   "a vertex so close to the camera plane, or so greatly enlarged, that its edges "
                    "would be absurdly long",
                    true},
     RejectionWords{Rejection::taken_for_behind, "taken_for_behind",

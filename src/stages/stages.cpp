@@ -36,8 +36,9 @@ const std::array<StageInfo, stage_count>& stage_list() {
          false,
          "fill",
          "Fill",
-         "Every row filled from its left to its right end; whoever comes last covers the rest.",
-         "Every row filled; the last one drawn covers the rest.",
+         "Every row filled from its left to its right end; the last triangle drawn covers the "
+         "others.",
+         "Every row filled; the last triangle drawn covers the others.",
          "Filled triangles",
          "rows"},
         {{Stage::depth},
@@ -45,7 +46,7 @@ const std::array<StageInfo, stage_count>& stage_list() {
          true,
          "depth",
          "Depth",
-         "A fragment is drawn only if it is nearer: 1/z is larger.",
+         "A fragment is drawn only if it is nearer, that is, if its 1/z is larger.",
          "A fragment is drawn only if it is nearer.",
          "Depth buffer",
          "history"},
@@ -53,8 +54,8 @@ const std::array<StageInfo, stage_count>& stage_list() {
          "Light computed at the vertices and interpolated between them.",
          "Light at the vertices, interpolated between them.", "Light per vertex", "fragment"},
         {StripStep::pixel_light, StripJoin::alternative, true, "pixel_light", "Pixel light",
-         "Light computed anew at every pixel, from its own place in the room.",
-         "Light computed anew at every pixel.", "Light per pixel", "fragment"},
+         "Light computed at every pixel, from the pixel's own position in the room.",
+         "Light computed at every pixel.", "Light per pixel", "fragment"},
     }};
     return list;
 }

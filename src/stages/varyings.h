@@ -158,11 +158,12 @@ constexpr float varying_component(const Varyings& varyings, int i) {
 
 /// All varyings, in the order of varying_members.
 inline constexpr std::array varying_list{
-    varying_info("position_world", "place in the room", "world", false, VaryingUse::listed,
-                 {{{"x", "x", "x/z", "x of the place in the world."},
-                   {"y", "y", "y/z", "y of the place in the world; points down."},
+    varying_info("position_world", "position in the room", "world", false, VaryingUse::listed,
+                 {{{"x", "x", "x/z", "x of the position in the world."},
+                   {"y", "y", "y/z", "y of the position in the world; it points down."},
                    {"z_world", "z world", "zw/z",
-                    "z of the place in the world; not the depth, which counts from the camera."}}},
+                    "z of the position in the world, which is not the depth: depth counts from the "
+                    "camera."}}},
                  varying_component<&Varyings::position_world>, &Varyings::position_world),
     varying_info("normal", "normal", "world", false, VaryingUse::by_shader,
                  {{{"normal_x", "normal x", "nx/z", "x of the normal, interpolated."},
@@ -176,8 +177,8 @@ inline constexpr std::array varying_list{
           {"colour_blue", "colour blue", "cb/z", "Blue of the reflectance, interpolated."}}},
         varying_component<&Varyings::colour>, &Varyings::colour),
     varying_info("texcoord", "place in the texture", "texture", false, VaryingUse::by_shader,
-                 {{{"u", "u", "u/z", "u of the place in the texture, interpolated."},
-                   {"v", "v", "v/z", "v of the place in the texture, interpolated."}}},
+                 {{{"u", "u", "u/z", "u of the position in the texture, interpolated."},
+                   {"v", "v", "v/z", "v of the position in the texture, interpolated."}}},
                  varying_component<&Varyings::texcoord>, &Varyings::texcoord),
     varying_info("illumination", "light", "light", true, VaryingUse::listed,
                  {{{"red", "red", "red/z", "Red of the light per vertex, interpolated."},

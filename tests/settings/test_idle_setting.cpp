@@ -105,8 +105,8 @@ TEST_CASE(
     settings.transform = Transform::matrices;
     for (const float mix : {0.0f, 0.5f}) {
         settings.projection_mix = mix;
-        check("camera_move", "while a matrix for each space does the work");
-        check("divided_by", "while a matrix for each space does the work");
+        check("camera_move", "while transform is matrices");
+        check("divided_by", "while transform is matrices");
     }
 }
 
@@ -131,7 +131,7 @@ TEST_CASE("With a flashlight the place of the lamp says nothing, and changes no 
         CHECK((draw_frame(prepare_frame(scene, settings)) ==
                draw_frame(prepare_frame(scene, moved))) == is_idle);
     }
-    CHECK(idle_reason(position, settings) == "while the lamp stands at the camera");
+    CHECK(idle_reason(position, settings) == "while the lamp is at the camera");
 }
 
 TEST_CASE("A box takes the place of the focal length and of d, and acts only by matrices") {

@@ -79,7 +79,7 @@ TEST_CASE("A broken file of presets is refused with file and line") {
     CHECK(refusal(head + "set = [\"roundin=floor\"]\n") ==
           "p.toml:4: there is no setting 'roundin'. Did you mean 'rounding'?");
     CHECK(refusal(head + "set = [3]\n") ==
-          "p.toml:4: each entry of 'set' is text: \"name=value\".");
+          "p.toml:4: each entry of 'set' must be text, like \"name=value\".");
     CHECK(refusal(head) == "p.toml:1: preset 1 needs 'set'.");
     CHECK(refusal(head + "set = []\n" + head + "set = []\n") ==
           "p.toml:5: there are two presets named 'a'.");

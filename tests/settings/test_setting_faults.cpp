@@ -45,7 +45,7 @@ TEST_CASE("A tessellation that makes too many triangles is told of with what is 
     settings.tessellation = 32;
     REQUIRE(faults().size() == 1);
     CHECK(faults()[0].sentence == "tessellation = 32 makes more than 200000 triangles of this "
-                                  "scene: it is cut into 31 parts an edge");
+                                  "scene, so it is cut into 31 parts per edge");
     CHECK(faults()[0].in_short == "tessellation 31");
     scene.space = SceneSpace::pixels;
     CHECK(faults().empty());
