@@ -58,10 +58,11 @@ std::string no_moments_text(const Frame& a, const Frame& b, const Cursor& to) {
     const std::string fast_runs = fast_runs_text(a, b, to);
     if (!fast_runs.empty()) {
         return fast_runs +
-               " by the fast engine, which has no moments: only the pictures are compared.";
+               " by the fast engine, which has no moments, so only the pictures are compared.";
     }
     if (have_same_triangles(a, b)) return {};
-    return fmt::format("A draws {} for each of the scene, B {}: only the pictures are compared.",
+    return fmt::format("A draws {} for each triangle of the scene and B {}, so only the pictures "
+                       "are compared.",
                        counted(a.triangles_of_each(), "triangle", "triangles"),
                        b.triangles_of_each());
 }

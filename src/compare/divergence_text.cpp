@@ -78,14 +78,14 @@ std::string left_out_sentence(std::string_view run, Rejection rejection) {
 /// The sentence for a moment that only one run has because the other stops before it.
 std::string stage_sentence(const Frame& a, const Frame& b, std::string_view what) {
     const bool only_a = a.settings.stage > b.settings.stage;
-    return only_a ? fmt::format("only A has {}: its stage is {}, that of B {}.", what,
+    return only_a ? fmt::format("only A has {}, because its stage is {} and B's is {}.", what,
                                 stage_name(a), stage_name(b))
-                  : fmt::format("only B has {}: its stage is {}, that of A {}.", what,
+                  : fmt::format("only B has {}, because its stage is {} and A's is {}.", what,
                                 stage_name(b), stage_name(a));
 }
 
 std::string mark_sentence(const Frame& a, const Frame& b, DivergenceKind kind) {
-    return fmt::format("only {} puts a mark on the picture; stage {} against {}.",
+    return fmt::format("only {} puts a mark on the picture; the stages are {} and {}.",
                        kind == DivergenceKind::missing ? "A" : "B", stage_name(a), stage_name(b));
 }
 
@@ -94,7 +94,7 @@ template <class Pixel>
 std::string outside_sentence(DivergenceKind kind, const Pixel& in_a, const Pixel& in_b) {
     const bool only_a = kind == DivergenceKind::missing;
     const Pixel& other = only_a ? in_b : in_a;
-    return fmt::format("only {} puts a mark on the picture: in {} {} lies outside the part that is "
+    return fmt::format("only {} puts a mark on the picture; in {} {} lies outside the part that is "
                        "drawn.",
                        only_a ? "A" : "B", only_a ? "B" : "A", pixel_text(other.column, other.row));
 }
@@ -211,7 +211,7 @@ std::string coordinate_text(const Frame& frame, char axis, float place, int pixe
     const Rounding rounding = sample_rounding(frame.settings);
     const bool by_fraction =
         frame.settings.line_walk == LineWalk::exact && to_pixel(place, rounding) != pixel;
-    if (by_fraction) return fmt::format("{}, without error {}", at, pixel);
+    if (by_fraction) return fmt::format("{}, exactly {}", at, pixel);
     return fmt::format("{} is {} to {}", at, rounding_word(rounding), pixel);
 }
 
@@ -257,7 +257,7 @@ std::string sample_text(const Frame& a, const Frame& b, const PairMoment& moment
 /// "box row 3, pixel 7. A: pixel (7, 5), E = 48, 27, 33: inside. B: ..."
 std::string test_text(const PairMoment& moment) {
     const auto side = [](const TestEvent* event) {
-        if (event == nullptr) return std::string("no pixel is asked");
+        if (event == nullptr) return std::string("no pixel is tested");
         return fmt::format("{}, {}", pixel_text(event->test.column, event->test.row),
                            pixel_test_text(event->test));
     };
@@ -281,10 +281,10 @@ std::string row_ends(const Frame& frame, const Cursor& cursor) {
 
 std::string fate_text(const Frame& frame, const FragmentEvent& event, int digits) {
     const std::string depth = number(event.depth, digits);
-    if (event.fate == Fate::back_facing) return depth + " is left out: it shows its back";
+    if (event.fate == Fate::back_facing) return depth + " is left out because it shows its back";
     if (event.fate == Fate::cut_out) {
-        return fmt::format("{} is let through: the alpha of its texture is {}, below 1/2", depth,
-                           number(event.alpha, 3));
+        return fmt::format("{} is let through because the alpha of its texture is {}, below 1/2",
+                           depth, number(event.alpha, 3));
     }
     if (depth_rule(frame.settings) == DepthTest::off) return depth + " is written without a test";
     return fmt::format("{} is {} {}", depth,
@@ -326,7 +326,7 @@ std::string place_text(const Frame& a, const Frame& b, const FragmentEvent& p,
     const float apart = glm::distance(in_a, in_b);
     if (!(apart > 0.0f)) return "";
     const int digits = digits_for(in_a, in_b);
-    return fmt::format("; its place in the room is {} in A and {} in B, {} apart",
+    return fmt::format("; its position in the room is {} in A and {} in B, {} apart",
                        triple(in_a, digits), triple(in_b, digits), number(apart, 3));
 }
 
@@ -367,7 +367,7 @@ std::string row_text(const Frame& a, const Frame& b, const PairMoment& moment) {
         const std::string ends_a = row_ends(a, moment.cursor), ends_b = row_ends(b, moment.cursor);
         const std::string text = fmt::format("only {} draws {}: ", only_a ? "A" : "B",
                                              pixel_text(one.fragment.column, one.fragment.row));
-        if (ends_a == ends_b) return text + "each " + ends_a + ", but not all of it is drawn.";
+        if (ends_a == ends_b) return text + "both " + ends_a + ", but not all of it is drawn.";
         return fmt::format("{}A {}, B {}.", text, ends_a, ends_b);
     }
     // Both ends of a row are one moment: the first that differs is told.

@@ -61,10 +61,11 @@ void add_weights(FragmentReport& report, WeightEdge made_of) {
             {weight_id(i),
              fmt::format("b{}", i),
              fmt::format(
-                 "The weight of corner {}: the edge function of {}, as a part of all three.",
+                 "The weight of corner {} is the edge function of {} as a fraction of the sum of "
+                 "all three.",
                  corners.number(i),
-                 made_of == WeightEdge::own ? "the edge that begins at it, by mistake"
-                                            : "the edge opposite of it"),
+                 made_of == WeightEdge::own ? "the edge that starts at it (a mistake)"
+                                            : "the opposite edge"),
              "E / A",
              {{"E",
                {static_cast<float>(in_square_pixels(e[edge]))},

@@ -13,15 +13,15 @@ void add_blend(FragmentReport& report, const Frame& frame) {
         report.formulas.push_back(
             {"blend." + name,
              "blended " + name,
-             is_swapped ? "The surface over what was there, by mistake with its share and that of "
-                          "the pixel the wrong way round."
-                        : "The surface over what was there: the share α is the surface's, the rest "
-                          "the pixel's.",
+             is_swapped ? "The surface blended over what was there, by mistake with the weights of "
+                          "the surface and the pixel swapped."
+                        : "The surface blended over what was there: a share α of the surface and "
+                          "the rest of the pixel.",
              is_swapped ? "(1 − α) · S + α · D" : "α · S + (1 − α) · D",
              {{"α",
                {report.alpha},
                from_words(report.texture_alpha == TextureAlpha::blend
-                              ? "the alpha of the surface, times that of its texture here"
+                              ? "the alpha of the surface times the alpha of its texture here"
                               : "the alpha of the surface, as the scene gives it")},
               {"S", {report.colour[i]}, from_words("the colour of the fragment by itself")},
               {"D", {report.before[i]}, from_words("what the pixel showed before")}},

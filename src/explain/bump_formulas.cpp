@@ -57,8 +57,8 @@ class BumpFormulas {
             const auto part = static_cast<std::size_t>(i);
             const std::string symbol = std::string("n.") + axis_names[part];
             add(std::string("normal.") + axis_names[part], symbol,
-                "The normal of the surface: its triangle has no area in the texture, so that u has "
-                "no direction on it.",
+                "The normal of the surface, not bent, because the triangle has no area in the "
+                "texture and so u has no direction on it.",
                 symbol, {{symbol, {normal_.value[i]}, normal_.sources[part]}}, report_.normal[i]);
         }
     }
@@ -86,7 +86,9 @@ class BumpFormulas {
             for (int i = 0; i < 2; ++i) {
                 const std::string axis = i == 0 ? "u" : "v";
                 add(fmt::format("{}_{}", axis, s + 1), fmt::format("{}{}", axis, s + 1),
-                    fmt::format("The same side in the texture: how much {} grows along it.", axis),
+                    fmt::format("The same side in the texture, that is, how much {} grows along "
+                                "it.",
+                                axis),
                     "b − a",
                     {{"b",
                       {to.texcoord[i]},
@@ -108,12 +110,12 @@ class BumpFormulas {
             const FormulaInput e1 = of_formula("e1", "side_1." + axis, sides[0][i]),
                                e2 = of_formula("e2", "side_2." + axis, sides[1][i]);
             add("along_u." + axis, "U." + axis,
-                "Where the surface goes while u grows by 1: the two sides, weighed so that v "
-                "stays.",
+                "Where the surface goes while u grows by 1: a sum of the two sides, weighted so "
+                "that v stays the same.",
                 "(e1 · v2 − e2 · v1) / area", {e1, v2, e2, v1, of_area}, report_.uv.along_u[i]);
             add("along_v." + axis, "V." + axis,
-                "Where the surface goes while v grows by 1: the two sides, weighed so that u "
-                "stays.",
+                "Where the surface goes while v grows by 1: a sum of the two sides, weighted so "
+                "that u stays the same.",
                 "(e2 · u1 − e1 · u2) / area", {e2, u1, e1, u2, of_area}, report_.uv.along_v[i]);
         }
     }
@@ -130,7 +132,8 @@ class BumpFormulas {
             const auto part = static_cast<std::size_t>(i);
             const std::string axis = axis_names[part];
             add("flat." + axis, "T." + axis,
-                "The direction of u without what of it runs along the normal.", "U − n · (n · U)",
+                "The direction of u without the part that runs along the normal.",
+                "U − n · (n · U)",
                 {of_formula("U", "along_u." + axis, u[i]),
                  {"n", {normal_.value[i]}, normal_.sources[part]},
                  of_formula("(n · U)", "lean", lean)},
@@ -142,7 +145,7 @@ class BumpFormulas {
         for (int i = 0; i < 3; ++i) {
             const std::string axis = axis_names[static_cast<std::size_t>(i)];
             add("tangent." + axis, "t." + axis,
-                "The tangent: the direction in which u grows, unit length.", "T / |T|",
+                "The tangent: the direction in which u grows, made unit length.", "T / |T|",
                 {of_formula("T", "flat." + axis, flat[i]),
                  of_formula("|T|", "flat_length", length)},
                 report_.axes.tangent[i]);
@@ -172,20 +175,22 @@ class BumpFormulas {
         std::vector<FormulaInput> inputs = parts_of_vector("c", vector_of("across", across));
         append_parts(inputs, "V", vector_of("along_v", report_.uv.along_v));
         add("v_across", "c · V",
-            "How v grows on that side: below 0, since it is the texture's top; above 0 where the "
-            "texture is laid on in mirror image.",
+            "How v grows along c: below 0 because c points toward the texture's top, but above 0 "
+            "where the texture is mirrored.",
             "c.x · V.x + c.y · V.y + c.z · V.z", inputs, v_grows);
         const bool is_unasked = frame_.settings.normal_map_rule == NormalMapRule::mirror_missed;
         const std::vector<FormulaInput> of_v{of_formula("(c · V)", "v_across", v_grows)};
         add("handedness", "handedness",
-            is_unasked ? "Taken to be 1, by mistake: nobody asks whether the texture is mirrored."
-                       : "1, or −1 where the texture is laid on in mirror image.",
+            is_unasked ? "Taken to be 1, by mistake, without checking whether the texture is "
+                         "mirrored."
+                       : "1, or −1 where the texture is mirrored.",
             is_unasked ? "1" : "(0 − (c · V)) / abs((c · V))",
             is_unasked ? std::vector<FormulaInput>{} : of_v, report_.sign);
         for (int i = 0; i < 3; ++i) {
             const std::string axis = axis_names[static_cast<std::size_t>(i)];
             add("bitangent." + axis, "b." + axis,
-                "The bitangent: the direction of the texture's top, unit length.", "c · handedness",
+                "The bitangent: the direction toward the texture's top, of unit length.",
+                "c · handedness",
                 {of_formula("c", "across." + axis, across[i]),
                  of_formula("handedness", "handedness", report_.sign)},
                 report_.axes.bitangent[i]);
@@ -209,18 +214,19 @@ class BumpFormulas {
                                             channel, texel.level, texel.column, texel.row))});
                 inputs.push_back({fmt::format("w{}", k),
                                   {texel.weight},
-                                  from_words("how much that texel counts, by the texture filter")});
+                                  from_words("the weight of that texel, from the texture filter")});
             }
             add("colour." + channel, channel,
-                "The colour of the normal map at the fragment's place.", expression, inputs,
+                "The colour of the normal map at the fragment's position.", expression, inputs,
                 report_.colour[i]);
             const NormalMapRule rule = frame_.settings.normal_map_rule;
             const bool is_turned = rule == NormalMapRule::green_turned && i == 1;
             const bool is_bare = rule == NormalMapRule::undecoded;
             add("arrow." + axis, "a." + axis,
-                is_bare     ? "The colour itself, by mistake: it is never below 0."
-                : is_turned ? "The colour from −1 to 1, by mistake the wrong way round."
-                            : "What the colour stands for, from −1 to 1 in the surface's own axes.",
+                is_bare     ? "The colour itself, by mistake, so it is never below 0."
+                : is_turned ? "The colour mapped to −1 to 1, by mistake the wrong way round."
+                            : "What the colour stands for: a number from −1 to 1 along one of the "
+                              "surface's own axes.",
                 is_bare     ? "c"
                 : is_turned ? "1 − 2 · c"
                             : "2 · c − 1",
@@ -236,7 +242,7 @@ class BumpFormulas {
             const auto part = static_cast<std::size_t>(i);
             const std::string axis = axis_names[part];
             add("sum." + axis, "s." + axis,
-                "The arrow in the world: so much along t, so much along b, so much along n.",
+                "The arrow in the world: the sum of its parts along t, b and n.",
                 "a.x · t + a.y · b + a.z · n",
                 {of_formula("a.x", "arrow.x", a.x),
                  of_formula("t", "tangent." + axis, axes.tangent[i]),
@@ -247,7 +253,9 @@ class BumpFormulas {
                 sum[i]);
         }
         const float length = glm::length(sum);
-        add("sum_length", "|s|", "Its length: about 1, but bytes and mixed texels are not exact.",
+        add("sum_length", "|s|",
+            "Its length, about 1, because bytes and mixed texels are not "
+            "exact.",
             "sqrt(s.x² + s.y² + s.z²)", parts_of_vector("s", vector_of("sum", sum)), length);
         for (int i = 0; i < 3; ++i) {
             const std::string axis = axis_names[static_cast<std::size_t>(i)];
@@ -256,13 +264,13 @@ class BumpFormulas {
                 "bump.normal." + axis,
                 "n." + axis,
                 report_.space ? "The bent normal in the world, made unit length."
-                              : "The bent normal, made unit length: the one that the light asks "
-                                "for.",
+                              : "The bent normal, made unit length; the light is computed with "
+                                "this one.",
                 "s / |s|",
                 {of_formula("s", "sum." + axis, sum[i]), of_formula("|s|", "sum_length", length)},
                 {report_.normal[i]}};
             if (!has_length) {
-                bent.help = "The arrow has no length: the normal of the surface stays.";
+                bent.help = "The arrow has no length, so the normal of the surface stays.";
                 bent.expression = "n";
                 bent.inputs = {
                     {"n", {normal_.value[i]}, normal_.sources[static_cast<std::size_t>(i)]}};
@@ -290,12 +298,12 @@ class BumpFormulas {
         std::vector<FormulaInput> inputs = parts_of_vector("t", tangent);
         append_parts(inputs, "n", normal_);
         add("square.lean", "t · n",
-            "How much of the tangent runs along the normal: nothing but rounding, unless the "
+            "How much of the tangent runs along the normal: only a rounding error, unless the "
             "normal is not of unit length.",
             "t.x · n.x + t.y · n.y + t.z · n.z", inputs, squared.lean);
         add("square.width", "|b|", "The length of the bitangent.", "sqrt(b.x² + b.y² + b.z²)",
             parts_of_vector("b", vector_of("bitangent", b)), squared.width);
-        add_vector("upright", "u", "The normal without what of it runs along the tangent.",
+        add_vector("upright", "u", "The normal without the part that runs along the tangent.",
                    "n − t · (t · n)", squared.upright, [&](int i, const std::string& axis) {
                        return std::vector<FormulaInput>{
                            {"n", {normal_.value[i]}, normal_.sources[static_cast<std::size_t>(i)]},
@@ -308,13 +316,13 @@ class BumpFormulas {
                    "t", squared.axes.tangent, [&](int i, const std::string& axis) {
                        return std::vector<FormulaInput>{of_formula("t", "tangent." + axis, t[i])};
                    });
-        add_vector("b", "b", "The axis of y: the bitangent, of unit length.", "b / |b|",
+        add_vector("b", "b", "The y axis: the bitangent, of unit length.", "b / |b|",
                    squared.axes.bitangent, [&](int i, const std::string& axis) {
                        return std::vector<FormulaInput>{
                            of_formula("b", "bitangent." + axis, b[i]),
                            of_formula("|b|", "square.width", squared.width)};
                    });
-        add_vector("n", "n", "The axis of z: away from the surface, of unit length.", "u / |u|",
+        add_vector("n", "n", "The z axis: away from the surface, of unit length.", "u / |u|",
                    squared.axes.normal, [&](int i, const std::string& axis) {
                        return std::vector<FormulaInput>{
                            of_formula("u", "square.upright." + axis, squared.upright[i]),
@@ -326,8 +334,8 @@ class BumpFormulas {
     void add_local_normal(const SquaredAxes& squared, const glm::vec3& a) {
         const glm::vec3 arrow = squared.arrow(a);
         const FormulaInput z = of_formula("a.z", "arrow.z", a.z);
-        const std::string help = "The arrow along these axes: as it is, if they were perpendicular "
-                                 "and of unit length before.";
+        const std::string help = "The arrow along these axes. It stays as it is if they were "
+                                 "already perpendicular and of unit length.";
         add("square.arrow.x", "m.x", help, "a.x + a.z · (t · n)",
             {of_formula("a.x", "arrow.x", a.x), z,
              of_formula("(t · n)", "square.lean", squared.lean)},
@@ -342,7 +350,7 @@ class BumpFormulas {
             parts_of_vector("m", vector_of("square.arrow", arrow)), length);
         add_vector(
             "normal", "n",
-            "The normal in tangent space, made unit length: the one that the light asks for.",
+            "The normal in tangent space, made unit length; the light is computed with this one.",
             "m / |m|", report_.space->normal, [&](int i, const std::string& axis) {
                 return std::vector<FormulaInput>{of_formula("m", "square.arrow." + axis, arrow[i]),
                                                  of_formula("|m|", "square.length", length)};

@@ -75,7 +75,7 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
         return report.shaded.in("rotated");
     };
     if (i < 2) {
-        formula.help = "Clip space before the division: pixels from the middle, times w.";
+        formula.help = "Clip space, before the division: pixels from the middle, times w.";
         if (view_box_rule(frame.settings, frame.scene->space)) {
             formula.expression = "v";
             formula.inputs = {
@@ -90,8 +90,9 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
         return checked(formula, source);
     }
     formula.help = i == 2 ? "What the depth, " + std::string(depth_words(frame).name) +
-                                ", is made of: it is divided by w too."
-                          : "What x, y and z are divided by: how far in front of the camera.";
+                                ", is made from; it is divided by w too."
+                          : "What x, y and z are divided by: how far the corner is in front of the "
+                            "camera.";
     const float usual = i == 2 ? 1.0f : camera_place().z;
     if (frame.settings.projection_mix == 0.0f && formula.result.value == usual) {
         formula.expression = i == 2 ? "1" : "z_camera";
@@ -99,7 +100,7 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
         return formula;
     }
     formula.expression = "v";
-    formula.inputs = {{"v", formula.result, from_words("as the projection makes it")}};
+    formula.inputs = {{"v", formula.result, from_words("from the projection")}};
     return formula;
 }
 
@@ -121,8 +122,8 @@ std::optional<Formula> Maker::moved(CornerPlace place, int number, int i) const 
     Formula formula{corner_formula_id(corner, i),
                     name,
                     is_before ? "Divided by w before the planes cut, which is a mistake."
-                              : "Multiplied by w again behind the planes, so that it can be "
-                                "divided.",
+                              : "Multiplied by w again after the planes have cut, so that it can "
+                                "be divided.",
                     i < 2     ? name + " · (1 / " + divisor + ")"
                     : i == by ? "1"
                               : "1 / " + divisor,
@@ -139,7 +140,7 @@ FormulaInput coefficient(const Settings& settings, ClipPlane plane, float size) 
     if (is_near && size == settings.near) return {"near", {size}, from_setting("near")};
     if (is_far && size == settings.far) return {"far", {size}, from_setting("far")};
     if (is_near || is_far)
-        return {"k", {size}, from_words("the plane, as the projection has its depth")};
+        return {"k", {size}, from_words("the plane, from the depth that the projection gives it")};
     const bool is_across = plane == ClipPlane::left || plane == ClipPlane::right;
     const int side = is_across ? settings.viewport.width : settings.viewport.height;
     const int whole_half = side / 2;
@@ -153,8 +154,8 @@ Formula Maker::distance(const CutCorner& corner, ClipPlane plane, std::string id
     const glm::vec4& c = history.codes.planes[static_cast<std::size_t>(plane)];
     Formula formula{std::move(id),
                     "d",
-                    "How far inside of the " + plane_name(plane) +
-                        " the corner lies; less than 0 is outside.",
+                    "How far inside the " + plane_name(plane) +
+                        " the corner is; below 0 it is outside.",
                     "",
                     {},
                     {inner_distance(c, corner.vertex)}};
@@ -207,7 +208,7 @@ std::optional<Formula> Maker::cut(ClipPlane plane, std::string_view edge) const 
     };
     Formula formula{fmt::format("t.{}.{}", static_cast<int>(plane), e),
                     "t",
-                    "How far along the edge the cut lies: 0 at the corner inside, 1 at the one "
+                    "How far along the edge the cut is: 0 at the corner inside, 1 at the corner "
                     "outside.",
                     "d_in / (d_in − d_out)",
                     {end(true), end(false)},
@@ -243,7 +244,7 @@ std::optional<Formula> Maker::made(std::string_view number,
         {from->step.t},
         from_formula(fmt::format("t.{}.{}", static_cast<int>(from->step.plane), from->step.from))};
     const std::string help =
-        fmt::format("Where the {} cuts the way from {} to {}.", plane_name(from->step.plane),
+        fmt::format("Where the {} cuts the line from {} to {}.", plane_name(from->step.plane),
                     corner_name(from->inside), corner_name(from->outside));
     const Source other = from_words("the function that cuts");
     if (parts.size() == 1) {
@@ -291,15 +292,16 @@ std::optional<Formula> Maker::pixel(std::string_view corner, std::string_view pa
     const int middle = (is_column ? size.width : size.height) / 2;
     Formula formula{fmt::format("pixel.{}.{}", i, part),
                     std::string(part),
-                    "Divided by w, made a whole number and moved to the middle of the picture.",
+                    "Divided by w, rounded to a whole number and moved to the middle of the "
+                    "picture.",
                     word + "(" + name + " · 1/w" + (is_sum ? " + " + half + ")" : ") + " + half),
                     {input(name, c, is_column ? 0 : 1),
                      {"1/w", {pixel.inv_w}, from_formula(corner_formula_id(c, 3))},
                      {half, {static_cast<float>(middle), true}, from_setting("viewport.size")}},
                     {static_cast<float>(is_column ? pixel.column : pixel.row), true}};
     if (frame.settings.image_axes == ImageAxes::uncentred) {
-        formula.help = "Divided by w and made a whole number; by mistake not moved to the middle "
-                       "of the picture.";
+        formula.help = "Divided by w and rounded to a whole number; by mistake not moved to the "
+                       "middle of the picture.";
         formula.expression = word + "(" + name + " · 1/w)";
         formula.inputs.pop_back();
     }

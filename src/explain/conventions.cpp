@@ -20,8 +20,8 @@ constexpr unsigned all_convention_sets = 1u << convention_count;
 
 /// How a sentence convention_names a choice.
 constexpr std::array<std::string_view, convention_count> said_conventions{
-    "R v for v R",          "the transpose of R", "y up in the world",
-    "z out of the picture", "−f for f",           "rows counted from below"};
+    "R v instead of v R",   "the transpose of R", "y up in the world",
+    "z out of the picture", "−f instead of f",    "rows counted from the bottom"};
 
 /// Points about the camera: a place that only looks the same at one of them is told apart.
 std::array<glm::dvec3, 4> probes(const Camera& camera, const glm::dvec3& point) {
@@ -90,7 +90,9 @@ std::string sentence_of(Conventions chosen) {
     sentence[0] = sentence[0] >= 'a' && sentence[0] <= 'z'
                       ? static_cast<char>(sentence[0] - 'a' + 'A')
                       : sentence[0];
-    return sentence + (names.size() == 1 ? " changes nothing with this camera." : " cancel.");
+    return sentence + (names.size() == 1 ? " changes nothing with this camera."
+                                         : " cancel each "
+                                           "other out.");
 }
 
 } // namespace

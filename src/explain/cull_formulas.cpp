@@ -20,15 +20,15 @@ Formula cull_normal_formula(const ClipMaker& maker, const CutCorner& corner, std
     const bool has_way = sight.mix<1.0f, has_forward = sight.mix> 0.0f;
     Formula formula{std::move(id),
                     std::string(sight_name(maker.frame)),
-                    "Greater than 0: the normal n points ",
+                    "If it is greater than 0, the normal n points ",
                     "",
                     {},
                     {away_from_camera(corner.vertex.varyings, sight)}};
-    formula.help += !has_forward ? "the way from the camera C to the corner p"
-                    : !has_way   ? "the way all rays run, forward"
-                                 : "the way between that from the camera C to the corner p and "
-                                   "forward";
-    formula.help += ", so one sees the back.";
+    formula.help += !has_forward ? "the same way as the ray from the camera C to the corner p"
+                    : !has_way   ? "the same way as all rays, forward"
+                                 : "the same way as the mix of forward and the ray from the camera "
+                                   "C to the corner p";
+    formula.help += ", so you see the back.";
     const int place = varying_index(&Varyings::position_world);
     const int normal = varying_index(&Varyings::normal);
     for (int i = 0; i < 3; ++i) {
@@ -63,7 +63,8 @@ Formula cull_normal_formula(const ClipMaker& maker, CutCorner first) {
     if (first.vertex.varyings.normal == own) return formula;
     for (FormulaInput& input : formula.inputs) {
         if (input.symbol.starts_with("n."))
-            input.source = from_words("across the places of the corners, whose normals differ");
+            input.source = from_words("perpendicular to the plane of the corners, because their "
+                                      "normals differ");
     }
     return formula;
 }
@@ -76,8 +77,8 @@ Formula cull_area_formula(const ClipMaker& maker, int triangle) {
     Formula formula{
         fmt::format("cull.area.{}", triangle),
         fmt::format("A{}", triangle),
-        "Twice the area on the screen of a triangle of the fan, times the w of its "
-        "corners: less than 0 where they go round counterclockwise.",
+        "Twice the area on the screen of a triangle of the fan, times the w of each of its "
+        "corners; below 0 if they go round counterclockwise.",
         "x0 · (y1 · w2 − y2 · w1) + y0 · (w1 · x2 − w2 · x1) + w0 · (x1 · y2 − x2 · y1)",
         {},
         {}};
@@ -97,8 +98,8 @@ Formula cull_area_formula(const ClipMaker& maker) {
     const ClipHistory& history = maker.history;
     Formula formula{"cull.area",
                     "area",
-                    "Greater than 0: on the screen the corners go round clockwise, as those of a "
-                    "front do.",
+                    "If it is greater than 0, the corners go round clockwise on the screen, as the "
+                    "corners of a front do.",
                     "",
                     {},
                     {screen_area_sign(history.polygon, maker.rules())}};

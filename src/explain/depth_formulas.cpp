@@ -31,7 +31,7 @@ void round_depth(Formula& depth, float whole, const DepthRules& rules) {
 
 /// The depth of a z that was interpolated as if it changed in equal steps.
 void add_linear_depth(Formula& depth, float z, const VertexRules& rules) {
-    depth.help += " Made from z that was interpolated as if it changed in equal steps.";
+    depth.help += " Computed from a z that was interpolated as if it changed in equal steps.";
     const FormulaInput input{"z", {z}, from_formula("z.affine")};
     if (rules.projection.clip_depth == ClipDepth::inv_z) {
         depth.expression = "1 / z";
@@ -55,7 +55,7 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
     const std::string name(words.name);
     Formula depth{"depth",
                   "new",
-                  fmt::format("The fragment's value for the depth buffer, {}: {} is nearer.", name,
+                  fmt::format("The fragment's value for the depth buffer, {}; {} is nearer.", name,
                               words.nearer),
                   "(1/z)",
                   {{"(1/z)", {report.fragment.depth}, from_formula("zinv")}},
@@ -78,17 +78,18 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
     report.formulas.push_back(depth);
     Source stored = report.stored_by
                         ? from_moment(*report.stored_by)
-                        : from_words("the depth buffer's start: nothing drawn here yet");
+                        : from_words("what the depth buffer starts with; nothing has been drawn "
+                                     "here yet");
     if (!report.stored_by && report.stored != farthest_depth(kind))
         stored = from_setting("depth_clear");
     if (!report.has_cell) stored = from_words("this pixel has no cell in the depth buffer");
-    std::string margin_help = "How much nearer than what is stored; ";
+    std::string margin_help = "How much nearer the fragment is than the stored depth; ";
     if (report.depth_test == DepthTest::reversed)
-        margin_help += "the test is the wrong way round, and below 0 the fragment is drawn.";
+        margin_help += "the test is the wrong way round, so below 0 the fragment is drawn.";
     else if (report.depth_test == DepthTest::or_equal)
-        margin_help += "at 0 and above it the fragment is drawn.";
+        margin_help += "at 0 and above, the fragment is drawn.";
     else
-        margin_help += fmt::format("above {} the fragment is drawn.", margin_limit(rules));
+        margin_help += fmt::format("above {}, the fragment is drawn.", margin_limit(rules));
     report.formulas.push_back(
         {"margin",
          "margin",

@@ -198,16 +198,16 @@ bool shows_minus(const std::string& text) {
 
 std::string function_help(std::string_view expression) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> helps{{
-        {"int(", "int(x): x without what stands behind the point, so it goes toward 0."},
-        {"clamp(", "clamp(x, low, high): x, or the bound that it lies beyond."},
-        {"wrap(", "wrap(x, n): what x leaves when it is divided by n."},
-        {"accumulate(", "accumulate(start, step, n): begins with start and adds step n times, one "
-                        "by one. Each sum is rounded to a float, as on the way along a line."},
+        {"int(", "int(x): x without the digits after the point, so it moves toward 0."},
+        {"clamp(", "clamp(x, low, high): x, or the bound that x is beyond."},
+        {"wrap(", "wrap(x, n): the remainder of x divided by n, never below 0."},
+        {"accumulate(", "accumulate(start, step, n): starts with start and adds step n times, one "
+                        "by one. Each sum is rounded to a float, as in a walk along a line."},
         {"pow(", "pow(x, e): x to the power of e."},
-        {"log2(", "log2(x): the power of 2 that is x; log2(8) is 3."},
+        {"log2(", "log2(x): the power to which 2 is raised to give x; log2(8) is 3."},
         {"srgb(",
-         "srgb(x): 12.92 · x up to x = 0.0031308, above it 1.055 · pow(x, 1/2.4) − 0.055."},
-        {"max(0,", "max(0, x): x, or 0 where x is below it."},
+         "srgb(x): 12.92 · x up to x = 0.0031308, and 1.055 · pow(x, 1/2.4) − 0.055 above it."},
+        {"max(0,", "max(0, x): x, or 0 if x is below 0."},
     }};
     std::string text;
     for (const auto& [function, help] : helps) {

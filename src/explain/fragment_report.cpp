@@ -45,17 +45,17 @@ class Watcher : public Observer {
 Formula true_depth(const Fragment& fragment, float mix) {
     Formula formula{"z.perspective",
                     "z",
-                    "z as it is: one over the interpolated 1/z.",
+                    "The true z: one over the interpolated 1/z.",
                     "1 / (1/z)",
                     {{"(1/z)", {fragment.inv_w}, from_formula("zinv")}},
                     {fragment_depth(fragment, mix)}};
     if (mix == 0.0f) return formula;
     formula.inputs.push_back({"mix", {mix}, from_setting("projection_mix")});
     formula.inputs[0].symbol = "(1/w)";
-    formula.help = "z as it is: from one over the interpolated 1/w, which is (1 − mix) z + mix.";
+    formula.help = "The true z, from one over the interpolated 1/w, which is (1 − mix) z + mix.";
     formula.expression = "(1 / (1/w) − mix) / (1 − mix)";
     if (mix == 1.0f) {
-        formula.help = "z as it is: where rays are parallel it goes in equal steps.";
+        formula.help = "The true z; if rays are parallel it changes in equal steps.";
         formula.expression = "z";
         formula.inputs = {{"z", {fragment.z}, from_formula("z.affine")}};
     }
@@ -69,7 +69,7 @@ void add_depths(FragmentReport& report, const Frame& frame, const Carried& carri
     report.formulas.push_back(
         {"column",
          "column",
-         "Where in the picture: the row's left end, and so many columns on.",
+         "Where in the picture: i columns to the right of the row's left end.",
          "left + i",
          {{"left",
            {static_cast<float>(ends.left.column), true},
@@ -82,8 +82,7 @@ void add_depths(FragmentReport& report, const Frame& frame, const Carried& carri
         Interpolation::perspective, [](const RowEnd& end) { return end.inv_w; }, fragment.inv_w));
     report.formulas.push_back(along_row(
         report, "z.affine", "z",
-        "z interpolated as if it changed in equal steps: wrong "
-        "between the vertices.",
+        "z interpolated as if it changed in equal steps, which is wrong between the vertices.",
         Interpolation::perspective, [](const RowEnd& end) { return end.z; }, fragment.z));
     const float mix = vertex_rules(frame.settings, frame.scene->space).projection.mix;
     report.formulas.push_back(true_depth(fragment, mix));
@@ -99,7 +98,7 @@ Formula difference(const QuantityInfo& info, Interpolation way, float wrong, flo
                      {"perspective", {perspective}, from_formula(id + ".perspective")}},
                     {std::abs(wrong - perspective)}};
     if (way == Interpolation::affine) return formula;
-    formula.help = fmt::format("How far the value {} is from the right one.",
+    formula.help = fmt::format("How far the value {} is from the correct one.",
                                way == Interpolation::zinv_twice  ? "divided by z once too often"
                                : way == Interpolation::undivided ? "never divided by 1/z"
                                                                  : "divided by 1/z twice");
@@ -119,14 +118,14 @@ void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& 
     report.formulas.push_back(along_row_twice(
         report,
         along_row(report, id + ".carried_twice", carried_name + "²",
-                  "What the row carries by mistake: the ends, divided by z already, once more "
-                  "multiplied by their 1/z.",
+                  "What the row carries by mistake: the ends, already divided by z, are multiplied "
+                  "by their 1/z once more.",
                   Interpolation::zinv_twice, part, value),
         part));
     report.formulas.push_back(
         {id + ".zinv_twice",
          name,
-         std::string(info.words.help) + " Divided by z twice, and multiplied by it only once here.",
+         std::string(info.words.help) + " Divided by z twice, but multiplied by it only once here.",
          "carried / (1/z)",
          {{"carried", {value}, from_formula(id + ".carried_twice")},
           {"(1/z)", {carried[way].inv_w}, from_formula("zinv")}},
@@ -165,7 +164,8 @@ void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried
                       part_of(carried[static_cast<std::size_t>(way)].varyings, quantity)));
     };
     add_walk(Interpolation::affine, id + ".affine", name,
-             std::string(info.words.help) + " Interpolated as it is: wrong between the vertices.");
+             std::string(info.words.help) + " Interpolated as it is, which is wrong between the "
+                                            "vertices.");
     add_walk(Interpolation::perspective, id + ".carried", carried_name,
              "What a perspective-correct row carries: the value divided by z.");
     const std::string symbol = "(" + carried_name + ")";
@@ -278,7 +278,7 @@ Source add_mean(const FragmentReport& report, const std::string& id, const std::
                 const std::string& vertex_id, std::vector<Formula>& formulas) {
     Formula formula{id,
                     symbol,
-                    "In the middle of the triangle: the mean of its three corners.",
+                    "In the middle of the triangle, at the mean of its three corners.",
                     "(a + b + c) / 3",
                     {},
                     {mean}};
@@ -326,7 +326,8 @@ void add_triangle_light(const Frame& frame, FragmentReport& report) {
                             : of_first_vertex(triangle, place.reflectance, reflectance_ids());
     point.normal = of_first_vertex(triangle, flat_normal(frame, triangle), light_normal_ids(frame));
     if (differs.normals)
-        point.normal.sources.fill(from_words("across the places of the triangle's corners"));
+        point.normal.sources.fill(from_words("perpendicular to the plane of the triangle's "
+                                             "corners"));
     append_side_formulas(point, SourcedVector(point.normal), frame, report.formulas);
     if (report.texture) point.paint = report.texture->colour;
     append_light_formulas(point, frame, report.formulas);
@@ -355,15 +356,15 @@ void add_light(const Frame& frame, FragmentReport& report) {
         if (report.texture) {
             carried = append_painted(
                 "vertex_light.",
-                "The light of the vertices, interpolated, and painted by the texture.", i, carried,
-                report.texture->colour[i], report.formulas);
+                "The light of the vertices, interpolated and multiplied by the texture.", i,
+                carried, report.texture->colour[i], report.formulas);
         }
         own[part] = {"ρ", {reflectance.value[i]}, reflectance.sources[part]};
     }
     append_shown_colour("vertex_light.colour.", by_vertex,
                         "The light of the vertices, interpolated. ", frame, report.formulas);
     append_shown_colour("flat.colour.", own,
-                        "The surface's own colour: this stage computes no light. ", frame,
+                        "The surface's own colour, because this stage computes no light. ", frame,
                         report.formulas);
 }
 

@@ -97,7 +97,8 @@ class HighlightMaker {
             expression = "−((1 − mix) · (" + place + " − " + camera + ") + mix · " + forward + ")";
             inputs.push_back({forward,
                               {rays_.forward[i]},
-                              from_words("the way the camera looks, of unit length")});
+                              from_words("the direction in which the camera looks, of unit "
+                                         "length")});
             inputs.push_back({"mix", {rays_.mix}, from_setting("projection_mix")});
         }
         add(id + "." + axis, symbol + "." + axis, "From the point to the eye.", expression, inputs,
@@ -145,13 +146,14 @@ class HighlightMaker {
             std::vector<FormulaInput> inputs{own("l." + axis, "l." + axis, l[i]),
                                              own("v." + axis, "v." + axis, v[i])};
             std::string expression = "l." + axis + " + v." + axis;
-            std::string help = "Half-way between l and v, by mistake as long as their sum.";
+            std::string help = "Halfway between l and v, by mistake as long as their sum.";
             if (!is_long && sum2 > 0.0f) {
-                help = "Half-way between l and v, of unit length.";
+                help = "Halfway between l and v, of unit length.";
                 expression = "(" + expression + ") / sqrt(s²)";
                 inputs.push_back(own("s²", "s2", sum2));
             } else if (!is_long) {
-                help = "0: s² is not above 0, so there is no direction half-way between l and v.";
+                help = "0, because s² is not above 0, so there is no direction halfway between l "
+                       "and v.";
                 expression = "0";
                 inputs.clear();
             }
@@ -162,8 +164,9 @@ class HighlightMaker {
     void add_power(bool is_there) {
         const bool has_ways = has_direction(point_.light.diffuse) && eye_distance2() > 0.0f;
         const std::string none =
-            has_ways ? "The lamp stands behind the surface, n · l is not above 0: no highlight."
-                     : "There is no direction to the lamp or to the eye, and so no highlight.";
+            has_ways ? "The lamp is behind the surface (n · l is not above 0), so there is no "
+                       "highlight."
+                     : "There is no direction to the lamp or to the eye, so there is no highlight.";
         if (!is_there) {
             add("n_dot_h", "n · h", none, "0", {}, terms().n_dot_h);
             add("power", "(n · h)^e", none, "0", {}, terms().power);
@@ -173,12 +176,12 @@ class HighlightMaker {
         for (const FormulaInput& input : own_parts("h", terms().half))
             inputs.push_back(input);
         add("n_dot_h", "n · h",
-            "How near the normal is to half-way: 1 where the lamp would be seen in a mirror.",
+            "How near the normal is to h: 1 where a mirror would show the lamp.",
             "max(0, n.x · h.x + n.y · h.y + n.z · h.z)", inputs, terms().n_dot_h);
         add("power", "(n · h)^e", "The larger the exponent, the faster the highlight falls off.",
             "pow(n·h, e)",
             {own("n·h", "n_dot_h", terms().n_dot_h),
-             {"e", {point_.shine.exponent}, from_words("exponent of the material")}},
+             {"e", {point_.shine.exponent}, from_words("the exponent of the material")}},
             terms().power);
     }
 
@@ -188,7 +191,10 @@ class HighlightMaker {
                       "S " + name,
                       "The highlight: the specular part of the light that arrives.",
                       "k · (P · (power / area))",
-                      {{"k", {point_.shine.specular[i]}, from_words("specular of the material")},
+                      {{"k",
+                        {point_.shine.specular[i]},
+                        from_words("the specular colour of the "
+                                   "material")},
                        {"P", {frame_.settings.light.power[i]}, from_setting("light.power")},
                        own("power", "power", terms().power),
                        own("area", "area", point_.light.diffuse.sphere_area)},
@@ -227,8 +233,8 @@ void append_normal_formulas(LitPoint& point, const SourcedVector& interpolated, 
     const std::string length_id = point.prefix + "n_length";
     formulas.push_back({length_id,
                         "|n|",
-                        "How long the interpolated normal is: shorter than 1 between vertices "
-                        "whose normals differ.",
+                        "How long the interpolated normal is. Between vertices whose normals "
+                        "differ it is shorter than 1.",
                         "sqrt(n.x² + n.y² + n.z²)",
                         parts_of_vector("n", interpolated),
                         {length}});
@@ -247,12 +253,12 @@ void append_normal_formulas(LitPoint& point, const SourcedVector& interpolated, 
             normal.expression = symbol;
             normal.inputs.pop_back();
         } else if (!(length > 0.0f)) {
-            normal.help = "0: the interpolated normal has no length above 0, so no direction.";
+            normal.help = "0, because the interpolated normal has length 0 and so no direction.";
             normal.expression = "0";
             normal.inputs.clear();
         }
         if (is_moved) {
-            normal.help += " Then taken to the camera with w = 1, as if it were a place.";
+            normal.help += " Then taken to camera space with w = 1, as if it were a position.";
             normal.expression = symbol;
             normal.inputs = {{symbol, {point.normal.value[i]}, from_words("(n − C) / |n − C|")}};
         }

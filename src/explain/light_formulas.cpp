@@ -20,21 +20,23 @@ SourcedVector ray(const LitPoint& point) {
 Formula cosine_formula(const LitPoint& point, LightDirection direction) {
     Formula cosine{point.prefix + "cosine",
                    "cosine",
-                   "How slanted the light falls: r · n at unit length; nothing comes from behind.",
+                   "How steeply the light falls on the surface: r · n with both at unit length "
+                   "(Lambert). No light comes from behind.",
                    "max(0, (r.x · n.x + r.y · n.y + r.z · n.z) / sqrt(r²))",
                    parts_of_vector("r", ray(point)),
                    {point.light.diffuse.cosine}};
     for (const FormulaInput& n : parts_of_vector("n", point.normal))
         cosine.inputs.push_back(n);
     if (direction == LightDirection::not_normalized) {
-        cosine.help = "How slanted the light falls, by mistake with r as long as the way is.";
+        cosine.help = "How steeply the light falls on the surface, by mistake with r at its full "
+                      "length.";
         cosine.expression = "max(0, r.x · n.x + r.y · n.y + r.z · n.z)";
     } else {
         cosine.inputs.push_back(
             {"r²", {point.light.diffuse.distance2}, from_formula(point.prefix + "r2")});
     }
     if (!has_direction(point.light.diffuse)) {
-        cosine.help = "0: r² is not above 0, so there is no direction to the lamp.";
+        cosine.help = "0, because r² is not above 0, so there is no direction to the lamp.";
         cosine.expression = "0";
         cosine.inputs.clear();
     }
@@ -52,7 +54,7 @@ Formula area_formula(const LitPoint& point, LightFalloff falloff) {
                  {point.light.diffuse.sphere_area}};
     if (falloff == LightFalloff::no_4pi) {
         area.name = "r²";
-        area.help = "What the power is divided by; a sphere would be 4π times as large.";
+        area.help = "What the power is divided by; the sphere is 4π times as large.";
         area.expression = "r²";
         area.inputs.erase(area.inputs.begin());
     }
@@ -64,7 +66,7 @@ Formula area_formula(const LitPoint& point, LightFalloff falloff) {
     }
     if (falloff == LightFalloff::none) {
         area.name = "fall-off";
-        area.help = "What the power is divided by: the distance does not count.";
+        area.help = "What the power is divided by; the distance does not matter.";
         area.expression = "1";
         area.inputs.clear();
     }
@@ -79,7 +81,7 @@ Formula area_formula(const LitPoint& point, LightFalloff falloff) {
     }
     if (falloff == LightFalloff::cubed) {
         area.name = "4πr³";
-        area.help = "What the power is divided by: a sphere's area, and once more the distance.";
+        area.help = "What the power is divided by: a sphere's area times the distance once more.";
         area.expression = "4 · π · r² · sqrt(r²)";
     }
     return area;
@@ -105,7 +107,7 @@ void append_channel(const LitPoint& point, const Light& light, int channel,
             {"s", {point.light.shadow.lit}, from_formula(point.prefix + "lit")});
     }
     if (!has_direction(terms)) {
-        direct.help = "Direct light: none where there is no direction to the lamp.";
+        direct.help = "Direct light: none, because there is no direction to the lamp.";
         direct.expression = "0";
         direct.inputs.clear();
     }
@@ -180,16 +182,16 @@ Formula shown_channel(std::string id, std::string name, const FormulaInput& chan
                                     : channel.symbol;
     Formula formula{std::move(id),
                     std::move(name),
-                    "As the screen can show it: cut to 0..1.",
+                    "As the screen can show it: clamped to 0..1.",
                     "clamp(" + encoded + ", 0, 1)",
                     {channel},
                     {screen.visible_channel(screen.encode(channel.number.value))}};
     if (frame.settings.colour_over_one == ColourOverOne::wrap) {
-        formula.help = "As the screen shows it: what is left of 255 times the channel in 8 bits.";
+        formula.help = "As the screen shows it: the lowest 8 bits of 255 times the channel.";
         formula.expression = "wrap(int(255 · " + encoded + "), 256) / 255";
     }
     if (encoding == Encoding::srgb)
-        formula.help += " Before that the light is encoded by the sRGB curve, which the screen "
+        formula.help += " Before that, the light is encoded by the sRGB curve, which the screen "
                         "undoes.";
     if (encoding == Encoding::gamma) {
         formula.help += " Before that, by mistake, it is raised to the power of 1/γ.";
@@ -224,7 +226,7 @@ void append_side_formulas(LitPoint& point, const SourcedVector& surface, const F
     const float side = frame.stages.light_side(point.position.value, surface.value, rays);
     Formula away{point.prefix + "away",
                  "n · s",
-                 "Above 0 if the normal points away from the eye: s is the ray of sight, from the "
+                 "Above 0 if the normal points away from the eye; s is the ray of sight, from the "
                  "eye to the point.",
                  "n.x · s.x + n.y · s.y + n.z · s.z",
                  parts_of_vector("n", surface),
@@ -238,9 +240,9 @@ void append_side_formulas(LitPoint& point, const SourcedVector& surface, const F
     const bool is_turned = side < 0.0f;
     formulas.push_back({point.prefix + "side",
                         "side",
-                        is_turned ? "The surface shows its back: its normal is turned, since both "
-                                    "sides are lit."
-                                  : "The surface shows its front: its normal stays as it is.",
+                        is_turned ? "The surface shows its back, so its normal is negated, because "
+                                    "both sides are lit."
+                                  : "The surface shows its front, so its normal stays as it is.",
                         is_turned ? "−1" : "1",
                         {},
                         {side}});
@@ -250,7 +252,8 @@ void append_side_formulas(LitPoint& point, const SourcedVector& surface, const F
         const float lit = side * point.normal.value[i];
         formulas.push_back({id,
                             "n." + axis,
-                            "The normal on the side that the eye sees: the light has this one.",
+                            "The normal on the side that the eye sees; the light is computed with "
+                            "this one.",
                             "side · n." + axis,
                             {{"side", {side}, from_formula(point.prefix + "side")},
                              {"n." + axis, {point.normal.value[i]}, point.normal.sources[part]}},
@@ -340,7 +343,7 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
                    parts_of_vector("r", ray(point)),
                    {terms.distance2}};
     if (rules.direction == LightDirection::with_w) {
-        square.help += " By mistake the square of w, which is 1, is in it.";
+        square.help += " By mistake it includes the square of w, which is 1.";
         square.expression += " + 1";
     }
     formulas.push_back(square);
@@ -355,7 +358,7 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
         const std::string name = channel_names[i];
         Formula sum{point.prefix + "R." + name,
                     "R " + name,
-                    "Reflected light: what the surface gives back of the direct and the indirect "
+                    "Reflected light: what the surface reflects of the direct and the indirect "
                     "light.",
                     "ρ · (D + N)",
                     {{"ρ",
@@ -365,12 +368,12 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
                      {"N", {light.indirect[i]}, from_setting("light.indirect")}},
                     {point.light.reflected[i]}};
         if (rules.sum == LightSum::reflectance_plus) {
-            sum.help = "The direct light and, by mistake, the reflectance added to it.";
+            sum.help = "The direct light with, by mistake, the reflectance added to it.";
             sum.expression = "D + ρ";
             sum.inputs.pop_back();
         }
         if (rules.sum == LightSum::reflectance_twice) {
-            sum.help += " By mistake the reflectance is in it twice.";
+            sum.help += " By mistake it includes the reflectance twice.";
             sum.expression = "ρ · ρ · (D + N)";
         }
         if (has_highlight) {
@@ -388,7 +391,9 @@ void append_light_formulas(const LitPoint& point, const Frame& frame,
         channel = {
             "R", {point.light.reflected[i]}, from_formula(point.prefix + "R." + channel_names[i])};
         if (point.paint) {
-            channel = append_painted(point.prefix, "The reflected light, painted by the texture.",
+            channel = append_painted(point.prefix,
+                                     "The reflected light, multiplied by the "
+                                     "texture.",
                                      i, channel, (*point.paint)[i], formulas);
         }
     }

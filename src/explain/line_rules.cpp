@@ -36,9 +36,9 @@ std::string line_summary(LineAlgorithm line, BresenhamRule rule) {
         if (rule == BresenhamRule::wrong_term) return "Bresenham with a wrong diagonal step";
         return "Bresenham: the sign of d chooses each step";
     case LineAlgorithm::midpoint:
-        return "midpoint: d is f at the next middle";
+        return "midpoint: d is f at the next midpoint";
     case LineAlgorithm::dda:
-        return "DDA: one float addition a step, then rounded";
+        return "DDA: one float addition per step, then rounded";
     }
     return {};
 }
@@ -57,13 +57,13 @@ std::vector<std::string> line_rules(const EdgeMicroscope& edge, LineAlgorithm li
         break;
     case LineAlgorithm::bresenham: {
         const bool is_wrong = rule == BresenhamRule::wrong_term;
-        return {fmt::format("{}; d begins at 2 s − l = {}", axes, decision_number(2.0 * s - l)),
+        return {fmt::format("{}; d starts at 2 s − l = {}", axes, decision_number(2.0 * s - l)),
                 rule_line("d < 0", "straight", "+ 2 s", 2.0 * s),
                 rule_line("d ≥ 0", "diagonal", is_wrong ? "− 2 l" : "+ 2 s − 2 l",
                           is_wrong ? -2.0 * l : 2.0 * (s - l))};
     }
     case LineAlgorithm::midpoint:
-        return {fmt::format("{}; d begins at s − l/2 = {}", axes, decision_number(s - 0.5 * l)),
+        return {fmt::format("{}; d starts at s − l/2 = {}", axes, decision_number(s - 0.5 * l)),
                 rule_line("d ≤ 0", "straight", "+ s", s),
                 rule_line("d > 0", "diagonal", "+ s − l", s - l)};
     case LineAlgorithm::dda: {
@@ -72,7 +72,7 @@ std::vector<std::string> line_rules(const EdgeMicroscope& edge, LineAlgorithm li
         const float slope =
             static_cast<float>(way) / static_cast<float>(std::max(edge.frame.longer, 1));
         const char axis = steep ? 'x' : 'y';
-        return {fmt::format("{} begins at {}", axis, steep ? edge.a.column : edge.a.row),
+        return {fmt::format("{} starts at {}", axis, steep ? edge.a.column : edge.a.row),
                 fmt::format("each step adds {} = {} in float",
                             to_text(reduced(way, std::max(edge.frame.longer, 1))),
                             number_text(slope)),

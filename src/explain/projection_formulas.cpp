@@ -37,13 +37,13 @@ void add_mixed_w(VertexMaker& made) {
     }
     made.add(w);
     if (!shaded.has_pixel) return;
-    made.add(
-        {"zinv",
-         "1/w",
-         "Values are weighted by this; it is the same at all vertices where rays are parallel.",
-         "1 / w",
-         {{"w", {shaded.position_clip.w}, from_formula("clip.w")}},
-         {shaded.pixel.inv_w}});
+    made.add({"zinv",
+              "1/w",
+              "The weight used for interpolation; it is the same at all vertices if the rays are "
+              "parallel.",
+              "1 / w",
+              {{"w", {shaded.position_clip.w}, from_formula("clip.w")}},
+              {shaded.pixel.inv_w}});
 }
 
 void set_clip_depth(Formula& formula, const VertexRules& rules, const FormulaInput& z) {
@@ -59,8 +59,8 @@ void set_clip_depth(Formula& formula, const VertexRules& rules, const FormulaInp
     if (is_flat) {
         formula.inputs.push_back({"length",
                                   {view_length(rules)},
-                                  from_words("in place of far − near, which is 0: a division by 0 "
-                                             "would leave no number")});
+                                  from_words("used instead of far − near, which is 0 and cannot be "
+                                             "divided by")});
     }
 }
 
@@ -69,7 +69,7 @@ void add_clip_depth(VertexMaker& made) {
     const DepthWords& words = depth_words(made.frame);
     Formula clip{"clip.z",
                  "z'",
-                 fmt::format("What becomes {} when it is divided by w. {}", words.name, words.ends),
+                 fmt::format("This becomes {} when it is divided by w. {}", words.name, words.ends),
                  "",
                  {},
                  {shaded.position_clip.z}};
@@ -84,7 +84,7 @@ void add_clip_depth(VertexMaker& made) {
     made.add(
         {"depth",
          std::string(words.name),
-         fmt::format("What the depth buffer holds, {}: {} is nearer.", words.name, words.nearer),
+         fmt::format("What the depth buffer holds, {}; {} is nearer.", words.name, words.nearer),
          "z' · (1/w)",
          {{"z'", {shaded.position_clip.z}, from_formula("clip.z")},
           {"(1/w)", {shaded.pixel.inv_w}, from_formula("zinv")}},
@@ -100,7 +100,7 @@ void add_clip_place(VertexMaker& made, int i) {
     Formula formula{
         "clip." + axis,
         axis + "'",
-        "Pixels from the middle of the picture, times w: in clip space.",
+        "In clip space: pixels from the middle of the picture, times w.",
         "f · ((1 − mix) · d + mix) / d · " + source,
         {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
          mix_of(settings.projection_mix),

@@ -65,7 +65,7 @@ class ShadowMaker {
                                    {point_.normal.value[static_cast<int>(i)]},
                                    point_.normal.sources[i]};
             add("shadow.from." + axis, "o." + axis,
-                "Where the ray to the lamp begins: a little above the surface, along the normal.",
+                "Where the ray to the lamp starts: a little above the surface, along the normal.",
                 "p." + axis + " + ε · " + normal,
                 {place(i),
                  {"ε", {frame_.settings.shadow_rules.offset}, from_setting("shadow_offset")},
@@ -74,7 +74,7 @@ class ShadowMaker {
         }
         for (std::size_t i = 0; i < 3; ++i) {
             const std::string axis = axis_names[i], from = "o." + axis;
-            add("shadow.way." + axis, "w." + axis, "From the beginning of the ray to the lamp.",
+            add("shadow.way." + axis, "w." + axis, "From the start of the ray to the lamp.",
                 "L." + axis + " − " + from,
                 {lamp(i), own(from, "shadow.from." + axis, terms_.ray.from[static_cast<int>(i)])},
                 terms_.ray.way[static_cast<int>(i)]);
@@ -82,12 +82,12 @@ class ShadowMaker {
         if (terms_.hit.is_hit()) {
             const int triangle = terms_.hit.triangle;
             add("shadow.t", "t",
-                "Where on its way the ray first meets a triangle: 0 is the beginning of the ray, "
-                "1 is the lamp.",
+                "How far along the ray it first meets a triangle: 0 is the start of the ray, 1 is "
+                "the lamp.",
                 "t",
                 {{"t",
                   {terms_.hit.t},
-                  from_words(fmt::format("{} ({}) is met by o + t · w", triangle_name(triangle),
+                  from_words(fmt::format("o + t · w meets {} ({})", triangle_name(triangle),
                                          part_name(*frame_.scene, triangle)))}},
                 terms_.hit.t);
         }
@@ -104,7 +104,8 @@ class ShadowMaker {
         const std::string world = axis_names[i];
         const bool is_along = axis[static_cast<int>(i)] > 0.0f;
         add("shadow.seen." + id, name,
-            fmt::format("The point from the lamp, which looks along {} there.", face_name()),
+            fmt::format("The point as seen from the lamp, which looks along {} there.",
+                        face_name()),
             is_along ? "p." + world + " − L." + world : "L." + world + " − p." + world,
             {place(i), lamp(i)}, terms_.seen[part]);
     }
@@ -117,8 +118,8 @@ class ShadowMaker {
         const int resolution = frame_.occluders.map->resolution;
         const int half = resolution / 2;
         add("shadow." + id, id,
-            "Where the point falls on the face, in texels: projected as by a camera in the lamp "
-            "that sees 90 degrees, so that f is half of a side.",
+            "Where the point falls on the face, in texels. It is projected as by a camera at the "
+            "lamp with a 90-degree view, so f is half of a side.",
             "f · " + seen + " · (1 / z) + m",
             {{"f", {0.5f * static_cast<float>(resolution)}, from_setting("shadow_resolution")},
              own(seen, "shadow.seen." + seen, terms_.seen[part]),
@@ -133,8 +134,8 @@ class ShadowMaker {
         const float texel =
             2.0f * terms_.seen.z / static_cast<float>(frame_.occluders.map->resolution);
         add("shadow.bias", "bias",
-            "How far behind what the lamp saw the point may lie: more where the surface runs away "
-            "from the lamp.",
+            "How far behind the depth that the lamp saw the point may lie. It is more where the "
+            "surface runs away from the lamp.",
             "b + k · texel · slope",
             {{"b", {rules.bias}, from_setting("shadow_bias")},
              {"k", {rules.slope_bias}, from_setting("shadow_slope_bias")},
@@ -149,7 +150,7 @@ class ShadowMaker {
     void add_texel(const std::string& id, const ShadowTexel& texel) {
         if (!(texel.inv_depth > 0.0f)) return;
         add(id, "z in the map",
-            "How far the lamp saw in that direction. The map is a depth buffer: it holds 1/z.",
+            "How far the lamp saw in that direction. The map is a depth buffer, so it holds 1/z.",
             "1 / h",
             {{"h",
               {texel.inv_depth},
@@ -166,7 +167,7 @@ class ShadowMaker {
         add_place(1, "row", "down");
         add_bias();
         const bool has_slope = frame_.settings.shadow_rules.slope_bias != 0.0f;
-        add("shadow.compared", "z − bias", "The depth that is held against that in the map.",
+        add("shadow.compared", "z − bias", "The depth that is compared with the one in the map.",
             "z − b",
             {own("z", "shadow.seen.z", terms_.seen.z),
              {"b",
@@ -209,19 +210,18 @@ std::string depth_text(float depth) {
 }
 
 std::string ray_text(const TriangleHit& hit, const Frame& frame) {
-    if (!hit.is_hit()) return "Lit: nothing stands between here and the lamp";
+    if (!hit.is_hit()) return "Lit: nothing is between here and the lamp";
     const std::string who =
         fmt::format("{} ({})", triangle_name(hit.triangle), part_name(*frame.scene, hit.triangle));
     if (hit.t > 1.0f)
-        return fmt::format("In shadow by mistake: {} stands behind the lamp, {:.2f} times as far",
+        return fmt::format("In shadow by mistake: {} is behind the lamp, {:.2f} times as far away",
                            who, hit.t);
-    return fmt::format("In shadow: {} stands between, at {:.2f} of the way to the lamp", who,
-                       hit.t);
+    return fmt::format("In shadow: {} is in between, {:.2f} of the way to the lamp", who, hit.t);
 }
 
 std::string map_text(const ShadowTerms& terms) {
     const std::string here =
-        fmt::format("this lies at {} − {}", depth_text(terms.seen.z), depth_text(terms.bias));
+        fmt::format("this is at {} − {}", depth_text(terms.seen.z), depth_text(terms.bias));
     const char* const face = shadow_face_names[static_cast<std::size_t>(terms.face)];
     if (terms.texel_count > 1) {
         const auto* const end = terms.texels.begin() + terms.texel_count;
@@ -238,7 +238,7 @@ std::string map_text(const ShadowTerms& terms) {
         fmt::format("face {}, column {}, row {}", face, texel.column, texel.row);
     if (!(texel.inv_depth > 0.0f))
         return fmt::format("Lit: the lamp saw nothing there ({})", where);
-    return fmt::format("{}: the lamp saw as far as {}, {} ({})",
+    return fmt::format("{}: the lamp saw as far as {}; {} ({})",
                        terms.is_dark() ? "In shadow" : "Lit", depth_text(1.0f / texel.inv_depth),
                        here, where);
 }

@@ -47,19 +47,20 @@ Formula edge_formula(const TestedTriangle& triangle, const PixelTest& test, std:
     const bool is_at_corner = sample == PixelSample::corner;
     const auto [from, to] = ends_of_edge(triangle, i, corners);
     const Source begin =
-        from_words(from + (is_at_corner ? ", where the edge begins, half a pixel right and down"
-                                        : ", where the edge begins"));
-    const Source way = from_words("the edge's way from " + from + " to " + to);
-    const Source centre = from_words("the centre of the pixel: its number + 1/2");
+        from_words(from + (is_at_corner ? ", where the edge starts, half a pixel right and down"
+                                        : ", where the edge starts"));
+    const Source way = from_words("the vector of the edge from " + from + " to " + to);
+    const Source centre = from_words("the centre of the pixel, its number + 1/2");
     return {
         e_id(i),
         e_symbol(i),
-        fmt::format("The edge function of {} at the pixel's centre, in square pixels: above 0 "
-                    "on the inner side. Also twice the area of the triangle of edge and point.{}",
+        fmt::format("The edge function of {} at the pixel's centre, in square pixels, above 0 on "
+                    "the inner side. It is also twice the area of the triangle that the edge and "
+                    "the point form.{}",
                     tested_edge_name(edge.number),
-                    is_at_corner ? " By mistake the pixel is asked at its upper left corner: to "
-                                   "its centre the triangle then stands half a pixel too far "
-                                   "right and down."
+                    is_at_corner ? " By mistake the pixel is tested at its upper left corner, as "
+                                   "if the triangle were half a pixel too far right and down from "
+                                   "its centre."
                                  : ""),
         "dx · (y − ay) − dy · (x − ax)",
         {{"dx", in_pixels(edge.way.dx), way},
@@ -90,8 +91,8 @@ std::vector<Formula> test_formulas(const TestedTriangle& triangle, const PixelTe
     };
     formulas.push_back({"area",
                         "sum",
-                        "The sum of the three edge functions, the same at every pixel: twice the "
-                        "area of the triangle.",
+                        "The sum of the three edge functions. It is the same at every pixel, twice "
+                        "the area of the triangle.",
                         "E0 + E1 + E2",
                         {e_input(0), e_input(1), e_input(2)},
                         in_square_pixels_shown(triangle.area)});
@@ -102,10 +103,10 @@ std::vector<Formula> test_formulas(const TestedTriangle& triangle, const PixelTe
             {fmt::format("weight.{}", i),
              "weight of " + corners[i],
              fmt::format(
-                 "How much {} counts at this pixel: the share that the edge function of {} has in "
-                 "the sum.",
+                 "The weight of {} at this pixel: the edge function of {} as a fraction of the "
+                 "sum.",
                  corners[i],
-                 made_of == WeightEdge::own ? "the edge that begins at it, by mistake,"
+                 made_of == WeightEdge::own ? "the edge that starts at it (a mistake)"
                                             : "the opposite edge"),
              e_symbol(edge) + " / sum",
              {e_input(edge), {"sum", in_square_pixels_shown(triangle.area), from_formula("area")}},

@@ -104,13 +104,14 @@ class TextureFormulas {
         Formula formula{
             id,
             axis.place,
-            fmt::format("The place in texels of {}: texel i goes from i to i + 1.", of),
+            fmt::format("The position in {}, counted in texels; texel i goes from i to i + 1.", of),
             among_expression(axis),
             {coordinate(axis),
              whole_input(axis.count, count, fmt::format("{} of {}, texels", axis.count, of))},
             {place}};
         if (evaluate(formula) != place) {
-            formula.help = "The place is no number that can be counted in texels: 0 is taken.";
+            formula.help = "The position is not a number that can be counted in texels, so 0 is "
+                           "used.";
             formula.expression =
                 frame_.settings.texel_rule == TexelRule::whole_centres ? "1/2" : "0";
             formula.inputs.clear();
@@ -131,20 +132,21 @@ class TextureFormulas {
             formulas_.push_back(
                 {fmt::format("texture.{}.{}", name, u),
                  fmt::format("d{}/d{}", u, name == "right" ? "x" : "y"),
-                 fmt::format("How far {} moves to {}: the derivative of a quotient.", u, next),
+                 fmt::format("How fast {} changes toward {}: the derivative of a quotient.", u,
+                             next),
                  fmt::format("(d − {} · e) / w", u),
                  {{"d",
                    {slope[axis.index]},
                    from_words(
-                       fmt::format("what {} grows by to {}, the same over the whole triangle",
+                       fmt::format("how much {} grows by to {}, the same over the whole triangle",
                                    is_divided ? u + "/z" : u, next))},
                   coordinate(axis),
                   {"e",
                    {weight_slope},
-                   from_words(is_squared ? "what 1/z times 1/z grows by to " + next +
+                   from_words(is_squared ? "how much 1/z times 1/z grows by to " + next +
                                                ", as if in equal steps"
-                              : has_weight ? "what 1/z grows by to " + next
-                                           : "no weight changes")},
+                              : has_weight ? "how much 1/z grows by to " + next
+                                           : "there is no weight to change")},
                   {"w",
                    {report_.weight},
                    is_squared   ? from_words("1/z times 1/z, by mistake")
@@ -156,7 +158,7 @@ class TextureFormulas {
         formulas_.push_back(
             {"texture." + name,
              name,
-             fmt::format("How far a pixel reaches to {}, in texels of the texture.", next),
+             fmt::format("How far a pixel reaches toward {}, in texels of the texture.", next),
              "sqrt(du · width · (du · width) + dv · height · (dv · height))",
              {{"du", {side.x}, from_formula(fmt::format("texture.{}.u", name))},
               whole_input("width", base.width, "width of the texture, texels"),
@@ -169,8 +171,8 @@ class TextureFormulas {
         formulas_.push_back(
             {"texture.level",
              "level",
-             "The level of the mip chain whose texels are as large as the pixel: each is half as "
-             "wide and high as the one before.",
+             "The level of the mip chain whose texels are as large as the pixel. Each level is "
+             "half as wide and high as the previous one.",
              "min(log2(max(1, max(right, down))), last)",
              {{"right", {report_.right}, from_formula("texture.right")},
               {"down", {report_.down}, from_formula("texture.down")},
@@ -179,7 +181,7 @@ class TextureFormulas {
              {report_.level}});
         if (frame_.settings.texel_rule != TexelRule::level_along_x) return;
         Formula& level = formulas_.back();
-        level.help += " By mistake only its reach to the next column counts.";
+        level.help += " By mistake only the reach toward the next column counts.";
         level.expression = "min(log2(max(1, right)), last)";
         level.inputs.erase(level.inputs.begin() + 1);
     }
@@ -213,8 +215,8 @@ class TextureFormulas {
         formulas_.push_back(
             {texel_id(number, axis.line),
              fmt::format("{} of texel {}", axis.line, number),
-             offset < 0 ? "The texel in which the place lies, wrapped at the borders."
-                        : "A texel whose centre stands next to the place, wrapped at the borders.",
+             offset < 0 ? "The texel that contains the position, wrapped at the borders."
+                        : "A texel whose centre is next to the position, wrapped at the borders.",
              wrapped(place),
              {{x, {among(axis, count)}, from_formula(id)},
               whole_input("n", count, fmt::format("{} of the level, texels", axis.count))},
@@ -262,8 +264,8 @@ class TextureFormulas {
             formulas_.push_back(
                 {level_id(level, "f" + x),
                  "f" + x,
-                 "How far the place lies beyond the centre of the texel before it: 0 is that "
-                 "centre, 1 the next.",
+                 "How far the position is beyond the centre of the texel before it: 0 is that "
+                 "centre, 1 is the next.",
                  fmt::format("{0} − 1/2 − floor({0} − 1/2)", x),
                  {{x, {among(axis, size_of(texels, axis))}, from_formula(level_id(level, x))}},
                  {beyond_centre(level, axis)}});
@@ -276,7 +278,7 @@ class TextureFormulas {
         Formula formula{
             texel_id(number, "weight"),
             fmt::format("weight of texel {}", number),
-            "How near the place is to the texel's centre, along both directions.",
+            "How near the position is to the texel's centre, along both directions.",
             fmt::format("{} · {}", is_right ? "fx" : "(1 − fx)", is_below ? "fy" : "(1 − fy)"),
             {{"fx",
               {beyond_centre(texel.level, texture_axes[0])},
@@ -286,7 +288,8 @@ class TextureFormulas {
               from_formula(level_id(texel.level, "fy"))}},
             {texel.weight}};
         if (frame_.settings.texture_filter == TextureFilter::trilinear) {
-            formula.help += " Times the share of its level: how near that is to the level wanted.";
+            formula.help += " Times the weight of its level, that is, how near it is to the level "
+                            "wanted.";
             const bool is_first = number < 4;
             formula.expression +=
                 is_first ? " · (1 − (level − floor(level)))" : " · (level − floor(level))";
@@ -299,7 +302,7 @@ class TextureFormulas {
         const std::string name = channel_names[static_cast<std::size_t>(channel)];
         Formula mean{"texture." + name,
                      "texture's " + name,
-                     "The texels that were taken, each by its weight.",
+                     "The texels that were taken, each multiplied by its weight.",
                      "",
                      {},
                      {report_.colour[channel]}};
@@ -318,7 +321,7 @@ class TextureFormulas {
         const float reflectance = report_.reflectance[channel];
         formulas_.push_back({"surface." + name,
                              "surface's " + name,
-                             "The reflectance of the surface, painted by its texture.",
+                             "The reflectance of the surface, multiplied by its texture.",
                              "ρ · t",
                              {{"ρ", {reflectance}, reflectance_source(channel, name)},
                               {"t", {report_.colour[channel]}, from_formula("texture." + name)}},

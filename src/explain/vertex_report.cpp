@@ -72,12 +72,12 @@ void add_camera_space(VertexMaker& made) {
         const std::string axis = axis_names[i];
         Formula formula{"minus_camera." + axis,
                         axis,
-                        "The world moved so that the camera stands at the origin: P − C.",
+                        "The world moved so that the camera is at the origin: P − C.",
                         "",
                         {},
                         {shaded.in("minus_camera")[i]}};
         if (made.is_bench()) {
-            formula.help = "The bench gives its vertices in pixels: there is no camera.";
+            formula.help = "The bench gives its vertices in pixels, so there is no camera.";
             formula.expression = "P." + axis;
             formula.inputs = {
                 {"P." + axis, {shaded.in("world")[i]}, from_formula("world." + axis)}};
@@ -93,7 +93,7 @@ void add_camera_space(VertexMaker& made) {
             set_moved(made, "P", "world", "+", i, formula);
             break;
         case CameraMove::rotated_first:
-            formula.help = "Turned before it is moved, by mistake.";
+            formula.help = "By mistake, turned before it is moved.";
             set_turned(made, "P", "world", i, formula);
             break;
         }
@@ -115,8 +115,8 @@ void add_rotation(VertexMaker& made) {
                 const std::string axis = fmt::format("{}.{}", axes[column], axis_names[row]);
                 made.add({rotation_id(row, column),
                           rotation_symbol(row, column),
-                          "The camera's turn, row and column of R; its columns are the camera's "
-                          "right, down and forward axes in the world.",
+                          "An entry of R, the camera's rotation, by row and column; the columns of "
+                          "R are the camera's right, down and forward axes in the world.",
                           axis,
                           {{axis,
                             {made.rotation[column][row]},
@@ -127,8 +127,8 @@ void add_rotation(VertexMaker& made) {
             }
             made.add({rotation_id(row, column),
                       rotation_symbol(row, column),
-                      "The camera's turn, row and column of R; its columns are the camera's right, "
-                      "down and forward axes in the world.",
+                      "An entry of R, the camera's rotation, by row and column; the columns of R "
+                      "are the camera's right, down and forward axes in the world.",
                       expressions[row][column],
                       {{"yaw", {camera.yaw}, from_setting("camera.yaw")},
                        {"pitch", {camera.pitch}, from_setting("camera.pitch")}},
@@ -152,7 +152,7 @@ void add_rotated(VertexMaker& made) {
                         {shaded.in("rotated")[i]}};
         if (i == 2) formula.help += " How far in front of the camera.";
         if (made.is_bench()) {
-            formula.help = "The bench gives its vertices in pixels: there is no camera.";
+            formula.help = "The bench gives its vertices in pixels, so there is no camera.";
             formula.expression = "P." + axis;
             formula.inputs = {
                 {"P." + axis, {shaded.in("world")[i]}, from_formula("world." + axis)}};
@@ -168,7 +168,7 @@ void add_rotated(VertexMaker& made) {
         const CameraMove move = camera_move_rule(made.frame.settings);
         const std::string distance_help = i == 2 ? " How far in front of the camera." : "";
         if (move == CameraMove::rotated_first) {
-            formula.help = "Moved after it was turned, by mistake, by a C that was not turned." +
+            formula.help = "By mistake, moved after it was turned, by a C that was not turned." +
                            distance_help;
             set_moved(made, "d", "minus_camera", "−", i, formula);
         } else {
@@ -187,8 +187,8 @@ void add_inverse_z(VertexMaker& made) {
     const ShadedVertex& shaded = made.report.shaded;
     Formula formula{"zinv",
                     "1/z",
-                    made.has_own_depth() ? "Values are weighted by this."
-                                         : "What the depth buffer holds: larger is nearer.",
+                    made.has_own_depth() ? "The weight used for interpolation."
+                                         : "What the depth buffer holds; larger is nearer.",
                     "1 / z",
                     {{"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
                     {shaded.pixel.inv_w}};
@@ -211,8 +211,8 @@ void add_moved_normal(VertexMaker& made, const glm::vec3& normal) {
         made.add(
             {light_normal_id(made.frame.settings, i),
              axis,
-             "Taken to the camera with w = 1 and so moved as if it were a place, then made unit "
-             "length again. A direction has w = 0.",
+             "Taken to camera space with w = 1 and so moved as if it were a position, then made "
+             "unit length again. A direction has w = 0.",
              axis,
              {{axis, {normal[i]}, from_words("(n − C) / |n − C|")}},
              {normal[i]}});
@@ -259,7 +259,7 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
 
     VertexMaker made{frame, given, rotation, report};
     add_given(made, "world", axis_names, report.shaded.in("world"),
-              "The vertex where the scene has it.");
+              "The vertex, where the scene places it.");
     add_camera_space(made);
     if (!made.is_bench()) add_rotation(made);
     add_rotated(made);
@@ -274,10 +274,12 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
         add_projected(made, 1);
     }
     if (made.has_own_depth()) add_clip_depth(made);
-    add_given(made, "normal", axis_names, given.normal, "Across the surface, of unit length.");
+    add_given(made, "normal", axis_names, given.normal,
+              "Perpendicular to the surface, of unit "
+              "length.");
     if (frame.settings.normal_w == NormalW::one) add_moved_normal(made, normal);
     add_given(made, "reflectance", channel_names, given.reflectance,
-              "The share of light that the surface gives back.");
+              "The fraction of the light that the surface reflects.");
     add_light(made, normal);
     return report;
 }
@@ -336,7 +338,7 @@ std::string how_made_whole(const Settings& settings, SceneSpace space) {
     text.front() = static_cast<char>(text.front() - 'a' + 'A');
     text += ".";
     if (settings.outside_picture == OutsidePicture::clamped) {
-        text += " Moved into the picture where it lies outside.";
+        text += " If it is outside the picture, it is moved inside.";
     }
     return text;
 }

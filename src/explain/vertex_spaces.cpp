@@ -55,8 +55,8 @@ void add_product(SpacesOfVertex& spaces, SpacePlace place, const glm::dmat4& mat
 void add_division(SpacesOfVertex& spaces) {
     const glm::dvec4 clip = spaces.places.back().place;
     SpacePlace ndc{"ndc",
-                   "Divided by w: the view volume is a box, x and y from −1 to 1, z from 0 at the "
-                   "near plane to 1 at the far one.",
+                   "Divided by w. The view volume is now a box, x and y from −1 to 1, z from 0 at "
+                   "the near plane to 1 at the far one.",
                    "",
                    std::nullopt,
                    clip / clip.w,
@@ -184,26 +184,23 @@ SpacesOfVertex spaces_of_vertex(const Frame& frame, int triangle, int vertex, Ma
     const std::array<glm::dvec3, triangle_corners> object = object_corners(scene, triangle, model);
     spaces.normal = normal_of(object, to_world);
     spaces.places.push_back({"object",
-                             "Where the scene file has it, before its model transformation.",
+                             "Where the scene file places it, before its model transformation.",
                              "",
                              std::nullopt,
                              glm::dvec4(object[static_cast<std::size_t>(vertex)], 1.0),
                              {}});
-    add_product(spaces,
-                {"world", "Where the object stands: moved, turned and scaled.", "Tm", {}, {}, {}},
-                to_world);
-    add_product(spaces,
-                {"camera",
-                 "The camera stands at the origin: x right, y down, z forward.",
-                 "Tv",
-                 {},
-                 {},
-                 {}},
-                frame.stages.view_matrix(glm::dvec3(drawn.rules.camera.position),
-                                         glm::dmat3(drawn.rotation)));
+    add_product(
+        spaces,
+        {"world", "Where the object is in the world: moved, turned and scaled.", "Tm", {}, {}, {}},
+        to_world);
+    add_product(
+        spaces,
+        {"camera", "The camera is at the origin: x right, y down, z forward.", "Tv", {}, {}, {}},
+        frame.stages.view_matrix(glm::dvec3(drawn.rules.camera.position),
+                                 glm::dmat3(drawn.rotation)));
     add_product(spaces,
                 {"clip",
-                 "Before the division: inside the view are −w ≤ x ≤ w, −w ≤ y ≤ w, 0 ≤ z ≤ w. The "
+                 "Before the division. Inside the view, −w ≤ x ≤ w, −w ≤ y ≤ w and 0 ≤ z ≤ w. The "
                  "lab and the Clip tab count in pixels instead: x' = W/2 · x, y' = H/2 · y." +
                      box_text(frame, drawn.rules),
                  "Tp",

@@ -52,21 +52,21 @@ void add_compare_facts(std::vector<Fact>& table) {
                      natural(), [](const Comparison& c) { return number(c.pixels.different); });
     add_compare_fact(
         table, "compare.largest_difference",
-        "Largest difference of a pixel, of its channel that differs most: linear, or as "
-        "shown where only one run encodes or wraps colours.",
+        "Largest difference of a pixel, in the channel that differs most; linear, or as shown if "
+        "only one run encodes or wraps colours.",
         real(0), [](const Comparison& c) { return number(c.pixels.largest); });
-    add_compare_fact(table, "compare.mean_difference", "The same on average, over all pixels.",
+    add_compare_fact(table, "compare.mean_difference", "The same, averaged over all pixels.",
                      real(0), [](const Comparison& c) { return number(c.pixels.mean); });
-    table.push_back({"compare.samples", "Edge samples that lie on another pixel in run B.",
+    table.push_back({"compare.samples", "Edge samples that fall on a different pixel in run B.",
                      natural(), [](const Facts& f, int) { return number(f.different_samples()); }});
     for (int edge = 0; edge < triangle_corners; ++edge) {
         table.push_back(
             {fmt::format("compare.e{}.samples", edge),
-             fmt::format("The same of {} of the triangle on show.", edge_name(edge)), natural(),
+             fmt::format("The same for {} of the triangle on show.", edge_name(edge)), natural(),
              [](const Facts& f, int e) { return number(f.different_samples(e)); }, edge});
     }
     table.push_back({"compare.vertices_elsewhere",
-                     "Corners of triangles that fall on another pixel in run B.", natural(),
+                     "Corners of triangles that fall on a different pixel in run B.", natural(),
                      vertices_elsewhere});
     add_compare_fact(table, "compare.rows", "Rows of row tables that differ.", natural(),
                      [](const Comparison& c) { return number(c.different_rows); });

@@ -104,7 +104,7 @@ class Resolver {
         const ValueType type = of(tree_.root).type;
         if (type == ValueType::number || (is_condition && type == ValueType::truth)) return;
         throw UsageError(in_quotes(tree_.text) +
-                         (is_condition ? " is no condition, but " : " is no number, but ") +
+                         (is_condition ? " is not a condition but " : " is not a number but ") +
                          type_word(type) + ".");
     }
 
@@ -185,7 +185,7 @@ class Resolver {
         const bool takes_two = call.text == "min" || call.text == "max";
         if (!takes_two && call.text != "abs") {
             throw UsageError("there is no function " + in_quotes(call.text) +
-                             "; there are abs, min and max.");
+                             "; the functions are abs, min and max.");
         }
         resolve_numbers(call.parts);
         const std::size_t wanted = takes_two ? 2 : 1;
@@ -212,14 +212,14 @@ class Resolver {
         require_value(index);
         if (of(index).type == ValueType::number) return;
         const std::string& text = node(index).text;
-        throw UsageError("a number is needed where " + type_word(of(index).type) + " stands" +
+        throw UsageError("a number is needed instead of " + type_word(of(index).type) +
                          (text.empty() ? "." : ": " + in_quotes(text) + "."));
     }
     void require_truth(int index) const {
         require_value(index);
         const ValueType type = of(index).type;
         if (type == ValueType::truth || type == ValueType::number) return;
-        throw UsageError(in_quotes(node(index).text) + " is no condition by itself.");
+        throw UsageError(in_quotes(node(index).text) + " is not a condition by itself.");
     }
 
     /// Sees to it that two sides can be compared: a word stands for what the other side's name can
@@ -231,7 +231,7 @@ class Resolver {
         for (const auto& [one, other] : {std::pair(left, right), std::pair(right, left)}) {
             if (!is_leaf(one, Leaf::none)) continue;
             if (is_equality && is_leaf(other, Leaf::fact)) return;
-            throw UsageError("'none' can only be compared with a name, by '==' or '!='.");
+            throw UsageError("'none' can only be compared with a name, using '==' or '!='.");
         }
         const bool both_words =
             of(left).type == ValueType::word && of(right).type == ValueType::word;
@@ -245,7 +245,7 @@ class Resolver {
             throw UsageError(type_word(of(left).type) + " cannot be compared with " +
                              type_word(of(right).type) + ".");
         }
-        if (both_words && !is_equality) throw UsageError("words are compared by '==' or '!='.");
+        if (both_words && !is_equality) throw UsageError("words are compared using '==' or '!='.");
     }
 
     /// If `index` is a name that takes words, `other` is one of them.

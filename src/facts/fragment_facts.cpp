@@ -85,29 +85,35 @@ void add_texture_facts(std::vector<Fact>& table) {
     // Below 0 only by mistake B67.
     const ValueRange texel = whole(1 - largest_texture_side, largest_texture_side - 1);
     table.push_back({"pixel.u",
-                     "u of what the picked pixel shows in the end: its place in the texture, from "
-                     "the left, 0 to 1.",
+                     "u of what the picked pixel shows in the end: its position in the texture, "
+                     "from the left, 0 to 1.",
                      real(), texture_number<[](Texels t) { return t.place.texcoord.x; }>});
     table.push_back({"pixel.v",
-                     "v of what the picked pixel shows in the end: its place in the texture, from "
-                     "the top, 0 to 1.",
+                     "v of what the picked pixel shows in the end: its position in the texture, "
+                     "from the top, 0 to 1.",
                      real(), texture_number<[](Texels t) { return t.place.texcoord.y; }>});
     table.push_back({"pixel.footprint",
-                     "How far the picked pixel reaches in the texture, the longer side, texels.",
+                     "How far the picked pixel reaches in the texture along its longer side, in "
+                     "texels.",
                      real(0), texture_number<[](Texels t) { return std::max(t.right, t.down); }>});
     table.push_back({"pixel.level",
-                     "Level of the mip chain that suits the picked pixel, whether or not the "
-                     "filter asks for it.",
+                     "Level of the mip chain that matches the picked pixel, whether or not the "
+                     "filter uses it.",
                      real(0), texture_number<[](Texels t) { return t.level; }>});
-    table.push_back({"pixel.texels", "Texels that the picked pixel is mixed from: 1, 4 or 8.",
+    table.push_back({"pixel.texels",
+                     "Number of texels that the picked pixel is mixed from: 1, 4 "
+                     "or 8.",
                      whole(1, 8), texture_number<[](Texels t) { return t.taken.count; }>});
     table.push_back({"pixel.texel.column",
-                     "Column of the texel that counts most in the picked pixel.", texel,
+                     "Column of the texel with the largest weight in the picked pixel.", texel,
                      texture_number<[](Texels t) { return t.heaviest().column; }>});
-    table.push_back({"pixel.texel.row", "Row of the texel that counts most in the picked pixel.",
+    table.push_back({"pixel.texel.row",
+                     "Row of the texel with the largest weight in the picked "
+                     "pixel.",
                      texel, texture_number<[](Texels t) { return t.heaviest().row; }>});
     table.push_back({"pixel.texel.level",
-                     "Level of the mip chain of the texel that counts most in the picked pixel.",
+                     "Level in the mip chain of the texel with the largest weight in the picked "
+                     "pixel.",
                      natural(), texture_number<[](Texels t) { return t.heaviest().level; }>});
 }
 
@@ -139,9 +145,9 @@ void add_pixel_facts(std::vector<Fact>& table) {
     table.push_back({"pixel.losers", "Fragments on the picked pixel that fail the depth test.",
                      natural(), fragments_of_fate, static_cast<int>(Fate::depth_failed)});
     table.push_back({"pixel.cut_out",
-                     "Fragments on the picked pixel that the alpha of their texture lets through.",
+                     "Fragments on the picked pixel that the alpha of their texture cuts out.",
                      natural(), fragments_of_fate, static_cast<int>(Fate::cut_out)});
-    table.push_back({"pixel.owner", "Triangle that the picked pixel shows in the end; -1: none.",
+    table.push_back({"pixel.owner", "Triangle that the picked pixel shows in the end; -1 if none.",
                      whole(-1, endless), [](const Facts& f, int) {
                          if (!f.results().history) return Value();
                          const PixelEntry* const winner = f.winner();
@@ -151,14 +157,15 @@ void add_pixel_facts(std::vector<Fact>& table) {
                      "Pixels of the picked pixel's column that show the same part of the scene.",
                      natural(), part_in_column});
     table.push_back({"pixel.zinv",
-                     "1/z of what the picked pixel shows in the end; 1/w under another projection.",
+                     "1/z of what the picked pixel shows in the end; 1/w under any other "
+                     "projection.",
                      real(), [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
                          return winner != nullptr ? number(winner->zinv) : Value();
                      }});
     table.push_back({"pixel.depth",
-                     "What the depth buffer holds, by depth_format, of what the picked pixel shows "
-                     "in the end.",
+                     "What the depth buffer holds, in the format of depth_format, for what the "
+                     "picked pixel shows in the end.",
                      real(), [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
                          return winner != nullptr ? number(winner->depth) : Value();
@@ -170,7 +177,7 @@ void add_pixel_facts(std::vector<Fact>& table) {
                                                                          : Value();
                      }});
     table.push_back({"pixel.z_ndc",
-                     "Ndc z of what the picked pixel shows in the end: 0 at the near plane, 1 at "
+                     "NDC z of what the picked pixel shows in the end: 0 at the near plane, 1 at "
                      "the far one.",
                      real(), [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
@@ -182,25 +189,26 @@ void add_pixel_facts(std::vector<Fact>& table) {
         const std::string channel = channels[static_cast<std::size_t>(i)];
         table.push_back({"pixel." + channel,
                          "The picked pixel's " + channel +
-                             " in the end, linear, not cut at 1; 0 where nothing falls.",
+                             " in the end, linear, not clamped at 1; 0 where nothing falls.",
                          real(), pixel_channel, i});
     }
     table.push_back({"pixel.alpha",
-                     "Alpha of the surface that the picked pixel shows in the end, as it is "
-                     "blended: 1 where it is not.",
+                     "Alpha with which the surface that the picked pixel shows in the end is "
+                     "blended; 1 if it is not blended.",
                      real(0), [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
                          return winner == nullptr ? Value() : number(winner->alpha);
                      }});
     table.push_back({"pixel.light_error",
-                     "How far off affine interpolation puts the light there, largest channel.",
+                     "How far off the light is there with affine interpolation, in the channel "
+                     "that is off most.",
                      real(0), [](const Facts& f, int) {
                          const auto error = f.interpolation_error();
                          return error ? number(error->light) : Value();
                      }});
     table.push_back({"pixel.position_error",
-                     "How far off affine interpolation puts the place there, world units.", real(0),
-                     [](const Facts& f, int) {
+                     "How far off the position is there with affine interpolation, in world units.",
+                     real(0), [](const Facts& f, int) {
                          const auto error = f.interpolation_error();
                          return error ? number(error->position) : Value();
                      }});
@@ -212,7 +220,7 @@ void add_table_facts(std::vector<Fact>& table) {
                      [](const Facts& f, int) {
                          return f.table() != nullptr ? number(f.table()->rows.size()) : Value();
                      }});
-    table.push_back({"table.first_row", "Row of the picture with which the table begins.",
+    table.push_back({"table.first_row", "Row of the picture at which the table begins.",
                      whole(-endless, endless), [](const Facts& f, int) {
                          return f.table() != nullptr ? number(f.table()->rows.first_row) : Value();
                      }});
@@ -220,11 +228,11 @@ void add_table_facts(std::vector<Fact>& table) {
                      [](const Facts& f, int) {
                          return f.table() != nullptr ? number(f.table()->rows.outside) : Value();
                      }});
-    table.push_back({"table.fragments", "Pixels from end to end of all rows of the table.",
+    table.push_back({"table.fragments", "Pixels from end to end, over all rows of the table.",
                      natural(), table_fragments});
-    table.push_back({"table.left", "Left end of the selected row, when the table is finished.",
+    table.push_back({"table.left", "Left end of the selected row once the table is finished.",
                      whole(-endless, endless), row_end, 0});
-    table.push_back({"table.right", "Right end of the selected row, when the table is finished.",
+    table.push_back({"table.right", "Right end of the selected row once the table is finished.",
                      whole(-endless, endless), row_end, 1});
     table.push_back(
         {"table.count", "Pixels of the selected row, both ends included.", natural(), table_count});

@@ -59,8 +59,8 @@ void add_frame_fact(std::vector<Fact>& table, const char* name, const char* help
 } // namespace
 
 void add_cursor_facts(std::vector<Fact>& table) {
-    table.push_back({"cursor", "The moment: what comes next. `end` after everything.", moment(),
-                     [](const Facts& f, int) { return Value(f.results().a.cursor); }});
+    table.push_back({"cursor", "The moment, that is, what comes next; `end` after everything.",
+                     moment(), [](const Facts& f, int) { return Value(f.results().a.cursor); }});
     table.push_back(
         {"cursor.triangle", "Triangle of the moment, from 0.", natural(), [](const Facts& f, int) {
              const Cursor& cursor = f.results().a.cursor;
@@ -73,21 +73,20 @@ void add_cursor_facts(std::vector<Fact>& table) {
              const Cursor* const at = cursor_in(f, Phase::vertices);
              return at != nullptr ? number(at->index) : Value();
          }});
-    table.push_back({"cursor.plane", "Clipping plane at which an edge comes next.",
+    table.push_back({"cursor.plane", "Clipping plane at which an edge is handled next.",
                      words(enum_words<ClipPlane>), cursor_plane});
-    table.push_back({"cursor.clip_edge", "Edge that comes next at that plane, from 0.",
+    table.push_back({"cursor.clip_edge", "Edge that is handled next at that plane, from 0.",
                      whole(0, most_polygon_corners - 1), [](const Facts& f, int) {
                          const Cursor* const at = cursor_in(f, Phase::clip);
                          return at != nullptr ? number(at->step) : Value();
                      }});
     table.push_back({"cursor.edge",
-                     "Edge whose sample comes next; of a triangle that is not cut 0 "
-                     "to 2.",
+                     "Edge whose sample comes next; 0 to 2 for a triangle that is not cut.",
                      whole(0, most_polygon_corners - 1), [](const Facts& f, int) {
                          const Cursor* const at = cursor_in(f, Phase::edges);
                          return at != nullptr ? number(at->index) : Value();
                      }});
-    table.push_back({"cursor.sample", "Sample of that edge, from 0: line[...].", natural(),
+    table.push_back({"cursor.sample", "Sample of that edge, from 0, as in line[...].", natural(),
                      [](const Facts& f, int) {
                          const Cursor* const at = cursor_in(f, Phase::edges);
                          return at != nullptr ? number(at->step) : Value();
@@ -99,7 +98,7 @@ void add_cursor_facts(std::vector<Fact>& table) {
                          return decision ? number(decision->before) : Value();
                      }});
     table.push_back({"cursor.diagonal",
-                     "1 if the line goes on diagonally from that sample, 0 if straight.",
+                     "1 if the line steps diagonally from that sample, 0 if it goes straight.",
                      yes_or_no(), [](const Facts& f, int) {
                          const std::optional<LineDecision> decision = f.decision();
                          if (!decision || decision->step == PixelStep::none) return Value();
@@ -107,17 +106,17 @@ void add_cursor_facts(std::vector<Fact>& table) {
                      }});
     table.push_back({"cursor.column",
                      "Column of the picture in which the next fragment falls, or of the pixel that "
-                     "edge functions ask next.",
+                     "edge functions test next.",
                      whole(-endless, endless), cursor_pixel, 0});
     table.push_back({"cursor.row",
                      "Row of the picture in which the next fragment falls, or of the pixel that "
-                     "edge functions ask next.",
+                     "edge functions test next.",
                      whole(-endless, endless), cursor_pixel, 1});
 }
 
 void add_test_facts(std::vector<Fact>& table) {
     table.push_back({"test.inside",
-                     "1 if the pixel that edge functions ask next lies inside, 0 if not.",
+                     "1 if the pixel that edge functions test next lies inside, 0 if not.",
                      yes_or_no(), [](const Facts& f, int) {
                          const std::optional<PixelTest> test = f.pixel_test();
                          return test ? number(test->is_inside ? 1 : 0) : Value();
@@ -154,18 +153,18 @@ void add_session_facts(std::vector<Fact>& table) {
     table.push_back({"triangle", "Selected triangle, from 0.", natural(),
                      [](const Facts& f, int) { return number(f.session().selection.triangle); }});
     table.push_back(
-        {"triangle.count", "Triangles of the scene, cut if tessellation cuts them.", natural(),
+        {"triangle.count", "Triangles of the scene, after tessellation if it cuts them.", natural(),
          [](const Facts& f, int) { return number(f.results().a.frame.triangle_count()); }});
     table.push_back({"triangle.shown",
-                     "Triangle that the inspector shows, from 0: the selected one, or "
-                     "the one that was just drawn.",
+                     "Triangle that the inspector shows, from 0: the selected triangle, or the one "
+                     "that was just drawn.",
                      natural(),
                      [](const Facts& f, int) { return number(f.results().a.triangle); }});
     table.push_back({"row", "Selected row of the picture.", whole(-endless, endless),
                      [](const Facts& f, int) { return number(f.session().selection.row); }});
     table.push_back({"vertex", "Selected vertex of the triangle on show, 0 to 2.", whole(0, 2),
                      [](const Facts& f, int) { return number(f.session().selection.vertex); }});
-    table.push_back({"tab", "Tab of the inspector that is open.", words(tab_names()),
+    table.push_back({"tab", "Open tab of the inspector.", words(tab_names()),
                      [](const Facts& f, int) { return Value(f.session().tab); }});
     table.push_back(
         {"view", "Plane of the picture that is shown.", words(enum_words<View>),
@@ -186,26 +185,30 @@ void add_session_facts(std::vector<Fact>& table) {
                          },
                          static_cast<int>(info.overlay)});
     }
-    table.push_back({"zoom", "Screen pixels for each pixel of the picture; 0: it fits.",
+    table.push_back({"zoom",
+                     "Screen pixels for each pixel of the picture; 0 if it is fitted to "
+                     "the window.",
                      real(0, 64),
                      [](const Facts& f, int) { return number(f.session().canvas.zoom); }});
 }
 
 void add_frame_facts(std::vector<Fact>& table) {
     add_frame_fact(table, "frame.fragments",
-                   "Fragments that fall in the picture, drawn or not; before stage fill, marks.",
+                   "Fragments that fall inside the picture, drawn or not; before the stage fill, "
+                   "marks.",
                    [](const FrameStats& s) { return number(s.fragments); });
-    add_frame_fact(table, "frame.fragments_outside", "Fragments that fall beside the picture.",
+    add_frame_fact(table, "frame.fragments_outside", "Fragments that fall outside the picture.",
                    [](const FrameStats& s) { return number(s.fragments_outside); });
     add_frame_fact(table, "frame.pixels_tested",
-                   "Pixels of the picture that edge functions ask, one triangle after the other.",
+                   "Pixels of the picture that edge functions test, one triangle after another.",
                    [](const FrameStats& s) { return number(s.pixels_tested); });
     add_frame_fact(table, "frame.shaded", "Fragments whose colour is worked out.",
                    [](const FrameStats& s) { return number(s.shaded); });
     add_frame_fact(table, "frame.clipped", "Triangles that clipping has cut.",
                    [](const FrameStats& s) { return number(s.clipped); });
     add_frame_fact(table, "frame.clip_triangles",
-                   "Triangles after clipping, uncut ones too: a polygon counts as its fan.",
+                   "Triangles after clipping, including uncut ones; a polygon counts as the "
+                   "triangles of its fan.",
                    [](const FrameStats& s) { return number(s.clip_triangles); });
     add_frame_fact(
         table, "frame.culled", "Triangles left out because they show their back.",
@@ -227,8 +230,8 @@ void add_frame_facts(std::vector<Fact>& table) {
     add_frame_fact(table, "frame.uncovered", "Pixels on which nothing falls.",
                    [](const FrameStats& s) { return number(s.uncovered); });
     table.push_back({"frame.drawn_twice",
-                     "Pixels that two triangles with a common edge have both drawn, where neither "
-                     "is folded over the other.",
+                     "Pixels that two triangles with a common edge both draw, where neither is "
+                     "folded over the other.",
                      natural(), [](const Facts& f, int) { return number(f.drawn_twice()); }});
     add_frame_fact(table, "frame.rows_outside",
                    "Edge samples that fall outside their triangle's row table.",
@@ -241,7 +244,7 @@ void add_model_facts(std::vector<Fact>& table) {
     for (std::size_t i = 0; i < obj_count_list.size(); ++i) {
         const ObjCountInfo& info = obj_count_list[i];
         table.push_back({fmt::format("model.{}", info.name),
-                         fmt::format("Of the model that is open: {}.", info.help), natural(),
+                         fmt::format("For the model that is open: {}.", info.help), natural(),
                          [](const Facts& f, int which) {
                              const std::optional<ObjReport>& report =
                                  f.session().scene->model_report;

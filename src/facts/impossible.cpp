@@ -197,11 +197,10 @@ std::vector<std::string> impossible_parts(const Expression& condition) {
         const Reach left = ranges.reach(node.parts[0]);
         const int side = left.low == left.high ? node.parts[1] : node.parts[0];
         const Reach reach = ranges.reach(side);
-        std::string sentence = "'" + ranges.text(static_cast<int>(i)) +
-                               "' can never hold: " + ranges.text(side) + " lies between " +
-                               significant(reach.low, 9) + " and " + significant(reach.high, 9);
-        if (reach.is_whole) sentence += " and is whole";
-        sentences.push_back(sentence + ".");
+        sentences.push_back("'" + ranges.text(static_cast<int>(i)) +
+                            "' can never be true: " + ranges.text(side) +
+                            (reach.is_whole ? " is a whole number between " : " is between ") +
+                            significant(reach.low, 9) + " and " + significant(reach.high, 9) + ".");
     }
     return sentences;
 }

@@ -45,7 +45,8 @@ void add_normal_facts(std::vector<Fact>& table) {
     for (int i = 0; i < 3; ++i) {
         const std::string axis(axes[static_cast<std::size_t>(i)]);
         table.push_back({"pixel.normal." + axis,
-                         axis + " of the normal that light worked out at the picked pixel has.",
+                         axis + " of the normal with which light is worked out at the picked "
+                                "pixel.",
                          real(),
                          [](const Facts& facts, int part) {
                              const FragmentReport* const report = facts.light();
@@ -60,37 +61,36 @@ void add_normal_facts(std::vector<Fact>& table) {
                          bump_number<[](Bump bump, int part) { return bump.colour[part]; }>, i});
     }
     table.push_back({"pixel.tilt",
-                     "How far the normal map bends the normal there, degrees; none where the "
-                     "surface has no normal map in force.",
+                     "How far the normal map bends the normal there, in degrees; none if no normal "
+                     "map acts on the surface.",
                      real(0), bump_number<[](Bump bump, int) { return bump.tilt(); }>});
     table.push_back({"pixel.handedness",
-                     "The sign of the bitangent there: 1, or -1 where the texture is laid on in "
-                     "mirror image.",
+                     "The sign of the bitangent there: 1, or -1 where the texture is mirrored.",
                      real(-1), bump_number<[](Bump bump, int) { return bump.sign; }>});
 }
 
 } // namespace
 
 void add_light_facts(std::vector<Fact>& table) {
-    table.push_back({"pixel.lamp_distance", "How far the lamp is from there, world units.", real(0),
-                     light_number<[](const SurfaceLight& light, int) {
+    table.push_back({"pixel.lamp_distance", "Distance to the lamp from there, in world units.",
+                     real(0), light_number<[](const SurfaceLight& light, int) {
                          return std::sqrt(light.diffuse.distance2);
                      }>});
     table.push_back(
         {"pixel.cosine",
-         "n · l there, from 0 up: how slanted the lamp's light falls on the picked "
-         "pixel's surface.",
+         "n · l there, from 0 up: how steeply the lamp's light falls on the picked pixel's "
+         "surface.",
          real(0),
          light_number<[](const SurfaceLight& light, int) { return light.diffuse.cosine; }>});
     table.push_back({"pixel.normal_length",
-                     "How long the interpolated normal is there, before it is made unit length; "
-                     "none where the normals of the corners are the same.",
+                     "Length of the interpolated normal there, before it is made unit length; none "
+                     "if the normals of the corners are the same.",
                      real(0), [](const Facts& facts, int) {
                          return formula_number(facts, "pixel_light.n_length");
                      }});
     table.push_back(
         {"pixel.n_dot_h",
-         "n · h there, from 0 up: how near the normal is to half-way between lamp and "
+         "n · h there, from 0 up: how near the normal is to the direction halfway between lamp and "
          "eye.",
          real(0),
          light_number<[](const SurfaceLight& light, int) { return light.highlight.n_dot_h; }>});
@@ -101,7 +101,7 @@ void add_light_facts(std::vector<Fact>& table) {
     for (int i = 0; i < 3; ++i) {
         const std::string channel(channels[static_cast<std::size_t>(i)]);
         table.push_back({"pixel.highlight." + channel,
-                         "The " + channel + " of the highlight there, not cut at 1.", real(0),
+                         "The " + channel + " of the highlight there, not clamped at 1.", real(0),
                          light_number<[](const SurfaceLight& light, int part) {
                              return light.highlight.reflected[part];
                          }>,

@@ -52,19 +52,18 @@ Value part_count(const Facts& facts, int) {
 void add_shadow_facts(std::vector<Fact>& table) {
     table.push_back({"pixel.lit",
                      "The share of the lamp's light that arrives at what the picked pixel shows, 0 "
-                     "to 1; none where nothing is asked: without shadows, and where the surface "
-                     "faces away.",
+                     "to 1; none without shadows and where the surface faces away from the lamp.",
                      real(0, 1), shadow_number<[](const ShadowTerms& s) { return s.lit; }>});
     table.push_back({"pixel.occluder",
-                     "Triangle that the ray from there to the lamp meets first; -1: none. Only "
-                     "where shadows are found by rays.",
+                     "Triangle that the ray from there to the lamp meets first; -1 if none. Only "
+                     "if shadows are found by rays.",
                      whole(-1, endless), [](const Facts& f, int) {
                          const ShadowTerms* const terms = asked_there(f);
                          if (terms == nullptr || terms->face >= 0) return Value();
                          return number(terms->hit.triangle);
                      }});
     table.push_back({"pixel.occluder_way",
-                     "Where on its way the ray meets that triangle: 0 at the surface, 1 at the "
+                     "How far along the ray it meets that triangle: 0 at the surface, 1 at the "
                      "lamp.",
                      real(0), [](const Facts& f, int) {
                          const ShadowTerms* const terms = asked_there(f);
@@ -72,24 +71,26 @@ void add_shadow_facts(std::vector<Fact>& table) {
                          return number(terms->hit.t);
                      }});
     table.push_back({"pixel.lamp_z",
-                     "How deep it lies as the lamp sees it, along the axis of the face of the "
-                     "shadow map, world units.",
+                     "Its depth as seen from the lamp, along the axis of the shadow map's face, in "
+                     "world units.",
                      real(0), map_number<[](const ShadowTerms& s) { return s.seen.z; }>});
-    table.push_back({"pixel.shadow_bias", "The bias that is subtracted from that.", real(0),
+    table.push_back({"pixel.shadow_bias", "The bias that is subtracted from that depth.", real(0),
                      map_number<[](const ShadowTerms& s) { return s.bias; }>});
     table.push_back({"pixel.map_z",
-                     "How deep the lamp saw there: what the shadow map holds, world units; none "
-                     "where it saw nothing. Of four texels the first.",
+                     "The depth that the lamp saw there, which the shadow map holds, in world "
+                     "units; none if it saw nothing. The first one, if four texels are compared.",
                      real(0),
                      map_number<[](const ShadowTerms& s) { return depth_in(s.texels[0]); }>});
     table.push_back({"pixel.map_face",
-                     "Face of the shadow map in which it lies: 0 to 5 for +x, -x, +y, -y, +z, -z.",
+                     "Face of the shadow map that it falls on: 0 to 5 for +x, -x, +y, -y, +z, -z.",
                      whole(0, shadow_face_count - 1),
                      map_number<[](const ShadowTerms& s) { return s.face; }>});
-    table.push_back({"pixel.map_column", "Column of that face in which it lies; of four the first.",
+    table.push_back({"pixel.map_column",
+                     "Column of that face in which it falls; the first of "
+                     "four.",
                      natural(),
                      map_number<[](const ShadowTerms& s) { return s.texels[0].column; }>});
-    table.push_back({"pixel.map_row", "Row of that face in which it lies; of four the first.",
+    table.push_back({"pixel.map_row", "Row of that face in which it falls; the first of four.",
                      natural(), map_number<[](const ShadowTerms& s) { return s.texels[0].row; }>});
     table.push_back({"frame.pixels", "Pixels of the finished picture on which something is seen.",
                      natural(), frame_count<&ShadowCount::pixels>});
@@ -97,21 +98,24 @@ void add_shadow_facts(std::vector<Fact>& table) {
                      "Pixels of the finished picture whose surface faces the lamp.", natural(),
                      frame_count<&ShadowCount::facing>});
     table.push_back({"frame.in_shadow",
-                     "Pixels of the finished picture that face the lamp and lie in shadow, wholly "
-                     "or partly.",
+                     "Pixels of the finished picture whose surface faces the lamp and is in "
+                     "shadow, wholly or partly.",
                      natural(), frame_count<&ShadowCount::in_shadow>});
     table.push_back({"frame.acne",
-                     "Pixels that the setting in force puts in shadow though nothing stands "
-                     "between, as a right ray finds.",
+                     "Pixels that the current setting puts in shadow although a correct ray finds "
+                     "nothing in between.",
                      natural(), frame_count<&ShadowCount::acne>});
     table.push_back({"frame.light_leaks",
-                     "Pixels that the setting in force lights though something stands between.",
+                     "Pixels that the current setting lights although a correct ray finds "
+                     "something in between.",
                      natural(), frame_count<&ShadowCount::leaks>});
     table.push_back({"part.pixels",
                      "Pixels of the finished picture that show the part of the scene to which the "
                      "triangle on show belongs.",
                      natural(), part_count<&ShadowCount::pixels>});
-    table.push_back({"part.in_shadow", "Those of them that face the lamp and lie in shadow.",
+    table.push_back({"part.in_shadow",
+                     "Those of them whose surface faces the lamp and is in "
+                     "shadow.",
                      natural(), part_count<&ShadowCount::in_shadow>});
 }
 

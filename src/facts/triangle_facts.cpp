@@ -87,7 +87,7 @@ void add_side_facts(std::vector<Fact>& table) {
                      }});
     table.push_back({"triangle.corners",
                      "Corners of what is drawn of the triangle on show: 3 unless it is cut; 0 if "
-                     "nothing is.",
+                     "nothing is drawn.",
                      natural(), [](const Facts& f, int) {
                          return of_shown_triangle(f, [](const Frame& frame, int triangle) {
                              const auto corners = frame.triangle_vertices(triangle).size();
@@ -97,41 +97,41 @@ void add_side_facts(std::vector<Fact>& table) {
                      }});
     table.push_back(
         {"triangle.away",
-         "dot(n, v0 - camera) of the triangle on show, or dot(n, forward) as far as rays "
-         "are parallel, world units: positive if it shows its back.",
+         "dot(n, v0 - camera) of the triangle on show, or dot(n, forward) as far as the rays are "
+         "parallel, in world units; positive if it shows its back.",
          real(), [](const Facts& f, int) {
              return of_shown_triangle(f, [](const Frame& frame, int triangle) {
                  return number(triangle_sides(frame, triangle).away);
              });
          }});
     table.push_back({"triangle.near_t",
-                     "t of its first edge that the near plane cuts: 0 at the corner in front.",
+                     "t of its first edge that the near plane cuts; 0 at the corner in front.",
                      real(), [](const Facts& f, int) {
                          return of_shown_triangle(f, [](const Frame& frame, int triangle) {
                              return number(triangle_sides(frame, triangle).near_t);
                          });
                      }});
     table.push_back({"triangle.dot",
-                     "Dot product of its arrows on the screen, from vertices[0] to vertices[1] and "
-                     "to vertices[2], in pixels.",
+                     "Dot product of its two arrows on the screen, from vertices[0] to vertices[1] "
+                     "and from vertices[0] to vertices[2], in pixels.",
                      real(), triangle_arrows, 0});
     table.push_back({"triangle.cross",
-                     "Cross product of the same two arrows: twice the area; positive if the "
-                     "corners go round clockwise.",
+                     "Cross product of the same two arrows, which is twice the area; positive if "
+                     "the corners go round clockwise.",
                      real(), triangle_arrows, 1});
     table.push_back({"triangle.outcode_and",
                      "Bits that the outcodes of its three vertices have in common: near 1, far 2, "
                      "left 4, right 8, top 16, bottom 32.",
                      outcode_bits, triangle_outcode, 0});
-    table.push_back({"triangle.outcode_or", "Bits that any of its outcodes has.", outcode_bits,
-                     triangle_outcode, 1});
+    table.push_back({"triangle.outcode_or", "Bits that at least one of its outcodes has.",
+                     outcode_bits, triangle_outcode, 1});
 }
 
 void add_clip_facts(std::vector<Fact>& table) {
     add_clip_fact(table, "polygon.planes", "Planes that cut the triangle on show.",
                   whole(0, static_cast<int>(clip_plane_count)),
                   [](const ClipHistory& c) { return number(std::ssize(c.planes)); });
-    add_clip_fact(table, "polygon.cuts", "Cuts of its edges, at all planes together.", natural(),
+    add_clip_fact(table, "polygon.cuts", "Number of cuts of its edges, over all planes.", natural(),
                   [](const ClipHistory& c) {
                       std::ptrdiff_t cuts = 0;
                       for (const PlaneHistory& plane : c.planes)
@@ -139,11 +139,13 @@ void add_clip_facts(std::vector<Fact>& table) {
                                                 [](const ClipStep& step) { return step.is_cut; });
                       return number(cuts);
                   });
-    add_clip_fact(table, "polygon.corners", "Corners that clipping leaves of it; 0: nothing.",
+    add_clip_fact(table, "polygon.corners",
+                  "Corners that clipping leaves of it; 0 if nothing is "
+                  "left.",
                   whole(0, most_polygon_corners),
                   [](const ClipHistory& c) { return number(std::ssize(c.polygon)); });
     add_clip_fact(table, "polygon.triangles",
-                  "Triangles as which it is drawn: a fan of what is left.",
+                  "Number of triangles it is drawn as, the fan of what is left.",
                   whole(0, most_polygon_corners - 2),
                   [](const ClipHistory& c) { return number(std::ssize(c.fan)); });
     add_clip_fact(table, "polygon.culled", "1 if the triangle on show is culled.", yes_or_no(),
@@ -159,16 +161,18 @@ void add_outline_facts(std::vector<Fact>& table) {
     };
     add("outline.corners", "Corners of the scene's polygon that the triangle on show belongs to.",
         natural(), [](const PolygonWays& w) { return number(w.corners); });
-    add("outline.inside", "Pixels whose centres lie inside it, by the list of active edges.",
+    add("outline.inside", "Pixels whose centres lie inside it, found by the list of active edges.",
         natural(), [](const PolygonWays& w) { return number(w.inside); });
-    add("outline.table", "Pixels of its row table, with one left and one right end a row.",
+    add("outline.table", "Pixels of its row table, with one left and one right end per row.",
         natural(), [](const PolygonWays& w) { return number(w.table); });
-    add("outline.wrong_rows", "Rows in which that table has pixels that lie outside.", natural(),
-        [](const PolygonWays& w) { return number(w.wrong_rows); });
-    add("outline.fan", "Pixels that a fan of triangles about its first corner covers.", natural(),
+    add("outline.wrong_rows", "Rows in which that table has pixels that lie outside the polygon.",
+        natural(), [](const PolygonWays& w) { return number(w.wrong_rows); });
+    add("outline.fan", "Pixels that a fan of triangles around its first corner covers.", natural(),
         [](const PolygonWays& w) { return number(w.fan); });
-    add("outline.fan_laid", "The same, each as often as triangles of the fan cover it.", natural(),
-        [](const PolygonWays& w) { return number(w.fan_laid); });
+    add("outline.fan_laid",
+        "The same, with each pixel counted as often as triangles of the fan "
+        "cover it.",
+        natural(), [](const PolygonWays& w) { return number(w.fan_laid); });
     add("outline.area", "Its area in square pixels.", real(0),
         [](const PolygonWays& w) { return number(w.area); });
     add("outline.fan_area", "The areas of the triangles of its fan, added up, in square pixels.",
@@ -181,8 +185,8 @@ void add_shared_edge_facts(std::vector<Fact>& table) {
         table.push_back({std::move(name), std::move(help), natural(), read, number});
     };
     add("shared.edge",
-        "Edge of the triangle on show that a neighbour shares, the nearest to the picked pixel; "
-        "where coverage is not rows.",
+        "Edge of the triangle on show that it shares with a neighbour, the nearest to the picked "
+        "pixel. Only if coverage is not rows.",
         [](const Facts& f, int) {
             const CountedEdge* const counted = f.shared_edge();
             return counted != nullptr ? number(counted->shared.edge) : Value();
@@ -204,8 +208,8 @@ void add_shared_edge_facts(std::vector<Fact>& table) {
             static_cast<int>(i));
         add(
             "shared.holes_" + rule,
-            "Pixels on that edge, without its ends, that neither draws with fill_rule " + rule +
-                ".",
+            "Pixels on that edge, without its ends, that neither of them draws with fill_rule " +
+                rule + ".",
             [](const Facts& f, int which) {
                 const CountedEdge* const counted = f.shared_edge();
                 if (counted == nullptr) return Value();
@@ -230,23 +234,23 @@ void add_vertex_facts(std::vector<Fact>& table) {
                          const ShadedVertex* const vertex = WithPixel{}(f);
                          return vertex != nullptr ? number(vertex->pixel.row) : Value();
                      }});
-    table.push_back(
-        {"vertex.zinv", "Its 1/z; 1/w under another projection.", real(), [](const Facts& f, int) {
-             const ShadedVertex* const vertex = WithPixel{}(f);
-             return vertex != nullptr ? number(vertex->pixel.inv_w) : Value();
-         }});
+    table.push_back({"vertex.zinv", "Its 1/z; 1/w under any other projection.", real(),
+                     [](const Facts& f, int) {
+                         const ShadedVertex* const vertex = WithPixel{}(f);
+                         return vertex != nullptr ? number(vertex->pixel.inv_w) : Value();
+                     }});
     table.push_back({"vertex.depth", "Its value for the depth buffer, before it is rounded.",
                      real(), [](const Facts& f, int) {
                          const ShadedVertex* const vertex = WithPixel{}(f);
                          return vertex != nullptr ? number(vertex->pixel.depth) : Value();
                      }});
-    table.push_back(
-        {"vertex.z", "Its z before the camera; negative behind it.", real(), vertex_place, 5});
+    table.push_back({"vertex.z", "Its z in camera space; negative behind the camera.", real(),
+                     vertex_place, 5});
     table.push_back({"vertex.outcode",
                      "Outcode of the selected vertex of the triangle on show: the sides of the "
-                     "view beyond which it lies, two pixels at least.",
+                     "view that it lies beyond, by two pixels at least.",
                      outcode_bits, vertex_outcode});
-    table.push_back({"vertex.z_ndc", "Its ndc z: 0 at the near plane, 1 at the far one.", real(),
+    table.push_back({"vertex.z_ndc", "Its NDC z: 0 at the near plane, 1 at the far one.", real(),
                      [](const Facts& f, int) {
                          const ShadedVertex* const vertex = WithPixel{}(f);
                          return vertex != nullptr ? z_ndc(f, vertex->in("rotated").z) : Value();
@@ -255,12 +259,12 @@ void add_vertex_facts(std::vector<Fact>& table) {
                                                "camera_x",    "camera_y",   "camera_z",
                                                "projected_x", "projected_y"};
     constexpr std::array<const char*, 8> helps{
-        "Its place in the world, x.",
-        "Its place in the world, y.",
-        "Its place in the world, z.",
-        "Its place seen from the camera, x.",
-        "Its place seen from the camera, y.",
-        "Its place seen from the camera, z.",
+        "x of its position in the world.",
+        "y of its position in the world.",
+        "z of its position in the world.",
+        "x of its position seen from the camera.",
+        "y of its position seen from the camera.",
+        "z of its position seen from the camera.",
         "Pixels from the middle of the picture to the right, before int().",
         "Pixels from the middle of the picture downward, before int()."};
     for (std::size_t i = 0; i < names.size(); ++i) {

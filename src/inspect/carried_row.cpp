@@ -7,9 +7,10 @@ std::span<const QuantityInfo> quantity_list() {
         std::vector<QuantityInfo> made{
             {Quantity::zinv,
              {"zinv", "1/z", "1/z",
-              "1/z in camera space: changes in equal steps along a row, and is right everywhere."}},
+              "1/z in camera space. It changes in equal steps along a row and is correct "
+              "everywhere."}},
             {Quantity::z,
-             {"z", "z", "1/z", "Depth in camera space: interpolated as it is, or as 1 / (1/z)."}}};
+             {"z", "z", "1/z", "Depth in camera space, interpolated as it is, or as 1 / (1/z)."}}};
         for (int v = 0; v < varying_count; ++v) {
             const VaryingInfo& varying = varying_list[static_cast<std::size_t>(v)];
             for (int c = 0; c < varying.count; ++c) {
@@ -29,10 +30,10 @@ QuantityInfo quantity_in(const Frame& frame, Quantity quantity) {
     info.words.carried_name = weight;
     if (quantity == Quantity::zinv) {
         info.words.name = weight;
-        info.words.help = "One over w: changes in equal steps along a row, and not at all where "
-                          "rays are parallel.";
+        info.words.help = "One over w. It changes in equal steps along a row, and not at all if "
+                          "the rays are parallel.";
     } else {
-        info.words.help = "Depth in camera space: interpolated as it is, or from 1/w.";
+        info.words.help = "Depth in camera space, interpolated as it is, or from 1/w.";
     }
     return info;
 }

@@ -18,9 +18,9 @@ std::string outside_text(const PixelTest& test) {
         if (test.passes[i]) continue;
         const std::string edge = tested_edge_name(test.edges[i]);
         return test.e[i] < 0 ? "outside, beyond " + edge
-                             : "outside, " + edge + " gives its points away";
+                             : "outside, " + edge + " leaves its points to the neighbour";
     }
-    return test.is_given_corner ? "outside, the fill rule gives the corner of the fan away"
+    return test.is_given_corner ? "outside, the fill rule leaves the corner of the fan to others"
                                 : "outside, the triangle has no area";
 }
 

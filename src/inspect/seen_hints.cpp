@@ -167,9 +167,9 @@ SeenHint SeenHintsWork::hint_of(const Try& tried) const {
     switch (tried.way) {
     case Way::opaque:
         hint.seen = is_clear(*frame_->scene) || now_.seen.surface == 0
-                        ? "The model is transparent: nothing of it is seen"
-                        : "All that you see is black or transparent";
-        hint.in_short = "Nothing seen";
+                        ? "The model is transparent, so you see nothing of it"
+                        : "Everything you see is black or transparent";
+        hint.in_short = "Nothing visible";
         hint.act = "draw it opaque";
         hint.help =
             fmt::format("{} {} {} of it.", settings, tried.settings.size() == 1 ? "shows" : "show",
@@ -181,20 +181,20 @@ SeenHint SeenHintsWork::hint_of(const Try& tried) const {
         break;
     case Way::lit_from_both_sides:
         hint.act = "light both sides";
-        hint.help = settings + " lights them, too.";
+        hint.help = settings + " lights them too.";
         break;
     case Way::lamp_at_camera:
-        hint.act = "lamp to the camera";
+        hint.act = "put the lamp at the camera";
         break;
     case Way::without_images:
-        hint.act = "leave images out";
+        hint.act = "leave the images out";
         break;
     }
     if (tried.way == Way::without_backs || !is_black()) {
         hint.seen = fmt::format("Most of what you see is backs, {} of {}", now_.seen.backs, all);
         hint.in_short = "Mostly backs";
     } else {
-        hint.seen = "All that you see is black";
+        hint.seen = "Everything you see is black";
         hint.in_short = "All black";
         hint.help = fmt::format("{} shows {} of {}.", settings, tried.seen.lit, all);
     }

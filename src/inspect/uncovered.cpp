@@ -241,10 +241,11 @@ std::string miss_text(const NearTriangle& near) {
         return fmt::format("{} and {} the pixel", text, column_direction(near.columns_away));
     }
     if (near.is_left_out)
-        return fmt::format("its row {} is a single pixel, and passed over", near.row);
+        return fmt::format("its row {} is a single pixel, which is passed over", near.row);
     if (near.is_empty) {
-        return near.is_by_samples ? fmt::format("no edge sample reached its row {}", near.row)
-                                  : fmt::format("no centre of its row {} lies inside", near.row);
+        return near.is_by_samples
+                   ? fmt::format("no edge sample reached its row {}", near.row)
+                   : fmt::format("no pixel centre of its row {} lies inside", near.row);
     }
     const bool begins = near.columns_away > 0;
     return fmt::format("row {} {} at column {}, {} the pixel", near.row, begins ? "begins" : "ends",

@@ -453,9 +453,9 @@ TEST_CASE("The cause is told in words and numbers") {
     CHECK(cause(room, {Stage::points}, "camera.position=0,0,-0.5") ==
           "t0/v0: B leaves the triangle out: a vertex lies on or behind the camera plane.");
     CHECK(cause(room, {Stage::points}, "stage=edges") ==
-          "t0/v0: only A puts a mark on the picture; stage points against edges.");
+          "t0/v0: only A puts a mark on the picture; the stages are points and edges.");
     CHECK(cause(room, {Stage::edges}, "stage=fill") ==
-          "t0/e0/s0: only A puts a mark on the picture; stage edges against fill.");
+          "t0/e0/s0: only A puts a mark on the picture; the stages are edges and fill.");
     // The same pixels are found, whichever of the box are asked.
     CHECK(cause(room, {Stage::depth}, "box_walk=interval", "coverage=edge_functions").empty());
     CHECK(cause(room, StripStep::vertex_light, "light.power=2.2") ==

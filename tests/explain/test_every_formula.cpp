@@ -192,13 +192,13 @@ TEST_CASE("Where there is no highlight its formulas say why, whatever function i
         REQUIRE(formula != nullptr);
         return formula->help;
     };
-    const std::string no_direction = "There is no direction to the lamp or to the eye, and so no "
-                                     "highlight.";
+    const std::string no_direction = "There is no direction to the lamp or to the eye, so there is "
+                                     "no highlight.";
     CHECK(reason(HighlightRule::right, 0) == no_direction);
     CHECK(reason(HighlightRule::unasked, 0) == no_direction);
     // Along the wall the light does not fall on it.
     CHECK(reason(HighlightRule::right, 1) ==
-          "The lamp stands behind the surface, n · l is not above 0: no highlight.");
+          "The lamp is behind the surface (n · l is not above 0), so there is no highlight.");
 }
 
 } // namespace every_formula_tests

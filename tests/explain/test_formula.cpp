@@ -65,7 +65,7 @@ TEST_CASE("What a function in a formula does is told where it stands") {
     using Catch::Matchers::ContainsSubstring;
     CHECK_THAT(
         function_help("accumulate(left, (right − left) / (n − 1), i)"),
-        ContainsSubstring("accumulate(start, step, n): begins with start and adds step n times"));
+        ContainsSubstring("accumulate(start, step, n): starts with start and adds step n times"));
     CHECK_THAT(function_help("max(0, a · b)"),
                ContainsSubstring("max(0, x)") && !ContainsSubstring("\n"));
     CHECK_THAT(function_help("int(clamp(x, 0, 1))"),

@@ -35,10 +35,10 @@ Texts rules_of(const Settings& settings, bool back = false) {
 
 TEST_CASE("The rule of a line has the numbers of its edge") {
     CHECK(rules_of(with_line(LineAlgorithm::bresenham)) ==
-          Texts{"l = 5, s = 2; d begins at 2 s − l = -1", "d < 0: straight, d + 2 s = d + 4",
+          Texts{"l = 5, s = 2; d starts at 2 s − l = -1", "d < 0: straight, d + 2 s = d + 4",
                 "d ≥ 0: diagonal, d + 2 s − 2 l = d − 6"});
     CHECK(rules_of(with_line(LineAlgorithm::midpoint)) ==
-          Texts{"l = 5, s = 2; d begins at s − l/2 = -0.5", "d ≤ 0: straight, d + s = d + 2",
+          Texts{"l = 5, s = 2; d starts at s − l/2 = -0.5", "d ≤ 0: straight, d + s = d + 2",
                 "d > 0: diagonal, d + s − l = d − 3"});
     CHECK(rules_of(with_line(LineAlgorithm::dda)) == Texts{"y begins at 2",
                                                            "each step adds 2/5 = 0.4 in float",
@@ -51,7 +51,7 @@ TEST_CASE("A mistaken line has the rule that it follows") {
           "d ≥ 0: diagonal, d − 2 l = d − 10");
     CHECK(
         rules_of(with_line(LineAlgorithm::bresenham, BresenhamRule::first_octant), true).front() ==
-        "l = -5, s = -2; d begins at 2 s − l = 1");
+        "l = -5, s = -2; d starts at 2 s − l = 1");
 }
 
 TEST_CASE("Each decision is told with its sign, its step and its sum") {

@@ -253,5 +253,6 @@ TEST_CASE("A choice alone moves the point as it does on paper") {
     CHECK(alone(Convention::y_up).change == PictureChange::upside_down);
     CHECK(alone(Convention::column_vectors).change == PictureChange::elsewhere);
     CHECK(report.lab.change == PictureChange::same);
-    CHECK(report.sentences.front() == "R v for v R and the transpose of R cancel.");
+    CHECK(report.sentences.front() == "R v instead of v R and the transpose of R cancel each other "
+                                      "out.");
 }

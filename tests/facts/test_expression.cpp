@@ -119,13 +119,13 @@ TEST_CASE("An expression that is not understood is answered by a sentence") {
         {"rwo > 3", "there is no name 'rwo'. Did you mean 'row'?"},
         {"stage == rowz", "stage is never 'rowz'"},
         {"stage == rowz", "Did you mean 'rows'?"},
-        {"stage = rows", "to compare write '=='"},
-        {"stage", "is no condition"},
-        {"cursor", "is no condition"},
-        {"stage > rows", "words are compared by"},
+        {"stage = rows", "to compare, write '=='"},
+        {"stage", "is not a condition"},
+        {"cursor", "is not a condition"},
+        {"stage > rows", "words are compared using"},
         {"stage == 3", "a word cannot be compared with a number"},
         {"row == t0/r4", "a number cannot be compared with a moment"},
-        {"stage + 1 == 3", "a number is needed where a word stands"},
+        {"stage + 1 == 3", "a number is needed instead of a word"},
         {"1 < row < 3", "in place of"},
         {"sqrt(4) > 1", "there is no function 'sqrt'"},
         {"min(1) > 1", "takes two numbers"},
@@ -166,7 +166,7 @@ TEST_CASE("A comparison that can never hold is found") {
         CHECK(count(text) == 0);
     }
     CHECK(impossible_parts(parse_condition("vertex == 3")).front() ==
-          "'vertex == 3' can never hold: vertex lies between 0 and 2 and is whole.");
+          "'vertex == 3' can never be true: vertex is a whole number between 0 and 2.");
 }
 
 TEST_CASE("A word that has moved to another setting is still compared with that setting") {

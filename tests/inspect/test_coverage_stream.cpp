@@ -367,7 +367,7 @@ TEST_CASE("What the fan's corner gives away is said to be given away") {
     CHECK_FALSE(test.is_inside);
     CHECK(test.is_given_corner);
     CHECK(pixel_test_text(test) == "triangle 1 of the fan, E = 0, 144, 0: outside, the fill rule "
-                                   "gives the corner of the fan away");
+                                   "leaves the corner of the fan to others");
     CHECK_FALSE(test_pixel(polygon, 1, 8, 8, stages).is_given_corner);
 }
 

@@ -99,7 +99,7 @@ TEST_CASE("What is black all over is told the setting that lights most of it, or
     using namespace seen_hints_of_models;
     const std::vector<SeenHint> back = hints_of(sheet(true), {"light.indirect=0"});
     REQUIRE(back.size() == 1);
-    CHECK(back[0].seen == "All that you see is black");
+    CHECK(back[0].seen == "Everything you see is black");
     CHECK(back[0].settings == std::vector<std::string>{"light.sides=two"});
     CHECK_THAT(back[0].help, StartsWith("light.sides=two, the setting 'Lit sides', shows "));
     // Its front, with the lamp behind it.
@@ -113,7 +113,7 @@ TEST_CASE("What is black all over is told the setting that lights most of it, or
     // An image may be what is black.
     const std::vector<SeenHint> image = hints_of(sheet_of("Kd 1 1 1\nmap_Kd black.png\n"), {});
     REQUIRE(image.size() == 1);
-    CHECK(image[0].seen == "All that you see is black");
+    CHECK(image[0].seen == "Everything you see is black");
     CHECK(image[0].settings == std::vector<std::string>{"texture=off"});
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("What is wholly transparent is told the settings that draw it opaque")
         const Scene scene = sheet_of(std::string("Kd 1 1 1\n") + d);
         const std::vector<SeenHint> hints = hints_of(scene, {});
         REQUIRE(hints.size() == 1);
-        CHECK(hints[0].seen == "The model is transparent: nothing of it is seen");
+        CHECK(hints[0].seen == "The model is transparent, so you see nothing of it");
         CHECK(hints[0].settings == no_blending);
         CHECK(hints_of(scene, no_blending).empty());
         // Nor would light show it.
@@ -142,9 +142,9 @@ TEST_CASE("What is wholly transparent is told the settings that draw it opaque")
     const std::vector<SeenHint> part =
         hints_of(two_sheets("Kd 0 0 0\n", "Kd 1 1 1\nd 0\n"), {"light.indirect=0.5"});
     REQUIRE(part.size() == 1);
-    CHECK(part[0].seen == "All that you see is black or transparent");
+    CHECK(part[0].seen == "Everything you see is black or transparent");
     CHECK(part[0].settings == no_blending);
-    CHECK_THAT(part[0].help, StartsWith("blend=off, the setting 'Half transparent', shows "));
+    CHECK_THAT(part[0].help, StartsWith("blend=off, the setting 'Half-transparent', shows "));
     const std::vector<SeenHint> both = hints_of(sheet_of("Kd 1 1 1\nd 0\nmap_Kd clear.png\n"), {});
     REQUIRE(both.size() == 1);
     CHECK(both[0].settings == std::vector<std::string>{"blend=off", "texture_alpha=off"});
