@@ -39,7 +39,7 @@ constexpr auto longest_end = 1s;
 /// How a program has ended, by what waitpid() says.
 std::string ending_text(int status) {
     if (WIFSIGNALED(status))
-        return fmt::format("was ended by a signal: {}", strsignal(WTERMSIG(status)));
+        return fmt::format("was ended by the signal {}", strsignal(WTERMSIG(status)));
     return fmt::format("ended with exit code {}", WEXITSTATUS(status));
 }
 
@@ -99,7 +99,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words, Patience patie
     const int fault = start(words, process_, socket_);
     if (fault == 0) return;
     throw AccessError(fmt::format("cannot start {}: {}.", in_quotes(name_),
-                                  fault == ENOSYS ? "this system starts no other programs"
+                                  fault == ENOSYS ? "this system cannot start other programs"
                                                   : std::strerror(fault)));
 }
 
@@ -124,7 +124,7 @@ std::string ChildProcess::read_line() {
     std::size_t end = unread_.find('\n');
     while (end == std::string::npos) {
         if (unread_.size() > longest_line)
-            throw AccessError(in_quotes(name_) + " answers with a line that does not end.");
+            throw AccessError(in_quotes(name_) + " sends a line that does not end.");
         read_more();
         end = unread_.find('\n');
     }
@@ -152,8 +152,8 @@ void ChildProcess::read_more() {
         const auto left = patience_.longest - waited;
         if (left <= 0ms) {
             const double seconds = std::chrono::duration<double>(patience_.longest).count();
-            throw AccessError(fmt::format("{} does not answer; {} s were waited for it.",
-                                          in_quotes(name_), significant(seconds, 3)));
+            throw AccessError(fmt::format("{} has not answered for {} s.", in_quotes(name_),
+                                          significant(seconds, 3)));
         }
         pollfd wanted{socket_, POLLIN, 0};
         const auto slice = std::min(left, std::chrono::milliseconds(100ms));
@@ -177,7 +177,7 @@ void ChildProcess::throw_ended() {
         }
         std::this_thread::sleep_for(1ms);
     }
-    throw AccessError(in_quotes(name_) + " has closed its output, and goes on.");
+    throw AccessError(in_quotes(name_) + " has closed its output but is still running.");
 }
 
 } // namespace rasterwalk

@@ -75,7 +75,9 @@ std::string read_all(int descriptor, const std::string& name, std::size_t limit,
         if (count < 0 && errno == EINTR) continue;
         if (count < 0 && errno == EAGAIN) {
             if (wait_for_input(descriptor, silence)) continue;
-            throw AccessError(fmt::format("cannot read '{}': nobody writes into this pipe.", name));
+            throw AccessError(fmt::format("cannot read '{}': nothing is being written into this "
+                                          "pipe.",
+                                          name));
         }
         if (count < 0) refuse("read", name, errno);
         if (count == 0) return bytes;

@@ -42,8 +42,8 @@ void check_png_data(std::string_view bytes, const std::string& path, glm::ivec2 
     const std::string trouble = decode_zlib(png_data(bytes), png_row_bytes(bytes));
     if (trouble.empty()) return;
     if (trouble != zlib_has_more) refuse(path, trouble);
-    throw InputError(
-        fmt::format("{}: a picture of {} x {} pixels has data for more.", path, size.x, size.y));
+    throw InputError(fmt::format("{}: a picture of {} x {} pixels contains data for more.", path,
+                                 size.x, size.y));
 }
 
 /// Which byte of a TGA tells how its pixels are stored.
@@ -126,7 +126,7 @@ Image parse_image(std::string_view bytes, const std::string& path, int largest_s
 
 Image parse_exact_image(std::string_view bytes, const std::string& path) {
     if (image_format(bytes) == ImageFormat::jpeg) {
-        throw InputError(fmt::format("{}: a JPG does not keep the colours of single pixels: save "
+        throw InputError(fmt::format("{}: a JPG does not keep the exact colour of each pixel; save "
                                      "the picture as {}.",
                                      path, exact_image_formats));
     }
@@ -143,7 +143,7 @@ Image read_image(const std::string& path, int largest_side, const ImageSizeCheck
 Image read_png(const std::string& path, int largest_side) {
     const std::string bytes = read_file(path, largest_image_file);
     if (image_format(bytes) != ImageFormat::png)
-        throw InputError(path + ": the file is no PNG picture.");
+        throw InputError(path + ": the file is not a PNG picture.");
     return parse_image(bytes, path, largest_side);
 }
 

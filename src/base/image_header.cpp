@@ -49,7 +49,7 @@ struct PictureSize {
 void check_sides(const std::string& path, PictureSize size, int largest_side) {
     if (size.width <= 0 || size.height <= 0) refuse(path, size, "is empty.");
     if (size.width > largest_side || size.height > largest_side)
-        refuse(path, size, fmt::format("is too large: a side has at most {}.", largest_side));
+        refuse(path, size, fmt::format("is too large: a side may have at most {}.", largest_side));
 }
 
 // PNG: https://www.w3.org/TR/2003/REC-PNG-20031110/
@@ -133,17 +133,21 @@ class PngBlocks {
 glm::ivec2 png_size(std::string_view bytes, const std::string& path, int largest_side) {
     const std::optional<PngHeader> header = parse_png_header(bytes);
     if (!header) {
-        throw InputError(path + ": the picture cannot be read: it does not begin with its size.");
+        throw InputError(path + ": the picture cannot be read because it does not begin with its "
+                                "size.");
     }
     check_sides(path, header->size, largest_side);
-    if (header->channels == 0) refuse(path, header->size, "has a colour type that PNG has not.");
+    if (header->channels == 0)
+        refuse(path, header->size,
+               "has a colour type that does not exist "
+               "in PNG.");
     if (header->bits_per_channel > 16)
-        refuse(path, header->size, "has more than 16 bits per channel, as no PNG has.");
+        refuse(path, header->size, "has more than 16 bits per channel, which PNG does not allow.");
     std::int64_t size = 0;
     PngBlocks blocks(bytes);
     while (const std::optional<PngBlock> block = blocks.next()) {
         // Its data have another form, of which stb_image takes as much as there is.
-        if (block->name == "CgBI") refuse(path, header->size, "is a PNG of Apple's own kind.");
+        if (block->name == "CgBI") refuse(path, header->size, "is a PNG in Apple's own variant.");
         if (block->name == "IDAT") size += static_cast<std::int64_t>(block->data.size());
     }
     // One byte of deflate data never stands for more.
@@ -171,12 +175,12 @@ glm::ivec2 bmp_size(std::string_view bytes, const std::string& path, int largest
     // stb_image loses the last colours of it.
     if (is_old && bits <= 8) {
         refuse(path, size,
-               "has a palette behind the header of OS/2, which cannot be read: save it as PNG.");
+               "has an OS/2 header with a palette, which cannot be read; save it as PNG.");
     }
     constexpr std::int64_t with_masks = 3; // plain, and told which bits are red, green and blue
     const std::int64_t packing = is_old ? 0 : little_endian(bytes, 30, 4);
     if ((is_old && bits < 24) || (packing != 0 && packing != with_masks))
-        refuse(path, size, "is a BMP of a kind that cannot be read: save it as PNG.");
+        refuse(path, size, "is a BMP of a kind that cannot be read; save it as PNG.");
     const std::int64_t begin =
         std::max(little_endian(bytes, 10, 4), static_cast<std::int64_t>(file_header) + header);
     // The last row need not be filled up to four bytes.
@@ -196,7 +200,7 @@ glm::ivec2 tga_size(std::string_view bytes, const std::string& path, int largest
     if (byte_at(bytes, 1) == 1) {
         // stb_image passes over as many bytes as there are colours before the first one.
         if (little_endian(bytes, 3, 2) != 0)
-            refuse(path, size, "has a palette that does not begin at 0: save it as PNG.");
+            refuse(path, size, "has a palette that does not begin at 0; save it as PNG.");
         palette = little_endian(bytes, 5, 2) * ((byte_at(bytes, 7) + 7) / 8);
     }
     const std::int64_t pixel = (byte_at(bytes, 16) + 7) / 8, count = size.width * size.height;
@@ -223,8 +227,8 @@ glm::ivec2 jpeg_size(std::string_view bytes, const std::string& path, int larges
 glm::ivec2 pnm_size(std::string_view bytes, const std::string& path, int largest_side) {
     const std::optional<PnmHeader> header = parse_pnm_header(bytes);
     if (!header) {
-        throw InputError(path + ": the picture cannot be read: it does not begin with its width, "
-                                "its height and its largest sample.");
+        throw InputError(path + ": the picture cannot be read because it does not begin with its "
+                                "width, its height and its largest sample.");
     }
     const PictureSize size{header->size.x, header->size.y};
     check_sides(path, size, largest_side);
@@ -251,11 +255,11 @@ glm::ivec2 stated_size(std::string_view bytes, const std::string& path, int larg
     }
     const std::string_view known = unread_image_format(bytes);
     if (known.empty()) {
-        throw InputError(
-            fmt::format("{}: the file is no picture that is read: {}.", path, image_formats_read));
+        throw InputError(fmt::format("{}: the file is not a picture that can be read ({}).", path,
+                                     image_formats_read));
     }
     throw InputError(
-        fmt::format("{}: the picture is {}, which is not read: save it as PNG.", path, known));
+        fmt::format("{}: the picture is {}, which cannot be read; save it as PNG.", path, known));
 }
 
 std::string png_data(std::string_view bytes) {

@@ -15,7 +15,7 @@ constexpr std::int64_t most_scanned_pixels = std::int64_t{1} << 29;
 constexpr std::string_view cut_off = "is cut off.";
 constexpr std::string_view damaged = "is damaged.";
 constexpr std::string_view other_kind =
-    "is a JPG of a rare kind, which cannot be read: save it as an ordinary one, or as PNG.";
+    "is a JPG of a rare kind that cannot be read; save it as an ordinary JPG or as PNG.";
 
 /// The bytes of a segment.
 class JpegBytes {

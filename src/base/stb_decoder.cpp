@@ -9,7 +9,7 @@
 namespace {
 
 void check_in_decoder(bool is_right) {
-    if (!is_right) throw std::logic_error("its data are damaged");
+    if (!is_right) throw std::logic_error("its data is damaged");
 }
 
 } // namespace
@@ -50,7 +50,7 @@ std::string last_reason() {
     const std::string_view reason = said != nullptr ? said : "";
     // What it says of bytes that are none, or that are of another format, is no reason.
     for (const std::string_view none : {"", "unknown image type", "bad png sig", "no SOI"})
-        if (reason == none) return "its data are damaged";
+        if (reason == none) return "its data is damaged";
     return std::string(reason);
 }
 

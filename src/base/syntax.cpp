@@ -74,8 +74,8 @@ class Parser {
 
     SyntaxTree parse() {
         if (text_.size() > longest_expression) {
-            throw UsageError("an expression has at most " + std::to_string(longest_expression) +
-                             " letters.");
+            throw UsageError("an expression may have at most " +
+                             std::to_string(longest_expression) + " letters.");
         }
         for (const SyntaxToken& token : split_tokens(text_, language_)) {
             if (token.kind != TokenKind::blank) tokens_.push_back(token);
@@ -167,7 +167,7 @@ class Parser {
         for (const auto& [sign, kind] : signs) {
             if (take(sign)) return kind;
         }
-        if (take(Sign::assign)) throw UsageError("'=' sets; to compare write '=='.");
+        if (take(Sign::assign)) throw UsageError("'=' sets a value; to compare, write '=='.");
         return std::nullopt;
     }
 
@@ -177,7 +177,7 @@ class Parser {
         if (!kind) return left;
         const int right = read_sum();
         if (take_comparison()) {
-            throw UsageError("write 'a < b and b < c' in place of 'a < b < c'.");
+            throw UsageError("write 'a < b and b < c' instead of 'a < b < c'.");
         }
         return add(*kind, {left, right});
     }

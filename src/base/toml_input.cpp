@@ -79,7 +79,7 @@ toml::table parse_toml(std::string_view text, const std::string& path,
     if (const std::optional<int> line = line_nested_too_deeply(text)) {
         throw InputError(path, *line,
                          fmt::format("this is nested too deeply: a key has more than {} dots, or "
-                                     "more than {} brackets stand within one another.",
+                                     "more than {} brackets are nested.",
                                      most_key_dots, most_nested_brackets));
     }
     ToldText buffer(text, told);
@@ -160,7 +160,7 @@ float TomlInput::number(const toml::node& node, float smallest, float largest,
     if (!std::isfinite(value)) fail(node, what + " must be a finite number.");
     const float rounded = static_cast<float>(value);
     if (!(rounded >= smallest && rounded <= largest)) {
-        fail(node, fmt::format("{} must lie between {} and {}.", what,
+        fail(node, fmt::format("{} must be between {} and {}.", what,
                                significant(static_cast<double>(smallest), 6),
                                significant(static_cast<double>(largest), 6)));
     }

@@ -90,7 +90,7 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         ->type_name("");
     add_json(stats, line.stats.json);
     stats.add_flag("--time", line.stats.time,
-                   "Measure, too, what each way of culling saves on this machine");
+                   "Also measure what each way of culling saves on this machine");
     stats.footer(stats_footer());
     add_view_options(stats, line.stats.view);
 
@@ -109,7 +109,9 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
 
-    CLI::App& triangle = add_command(line, "triangle", "Tell a triangle's vertices, edges and rows",
+    CLI::App& triangle = add_command(line, "triangle",
+                                     "Print a triangle's vertices, edges and "
+                                     "rows",
                                      [&] { triangle_command(line.triangle, out); });
     triangle.add_option("N", line.triangle.triangle, "Number of the triangle, from 0")
         ->type_name("")
@@ -117,7 +119,7 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
     add_json(triangle, line.triangle.json);
     add_view_options(triangle, line.triangle.view);
 
-    CLI::App& pixel = add_command(line, "pixel", "Tell everything that fell on a pixel, and why",
+    CLI::App& pixel = add_command(line, "pixel", "List everything that fell on a pixel, and why",
                                   [&] { pixel_command(line.pixel, out); });
     pixel.add_option("PIXEL", line.pixel.pixel, "Column and row of the picture")
         ->type_name("X,Y")
@@ -126,7 +128,7 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
     add_view_options(pixel, line.pixel.view);
 
     CLI::App& compare =
-        add_command(line, "compare", "Tell how two runs differ, and where they first part",
+        add_command(line, "compare", "Show how two runs differ, and where they first diverge",
                     [&] { line.exit_code = compare_command(line.compare, out); });
     compare.add_option("--a", line.compare.a, "One setting of run A: name=value; repeatable")
         ->type_name("NAME=VALUE")
@@ -140,9 +142,9 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
     add_json(compare, line.compare.json);
     add_view_options(compare, line.compare.view);
 
-    CLI::App& diagnose = add_command(
-        line, "diagnose", "Tell what may be wrong with a picture or a printed row table",
-        [&] { line.exit_code = diagnose_command(line.diagnose, out, err, progress); });
+    CLI::App& diagnose =
+        add_command(line, "diagnose", "Suggest what is wrong with a picture or a printed row table",
+                    [&] { line.exit_code = diagnose_command(line.diagnose, out, err, progress); });
     diagnose
         .add_option(
             "FILE", line.diagnose.file,
@@ -152,13 +154,13 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         ->required();
     diagnose
         .add_option("--polygon", line.diagnose.polygon,
-                    "A vertex of the polygon whose rows were printed; repeatable; the nearest "
-                    "triangle if not given")
+                    "A vertex of the polygon whose rows were printed; repeatable; if not given, "
+                    "the nearest triangle")
         ->type_name("X,Y")
         ->allow_extra_args(false);
     diagnose
         .add_option("--seconds", line.diagnose.seconds,
-                    "Search no longer than this for what may be wrong with a picture, then look "
+                    "Search for at most this long for what may be wrong with a picture, then look "
                     "closely at what was found")
         ->type_name("SECONDS")
         ->capture_default_str();
@@ -178,12 +180,12 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
                                  [&] { bugs_command(line.bugs, out); });
     add_json(bugs, line.bugs.json);
 
-    CLI::App& lessons = add_command(line, "lessons", "List the lessons, and what is done of them",
+    CLI::App& lessons = add_command(line, "lessons", "List the lessons and your progress",
                                     [&] { lessons_command(line.lessons, out, err); });
     add_json(lessons, line.lessons.json);
 
     CLI::App& check =
-        add_command(line, "check", "Look for faults in lessons, scenes and presets",
+        add_command(line, "check", "Check lessons, scenes and presets for faults",
                     [&] { line.exit_code = check_command(line.check, out, err, progress); });
     check
         .add_option("PATH", line.check.paths,
@@ -191,36 +193,40 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         ->type_name("")
         ->required();
     check.add_flag("--luck", line.check.luck,
-                   "Also try each task of the lessons at random: how often is it solved by luck?");
+                   "Also try each task of the lessons at random and print how often it is solved "
+                   "by luck");
     check.add_flag("--style", line.check.style,
                    "Only look for phrases that read as if translated, in texts, strings and "
                    "comments");
 
-    CLI::App& facts = add_command(line, "facts", "List the names that lessons can ask for",
+    CLI::App& facts = add_command(line, "facts", "List the names that lessons can use",
                                   [&] { facts_command(line.facts, out); });
     add_json(facts, line.facts.json);
 
     CLI::App& engines =
-        add_command(line, "engines", "Time the engines of this program beside llvmpipe",
+        add_command(line, "engines", "Time the engines of this program against llvmpipe",
                     [&] { line.exit_code = engines_command(line.engines, out, progress); });
     const auto add_text = [&](const char* name, std::string& value, const char* help,
                               const char* type) {
         engines.add_option(name, value, help)->type_name(type);
     };
-    add_text("--workload", line.engines.workload, "w1, w2 or w3; all if not given", "NAME");
+    add_text("--workload", line.engines.workload, "w1, w2 or w3; if not given, all", "NAME");
     add_text("--size", line.engines.size,
-             "Size of the pictures; 500x500 and 1920x1080 if not given", "WIDTHxHEIGHT");
-    add_text("--threads", line.engines.threads, "1 or 2; both if not given", "N");
+             "Size of the pictures; if not given, 500x500 and 1920x1080", "WIDTHxHEIGHT");
+    add_text("--threads", line.engines.threads, "1 or 2; if not given, both", "N");
     add_text("--simd", line.engines.simd,
-             "scalar, sse2, avx2 or avx512 for the fast engine; all of this machine if not given",
+             "scalar, sse2, avx2 or avx512 for the fast engine; if not given, all that this "
+             "machine has",
              "NAME");
-    add_text("--rounds", line.engines.rounds, "How often each takes its turn, 5 to 1000", "N");
+    add_text("--rounds", line.engines.rounds, "How often each engine takes its turn, 5 to 1000",
+             "N");
     add_json(engines, line.engines.json);
     engines.footer(engines_footer());
     // Last, because commands take over the footer that stands when they are added.
-    line.app.footer("Without a command the window opens.\n"
+    line.app.footer("Without a command, the window opens.\n"
                     "Exit codes: 0 done, 1 a check found a difference, 2 wrong usage, 3 bad "
-                    "input,\n4 could not read or write, 5 no display, 130 stopped by Ctrl+C.");
+                    "input,\n"
+                    "4 could not read or write, 5 no display, 130 stopped by Ctrl+C.");
 }
 
 /// The word is not a file: perhaps a command was meant.
@@ -287,7 +293,7 @@ void run(CommandLine& line, CliRequest& request) {
         return;
     }
     if (!(line.view == ViewOptions{})) {
-        throw UsageError("the options of a command stand behind its name.");
+        throw UsageError("the options of a command go after its name.");
     }
     line.command();
 }

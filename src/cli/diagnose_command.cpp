@@ -42,7 +42,7 @@ Finding diagnose_picture_file(const Result& result, const Session& session,
     const Settings reference = fitted_to(view, picture, session.scene->space);
     if (!(reference.viewport == view.viewport)) {
         err << "rasterwalk: the picture has " << size_text(picture.width, picture.height)
-            << " pixels; the reference is drawn in that size";
+            << " pixels; the reference is drawn at that size";
         if (session.scene->space == SceneSpace::world)
             err << ", with a focal length of " << reference.camera.focal_length;
         err << ".\n";
@@ -119,12 +119,12 @@ Json to_json(const Finding& finding) {
 void print_text(const Finding& finding, std::ostream& out) {
     const Diagnosis& diagnosis = finding.diagnosis;
     const bool is_picture = finding.kind == "picture";
-    out << "Held against " << finding.held_against << ": " << diagnosis.verdict << '\n';
+    out << "Compared with " << finding.held_against << ": " << diagnosis.verdict << '\n';
     if (!diagnosis.rules.empty()) {
         const bool is_sure = diagnosis.is_same() || likely_candidate(diagnosis) != nullptr;
         out << (is_sure ? "Your program draws with " : "The nearest right picture is drawn with ")
             << diagnosis.rules
-            << (is_sure ? ", which is just as right; the reference does the same.\n" : ".\n");
+            << (is_sure ? ", which is just as correct; the reference does the same.\n" : ".\n");
     }
     if (!diagnosis.is_same()) {
         out << counted(diagnosis.different, is_picture ? "pixel differs" : "row differs",
@@ -136,9 +136,9 @@ void print_text(const Finding& finding, std::ostream& out) {
     for (const std::string& sentence : diagnosis.findings)
         out << sentence << '\n';
     if (!diagnosis.is_complete)
-        out << "The search was stopped before everything was tried: see --seconds.\n";
+        out << "The search was stopped before everything had been tried; see --seconds.\n";
     if (diagnosis.candidates.empty()) return;
-    out << "\nexplains  differ still  mistake\n";
+    out << "\nexplains  still differ  mistake\n";
     for (const Candidate& candidate : diagnosis.candidates) {
         out << fmt::format("{:>8}  {:>12}  ", explained_text(candidate.explained, 1),
                            candidate.different);
@@ -157,7 +157,7 @@ void print_text(const Finding& finding, std::ostream& out) {
 
 ExitCode diagnose_command(const DiagnoseOptions& options, std::ostream& out, std::ostream& err,
                           ProgressLine& progress) {
-    if (!(options.seconds > 0.0)) throw UsageError("--seconds takes a number above 0.");
+    if (!(options.seconds > 0.0)) throw UsageError("--seconds takes a number greater than 0.");
     const Session session = open_view(options.view);
     const std::vector<Bug> bugs = read_bugs();
     const Result result{options.file == "-" ? standard_input_name : options.file,

@@ -171,7 +171,7 @@ void print_text(const std::vector<Measurement>& measurements, std::ostream& out)
     out << processor_name() << ", " << counted(processor_count(), "processor", "processors")
         << '\n';
     if (measurements.empty()) return;
-    out << "beside " << measurements.front().peer << '\n';
+    out << "against " << measurements.front().peer << '\n';
     for (const Measurement& measurement : measurements)
         print_text(measurement, out);
 }
@@ -185,20 +185,21 @@ std::string engines_footer() {
     text +=
         "\nThe engines:"
         "\n  student   the loop of the lab as a student writes it; one thread"
-        "\n  steps     the stages that this program walks through; one thread"
-        "\n  fast ...  the fast engine, by each set of SIMD instructions of this machine"
+        "\n  steps     the stages that you walk through in this program; one thread"
+        "\n  fast ...  the fast engine, with each set of SIMD instructions of this machine"
         "\n  llvmpipe  the peer: Mesa's rasterizer, in the program rasterwalk-llvmpipe"
-        "\nThey take turns. Printed is the median time of a picture, of the processor on one "
-        "thread "
-        "and of the\nclock on two, and how many times as fast as llvmpipe that is. There is no "
-        "such "
-        "ratio where more than\n0.02 % of the pixels differ by more than 1/255 from llvmpipe's "
-        "picture; then it is said what differs.\nThe environment variable RASTERWALK_LLVMPIPE "
-        "names "
-        "the peer's program where it does not lie beside\nthis one. Where it is missing, breaks "
-        "off "
-        "or gives no answer for 30 seconds, the exit code is 4; it is 1\nwhere a picture differs, "
-        "and 130 after Ctrl+C, which prints what is done.";
+        "\nThe engines take turns. The output gives the median time per picture (processor time "
+        "with one"
+        "\nthread, wall time with two) and how many times as fast as llvmpipe that is. If more "
+        "than 0.02 % of"
+        "\nthe pixels differ from llvmpipe's picture by more than 1/255, the output says what "
+        "differs instead."
+        "\nThe environment variable RASTERWALK_LLVMPIPE names the peer's program if it is not in "
+        "the same"
+        "\nfolder as this one. The exit code is 4 if the peer is missing, breaks off or does not "
+        "answer for"
+        "\n30 seconds, 1 if a picture differs, and 130 after Ctrl+C, which prints what has been "
+        "measured.";
     return text;
 }
 

@@ -103,7 +103,7 @@ int check_luck(const Lesson& lesson, FileCheck& check) {
             tell(task, fmt::format("the task '{}' has nothing to try at random.", task.id));
             continue;
         }
-        tell(task, fmt::format("the task '{}' is solved by {:.1f} % of random tries of {}.",
+        tell(task, fmt::format("the task '{}' is solved by {:.1f} % of random tries with {}.",
                                task.id, 100.0 * luck.passed / luck.tries, luck.control));
         const auto refuse = [&](const std::string& sentence) {
             tell(task, fmt::format("the task '{}': {}", task.id, sentence));
@@ -112,7 +112,7 @@ int check_luck(const Lesson& lesson, FileCheck& check) {
         if (is_luck(luck)) refuse("at most 10 % of random tries may solve it.");
         if (luck.ends_pass) refuse("an end of its slider solves it.");
         if (luck.unanswered > 0) {
-            refuse(fmt::format("'not_yet' says nothing to {} of {} tries, as to {}.",
+            refuse(fmt::format("'not_yet' has no answer to {} of {} tries, such as {}.",
                                luck.unanswered, luck.tries, luck.unanswered_by));
         }
     }
@@ -233,7 +233,7 @@ ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostr
     } else {
         files = files_to_check(options.paths);
     }
-    if (files.empty()) throw InputError("there is nothing to check: no lessons, no scenes.");
+    if (files.empty()) throw InputError("there is nothing to check, neither lessons nor scenes.");
     int faults = 0;
     if (options.style) {
         faults = check_styles(files, check);

@@ -18,7 +18,7 @@ Progress progress_so_far(std::ostream& err) {
     try {
         return read_progress(folder + "/progress.toml");
     } catch (const Error& fault) {
-        err << "rasterwalk: what was done is not known: " << fault.what() << '\n';
+        err << "rasterwalk: your progress cannot be read: " << fault.what() << '\n';
         return {};
     }
 }
@@ -56,7 +56,7 @@ void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostr
                     << tasks << " tasks, " << score.answered << " of " << predictions
                     << " predictions.\n";
             } else {
-                out << "Not begun.\n";
+                out << "Not started.\n";
             }
         }
         list.push_back({{"about", lesson.about},

@@ -56,21 +56,21 @@ struct StatInfo {
 
 /// All of them, in the order in which they are printed.
 constexpr StatInfo stat_list[] = {
-    {"triangles", "of the scene, drawn or not",
+    {"triangles", "triangles of the scene, drawn or not",
      [](const FrameStats& s) -> std::int64_t { return s.triangles; }},
-    {"rejected", "triangles of which all vertices lie beyond the same plane, left out by reject",
+    {"rejected", "triangles whose vertices all lie beyond the same plane, left out by reject",
      [](const FrameStats& s) -> std::int64_t { return s.left_out.of(Rejection::outside); }},
-    {"clipped", "triangles from which a plane has cut a part",
+    {"clipped", "triangles from which a plane has cut off a part",
      [](const FrameStats& s) -> std::int64_t { return s.clipped; }},
-    {"clip_triangles", "triangles after clipping, a fan of each polygon; uncut ones too",
+    {"clip_triangles", "triangles after clipping: the fan of each polygon, and uncut triangles too",
      [](const FrameStats& s) -> std::int64_t { return s.clip_triangles; }},
-    {"culled", "triangles left out by cull, since they show their back",
+    {"culled", "triangles left out by cull because they show their back",
      [](const FrameStats& s) -> std::int64_t { return s.left_out.of(Rejection::back_facing); }},
-    {"fragments", "that fall in the picture; before stage fill, marks",
+    {"fragments", "fragments that fall inside the picture; before the stage fill, marks",
      [](const FrameStats& s) { return s.fragments; }},
-    {"fragments_outside", "that are walked and fall beside the picture",
+    {"fragments_outside", "fragments that are walked but fall outside the picture",
      [](const FrameStats& s) { return s.fragments_outside; }},
-    {"pixels_tested", "that edge functions ask, in the picture; 0 with other coverage",
+    {"pixels_tested", "pixels of the picture that edge functions test; 0 with other coverage",
      [](const FrameStats& s) { return s.pixels_tested; }},
     {"max_overdraw", "most fragments on one pixel",
      [](const FrameStats& s) -> std::int64_t { return s.max_overdraw; }},
@@ -81,9 +81,9 @@ constexpr StatInfo stat_list[] = {
      [](const FrameStats& s) -> std::int64_t { return s.rows_outside_triangles; }},
     {"shaded", "fragments whose colour is worked out",
      [](const FrameStats& s) { return s.shaded; }},
-    {"rows_looked_at", "rows asked by edge samples on the way to their own",
+    {"rows_looked_at", "rows that edge samples search on the way to their own",
      [](const FrameStats& s) { return s.rows_looked_at; }},
-    {"unset_rows", "rows that are drawn though no sample reached them",
+    {"unset_rows", "rows that are drawn although no sample reached them",
      [](const FrameStats& s) { return s.unset_rows; }},
     {"depth_outside", "fragments whose pixel has no cell in the depth buffer",
      [](const FrameStats& s) { return s.depth_outside; }},
@@ -159,11 +159,12 @@ std::string stats_footer() {
     std::string text = "What is counted:";
     for (const StatInfo& info : stat_list)
         text += fmt::format("\n  {:<24}{}", info.name, info.help);
-    text += "\n  left_out                with --json: triangles that are not drawn, by reason\n"
-            "With --time, for each way of culling: the median time of a frame in milliseconds,\n"
-            "and its share of the time without culling; with --json as culling_times.";
+    text += "\n  left_out                with --json: triangles that are not drawn, by reason"
+            "\nWith --time, for each way of culling: the median time of a frame in milliseconds,"
+            "\nand that time as a fraction of the time without culling; with --json as "
+            "culling_times.";
     text +=
-        "\nOf a model (.obj), with --json as model; its hints are which settings would show more:";
+        "\nFor a model (.obj), with --json as model; its hints name settings that would show more:";
     for (const ObjCountInfo& info : obj_count_list)
         text += fmt::format("\n  model.{:<18}{}", info.name, info.help);
     return text;
@@ -171,7 +172,7 @@ std::string stats_footer() {
 
 void stats_command(const StatsOptions& options, const Clock& clock, std::ostream& out,
                    std::ostream& err) {
-    if (options.time && !clock) throw UsageError("--time: there is no clock here.");
+    if (options.time && !clock) throw UsageError("--time: no clock is available here.");
     const Session session = open_view(options.view);
     const Settings& settings = session.a.settings;
     const Frame frame = prepare_frame(*session.scene, settings);

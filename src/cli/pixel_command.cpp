@@ -39,7 +39,7 @@ glm::ivec2 pixel_of(const std::string& text, Viewport size) {
         parse_coordinate(std::string_view(text).substr(std::min(comma + 1, text.size())));
     if (!column || !row) {
         throw UsageError(fmt::format(
-            "'{}' is not a pixel: it is written COLUMN,ROW; the picture has {}.", text, range));
+            "'{}' is not a pixel. Write it as COLUMN,ROW; the picture has {}.", text, range));
     }
     if (*column < 0 || *column >= size.width || *row < 0 || *row >= size.height) {
         throw UsageError(
@@ -199,7 +199,7 @@ Json to_json(const Frame& frame, const PixelHistory& history, const Cursor& to) 
 void print_tests(const PixelHistory& history, const Cursor& to, std::ostream& out) {
     for (const TestEvent& event : history.tests) {
         out << fmt::format("{:<15}  {}{}\n", to_text(event.cursor), pixel_test_text(event.test),
-                           event.cursor < to ? "" : "  not asked yet");
+                           event.cursor < to ? "" : "  not tested yet");
     }
 }
 

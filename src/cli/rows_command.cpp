@@ -24,7 +24,7 @@ namespace {
 [[noreturn]] void refuse_point(const std::string& text) {
     const int largest = static_cast<int>(largest_pixel_coordinate);
     throw UsageError(
-        fmt::format("'{}' is not a point: it is written X,Y in whole numbers from -{} to {}.", text,
+        fmt::format("'{}' is not a point. Write it as X,Y in whole numbers from -{} to {}.", text,
                     largest, largest));
 }
 
@@ -46,8 +46,8 @@ void check_assignment(const std::string& assignment) {
     const std::string_view name = std::string_view(assignment).substr(0, assignment.find('='));
     if (find_setting(name) == nullptr) return; // set_from_text has a better sentence for it
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-        throw UsageError("rows depend on rounding, line, bresenham_rule, line_walk, "
-                         "edge_samples, row_start, row_search and viewport.size, not on " +
+        throw UsageError("rows depend on rounding, line, bresenham_rule, line_walk, edge_samples, "
+                         "row_start, row_search and viewport.size, not on " +
                          std::string(name) + ".");
     }
 }

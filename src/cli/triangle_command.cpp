@@ -27,8 +27,8 @@ int parse_triangle(const std::string& text, const Scene& scene) {
     const int count = scene.triangle_count();
     const std::string range = count == 0 ? "the scene has no triangles."
                               : count == 1
-                                  ? "the scene has only the triangle 0."
-                                  : fmt::format("the scene has the triangles 0 to {}.", count - 1);
+                                  ? "the scene has only triangle 0."
+                                  : fmt::format("the scene has triangles 0 to {}.", count - 1);
     // A number may be quoted with blanks before it.
     const std::string number = text.substr(std::min(text.find_first_not_of(' '), text.size()));
     int triangle = 0;
@@ -262,7 +262,7 @@ void print_vertices(std::ostream& out, const TriangleReport& report, const Frame
 void print_clipping(std::ostream& out, const ClipHistory& clip) {
     if (!clip.planes.empty()) out << "\nClipping\n";
     for (const PlaneHistory& plane : clip.planes) {
-        out << fmt::format("  {}: of {} corners {} are left\n",
+        out << fmt::format("  {}: {} corners before, {} after\n",
                            plane_name(static_cast<int>(plane.plane)), plane.before.size(),
                            plane.after.size());
         for (const ClipStep& step : plane.steps)

@@ -74,8 +74,8 @@ class LlvmpipePeer final : public TimedEngine {
     }
 
     [[noreturn]] static void throw_no_answer(const std::string& line) {
-        throw AccessError(
-            "the program of llvmpipe answers with something else: " + in_quotes(line) + '.');
+        throw AccessError("the llvmpipe program gave an unexpected answer: " + in_quotes(line) +
+                          '.');
     }
 
     Viewport size_;
@@ -100,8 +100,8 @@ PeerTask parse_peer_arguments(const std::vector<std::string>& words) {
     task.size = settings.viewport;
     const auto threads = parse_int(words[2]);
     if (!threads || *threads < 1 || *threads > most_threads)
-        throw UsageError(
-            fmt::format("threads are 1 to {}, not {}.", most_threads, in_quotes(words[2])));
+        throw UsageError(fmt::format("the number of threads is 1 to {}, not {}.", most_threads,
+                                     in_quotes(words[2])));
     task.threads = *threads;
     return task;
 }

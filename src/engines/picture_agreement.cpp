@@ -29,7 +29,7 @@ int largest_channel_difference(std::uint32_t a, std::uint32_t b) {
 
 PictureDifference difference_of(const EnginePicture& a, const EnginePicture& b) {
     if (!(a.size == b.size) || a.colour.size() != b.colour.size())
-        throw std::invalid_argument("the pictures have not the same size");
+        throw std::invalid_argument("the pictures have different sizes");
     PictureDifference result;
     result.pixels = static_cast<std::int64_t>(a.colour.size());
     for (std::size_t i = 0; i < a.colour.size(); ++i) {

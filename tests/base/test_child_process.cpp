@@ -73,7 +73,7 @@ TEST_CASE("To ask a program that has ended is an error, and no signal") {
 
 TEST_CASE("A program that says nothing is waited for so long, and not longer") {
     CHECK_THAT(complaint("exec sleep 1000", 50ms),
-               ContainsSubstring("does not answer; 0.05 s were waited for it"));
+               ContainsSubstring("has not answered for 0.05 s"));
 }
 
 TEST_CASE("Waiting is broken off when that is wished") {

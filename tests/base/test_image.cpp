@@ -69,8 +69,8 @@ TEST_CASE("Files that are no pictures are refused as bad input") {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("x.png", "not a picture at all");
     CHECK_THROWS_WITH(read_image(path),
-                      path + ": the file is no picture that is read: PNG, JPG, TGA, BMP, "
-                             "PPM or PGM.");
+                      path + ": the file is not a picture that can be read (PNG, JPG, TGA, BMP, "
+                             "PPM or PGM).");
     folder.write("x.png", "");
     CHECK_THROWS_AS(read_image(path), InputError);
     CHECK_THROWS_AS(read_image(folder.file("none.png")), AccessError);
@@ -101,14 +101,15 @@ TEST_CASE("A PNG that claims to be 60000 pixels wide is refused before memory is
     const std::string path = folder.write("x.png", bytes);
     CHECK_THROWS_WITH(read_image(path),
                       path +
-                          ": a picture of 60000 x 2 pixels is too large: a side has at most 4096.");
+                          ": a picture of 60000 x 2 pixels is too large: a side may have at most "
+                          "4096.");
 }
 
 TEST_CASE("A PNG that unpacks to more than its size is refused before memory is taken for it") {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("bomb.png", png(2, 2, 8, many_zeros(200 * megabyte)));
     CHECK(complaint_within(60 * megabyte, path) ==
-          path + ": a picture of 2 x 2 pixels has data for more.");
+          path + ": a picture of 2 x 2 pixels contains data for more.");
     // As much as belongs to it: four pixels, and a filter for each row.
     CHECK(complaint_within(60 * megabyte, folder.write("x.png", png(2, 2, 8, many_zeros(1)))) ==
           folder.file("x.png") + ": the picture cannot be read: not enough pixels.");
@@ -123,15 +124,17 @@ TEST_CASE("A short file that says it is a large picture is refused before memory
     CHECK(said(png(4096, 4096, 8, "")) == ": a picture of 4096 x 4096 pixels is cut off.");
     CHECK(said(png(4096, 4096, 16, "x")) == ": a picture of 4096 x 4096 pixels is cut off.");
     CHECK(said(png(4096, 4096, '\xff', std::string(2'200'000, 'x'))) ==
-          ": a picture of 4096 x 4096 pixels has more than 16 bits per channel, as no PNG has.");
+          ": a picture of 4096 x 4096 pixels has more than 16 bits per channel, which PNG does not "
+          "allow.");
     std::string of_no_colours = png(4096, 4096, 8, "");
     of_no_colours[25] = '\5';
     CHECK(said(of_no_colours) ==
-          ": a picture of 4096 x 4096 pixels has a colour type that PNG has not.");
+          ": a picture of 4096 x 4096 pixels has a colour type that does not exist in PNG.");
     CHECK(said(png(4097, 1, 8, "")) ==
-          ": a picture of 4097 x 1 pixels is too large: a side has at most 4096.");
+          ": a picture of 4097 x 1 pixels is too large: a side may have at most 4096.");
     CHECK(said(png(0xffffffff, 0xffffffff, 16, "")) ==
-          ": a picture of 4294967295 x 4294967295 pixels is too large: a side has at most 4096.");
+          ": a picture of 4294967295 x 4294967295 pixels is too large: a side may have at most "
+          "4096.");
     CHECK(said(bmp(4096, 4096).substr(0, 66)) == ": a picture of 4096 x 4096 pixels is cut off.");
     CHECK(said(bmp(6, 1029).substr(0, 62)) == ": a picture of 6 x 1029 pixels is cut off.");
 }
@@ -157,14 +160,14 @@ TEST_CASE("A picture without pixels is refused, and so is a block beyond the end
     }
     std::string of_apple = whole;
     of_apple.insert(33, png_block("CgBI", ""));
-    CHECK(said(of_apple) == ": a picture of 9 x 7 pixels is a PNG of Apple's own kind.");
+    CHECK(said(of_apple) == ": a picture of 9 x 7 pixels is a PNG in Apple's own variant.");
 }
 
 TEST_CASE("A picture whose data the decoder gives no reason for is refused in a sentence") {
     const test::TemporaryFolder folder;
     // A last block of deflate's kind 3, which does not exist.
     const std::string path = folder.write("x.png", png(2, 2, 8, "\x78\x01\x07"));
-    const std::string damaged = path + ": the picture cannot be read: its data are damaged.";
+    const std::string damaged = path + ": the picture cannot be read: its data is damaged.";
     CHECK(complaint_about(path) == damaged);
     // Nor is the reason that of the picture before.
     CHECK(complaint_about(folder.write("y.png", png(2, 2, 8, many_zeros(1)))) ==

@@ -135,7 +135,7 @@ TEST_CASE("A BMP that would be read wrongly is refused with the reason") {
         for (const std::size_t length : {other.size(), std::size_t{60}}) {
             CHECK_THROWS_WITH(read_bytes(other.substr(0, length)),
                               "x: a picture of 4 x 4 pixels is a BMP of a kind that cannot be "
-                              "read: save it as PNG.");
+                              "read; save it as PNG.");
         }
     }
     const auto of_os2 = [](int bits, const std::string& behind) {
@@ -146,11 +146,11 @@ TEST_CASE("A BMP that would be read wrongly is refused with the reason") {
     CHECK(read_bytes(of_os2(24, byte(3) + byte(2) + byte(1) + byte(0))) ==
           Image{1, 1, {1, 2, 3, 255}});
     CHECK_THROWS_WITH(read_bytes(of_os2(8, std::string(3 * 256 + 4, 'x'))),
-                      "x: a picture of 1 x 1 pixels has a palette behind the header of OS/2, which "
-                      "cannot be read: save it as PNG.");
+                      "x: a picture of 1 x 1 pixels has an OS/2 header with a palette, which "
+                      "cannot be read; save it as PNG.");
     // 16 bits are a colour, and need no palette.
     CHECK_THROWS_WITH(read_bytes(of_os2(16, byte(1) + byte(2) + byte(0) + byte(0))),
-                      "x: a picture of 1 x 1 pixels is a BMP of a kind that cannot be read: save "
+                      "x: a picture of 1 x 1 pixels is a BMP of a kind that cannot be read; save "
                       "it as PNG.");
 }
 
@@ -226,7 +226,7 @@ TEST_CASE("A JPG is read as nearly as it keeps its colours") {
 
 TEST_CASE("Where every pixel counts a JPG is refused, and a PPM is not") {
     CHECK_THROWS_WITH(parse_exact_image(jpeg(8, 8, 100, ramp(8, 8)), "x"),
-                      "x: a JPG does not keep the colours of single pixels: save the picture as "
+                      "x: a JPG does not keep the exact colour of each pixel; save the picture as "
                       "PNG, TGA, BMP, PPM or PGM.");
     CHECK(parse_exact_image("P3 1 1 255 1 2 3", "x") == Image{1, 1, {1, 2, 3, 255}});
 }
@@ -247,11 +247,12 @@ TEST_CASE("Formats that are not read are refused by their names") {
                                                         {"P4\n8 1\n"s, "PBM"}};
     for (const auto& [bytes, name] : cases) {
         CHECK_THROWS_WITH(read_bytes(bytes + std::string(40, '\1')),
-                          "x: the picture is " + name + ", which is not read: save it as PNG.");
+                          "x: the picture is " + name + ", which cannot be read; save it as PNG.");
         CHECK_FALSE(is_image(bytes));
     }
     CHECK_THROWS_WITH(read_bytes("Start: (10,5). End: (10,5)."),
-                      "x: the file is no picture that is read: PNG, JPG, TGA, BMP, PPM or PGM.");
+                      "x: the file is not a picture that can be read (PNG, JPG, TGA, BMP, PPM or "
+                      "PGM).");
 }
 
 TEST_CASE("A picture that is cut off, or claims more than it has, is refused before memory is "
@@ -263,11 +264,11 @@ TEST_CASE("A picture that is cut off, or claims more than it has, is refused bef
     CHECK(said("P6 4096 4096 255 xyz") == vast);
     CHECK(said("P3 4096 4096 255 1 2 3") == vast);
     CHECK(said("P6 100000 4 255 xyz") ==
-          "x: a picture of 100000 x 4 pixels is too large: a side has at most 4096.");
+          "x: a picture of 100000 x 4 pixels is too large: a side may have at most 4096.");
     CHECK(said("P6 0 4 255 xyz") == "x: a picture of 0 x 4 pixels is empty.");
     CHECK(said("P6 4 4 70000 xyz") ==
-          "x: the picture cannot be read: it does not begin with its width, its height and its "
-          "largest sample.");
+          "x: the picture cannot be read because it does not begin with its width, its height and "
+          "its largest sample.");
     CHECK(said("P6 999999999999999999999 4 255 x") == said("P6 4 4 70000 xyz"));
     CHECK(said("P2 2 1 9 8 10") ==
           "x: the picture cannot be read: a sample is missing or too large.");
@@ -314,6 +315,6 @@ TEST_CASE("A JPG whose tables are too large or missing never reaches the decoder
           "x: a picture of 16 x 16 pixels has more scans than a picture needs.");
     std::string arithmetic = whole;
     arithmetic[whole.find("\xff\xc0") + 1] = '\xc9';
-    CHECK(said(arithmetic) == "x: the picture is a JPG of a rare kind, which cannot be read: save "
-                              "it as an ordinary one, or as PNG.");
+    CHECK(said(arithmetic) == "x: the picture is a JPG of a rare kind that cannot be read; save it "
+                              "as an ordinary JPG or as PNG.");
 }

@@ -121,7 +121,7 @@ TEST_CASE("A pipe whose writer stays silent is given up") {
     REQUIRE(writer >= 0);
     const std::chrono::milliseconds silence(5);
     CHECK_THROWS_WITH(read_file(path, largest_text_file, silence),
-                      "cannot read '" + path + "': nobody writes into this pipe.");
+                      "cannot read '" + path + "': nothing is being written into this pipe.");
     // What it has said is not the whole of it.
     REQUIRE(::write(writer, "half", 4) == 4);
     CHECK_THROWS_AS(read_file(path, largest_text_file, silence), AccessError);

@@ -103,11 +103,11 @@ TEST_CASE("What is no expression is answered by a sentence") {
     CHECK(refusal("(a") == "a ')' is missing in '(a'.");
     CHECK(refusal("f()") == "it is not clear what ')' means.");
     CHECK(refusal("1e999 + 2") == "'1e999 + 2' is not a number.");
-    CHECK(refusal("a < b < c") == "write 'a < b and b < c' in place of 'a < b < c'.");
+    CHECK(refusal("a < b < c") == "write 'a < b and b < c' instead of 'a < b < c'.");
 }
 
 TEST_CASE("An expression is so long and so deep at most") {
-    CHECK(refusal(many("1", 1001)) == "an expression has at most 1000 letters.");
+    CHECK(refusal(many("1", 1001)) == "an expression may have at most 1000 letters.");
     const std::string too_deep = "the expression is nested deeper than 32 levels.";
     for (const char* opening : {"(", "-", "not ", "f("}) {
         INFO(opening);

@@ -26,8 +26,7 @@ std::string repeated(std::string_view text, int count) {
 }
 
 const std::string sentence =
-    "this is nested too deeply: a key has more than 32 dots, or more than 32 brackets stand within "
-    "one another.";
+    "this is nested too deeply: a key has more than 32 dots, or more than 32 brackets are nested.";
 
 std::string fault_of(const std::string& text) {
     try {

@@ -153,11 +153,11 @@ TEST_CASE("A moment of clip or cull that does not exist says which ones do") {
                2, std::string("there is no moment ") + text + ": " + complaint);
     };
     expect_at("t0/p0/s3", "the near plane p0 has the steps s0 to s2 for triangle t0.");
-    expect_at("t0/p3/s0", "triangle t0 is cut by the planes p0.");
-    expect_at("t0/p99/s99", "triangle t0 is cut by the planes p0.");
-    expect_at("t0/p2147483647/s2147483647", "triangle t0 is cut by the planes p0.");
+    expect_at("t0/p3/s0", "triangle t0 is cut by planes p0.");
+    expect_at("t0/p99/s99", "triangle t0 is cut by planes p0.");
+    expect_at("t0/p2147483647/s2147483647", "triangle t0 is cut by planes p0.");
     expect_at("t0/k", "no triangle is culled.");
-    expect_at("t0/v3", "a triangle has the vertices v0 to v2.");
+    expect_at("t0/v3", "a triangle has vertices v0 to v2.");
     const std::vector<std::string> at_edge{"stats",
                                            "--to",
                                            "t0/e0/s0",
@@ -180,14 +180,14 @@ TEST_CASE("A moment that does not exist ends with exit code 2 and says which one
     expect({"stats", "--to", "t30"}, 2,
            "there is no moment t30: the scene has the triangles t0 to t29.");
     expect({"stats", "--to", "t3/v3"}, 2,
-           "there is no moment t3/v3: a triangle has the vertices v0 to v2.");
+           "there is no moment t3/v3: a triangle has vertices v0 to v2.");
     expect({"stats", "--to", "t3/p0/s2"}, 2,
            "there is no moment t3/p0/s2: no plane cuts triangle t3.");
     expect({"stats", "--to", "t3/k"}, 2, "there is no moment t3/k: no triangle is culled.");
     expect({"stats", "--to", "p1:t3/k"}, 2,
            "there is no moment p1:t3/k: a frame is drawn in a single pass.");
     expect({"stats", "--to", "t3/e3"}, 2,
-           "there is no moment t3/e3: a triangle has the edges e0 to e2.");
+           "there is no moment t3/e3: a triangle has edges e0 to e2.");
     expect({"stats", "--to", "t12/e1/s9999"}, 2,
            "there is no moment t12/e1/s9999: edge e1 of triangle t12 has the samples s0 to s46.");
     expect({"stats", "--to", "t12/r999"}, 2,
@@ -204,7 +204,7 @@ TEST_CASE("A moment that does not exist ends with exit code 2 and says which one
     for (const std::string text : {"t", "x", "t1/", "t-1", "t1/v1/s1", "t99999999999", "END"}) {
         expect({"stats", "--to", text}, 2,
                "'" + text +
-                   "' is not a moment; one is written t12, t12/v1, t12/p2/s1, t12/k, "
+                   "' is not a moment; moments are written t12, t12/v1, t12/p2/s1, t12/k, "
                    "t12/e2/s14, t12/b4/c7, t12/r37/c5 or end.");
     }
 }
@@ -214,7 +214,7 @@ TEST_CASE("A point that is none, or lies too far out, ends with exit code 2") {
                                     "0,-16385", "99999999999,0", "", "a,b"}) {
         expect({"rows", "1,1", point}, 2,
                "'" + point +
-                   "' is not a point: it is written X,Y in whole numbers from -16384 to 16384.");
+                   "' is not a point. Write it as X,Y in whole numbers from -16384 to 16384.");
     }
     CHECK(run({"rows", "16384,-16384"}).exit_code == 0);
 }
@@ -234,9 +234,9 @@ TEST_CASE("Words that the command line does not know end with exit code 2") {
     expect({"render"}, 2, "--output is required. See rasterwalk --help.");
     expect({"stats", "--bogus"}, 2,
            "The following argument was not expected: --bogus. See rasterwalk --help.");
-    expect({"--stage", "fill", "stats"}, 2, "the options of a command stand behind its name.");
+    expect({"--stage", "fill", "stats"}, 2, "the options of a command go after its name.");
     expect({room_file, "--scene", room_file}, 2,
-           "the scene is named twice: as FILE and by --scene.");
+           "the scene is named twice, as FILE and by --scene.");
     CHECK(run({"rows"}).exit_code == 2);
     CHECK(run({"stats", "render"}).exit_code == 4); // as FILE, and there is none
     CHECK(run({"stats", "--set"}).exit_code == 2);

@@ -215,17 +215,20 @@ TEST_CASE("Of many triangles that are left out it is said as of many") {
 TEST_CASE("Settings that contradict each other are told on standard error") {
     const CliRun planes = run({"stats", "--set", "near=3", "--set", "far=1"});
     CHECK(planes.exit_code == 0);
-    CHECK(planes.err == "rasterwalk: the far plane, at 1, is not behind the near plane, at 3: "
-                        "nothing lies between them.\n");
+    CHECK(planes.err == "rasterwalk: the far plane, at 1, is not behind the near plane, at 3, so "
+                        "nothing lies between them."
+                        "\n");
     const CliRun target = run({"stats", "--set", "camera.aim=look_at", "--set",
                                "camera.target=0,0,-3", "--set", "camera.position=0,0,-3"});
     CHECK_THAT(target.err,
-               ContainsSubstring("rasterwalk: the camera stands at its own target, which is no "
-                                 "direction: it looks along z.\n"));
+               ContainsSubstring("rasterwalk: the camera is at its own target, which gives it no "
+                                 "direction to look in: it looks along z."
+                                 "\n"));
     const CliRun up = run({"stats", "--set", "camera.aim=look_at", "--set", "camera.up=0,0,2"});
     CHECK_THAT(up.err,
-               ContainsSubstring("rasterwalk: up of the camera points along its view, or nowhere: "
-                                 "another direction is taken for up.\n"));
+               ContainsSubstring("rasterwalk: the camera's up points along its view, or nowhere: a "
+                                 "different direction is used as up."
+                                 "\n"));
     const CliRun angles = run({"stats", "--set", "camera.up=0,0,2"});
     CHECK(angles.err.empty());
 }

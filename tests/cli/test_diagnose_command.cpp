@@ -27,7 +27,7 @@ TEST_CASE("diagnose says of the reference that there is no difference, exit code
     CHECK_THAT(result.out, ContainsSubstring("\"verdict\" : \"no difference\""));
     CHECK_THAT(result.out, ContainsSubstring("\"candidates\" : []"));
     CHECK_THAT(result.err,
-               ContainsSubstring("100 x 90 pixels; the reference is drawn in that size"));
+               ContainsSubstring("100 x 90 pixels; the reference is drawn at that size"));
 }
 
 TEST_CASE("diagnose names the mistake, exit code 1") {
@@ -67,7 +67,8 @@ TEST_CASE("diagnose stops after its seconds and says so") {
         0);
     const CliRun result = run({"diagnose", path, "--seconds", "0.000001"});
     CHECK(result.exit_code == 1);
-    CHECK_THAT(result.out, ContainsSubstring("The search was stopped before everything was tried"));
+    CHECK_THAT(result.out, ContainsSubstring("The search was stopped before everything had been "
+                                             "tried"));
     CHECK_THAT(run({"diagnose", path, "--seconds", "0.000001", "--json"}).out,
                ContainsSubstring("\"complete\" : false"));
 }
@@ -106,10 +107,10 @@ TEST_CASE("A picture that cannot be diagnosed is named, exit code 3, before it i
     };
     // Nothing of these is there but their size.
     CHECK(said(test::png(8192, 8192, 8, "")) ==
-          "a picture of 8192 x 8192 pixels is too large: a side has at most 4096.\n");
+          "a picture of 8192 x 8192 pixels is too large: a side may have at most 4096.\n");
     CHECK(said(test::bmp(0, 2)) == "a picture of 0 x 2 pixels is empty.\n");
     CHECK(said(test::png(2, 2, 8, "\x78\x01\x07")) ==
-          "the picture cannot be read: its data are damaged.\n");
+          "the picture cannot be read: its data is damaged.\n");
 }
 
 TEST_CASE("diagnose reads a printed row table") {

@@ -156,7 +156,7 @@ TEST_CASE("A peer that is missing, breaks off or talks nonsense is a sentence an
     }
     {
         const StandIn peer("echo ready; while read -r line; do echo 1; done\n");
-        CHECK_THAT(complaint(), ContainsSubstring("answers with something else"));
+        CHECK_THAT(complaint(), ContainsSubstring("gave an unexpected answer"));
     }
 }
 

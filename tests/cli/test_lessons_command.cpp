@@ -77,7 +77,7 @@ TEST_CASE("'rasterwalk lessons' warns about progress that cannot be read, and go
     std::ofstream(state.progress()) << "lessons = 5\n";
     const CliRun result = run({"lessons"});
     CHECK(result.exit_code == 0);
-    CHECK(result.err == "rasterwalk: what was done is not known: " + state.progress() +
+    CHECK(result.err == "rasterwalk: your progress cannot be read: " + state.progress() +
                             ":1: the lessons must be a table.\n");
     CHECK(result.out.find("01-pinhole-camera") != std::string::npos);
 }

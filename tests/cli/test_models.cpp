@@ -17,7 +17,7 @@ using Catch::Matchers::ContainsSubstring;
 namespace {
 
 const std::string model_text = "s off\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 9\n";
-const std::string wrong_face = ":7: 'f' names the point 9, and there are 4; the face is left out.";
+const std::string wrong_face = ":7: 'f' names the point 9, but there are 4; the face is left out.";
 
 } // namespace
 
@@ -46,10 +46,11 @@ TEST_CASE("render and stats tell what is right in a model and easily overlooked"
     folder.write("m.mtl", "newmtl a\nKd 0 0 0\nd 0\n");
     const std::string path =
         folder.write("m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
-    const std::string black =
-        folder.file("m.mtl") + ":2: the material 'a' is black: its Kd is 0, and it has no map_Kd.";
+    const std::string black = folder.file("m.mtl") +
+                              ":2: the material 'a' is black because its Kd is 0 and it has no "
+                              "map_Kd.";
     const std::string clear =
-        folder.file("m.mtl") + ":3: the material 'a' is wholly transparent: its alpha is 0.";
+        folder.file("m.mtl") + ":3: the material 'a' is wholly transparent because its alpha is 0.";
     const CliRun drawn = run({"render", "--scene", path, "-o", folder.file("m.png")});
     CHECK(drawn.exit_code == 0);
     CHECK(drawn.err == "rasterwalk: " + clear + "\nrasterwalk: " + black + "\n");
@@ -78,7 +79,7 @@ TEST_CASE("check and stats end with the documented exit codes for models") {
     const CliRun refused = run({"stats", junk});
     CHECK(refused.exit_code == static_cast<int>(ExitCode::bad_input));
     CHECK_THAT(refused.err,
-               ContainsSubstring(junk + ":1: there is no face in it that can be drawn."));
+               ContainsSubstring(junk + ":1: there is no face in this file that can be drawn."));
     CHECK(run({"stats", folder.file("none.obj")}).exit_code ==
           static_cast<int>(ExitCode::no_access));
 }

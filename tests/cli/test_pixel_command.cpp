@@ -121,7 +121,7 @@ TEST_CASE("pixel without a pixel of the picture is wrong usage, and says which t
         INFO(nonsense);
         CHECK(result.exit_code == 2);
         CHECK(result.out.empty());
-        CHECK_THAT(result.err, ContainsSubstring("is not a pixel: it is written COLUMN,ROW"));
+        CHECK_THAT(result.err, ContainsSubstring("is not a pixel. Write it as COLUMN,ROW"));
     }
     CHECK(run({"pixel"}).exit_code == 2);
     CHECK_THAT(run({"pixel", "40,3", "--size", "40x30"}).err,
@@ -140,10 +140,10 @@ TEST_CASE("pixel says which of its tests have been done at the moment") {
     const std::string text = run({"pixel", "9,8", "--scene", bench, "--stage", "fill", "--set",
                                   "coverage=edge_functions", "--to", "t0/v0"})
                                  .out;
-    CHECK_THAT(text, ContainsSubstring("  not asked yet\n"));
-    CHECK(count_of("not asked yet", run({"pixel", "9,8", "--scene", bench, "--stage", "fill",
-                                         "--set", "coverage=edge_functions"})
-                                        .out) == 0);
+    CHECK_THAT(text, ContainsSubstring("  not tested yet\n"));
+    CHECK(count_of("not tested yet", run({"pixel", "9,8", "--scene", bench, "--stage", "fill",
+                                          "--set", "coverage=edge_functions"})
+                                         .out) == 0);
 }
 
 TEST_CASE("pixel tells which texels a pixel took, with weights, footprint and level") {
@@ -193,14 +193,16 @@ TEST_CASE("A scene whose texture is missing ends with 3, file and line") {
 TEST_CASE("pixel says whether the lamp's light arrives, and what stands between") {
     CHECK_THAT(
         run({"pixel", "400,450", "--set", "shadows=rays"}).out,
-        ContainsSubstring("\nIn shadow: triangles[12] (short block) stands between, at 0.20 of the "
-                          "way to the lamp.\n"));
+        ContainsSubstring("\nIn shadow: triangles[12] (short block) is in between, 0.20 of the way "
+                          "to the lamp."
+                          "\n"));
     CHECK_THAT(run({"pixel", "60,300", "--set", "shadows=rays"}).out,
-               ContainsSubstring("\nLit: nothing stands between here and the lamp.\n"));
+               ContainsSubstring("\nLit: nothing is between here and the lamp.\n"));
     CHECK_THAT(run({"pixel", "400,450", "--set", "shadows=map"}).out,
                ContainsSubstring(
-                   "\nIn shadow: the lamp saw as far as 0.9054, this lies at 1.5000 − 0.0500 "
-                   "(face +y, column 383, row 224).\n"));
+                   "\nIn shadow: the lamp saw as far as 0.9054; this is at 1.5000 − 0.0500 (face "
+                   "+y, column 383, row 224)."
+                   "\n"));
     CHECK(count_of("shadow", run({"pixel", "400,450"}).out) == 0);
     const std::string ray =
         without_blanks(run({"pixel", "400,450", "--set", "shadows=rays", "--json"}).out);

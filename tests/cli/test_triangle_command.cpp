@@ -106,7 +106,8 @@ TEST_CASE("triangle shows every space with its matrix where matrices do the work
           rows.out.substr(rows.out.find(conventions)));
     CHECK(boxed.out != rows.out);
     CHECK_THAT(rows.out,
-               ContainsSubstring("Y up in the world and rows counted from below cancel."));
+               ContainsSubstring("Y up in the world and rows counted from the bottom cancel each "
+                                 "other out."));
     const CliRun columns = run(
         {"triangle", "0", "--set", "transform=matrices", "--set", "matrix_order=column_vectors"});
     CHECK_THAT(columns.out, ContainsSubstring("Spaces: window = Ts · (Tp · Tv · Tm · p) / w"));
@@ -155,8 +156,9 @@ TEST_CASE("A triangle that is cut or culled tells of every plane and edge, and o
     CHECK(text.exit_code == 0);
     CHECK_THAT(text.out,
                ContainsSubstring(
-                   "\nClipping\n  near plane: of 3 corners 3 are left\n    edge 0: corner 0 is "
-                   "inside and kept, the edge leaves at t = 0.9000: ("));
+                   "\nClipping"
+                   "\n  near plane: 3 corners before, 3 after"
+                   "\n    edge 0: corner 0 is inside and kept, the edge leaves at t = 0.9000: ("));
     CHECK_THAT(text.out,
                ContainsSubstring("    edge 1: corner 1 is outside and left out\n    edge 2: corner "
                                  "2 is outside and left out, the edge enters at t = 0.9000: ("));
@@ -204,14 +206,14 @@ TEST_CASE("A triangle that does not exist is wrong usage, told with those that d
         return result.err;
     };
     CHECK(complaint({"30"}) ==
-          "rasterwalk: there is no triangle 30: the scene has the triangles 0 to 29.\n");
+          "rasterwalk: there is no triangle 30: the scene has triangles 0 to 29.\n");
     CHECK(complaint({"-1"}) ==
-          "rasterwalk: there is no triangle -1: the scene has the triangles 0 to 29.\n");
+          "rasterwalk: there is no triangle -1: the scene has triangles 0 to 29.\n");
     CHECK(complaint({"99999999999999999999"}) ==
-          "rasterwalk: there is no triangle 99999999999999999999: the scene has the triangles 0 "
-          "to 29.\n");
+          "rasterwalk: there is no triangle 99999999999999999999: the scene has triangles 0 to 29."
+          "\n");
     CHECK(complaint({"1", "--scene", bench_file}) ==
-          "rasterwalk: there is no triangle 1: the scene has only the triangle 0.\n");
+          "rasterwalk: there is no triangle 1: the scene has only triangle 0.\n");
     for (const char* word : {"t0", "1.5", "", "0x1", "1 2"}) {
         CAPTURE(word);
         CHECK_THAT(complaint({word}), ContainsSubstring("is not the number of a triangle"));

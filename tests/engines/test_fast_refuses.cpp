@@ -181,15 +181,15 @@ TEST_CASE("A refusal says which setting is meant, and is no whole sentence") {
         return fast_engine_refuses(room, settings);
     };
     CHECK(refusal("shading=phong") == "");
-    CHECK(refusal("shading=flat") == "the fast engine does not know shading=flat");
-    CHECK(refusal("shadows=map") == "the fast engine does not know shadows");
+    CHECK(refusal("shading=flat") == "the fast engine does not support shading=flat");
+    CHECK(refusal("shadows=map") == "the fast engine does not support shadows");
     CHECK(refusal("projection=orthographic") ==
-          "the fast engine does not know any projection but perspective");
+          "the fast engine does not support any projection except perspective");
     CHECK(refusal("light.falloff=none") ==
-          "the fast engine does not know light.falloff other than sphere");
+          "the fast engine does not support light.falloff other than sphere");
     CHECK(refusal("depth_epsilon=0.1") ==
-          "the fast engine does not know depth_epsilon other than 0");
-    CHECK(refusal("stage=fill") == "the fast engine does not know stages before depth");
+          "the fast engine does not support depth_epsilon other than 0");
+    CHECK(refusal("stage=fill") == "the fast engine does not support stages before depth");
 }
 
 TEST_CASE("The rules of pixels that the fast engine has of its own change no picture of it") {

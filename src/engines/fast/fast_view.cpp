@@ -28,27 +28,27 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
     if (scene.space != SceneSpace::world)
         return "the fast engine draws scenes in the world, not in pixels";
     const auto unknown = [](std::string_view what) {
-        return "the fast engine does not know " + std::string(what);
+        return "the fast engine does not support " + std::string(what);
     };
     if (settings.stage < Stage::depth) return unknown("stages before depth");
     if (settings.tessellation != 1) return unknown("tessellation");
-    if (settings.projection_mix != 0.0f) return unknown("any projection but perspective");
+    if (settings.projection_mix != 0.0f) return unknown("any projection except perspective");
     if (view_box_rule(settings, scene.space)) return unknown("view_box other than auto");
     if (shading_rule(settings) == Shading::flat) return unknown("shading=flat");
     if (has_alpha(scene) && settings.blend != Blend::off)
-        return unknown("half transparent surfaces: blend=off draws them opaque");
+        return unknown("half-transparent surfaces (blend=off draws them opaque)");
     if (has_texture_alpha(scene) && settings.texture == TextureUse::on &&
         settings.texture_alpha != TextureAlpha::off)
-        return unknown("textures with alpha: texture_alpha=off draws them opaque");
+        return unknown("textures with alpha (texture_alpha=off draws them opaque)");
     if (bends_normals(settings) && has_normal_map(scene))
-        return unknown("normal maps: normal_map=off goes without");
+        return unknown("normal maps (normal_map=off does without them)");
     if (shadow_rule(settings, scene.space) != Shadows::off) return unknown("shadows");
     if (!scene.textures.empty() && settings.texture == TextureUse::on &&
         settings.texture_filter > TextureFilter::bilinear)
-        return unknown("mip maps: texture_filter=bilinear goes without");
+        return unknown("mipmaps (texture_filter=bilinear does without them)");
     if (settings.cull != Cull::none && settings.cull != Cull::screen_area)
-        return unknown("any culling but cull=screen_area");
-    if (settings.clip >= Clip::whole_only) return unknown("mistakes of clipping");
+        return unknown("any culling except cull=screen_area");
+    if (settings.clip >= Clip::whole_only) return unknown("mistakes in clipping");
     // What is right by the lab's rules: everything else is a mistake, or another way to be right.
     for (const auto& [name, right] :
          {std::pair<std::string_view, std::string_view>{"depth_test", "inverse_z"},
