@@ -55,10 +55,10 @@ void add_turns_and_moves(std::vector<Change>& changes) {
             if (dx == 0 && dy == 0) continue;
             const std::string where_x = across[static_cast<std::size_t>(dx + 1)];
             const std::string where_y = along[static_cast<std::size_t>(dy + 1)];
-            const std::string both = where_x.empty() || where_y.empty() ? "" : " and a pixel ";
+            const std::string both = where_x.empty() || where_y.empty() ? "" : " and one pixel ";
             changes.push_back(
                 {.id = "shifted",
-                 .name = fmt::format("Shifted by a pixel {}{}{}", where_x, both, where_y),
+                 .name = fmt::format("Shifted one pixel {}{}{}", where_x, both, where_y),
                  .set = {},
                  .right = dx,
                  .down = dy});

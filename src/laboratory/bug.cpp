@@ -24,7 +24,8 @@ Assignments read_named_assignments(const TomlInput& input, std::string_view key)
     for (const toml::node& node : input.list(key)) {
         const auto* text = node.as_string();
         if (text == nullptr) {
-            input.fail(node, fmt::format("each entry of '{}' is text: \"name=value\".", key));
+            input.fail(node,
+                       fmt::format("each entry of '{}' must be text, like \"name=value\".", key));
         }
         const std::string& assignment = text->get();
         try {
@@ -62,7 +63,8 @@ Bug read_bug(const TomlInput& input) {
     Bug bug;
     bug.id = input.text("id");
     if (!is_id(bug.id)) {
-        input.fail(*input.find("id"), "'id' is B and a number, and a letter for variants: \"B9\".");
+        input.fail(*input.find("id"), "'id' must be B and a number, with a letter for variants, "
+                                      "like \"B9\".");
     }
     bug.name = input.text("name");
     bug.sentence = input.text("sentence");
@@ -74,7 +76,8 @@ Bug read_bug(const TomlInput& input) {
     bug.code = input.text_or_empty("code");
     bug.scene = input.text("scene");
     if (!is_scene_path(bug.scene)) {
-        input.fail(*input.find("scene"), "'scene' is a file of this folder: \"scenes/name.toml\".");
+        input.fail(*input.find("scene"), "'scene' must be a file in this folder, like "
+                                         "\"scenes/name.toml\".");
     }
     bug.set = read_named_assignments(input, "set");
     if (bug.set.empty()) input.fail(*input.find("set"), "'set' must change something.");

@@ -131,7 +131,7 @@ std::string verdict_on(const Diagnosis& diagnosis, std::string_view same) {
     if (diagnosis.is_same()) return "no difference";
     const std::string none = diagnosis.is_complete
                                  ? "No known mistake explains the difference"
-                                 : "No mistake that was tried so far explains the difference";
+                                 : "No mistake tried so far explains the difference";
     if (diagnosis.candidates.empty()) return none + ".";
     const Candidate& first = diagnosis.candidates.front();
     const std::string who =
@@ -140,7 +140,7 @@ std::string verdict_on(const Diagnosis& diagnosis, std::string_view same) {
     const std::string explained = explained_text(first.explained, 0);
     if (first.explained < worth_naming) return none + ".";
     if (!first.is_likely) {
-        return fmt::format("{}; the nearest, {}, explains {} of it.", none, who, explained);
+        return fmt::format("{}; the best match, {}, explains {} of it.", none, who, explained);
     }
     return fmt::format("Most likely {}, which explains {} of the difference.", who, explained);
 }

@@ -192,8 +192,8 @@ void DiagnosisWork::look_closely(const std::vector<Attempt>& tried) {
         found.candidates.clear();
         if (found.different > 0) {
             found.findings = {counted(found.different, "pixel has", "pixels have") +
-                              " the colour of a neighbour, as the rounding of floats along edges "
-                              "can cause."};
+                              " the colour of a neighbour, which the rounding of floats along "
+                              "edges can cause."};
         }
         found.different = 0;
     } else {
@@ -214,8 +214,8 @@ void DiagnosisWork::look_closely(const std::vector<Attempt>& tried) {
 
 void DiagnosisWork::refuse_too_much() const {
     if (pictures_tried * trial_->picture_work() <= most_diagnosis_work) return;
-    throw InputError(fmt::format("{}: it is too much work to draw {} triangles in {} x {} pixels "
-                                 "for every mistake.",
+    throw InputError(fmt::format("{}: drawing {} triangles in {} x {} pixels for every mistake is "
+                                 "too much work.",
                                  name_, trial_->scene().triangle_count(), picture_.width,
                                  picture_.height));
 }

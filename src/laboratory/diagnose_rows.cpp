@@ -123,7 +123,7 @@ const std::vector<RowsEdit>& rows_edits() {
              for (PrintedRow& row : rows)
                  std::swap(row.start.x, row.end.x);
          }},
-        {"axes_exchanged", "Column and row are exchanged in print",
+        {"axes_exchanged", "Column and row are printed in the wrong order",
          [](Rows& rows) { for_each_end(rows, [](glm::ivec2& end) { std::swap(end.x, end.y); }); }},
         {"last_row_dropped", "The last row is missing",
          [](Rows& rows) {
@@ -138,13 +138,13 @@ const std::vector<RowsEdit>& rows_edits() {
              const int first = rows.empty() ? 0 : rows.front().start.y;
              for_each_end(rows, [&](glm::ivec2& end) { end.y -= first; });
          }},
-        {"shifted_left", "Shifted by a column to the left",
+        {"shifted_left", "Shifted one column to the left",
          [](Rows& rows) { for_each_end(rows, [](glm::ivec2& end) { move_column(end.x, -1); }); }},
-        {"shifted_right", "Shifted by a column to the right",
+        {"shifted_right", "Shifted one column to the right",
          [](Rows& rows) { for_each_end(rows, [](glm::ivec2& end) { move_column(end.x, 1); }); }},
-        {"shifted_up", "Shifted up by a row",
+        {"shifted_up", "Shifted up one row",
          [](Rows& rows) { for_each_end(rows, [](glm::ivec2& end) { --end.y; }); }},
-        {"shifted_down", "Shifted down by a row",
+        {"shifted_down", "Shifted down one row",
          [](Rows& rows) { for_each_end(rows, [](glm::ivec2& end) { ++end.y; }); }},
     };
     return edits;

@@ -182,7 +182,7 @@ std::uint64_t fingerprint(const Image& image) {
 const std::array<OrientationInfo, 4>& orientation_list() {
     static constexpr std::array<OrientationInfo, 4> list{{
         {Orientation::upright, "upright", "upright"},
-        {Orientation::mirrored, "mirrored", "Mirrored, left and right exchanged"},
+        {Orientation::mirrored, "mirrored", "Mirrored, with left and right exchanged"},
         {Orientation::upside_down, "upside_down", "Upside down"},
         {Orientation::half_turn, "half_turn", "Turned by half a turn"},
     }};

@@ -32,23 +32,23 @@ std::string first_stage(const Kinds& kinds) {
         std::vector<std::string> what;
         if (kinds.missing > 0) {
             what.push_back(counted(kinds.missing, "pixel is", "pixels are") +
-                           " black and should not be");
+                           " black but should not be");
         }
         if (kinds.extra > 0) {
             what.push_back(counted(kinds.extra, "pixel is", "pixels are") +
-                           " not black and should be");
+                           " not black but should be");
         }
         return enumerated(what) +
-               ": look first at the pixels that triangles cover (points, edges, rows), then at the "
+               ". Look first at the pixels that triangles cover (points, edges, rows), then at the "
                "depth test, then at light that may be 0.";
     }
     if (kinds.other_hue > 0) {
-        return "Every pixel is covered that should be, but " +
+        return "Every pixel that should be covered is covered, but " +
                counted(kinds.other_hue, "pixel has", "pixels have") +
-               " another hue: either another surface is in front there, or the surface has another "
-               "colour.";
+               " a different hue, so either a different surface is in front there or the surface "
+               "has a different colour.";
     }
-    return "Every pixel shows a surface of the right hue: only brightness differs, so look at the "
+    return "Every pixel shows a surface of the right hue. Only brightness differs, so look at the "
            "light first.";
 }
 
@@ -131,7 +131,7 @@ std::vector<std::string> findings_of(const KeptPicture& right, const Image& pict
         if (part >= 0 && share.wrong == 0)
             names.push_back(scene.parts[static_cast<std::size_t>(part)].name);
     }
-    if (!names.empty()) findings.push_back("Right to the last pixel: " + enumerated(names) + ".");
+    if (!names.empty()) findings.push_back("Correct to the last pixel: " + enumerated(names) + ".");
     return findings;
 }
 

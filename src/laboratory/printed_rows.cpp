@@ -112,7 +112,8 @@ std::string first_different_row(const std::vector<PrintedRow>& reference,
     std::int64_t repeated = 0;
     for (const auto& [number, both] : by_number(reference, table, repeated)) {
         const auto& [right, own] = both;
-        if (own == nullptr) return fmt::format("The first is row {}, which yours lacks.", number);
+        if (own == nullptr)
+            return fmt::format("The first is row {}, which is missing in yours.", number);
         if (right == nullptr) {
             return fmt::format("The first is row {}, which the reference does not have.", number);
         }
@@ -161,7 +162,7 @@ std::vector<PrintedRow> parse_printed_rows(std::string_view text, const std::str
         const std::optional<PrintedRow> row = parse_row(line);
         if (!row) {
             throw InputError(path, number,
-                             "a row is printed as 'Start: (10,5). End: (10,5).' with whole "
+                             "a row must look like 'Start: (10,5). End: (10,5).' with whole "
                              "numbers.");
         }
         if (rows.size() == most_printed_rows) {
@@ -170,8 +171,8 @@ std::vector<PrintedRow> parse_printed_rows(std::string_view text, const std::str
         rows.push_back(*row);
     }
     if (rows.empty()) {
-        throw InputError(fmt::format("{}: this is neither a picture ({}) nor a printed row table: "
-                                     "there is no line like 'Start: (10,5). End: (10,5).'.",
+        throw InputError(fmt::format("{}: this is neither a picture ({}) nor a printed row table, "
+                                     "which has lines like 'Start: (10,5). End: (10,5).'.",
                                      path, exact_image_formats));
     }
     return rows;

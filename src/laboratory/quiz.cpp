@@ -179,7 +179,7 @@ std::vector<std::string> quiz_hints(const QuizQuestion& question, const std::vec
     const Bug* const bug = question.bugs.empty() ? nullptr : bug_of(bugs, question.bugs.front());
     if (bug == nullptr) return {};
     return {"It belongs to the lab's section \"" + bug->section + "\".",
-            "It shows first at stage " + question.first_stage + ".", bug->symptom, bug->look};
+            "It first shows at the stage " + question.first_stage + ".", bug->symptom, bug->look};
 }
 
 bool give_hint(Quiz& quiz, const std::vector<Bug>& bugs) {

@@ -106,7 +106,7 @@ BesideFile BesideFiles::find_exactly(const std::string& name) const {
     }
     const std::string none = "there is no file " + in_quotes(name);
     return {"",
-            none + (leads_out(whole) ? " beside it, below it or in a folder next to its own" : ""),
+            none + (leads_out(whole) ? " in its folder, below it or in a folder next to it" : ""),
             ""};
 }
 
@@ -186,8 +186,8 @@ void BesideBytes::add(const std::string& path) {
     const std::uintmax_t size = fs::file_size(path, fault);
     if (fault) return; // reading it says why
     if (size > most_ - count_) {
-        throw InputError(
-            fmt::format("{}: with it {} have more than {} MB.", path, plural_, most_ >> 20));
+        throw InputError(fmt::format("{}: together with this file, {} have more than {} MB.", path,
+                                     plural_, most_ >> 20));
     }
     count_ += size;
 }

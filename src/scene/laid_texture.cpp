@@ -46,13 +46,15 @@ Scene with_texture(Scene scene, const std::string& path) {
     refuse_endless_file(path);
     take_laid_texture_off(scene);
     if (scene.textures.size() >= most_textures)
-        throw InputError(visible_line(path) + ": the scene has as many textures as it may have.");
+        throw InputError(visible_line(path) + ": the scene already has as many textures as are "
+                                              "allowed.");
     const std::size_t taken = texels_of(scene);
     Image image = read_image(path, largest_texture_side, [&](glm::ivec2 size) {
         const auto texels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
         if (texels > most_texels - std::min(taken, most_texels)) {
             throw InputError(visible_line(path) +
-                             ": with it all textures together have too many texels.");
+                             ": with this image, all textures together would have too many "
+                             "texels.");
         }
     });
     drop_empty_alpha(image);
@@ -64,9 +66,9 @@ Scene with_texture(Scene scene, const std::string& path) {
         is_shown = true;
     }
     if (!is_shown) {
-        throw InputError(visible_line(path) + ": no part of the scene can show the image: those "
-                                              "with texture coordinates have one already, or "
-                                              "there are none.");
+        throw InputError(visible_line(path) + ": no part of the scene can show the image, because "
+                                              "all parts with texture coordinates already have "
+                                              "one, or there are none.");
     }
     scene.textures.emplace_back(
         make_texture(visible_line(std::filesystem::path(path).filename().string()), image));

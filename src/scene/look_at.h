@@ -39,9 +39,10 @@ struct AimFaultWords {
 /// Indexed by AimFault.
 inline constexpr std::array aim_fault_list{
     AimFaultWords{"", ""},
-    AimFaultWords{"the camera stands at its own target, which is no direction", "it looks along z"},
-    AimFaultWords{"up of the camera points along its view, or nowhere",
-                  "another direction is taken for up"},
+    AimFaultWords{"the camera is at its own target, which gives it no direction to look in",
+                  "it looks along z"},
+    AimFaultWords{"the camera's up points along its view, or nowhere",
+                  "a different direction is used as up"},
 };
 
 constexpr const AimFaultWords& words(AimFault fault) {

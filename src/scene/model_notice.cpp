@@ -23,11 +23,11 @@ std::string model_notice(const Scene& scene) {
         notice.append(notice.empty() || sentence.empty() ? "" : " ").append(sentence);
     };
     if (is_black(scene.mesh))
-        add("All of this model is black (Kd 0), so no light shows anything of it.");
+        add("This whole model is black (Kd 0), so no light makes any of it visible.");
     add(fault_notice(*scene.model_report));
     if (is_inside_out(scene.mesh)) {
-        add("The normals of this model point inward, so the lamp lights only its inside: turn "
-            "the order of the corners in its faces round, or its normals.");
+        add("The normals of this model point inward, so the lamp lights only its inside. Reverse "
+            "the order of the corners in its faces, or negate its normals.");
     }
     return notice;
 }

@@ -38,7 +38,7 @@ class ModelBuilder {
             const bool is_missing = found == known.end() && !part.material.empty();
             if (!is_missing || !missing.insert(part.material).second) continue;
             reporter_.fault(model_.path, part.material_line, [&] {
-                return fmt::format("there is no material {}; its faces are white.",
+                return fmt::format("there is no material {}, so its faces are white.",
                                    in_quotes(part.material));
             });
         }
@@ -69,7 +69,7 @@ class ModelBuilder {
         model_.origin = made.origin;
         if (made.origin == glm::dvec3(0.0)) return;
         reporter_.note(model_.path, file_.faces.front().line,
-                       fmt::format("the model lies far from the origin: ({}, {}, {}) is "
+                       fmt::format("the model is far from the origin, so ({}, {}, {}) is "
                                    "subtracted from all its points.",
                                    shortest(made.origin.x), shortest(made.origin.y),
                                    shortest(made.origin.z)));
@@ -105,7 +105,7 @@ class ModelBuilder {
     }
 
     static std::string is_not_there(std::size_t kind, int index, std::size_t count) {
-        return fmt::format("'f' names the {} {}, and there are {}; {}", indexed_kinds[kind].one,
+        return fmt::format("'f' names the {} {}, but there are {}; {}", indexed_kinds[kind].one,
                            index + 1, count, indexed_kinds[kind].outcome);
     }
 
@@ -173,15 +173,15 @@ class ModelBuilder {
         const PolygonCut how = cutter_.cut(places_);
         if (how == PolygonCut::refused) {
             reporter_.fault(model_.path, face.line, [&] {
-                return fmt::format("a face of {} corners that no fan can cut is too much work: up "
-                                   "to {} corners are cut; {}",
+                return fmt::format("cutting a face of {} corners that no fan covers is too much "
+                                   "work (ear clipping is limited to {} corners); {}",
                                    face.corner_count, most_ear_corners, face_left_out);
             });
             return false;
         }
         if (how == PolygonCut::crossed) {
             reporter_.fault(model_.path, face.line, [] {
-                return "the edges of this face cross each other; its triangles overlap.";
+                return "the edges of this face cross each other, so its triangles overlap.";
             });
         }
         return true;
@@ -194,13 +194,13 @@ class ModelBuilder {
         const bool has_map = of.diffuse_map_line > 0;
         if (!has_map && file_.colours.empty()) {
             reporter_.note(of.file, of.diffuse_line,
-                           fmt::format("the material {} is black: its Kd is 0, and it has no "
+                           fmt::format("the material {} is black because its Kd is 0 and it has no "
                                        "map_Kd.",
                                        in_quotes(of.name)));
             return of.diffuse;
         }
         reporter_.fault(of.file, of.diffuse_line, [&] {
-            return fmt::format("'Kd' 0 would leave nothing to see of {}; it counts as 1.",
+            return fmt::format("'Kd' 0 would make {} invisible, so it counts as 1.",
                                has_map ? "map_Kd" : "the colours of the points");
         });
         return glm::vec3(1.0f);
@@ -215,7 +215,8 @@ class ModelBuilder {
         const ObjMaterial& of = model_.materials[static_cast<std::size_t>(material)];
         if (is_invisible(glm::vec3(of.alpha))) {
             reporter_.note(of.file, of.alpha_line,
-                           fmt::format("the material {} is wholly transparent: its alpha is 0.",
+                           fmt::format("the material {} is wholly transparent because its alpha is "
+                                       "0.",
                                        in_quotes(of.name)));
         }
         look.reflectance = reflectance_of(of);
@@ -236,8 +237,8 @@ class ModelBuilder {
         if (bare_.insert(material).second) {
             reporter_.fault(model_.path, face.line, [&] {
                 return fmt::format(
-                    "not every corner of 'f' has a texture coordinate, and the material {} has an "
-                    "image; such faces keep their colour.",
+                    "not every corner of 'f' has a texture coordinate, although the material {} "
+                    "has an image; such faces keep their colour.",
                     in_quotes(model_.materials[static_cast<std::size_t>(material)].name));
             });
         }

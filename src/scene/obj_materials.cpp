@@ -30,7 +30,7 @@ void ObjLibraries::read(std::string_view names, int line) {
 
 void ObjLibraries::refuse_library() {
     fault([] {
-        return fmt::format("more than {} files of materials are named; this one is left out.",
+        return fmt::format("more than {} material files are named; this one is left out.",
                            most_material_files);
     });
 }
@@ -51,7 +51,7 @@ void ObjLibraries::read_library(std::string_view name) {
         const std::string text = read_file(file.path, largest_material_file);
         if (is_utf16(text)) {
             throw InputError(visible_line(file.path), 1,
-                             "the file is UTF-16; materials are plain text.");
+                             "the file is UTF-16; a material file must be plain text.");
         }
         parse_mtl(text, file.path, model_, watched_, reporter_, materials_);
     } catch (const Error& trouble) {

@@ -48,7 +48,7 @@ class ObjLibraries {
     int line_ = 0;
     std::set<std::string, std::less<>> lists_; ///< what has been named so far
     std::set<std::string, std::less<>> names_; ///< that were looked for
-    BesideBytes bytes_{most_material_bytes, "all files of materials"};
+    BesideBytes bytes_{most_material_bytes, "all material files"};
 };
 
 /// The pictures of a surface, as indices of textures; -1: none.

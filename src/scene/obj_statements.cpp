@@ -26,11 +26,11 @@ struct UnusedStatement {
     std::string_view word, why;
 };
 
-constexpr std::string_view no_lines = "points and lines are not drawn, only faces are";
+constexpr std::string_view no_lines = "points and lines are not drawn, only faces";
 constexpr std::string_view no_curves = "curves and curved surfaces are not drawn";
-constexpr std::string_view no_display = "how it is shown elsewhere means nothing here";
+constexpr std::string_view no_display = "it only controls how other programs show the model";
 constexpr UnusedStatement unused_statements[] = {
-    {"s", "smoothing groups are not used: normals are given, or smoothed by angle"},
+    {"s", "smoothing groups are not used; normals are either given or smoothed by angle"},
     {"p", no_lines},
     {"l", no_lines},
     {"vp", no_curves},
@@ -58,9 +58,9 @@ constexpr UnusedStatement unused_statements[] = {
     {"usemap", no_display},
     {"maplib", no_display},
 };
-constexpr std::string_view unknown_statement = "it is no statement of a model";
+constexpr std::string_view unknown_statement = "it is not a statement of the OBJ format";
 constexpr std::string_view more_than_a_place =
-    "what follows the three numbers of a point is no colour, and not used";
+    "what follows the three numbers of a point is not a colour and is not used";
 
 class StatementReader {
   public:
@@ -84,7 +84,7 @@ class StatementReader {
         file_.colours = colours_.colours(file_.positions.size());
         if (colours_.are_bytes()) {
             reporter_.note(path_, colours_.line_of_bytes(),
-                           "the colours of the points are taken to run to 255.");
+                           "the colours of the points are taken to run from 0 to 255.");
         }
         return std::move(file_);
     }
@@ -136,7 +136,7 @@ class StatementReader {
             if (!read) {
                 fault(kind, [&] {
                     if (has_decimal_comma(word)) return decimal_comma_sentence(word, what);
-                    return fmt::format("{} is no number that '{}' can have; it is left out.",
+                    return fmt::format("{} is not a number that '{}' can have; it is left out.",
                                        in_quotes(word), what);
                 });
                 return std::nullopt;
@@ -146,7 +146,7 @@ class StatementReader {
         }
         if (count >= fewest) return count;
         fault(kind, [&] {
-            return fmt::format("'{}' needs {} numbers, and has {}; it is left out.", what, fewest,
+            return fmt::format("'{}' needs {} numbers but has {}; it is left out.", what, fewest,
                                count);
         });
         return std::nullopt;
@@ -185,7 +185,7 @@ class StatementReader {
             const std::optional<double> number = parse_model_number(words[i]);
             if (!number) {
                 return fault(ObjFaultKind::colour, [&] {
-                    return fmt::format("{} is no number of a colour; the point is white.",
+                    return fmt::format("{} is not a valid number for a colour; the point is white.",
                                        in_quotes(words[i]));
                 });
             }
@@ -216,7 +216,7 @@ class StatementReader {
             return;
         }
         fault(ObjFaultKind::normal_of_no_length, [] {
-            return "a normal of length 0 points nowhere; where it is named, it is computed.";
+            return "a normal of length 0 points nowhere; where it is used, it is computed instead.";
         });
     }
 
@@ -244,7 +244,7 @@ class StatementReader {
         const bool is_in_range = read.ec == std::errc{};
         if (!is_number || read.ec == std::errc::invalid_argument) {
             index_fault(kind, true, [&] {
-                return fmt::format("{} is no number of a {}; {}", in_quotes(word),
+                return fmt::format("{} is not the number of a {}; {}", in_quotes(word),
                                    indexed_kinds[kind].one, indexed_kinds[kind].outcome);
             });
             return std::nullopt;
@@ -255,10 +255,10 @@ class StatementReader {
         if (is_in_range && number < 0 && -known <= number) return static_cast<int>(known + number);
         index_fault(kind, false, [&] {
             if (is_in_range && number == 0) {
-                return fmt::format("{} are counted from 1, and 'f' names 0; {}",
+                return fmt::format("{} are counted from 1, but 'f' names 0; {}",
                                    indexed_kinds[kind].many, indexed_kinds[kind].outcome);
             }
-            return fmt::format("'f' names the {} {}, and {} stand before it; {}",
+            return fmt::format("'f' names the {} {}, but there are {} before it; {}",
                                indexed_kinds[kind].one, word.substr(0, 24), count,
                                indexed_kinds[kind].outcome);
         });
@@ -282,15 +282,15 @@ class StatementReader {
         }
         if (indices[0] < 0) {
             fault([&] {
-                return fmt::format("{} is no corner: a, a/b, a//c or a/b/c; {}", in_quotes(word),
-                                   face_left_out);
+                return fmt::format("{} is not a corner (a, a/b, a//c or a/b/c); {}",
+                                   in_quotes(word), face_left_out);
             });
             return false;
         }
         if (!rest.empty()) {
             fault(ObjFaultKind::strange_corner, [&] {
-                return fmt::format("{} is no corner: a, a/b, a//c or a/b/c; what follows its third "
-                                   "part is not used.",
+                return fmt::format("{} is not a corner (a, a/b, a//c or a/b/c); what follows its "
+                                   "third part is not used.",
                                    in_quotes(word));
             });
         }
@@ -312,7 +312,7 @@ class StatementReader {
         if (is_sound && count < 3) {
             is_sound = false;
             fault([&] {
-                return fmt::format("'f' has {} {}, and a face has at least three; {}", count,
+                return fmt::format("'f' has {} {}, but a face has at least three; {}", count,
                                    count == 1 ? "corner" : "corners", face_left_out);
             });
         }

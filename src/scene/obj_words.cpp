@@ -136,7 +136,7 @@ bool has_decimal_comma(std::string_view word) {
 }
 
 std::string decimal_comma_sentence(std::string_view word, std::string_view statement) {
-    return in_quotes(word) + " has a decimal comma, and numbers have a point here; " +
+    return in_quotes(word) + " has a decimal comma, but numbers need a decimal point here; " +
            in_quotes(statement) + " is left out.";
 }
 

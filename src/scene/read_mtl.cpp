@@ -50,8 +50,8 @@ using UsedOptions = std::initializer_list<std::string_view>;
 constexpr std::size_t most_lookups = 2 * most_materials;
 
 constexpr std::string_view skipped_option =
-    "of an image's options only -bm, and -s and -o of map_Kd, are used";
-constexpr std::string_view skipped_halo = "alpha is the same from wherever a face is seen";
+    "the only options of an image that are used are -bm, and -s and -o of map_Kd";
+constexpr std::string_view skipped_halo = "alpha is the same from wherever you look at a face";
 constexpr std::string_view skipped_material = "this property of a material is not used";
 
 /// What an image may be called if no file has the name as it is written: without the quotes,
@@ -116,7 +116,7 @@ class MtlReader {
         if (is_left_out_) return;
         if (!is_begun_) {
             return fault([&] {
-                return fmt::format("{} stands before the first newmtl; it is left out.",
+                return fmt::format("{} comes before the first newmtl; it is left out.",
                                    in_quotes(word));
             });
         }
@@ -203,7 +203,7 @@ class MtlReader {
     void read_shininess(std::string_view rest, ObjMaterial& material) {
         const std::optional<double> number = parse_model_number(take_number_word(rest));
         if (!number || *number < 0.0)
-            return fault([] { return "'Ns' takes a number from 0; it is left out."; });
+            return fault([] { return "'Ns' takes a number from 0 up; it is left out."; });
         material.shininess = static_cast<float>(*number);
     }
 
@@ -225,7 +225,7 @@ class MtlReader {
         // Some programs write Tr 1 and mean opaque; nobody means a model that cannot be seen.
         if (!is_dissolve && *number == 1.0) {
             return fault([] {
-                return "'Tr' 1 would leave nothing to see; the material is taken to be opaque.";
+                return "'Tr' 1 would make it invisible, so the material is taken to be opaque.";
             });
         }
         material.alpha = static_cast<float>(is_dissolve ? *number : 1.0 - *number);

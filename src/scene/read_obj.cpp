@@ -24,10 +24,12 @@ void count_statements(const ObjStatements& file, ObjCounts& counts) {
 
 [[noreturn]] void refuse_empty(const ObjModel& model) {
     if (model.report.faults.empty()) {
-        throw InputError(visible_line(model.path), 1, "there is no face in it that can be drawn.");
+        throw InputError(visible_line(model.path), 1,
+                         "there is no face in this file that can be "
+                         "drawn.");
     }
     throw InputError(fault_line(model.report.faults.front()) +
-                     " No face of the whole file can be drawn.");
+                     " No face in the whole file can be drawn.");
 }
 
 } // namespace
@@ -43,7 +45,7 @@ bool is_model_file(std::string_view path) {
 ObjModel parse_obj(std::string_view text, const std::string& path, const ObjOptions& options,
                    const ReadingWatch& watch) {
     if (is_utf16(text))
-        throw InputError(visible_line(path), 1, "the file is UTF-16; a model is plain text.");
+        throw InputError(visible_line(path), 1, "the file is UTF-16; a model must be plain text.");
     ObjModel model;
     model.path = path;
     ObjReporter reporter(model.report);

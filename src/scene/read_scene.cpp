@@ -56,7 +56,7 @@ void read_camera(const TomlInput& input, Camera& camera) {
     input.read("up", camera.up, -largest_place, largest_place);
     if (input.find("target") == nullptr) return;
     if (input.find("yaw") != nullptr || input.find("pitch") != nullptr)
-        input.fail("the camera has a target, or yaw and pitch, not both.");
+        input.fail("the camera has either a target or yaw and pitch, not both.");
     camera.aim = CameraAim::look_at;
     if (const AimFault fault = aim_fault(camera); fault != AimFault::none) {
         const toml::node* const up = fault == AimFault::no_up ? input.find("up") : nullptr;
@@ -116,7 +116,7 @@ SceneTransform read_transform(const TomlInput& input) {
 /// The step that a table of the list `model` says: { rotate_y = 0.5 }.
 ModelStep read_model_step(const TomlInput& input) {
     if (input.nodes().size() != 1)
-        input.fail(input.what() + " says one thing, such as " + std::string(step_form));
+        input.fail(input.what() + " must say one thing, such as " + std::string(step_form));
     const auto first = input.nodes().begin();
     const std::string key(first->first.str());
     const toml::node& node = first->second;
@@ -153,7 +153,7 @@ std::vector<ModelStep> read_model(const TomlInput& part, SceneSpace space) {
     std::vector<ModelStep> steps;
     if (part.find("model") == nullptr) return steps;
     const toml::array& list = part.list("model");
-    if (space == SceneSpace::pixels) part.fail(list, "points in pixels take no model.");
+    if (space == SceneSpace::pixels) part.fail(list, "points in pixels cannot have a model.");
     if (list.size() > most_model_steps) {
         part.fail(list, "'model' has more than " + std::to_string(most_model_steps) + " steps.");
     }
@@ -164,7 +164,7 @@ std::vector<ModelStep> read_model(const TomlInput& part, SceneSpace space) {
         for (int column = 0; column < 4; ++column) {
             const glm::dvec4 size = glm::abs(matrix[column]);
             if (std::max({size.x, size.y, size.z}) > largest_entry)
-                part.fail(node, "the steps of 'model' enlarge too much.");
+                part.fail(node, "the steps of 'model' enlarge the object too much.");
         }
         const glm::dmat3 normals = normal_matrix(matrix);
         if (normals[0] == glm::dvec3(0.0) || !(glm::determinant(normals) != 0.0))
@@ -177,7 +177,8 @@ SceneSpace read_space(const TomlInput& input) {
     const std::string space = input.text_or_empty("space");
     if (space.empty() || space == "world") return SceneSpace::world;
     if (space == "pixels") return SceneSpace::pixels;
-    input.fail(*input.find("space"), "'space' is \"world\" or \"pixels\", not '" + space + "'.");
+    input.fail(*input.find("space"),
+               "'space' must be \"world\" or \"pixels\", not '" + space + "'.");
 }
 
 /// A place in pixels: column, row, and a depth that is 1 if it is not given.
@@ -185,7 +186,7 @@ glm::vec3 read_pixel_point(const TomlInput& input, const toml::node& node,
                            const std::string& what) {
     const toml::array* array = node.as_array();
     if (array == nullptr || array->size() < 2 || array->size() > 3) {
-        input.fail(node, what + " must be a column, a row and, if wanted, a depth.");
+        input.fail(node, what + " must be a column, a row and, optionally, a depth.");
     }
     const auto coordinate = [&](std::size_t i, float smallest) {
         return input.number(*array->get(i), smallest, largest_pixel_coordinate, what);
@@ -213,7 +214,7 @@ PointSets read_points(const TomlInput& input, SceneSpace space,
                 if (transform) point = (*transform)(point);
                 const glm::vec3 size = glm::abs(point);
                 if (std::max({size.x, size.y, size.z}) > largest_coordinate) {
-                    set.fail(node, what + " lies too far out after the transform.");
+                    set.fail(node, what + " is too far out after the transform.");
                 }
             }
             points.emplace(key.str(), ScenePoint{point, static_cast<int>(points.size())});
@@ -252,7 +253,7 @@ void place_in_world(const TomlInput& part, const toml::node& node, const glm::dm
         const glm::dvec3 size = glm::abs(place);
         if (std::max({size.x, size.y, size.z}) > double{largest_coordinate})
             part.fail(node, "'" + std::string(node.value_or("")) +
-                                "' lies too far out after the model's steps.");
+                                "' is too far out after the model's steps.");
         corner.position = glm::vec3(place);
         const glm::dvec3 normal = normals * glm::dvec3(corner.normal);
         const double length = glm::length(normal);
@@ -261,8 +262,8 @@ void place_in_world(const TomlInput& part, const toml::node& node, const glm::dm
     // Steps of double that are none of float: too small, or too far from the origin for its size.
     if (had_area && !has_area(corners))
         part.fail(node, "'" + std::string(node.value_or("")) +
-                            "' shrinks to nothing after the model's steps: in float its corners "
-                            "meet, or lie on one line.");
+                            "' shrinks to nothing after the model's steps because, as floats, its "
+                            "corners coincide or lie on one line.");
 }
 
 using NamedPoint = PointSet::value_type;
@@ -304,10 +305,12 @@ NamedCorners triangle_of(const toml::node& written,
 NamedCorners read_triangle(const TomlInput& part, const toml::node& node,
                            const PointSets::value_type& set) {
     const auto* text = node.as_string();
-    if (text == nullptr) part.fail(node, "a triangle is the names of three points: \"A B C\".");
+    if (text == nullptr)
+        part.fail(node, "a triangle is written as the names of three points, like "
+                        "\"A B C\".");
     const std::vector<std::string> names = split_words(text->get());
     if (names.size() != triangle_corners) {
-        part.fail(node, "a triangle has three points, and '" + text->get() + "' names " +
+        part.fail(node, "a triangle has three points, but '" + text->get() + "' names " +
                             std::to_string(names.size()) + ".");
     }
     const std::vector<const NamedPoint*> points = read_named_points(part, node, names, set);
@@ -319,11 +322,12 @@ std::vector<const NamedPoint*> read_polygon(const TomlInput& part, const toml::n
                                             const PointSets::value_type& set) {
     const auto* text = node.as_string();
     if (text == nullptr)
-        part.fail(node, "a polygon is the names of its points in order: \"A B C D E\".");
+        part.fail(node, "a polygon is written as the names of its points in order, like \"A B C D "
+                        "E\".");
     const std::vector<std::string> names = split_words(text->get());
     if (names.size() <= triangle_corners || names.size() > most_scene_corners) {
-        part.fail(node, "a polygon has from four to " + std::to_string(most_scene_corners) +
-                            " points, and this one names " + std::to_string(names.size()) + ".");
+        part.fail(node, "a polygon has four to " + std::to_string(most_scene_corners) +
+                            " points, but this one names " + std::to_string(names.size()) + ".");
     }
     return read_named_points(part, node, names, set);
 }
@@ -351,7 +355,7 @@ std::vector<NamedCorners> read_triangles(const TomlInput& input, const PointSets
     if (polygons == nullptr) return result;
     const toml::array& list = input.list("polygons");
     if (scene.space != SceneSpace::pixels)
-        input.fail(list, "polygons belong to a scene with space = \"pixels\".");
+        input.fail(list, "polygons are only allowed in a scene with space = \"pixels\".");
     if (list.empty()) input.fail(list, input.what() + " has no polygons.");
     for (const toml::node& node : list) {
         watched.step();
@@ -389,7 +393,7 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
     const int texture = textures.read(input, "texture");
     const int normal_map = textures.read(input, "normal_map");
     if (normal_map >= 0 && scene.space == SceneSpace::pixels)
-        input.fail(*input.find("normal_map"), "points in pixels take no normal map.");
+        input.fail(*input.find("normal_map"), "points in pixels cannot have a normal map.");
     Model model{read_model(input, scene.space), {}};
     const glm::dmat4 matrix = model_matrix(model.steps);
     const bool is_turned_round = is_mirrored(matrix);
@@ -505,7 +509,9 @@ Scene parse_scene(std::string_view text, const std::string& path,
     section("viewport", [&](const TomlInput& table) { read_viewport(table, scene.viewport); });
     std::optional<SceneTransform> transform;
     section("transform", [&](const TomlInput& table) {
-        if (scene.space == SceneSpace::pixels) table.fail("points in pixels take no transform.");
+        if (scene.space == SceneSpace::pixels)
+            table.fail("points in pixels cannot have a "
+                       "transform.");
         transform = read_transform(table);
     });
     PointSets sets;
@@ -524,7 +530,7 @@ Scene parse_scene(std::string_view text, const std::string& path,
     if (scene.triangle_count() == 0) input.fail("the scene has no triangles.");
     for_each_table(input, "example", "example", [&](const TomlInput& table) {
         if (scene.space != SceneSpace::pixels) {
-            table.fail("examples belong to a scene with space = \"pixels\".");
+            table.fail("examples are only allowed in a scene with space = \"pixels\".");
         }
         read_example(table, scene);
     });

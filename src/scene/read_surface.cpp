@@ -72,8 +72,8 @@ const PointVectors& find_set(const TomlInput& part, std::string_view key,
     const toml::node& node = *part.find(key);
     const auto found = sets.find(name);
     if (found == sets.end()) {
-        const std::string words = key == "normals" ? "'normals' is \"face\", \"averaged\" or a set "
-                                                     "in [normals], and "
+        const std::string words = key == "normals" ? "'normals' must be \"face\", \"averaged\" or "
+                                                     "a set in [normals], and "
                                                    : "";
         part.fail(node, words + "there is no set '" + name + "' in " + section + ".");
     }
@@ -81,7 +81,7 @@ const PointVectors& find_set(const TomlInput& part, std::string_view key,
     for (const auto& [point, value] : found->second) {
         if (points.find(point) == points.end()) {
             part.fail(node, "the set '" + name + "' in " + section + " names '" + point +
-                                "', which is no point of '" + set_name + "'.");
+                                "', which is not a point of '" + set_name + "'.");
         }
     }
     return found->second;
@@ -105,7 +105,7 @@ SurfaceSections read_surface_sections(const TomlInput& scene, SceneSpace space,
     for_each_set(scene, "normals", "the set of normals",
                  [&](const TomlInput& table, const std::string& name, const toml::node& node) {
                      if (space == SceneSpace::pixels)
-                         table.fail(node, "points in pixels take no normals.");
+                         table.fail(node, "points in pixels cannot have normals.");
                      if (name == face_word || name == averaged_word)
                          table.fail(node, "a set of normals cannot be called '" + name + "'.");
                      sections.normals[name] = read_normals(table, mirror);
@@ -137,7 +137,7 @@ PartSurface read_part_surface(const TomlInput& part, SurfaceSections& sections,
     if (!material.empty()) {
         if (part.find("reflectance") != nullptr)
             part.fail(*part.find("reflectance"),
-                      part.what() + " has a material or a reflectance, not both.");
+                      part.what() + " has either a material or a reflectance, not both.");
         const auto found = sections.materials.find(material);
         if (found == sections.materials.end())
             part.fail(*part.find("material"), "there is no material '" + material + "'.");
@@ -152,7 +152,7 @@ PartSurface read_part_surface(const TomlInput& part, SurfaceSections& sections,
     const std::string normals = part.text_or_empty("normals");
     if (normals.empty() || normals == face_word) return surface;
     if (space == SceneSpace::pixels)
-        part.fail(*part.find("normals"), "points in pixels take no normals.");
+        part.fail(*part.find("normals"), "points in pixels cannot have normals.");
     if (normals == averaged_word) {
         surface.averaged.emplace();
     } else {

@@ -12,13 +12,14 @@ CornerTexcoords read_corners(const TomlInput& part, const toml::node& node,
                              const std::string& what) {
     const toml::array* const corners = node.as_array();
     if (corners == nullptr || corners->size() != triangle_corners)
-        part.fail(node, what + " are three pairs, one a corner: [[0, 0], [1, 0], [1, 1]].");
+        part.fail(node, what + " must be three pairs, one for each corner: [[0, 0], [1, 0], [1, "
+                               "1]].");
     CornerTexcoords read{};
     for (std::size_t i = 0; i < read.size(); ++i) {
         const toml::node& corner = *corners->get(i);
         const toml::array* const pair = corner.as_array();
         if (pair == nullptr || pair->size() != 2)
-            part.fail(corner, what + " are three pairs, u and v: [[0, 0], [1, 0], [1, 1]].");
+            part.fail(corner, what + " must be three pairs of u and v: [[0, 0], [1, 0], [1, 1]].");
         for (std::size_t axis = 0; axis < 2; ++axis) {
             read[i][static_cast<int>(axis)] =
                 part.number(*pair->get(axis), -largest_texcoord, largest_texcoord, what);
@@ -51,16 +52,18 @@ std::vector<CornerTexcoords> read_texcoords(const TomlInput& part, std::size_t t
     const toml::node* const texcoords = part.find("texcoords");
     if (texture == nullptr && texcoords == nullptr) return {};
     if (texture == nullptr)
-        part.fail(*texcoords, "'texcoords' belong to a part with a 'texture' or a 'normal_map'.");
+        part.fail(*texcoords, "'texcoords' are only allowed in a part with a 'texture' or a "
+                              "'normal_map'.");
     if (texcoords == nullptr) {
         part.fail(*texture,
-                  fmt::format("a part with a '{}' needs 'texcoords': where the corners of "
-                              "each triangle lie in it.",
+                  fmt::format("a part with a '{}' needs 'texcoords', which say where the corners "
+                              "of each triangle lie in it.",
                               is_texture ? "texture" : "normal_map"));
     }
     const toml::array& list = part.list("texcoords");
     if (list.size() != triangle_count) {
-        part.fail(list, fmt::format("'texcoords' must be as many as the triangles, {}, and are {}.",
+        part.fail(list, fmt::format("there must be as many 'texcoords' as triangles, {}, but there "
+                                    "are {}.",
                                     triangle_count, list.size()));
     }
     std::vector<CornerTexcoords> read;

@@ -30,7 +30,7 @@ using ReadingWatch = std::function<bool(const ReadingState&)>;
 /// Thrown where a watch stops a reading. No fault of the file, and so no Error.
 class ReadingStopped : public std::exception {
   public:
-    const char* what() const noexcept override { return "the reading was stopped."; }
+    const char* what() const noexcept override { return "reading was stopped."; }
 };
 
 /// Asks a watch once in so many steps, so that a step costs next to nothing.

@@ -17,9 +17,9 @@ namespace {
 
 [[noreturn]] void refuse(std::string_view text) {
     throw UsageError(
-        fmt::format("the vertices of a triangle are three places with slashes between them, as "
-                    "10,5/5,10/15,15 or, of triangle 3, 3:10,5/5,10/15,15, and no farther out "
-                    "than {} pixels; not {}.",
+        fmt::format("the vertices of a triangle are three positions with slashes between them, "
+                    "like 10,5/5,10/15,15 or, for triangle 3, 3:10,5/5,10/15,15, and no farther "
+                    "out than {} pixels, not {}.",
                     number_text(largest_pixel_coordinate), in_quotes(text)));
 }
 
@@ -103,14 +103,14 @@ PlacedTriangle parse_placed_triangle(std::string_view text) {
 void place_triangle(Session& session, const PlacedTriangle& placed) {
     if (!is_bench(*session.scene)) {
         throw UsageError(
-            fmt::format("only the vertices of a scene in pixels can be put elsewhere; {} is none.",
+            fmt::format("only the vertices of a scene in pixels can be moved, and {} is not such a "
+                        "scene.",
                         in_quotes(session.scene->name)));
     }
     const int count = session.scene->triangle_count();
     if (placed.triangle < 0 || placed.triangle >= count) {
-        throw UsageError(
-            fmt::format("there is no triangle {} to put elsewhere: the triangles are 0 to {}.",
-                        placed.triangle, count - 1));
+        throw UsageError(fmt::format("there is no triangle {} to move; the triangles are 0 to {}.",
+                                     placed.triangle, count - 1));
     }
     Scene scene = *session.scene;
     put_corners(scene, placed.triangle, placed.positions);

@@ -14,7 +14,7 @@ const std::array<CanvasShowsInfo, canvas_shows_count>& canvas_shows_list() {
                         "Shows the scene from outside, with the camera, its picture and the rays "
                         "that make it."},
         CanvasShowsInfo{CanvasShows::both, "Both", "Picture and outside",
-                        "Shows the picture, and the scene from outside beside it."},
+                        "Shows the picture, with the scene from outside next to it."},
     };
     static_assert(is_indexed_by(list, &CanvasShowsInfo::shows));
     return list;
@@ -22,28 +22,28 @@ const std::array<CanvasShowsInfo, canvas_shows_count>& canvas_shows_list() {
 
 const std::array<CellNumbersInfo, cell_numbers_count>& cell_numbers_list() {
     static constexpr std::array list{
-        CellNumbersInfo{CellNumbers::none, "no numbers", "The cells hold their colour alone.", ""},
+        CellNumbersInfo{CellNumbers::none, "no numbers", "The cells show only their colour.", ""},
         CellNumbersInfo{CellNumbers::ends, "ends of rows",
-                        "The column of each row's left and right end, of the triangle on show: "
+                        "The columns of each row's left and right end for the triangle on show: "
                         "leftPixels[i].x and rightPixels[i].x.",
                         "column of an end of the row"},
         CellNumbersInfo{CellNumbers::depth, "{0}",
-                        "What the depth buffer holds for the pixel: {1} is nearer.",
+                        "What the depth buffer holds for the pixel; {1} is nearer.",
                         "{0} in the depth buffer"},
         CellNumbersInfo{CellNumbers::owner, "triangle",
                         "The triangle that the pixel shows: t7 is triangles[7].",
-                        "triangle that is seen"},
+                        "visible triangle"},
         CellNumbersInfo{CellNumbers::overdraw, "overdraw",
                         "How many fragments fell on the pixel, drawn or not.",
                         "fragments on the pixel"},
         CellNumbersInfo{CellNumbers::edge_values, "edge functions",
-                        "The three edge functions at the pixel's centre, of the triangle on show; "
-                        "where it lies outside only those that keep it out.",
+                        "The three edge functions of the triangle on show at the pixel's centre; "
+                        "if the pixel is outside, only those that keep it out.",
                         "edge functions; filled 0: inside, framed 0: outside"},
         CellNumbersInfo{
             CellNumbers::weights, "weights",
-            "The weights of the corners at the pixel's centre, of the triangle on show; "
-            "where it lies outside only those below 0.",
+            "The weights of the corners of the triangle on show at the pixel's centre; if the "
+            "pixel is outside, only those below 0.",
             "weights of the corners v0, v1, v2"},
     };
     static_assert(is_indexed_by(list, &CellNumbersInfo::numbers));

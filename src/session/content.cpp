@@ -39,7 +39,7 @@ std::string lessons_folder() {
     if (const char* named = std::getenv("RASTERWALK_LESSONS"); named != nullptr && *named != '\0') {
         if (holds_content(named)) return named;
         throw AccessError(std::string("RASTERWALK_LESSONS names '") + named +
-                          "', and there is no presets.toml in it.");
+                          "', but there is no presets.toml in it.");
     }
     return own_lessons_folder();
 }
@@ -57,7 +57,7 @@ std::string own_lessons_folder() {
         }
     }
     if (holds_content(RASTERWALK_LESSONS)) return RASTERWALK_LESSONS;
-    throw AccessError("the folder 'lessons' was not found; set RASTERWALK_LESSONS to its place.");
+    throw AccessError("the folder 'lessons' was not found; set RASTERWALK_LESSONS to its path.");
 }
 
 std::string find_lesson_file(const std::string& folder, std::string_view relative) {
@@ -65,11 +65,11 @@ std::string find_lesson_file(const std::string& folder, std::string_view relativ
     const bool leads_out =
         std::any_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
     if (path.empty() || path.is_absolute() || leads_out) {
-        throw UsageError(in_quotes(relative) + " leads out of the folder of the lessons.");
+        throw UsageError(in_quotes(relative) + " leads out of the lessons folder.");
     }
     if (const auto found = find_within(folder, path)) return *found;
     if (const auto found = find_within(lessons_folder(), path)) return *found;
-    throw UsageError("there is no file " + in_quotes(relative) + " in the folder of the lessons.");
+    throw UsageError("there is no file " + in_quotes(relative) + " in the lessons folder.");
 }
 
 std::optional<std::string> name_in_lessons_folder(const std::string& path) {

@@ -20,8 +20,8 @@ std::vector<Term> parse_glossary(std::string_view text, const std::string& path)
         entry.allow_only({"word", "sentence", "section"});
         Term term{entry.text("word"), entry.text("sentence"), entry.text("section")};
         if (!terms.empty() && !comes_before(terms.back().word, term.word)) {
-            entry.fail("the term '" + term.word + "' stands behind '" + terms.back().word +
-                       "': terms are sorted, and each stands once.");
+            entry.fail("the term '" + term.word + "' comes after '" + terms.back().word +
+                       "', but terms must be sorted and must not repeat.");
         }
         return term;
     };

@@ -36,8 +36,7 @@ std::string edge_sentence(const Frame& frame, const Cursor& cursor, const std::s
     const Timeline timeline(frame);
     const PhaseMoments& edges = timeline.moments(cursor.triangle).of(Phase::edges);
     const int count = static_cast<int>(edges.pieces.size());
-    if (cursor.index >= count)
-        return "a triangle has the edges e0 to e" + std::to_string(count - 1);
+    if (cursor.index >= count) return "a triangle has edges e0 to e" + std::to_string(count - 1);
     const int samples = edges.pieces[cursor.index].count;
     return "edge e" + std::to_string(cursor.index) + " of " + triangle + " has " +
            pieces("sample", 0, samples - 1);
@@ -76,7 +75,7 @@ std::string clip_sentence(const Frame& frame, const Cursor& cursor, const std::s
         those.append(those.empty() ? "p" : ", p").append(std::to_string(p));
     }
     if (those.empty()) return "no plane cuts " + triangle;
-    return triangle + " is cut by the planes " + those;
+    return triangle + " is cut by planes " + those;
 }
 
 std::string cull_sentence(const Frame& frame, const Cursor& cursor, const std::string& triangle) {
@@ -100,7 +99,7 @@ std::string possible(const Frame& frame, const Cursor& cursor) {
     }
     switch (cursor.phase) {
     case Phase::vertices:
-        return "a triangle has the vertices v0 to v" + std::to_string(triangle_corners - 1);
+        return "a triangle has vertices v0 to v" + std::to_string(triangle_corners - 1);
     case Phase::clip:
         return clip_sentence(frame, cursor, triangle);
     case Phase::cull:
@@ -144,7 +143,7 @@ Cursor moment_of(const Frame& frame, const std::string& text) {
     const std::optional<Cursor> cursor = parse_cursor(text);
     if (!cursor) {
         throw UsageError(in_quotes(text) +
-                         " is not a moment; one is written t12, t12/v1, t12/p2/s1, t12/k, "
+                         " is not a moment; moments are written t12, t12/v1, t12/p2/s1, t12/k, "
                          "t12/e2/s14, t12/b4/c7, t12/r37/c5 or end.");
     }
     return find_moment(frame, *cursor, text);

@@ -109,8 +109,8 @@ std::string size_text(Viewport size) {
 /// Why the two runs cannot be compared; empty if they can.
 std::string obstacle(const Settings& a, const Settings& b) {
     if (a.viewport == b.viewport) return "";
-    return fmt::format("Run B cannot be compared with run A: its picture has {} pixels, that of A "
-                       "{}.",
+    return fmt::format("Run B cannot be compared with run A because its picture has {} pixels and "
+                       "A's has {}.",
                        size_text(b.viewport), size_text(a.viewport));
 }
 

@@ -248,7 +248,7 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
     if (frame.settings.engine == Engine::fast) {
         const std::string refusal = fast_engine_refuses(*frame.scene, frame.settings);
         if (!refusal.empty())
-            troubles.push_back({refusal + ": the steps draw", "engine=fast: the steps draw"});
+            troubles.push_back({refusal + ", so the steps draw", "engine=fast: the steps draw"});
     }
     const LeftOut left_out = count_left_out(frame);
     for (const RejectionWords& reason : rejection_list) {
@@ -261,8 +261,8 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
     const std::int64_t unset = tally.unset_rows;
     if (unset > 0) {
         troubles.push_back(
-            {fmt::format("{} that no edge sample reached: right − left + 1 is {} there; nothing of "
-                         "it is in the picture",
+            {fmt::format("{} that no edge sample reached: right − left + 1 is {} there, and none "
+                         "of those pixels are in the picture",
                          counted(unset, "row", "rows"), unset_row_pixels(frame)),
              counted(unset, "empty row", "empty rows"), true});
     }
@@ -270,8 +270,8 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
     if (frame.settings.depth_index == DepthIndex::transposed && size.width != size.height &&
         depth_rule(frame.settings) != DepthTest::off) {
         troubles.push_back(
-            {fmt::format("[x][y] lies outside the depth buffer for every pixel with x ≥ {} or y ≥ "
-                         "{}: not written there",
+            {fmt::format("[x][y] is outside the depth buffer for every pixel with x ≥ {} or y ≥ "
+                         "{}, so nothing is written there",
                          size.height, size.width),
              "[x][y] outside the depth buffer"});
     }

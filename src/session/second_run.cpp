@@ -48,16 +48,17 @@ bool names(std::span<const std::string_view> assignments, std::string_view setti
 const std::array<CompareViewInfo, compare_view_count>& compare_view_list() {
     static constexpr std::array<CompareViewInfo, compare_view_count> list{{
         {CompareView::run_a, "A", "Run A alone",
-         "The picture of run A alone, large. The switches and the settings set this run."},
-        {CompareView::run_b, "B", "Run B alone", "The picture of run B alone, large."},
+         "Only the picture of run A, large. The switches and the settings change this run."},
+        {CompareView::run_b, "B", "Run B alone", "Only the picture of run B, large."},
         {CompareView::difference, "Difference", "The difference, B minus A",
-         "B minus A, with a scale: blue where B is less, orange where it is more."},
+         "B minus A, with a scale; blue where B is less, orange where it is more."},
         {CompareView::side_by_side, "Side by side", "Side by side",
          "Both pictures, side by side or one above the other, whichever leaves them larger."},
         {CompareView::wipe, "Divider", "A divider to drag",
-         "A left of a divider, B right of it; drag it."},
+         "A on the left of a divider, B on the right; drag the divider."},
         {CompareView::blink, "In turn", "A and B in turn",
-         "A and B in turn, once a second: what differs seems to move. H holds one of them."},
+         "A and B in turn, once a second, so that what differs seems to move. H holds one of "
+         "them."},
     }};
     static_assert(is_indexed_by(list, &CompareViewInfo::view));
     return list;
@@ -142,14 +143,16 @@ std::vector<RunDifference> run_differences(const Session& session) {
 std::span<const ComparePair> compare_pairs() {
     static constexpr ComparePair pairs[] = {
         {"affine",
-         {"affine interpolation", "Values are carried straight across the picture.", affine},
+         {"affine interpolation", "Values are interpolated straight across the picture.", affine},
          {"perspective correction", "Values are divided by z on the way.", perspective},
          StripStep::vertex_light,
          StripStep::pixel_light},
         {"light",
-         {"light per vertex", "Light is worked out at the corners and spread over the triangle.",
+         {"light per vertex",
+          "Light is computed at the corners and interpolated over the "
+          "triangle.",
           per_vertex},
-         {"light per pixel", "Light is worked out at every pixel.", per_pixel},
+         {"light per pixel", "Light is computed at every pixel.", per_pixel},
          StripStep::vertex_light,
          StripStep::pixel_light},
         {"depth",

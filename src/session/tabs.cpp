@@ -16,30 +16,33 @@ constexpr std::array tabs{
             "The corners of the triangle in every space on their way to a pixel.",
             TabGroup::triangle},
     TabInfo{"clip", "Clip",
-            "Which part of the triangle lies in the view: outcodes, the cuts plane by plane, and "
+            "Which part of the triangle is in the view: outcodes, the cuts plane by plane, and "
             "whether it shows its front.",
             TabGroup::triangle, true},
     TabInfo{"rows", "Rows", "The triangle's row table: leftPixels and rightPixels.",
             TabGroup::triangle, false, false, "Inside",
-            "Which pixels lie inside the triangle: the edge functions of each, and its weights."},
+            "Which pixels are inside the triangle, with the edge functions and the weights of "
+            "each."},
     TabInfo{"microscope", "Floats",
-            "An edge's samples in float beside the exact fractions: what the additions lose.",
+            "An edge's samples as floats next to the exact fractions, which show what the "
+            "additions lose.",
             TabGroup::triangle},
     TabInfo{"fragment", "Fragment",
             "Every number on a fragment's way to its colour, with its formula.", TabGroup::pixel},
     TabInfo{"texture", "Texture",
-            "The texels that colour the pixel: where it lies in the texture, how far it reaches "
-            "there, and how much each texel counts.",
+            "The texels that colour the pixel: where it is in the texture, how far it reaches "
+            "there, and the weight of each texel.",
             TabGroup::pixel, false, true},
     TabInfo{"history", "History",
             "Everything that falls on the picked pixel, in the order of drawing.", TabGroup::pixel},
     TabInfo{"graph", "Graph",
-            "A value along a row: the truth, and the straight line between its ends.",
+            "A value along a row: the true curve, and the straight line between its ends.",
             TabGroup::pixel},
     TabInfo{compare_tab, "Compare",
-            "Two runs with other settings: what differs, where first, and why.", TabGroup::runs},
+            "Two runs with different settings: what differs, where first, and why.",
+            TabGroup::runs},
     TabInfo{"lab", "Mistakes",
-            "The mistakes that rasterizers make: turn one on, and see what it does.",
+            "The mistakes that rasterizers make. Turn one on and see what it does.",
             TabGroup::runs},
 };
 

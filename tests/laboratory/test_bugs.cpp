@@ -214,12 +214,12 @@ TEST_CASE("A bug is found by its id in any letters, and a wrong id is answered w
 TEST_CASE("A file of bugs is read strictly, and every fault has its line") {
     CHECK(fault_of(whole_bug) == "accepted");
     CHECK_THAT(fault_of(with("id = \"B9\"", "id = \"9\"")),
-               ContainsSubstring("bugs.toml:2: 'id' is B"));
+               ContainsSubstring("bugs.toml:2: 'id' must be B"));
     CHECK_THAT(fault_of(with("B9", "B9ab")), ContainsSubstring("bugs.toml:2: "));
     CHECK_THAT(fault_of(with("name = \"n\"\n", "")), ContainsSubstring("'name'"));
     CHECK_THAT(fault_of(with("look", "hint")), ContainsSubstring("bugs.toml:6: "));
     CHECK_THAT(fault_of(with("scenes/lab-room.toml", "../lab-room.toml")),
-               ContainsSubstring("bugs.toml:9: 'scene' is a file of this folder"));
+               ContainsSubstring("bugs.toml:9: 'scene' must be a file in this folder"));
     CHECK_THAT(fault_of(with("scenes/lab-room.toml", "scenes/../../x.toml")),
                ContainsSubstring("bugs.toml:9: "));
     CHECK_THAT(fault_of(with("spans=last_dropped", "spans=last")),
@@ -333,8 +333,8 @@ TEST_CASE("B7: rows that nobody has set are counted, and nothing of them is draw
     update(runs.session, results);
     REQUIRE(results.a.troubles.size() == 1);
     CHECK(results.a.troubles[0].sentence ==
-          "5 rows that no edge sample reached: right − left + 1 is 3 there; "
-          "nothing of it is in the picture");
+          "5 rows that no edge sample reached: right − left + 1 is 3 there, and none of those "
+          "pixels are in the picture");
 }
 
 TEST_CASE("B8: rows of one pixel vanish, and only they") {
@@ -548,7 +548,7 @@ TEST_CASE("B17c: in a picture that is not square the cells outside are not writt
         update(runs.session, results);
         REQUIRE_FALSE(results.a.troubles.empty());
         CHECK_THAT(results.a.troubles[0].sentence,
-                   ContainsSubstring("[x][y] lies outside the depth buffer"));
+                   ContainsSubstring("[x][y] is outside the depth buffer"));
     }
 }
 

@@ -59,8 +59,8 @@ TEST_CASE("A verdict does not say that all is explained where pixels still diffe
           "Most likely B9 “Name of B9”, which explains 99 % of the difference.");
     CHECK(verdict({made_by({"B9"}, 0, 1)}) == "B9 “Name of B9” makes this very picture.");
     CHECK(verdict({made_by({"B9"}, 100, 1)}) ==
-          "No known mistake explains the difference; the nearest, B9 “Name of B9”, explains 80 % "
-          "of it.");
+          "No known mistake explains the difference; the best match, B9 “Name of B9”, explains 80 "
+          "% of it.");
     CHECK(verdict({made_by({"B9"}, 400, 1)}) == "No known mistake explains the difference.");
 }
 

@@ -166,7 +166,7 @@ TEST_CASE("What is no bug is told too") {
     Image shifted = right;
     std::rotate(shifted.rgba.begin(), shifted.rgba.begin() + 4L * shifted.width,
                 shifted.rgba.end());
-    CHECK_THAT(verdict(shifted), ContainsSubstring("Shifted by a pixel up"));
+    CHECK_THAT(verdict(shifted), ContainsSubstring("Shifted one pixel up"));
     Image noise = right;
     Random random(3);
     for (std::uint8_t& byte : noise.rgba)

@@ -54,10 +54,10 @@ TEST_CASE("Printed rows are read in the lab's form, with blanks and other lines 
 
 TEST_CASE("What is no row is told with its line") {
     CHECK_THROWS_WITH(parse_printed_rows("Start: (1,2). End: (1,2).\nStart: 1,2\n", "rows.txt"),
-                      Catch::Matchers::StartsWith("rows.txt:2: a row is printed as"));
+                      Catch::Matchers::StartsWith("rows.txt:2: a row must look like"));
     CHECK_THROWS_WITH(parse_printed_rows("Start: (1,2). End: (99999999999,2).", "rows.txt"),
                       Catch::Matchers::StartsWith("rows.txt:1: "));
-    CHECK_THROWS_WITH(parse_printed_rows("hello", "rows.txt"), ContainsSubstring("no line like"));
+    CHECK_THROWS_WITH(parse_printed_rows("hello", "rows.txt"), ContainsSubstring("lines like"));
     CHECK_THROWS_AS(parse_printed_rows("", "rows.txt"), InputError);
 }
 

@@ -77,7 +77,7 @@ TEST_CASE("What is found under another name than the one that was given is told"
                                      fs::path(file.path).lexically_normal().string()));
     CHECK(files.find("none.png").trouble == "there is no file 'none.png'");
     CHECK(files.find("/etc/none.png").trouble ==
-          "there is no file '/etc/none.png' beside it, below it or in a folder next to its own");
+          "there is no file '/etc/none.png' in its folder, below it or in a folder next to it");
 }
 
 TEST_CASE("Links do not lead out of the parent folder") {

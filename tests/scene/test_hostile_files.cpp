@@ -67,7 +67,7 @@ TEST_CASE("A damaged image is tried once and told once, whatever names it") {
             std::filesystem::create_symlink("c.png", folder.file(fmt::format("{}.png", i)));
         const std::vector<std::string> told = fault_lines(read_obj(path).report);
         REQUIRE(told.size() == 1);
-        CHECK(told[0].find(": the picture cannot be read: its data are damaged.") !=
+        CHECK(told[0].find(": the picture cannot be read: its data is damaged.") !=
               std::string::npos);
     }
 }
@@ -109,7 +109,8 @@ TEST_CASE("Files beside a scene are read up to so many bytes, those of one kind 
     BesideBytes bytes(4 * megabyte, "all images");
     bytes.add(folder.write("much", std::string(4 * megabyte - 10, 'x')));
     bytes.add(six);
-    CHECK_THROWS_WITH(bytes.add(six), six + ": with it all images have more than 4 MB.");
+    CHECK_THROWS_WITH(bytes.add(six), six + ": together with this file, all images have more than "
+                                            "4 MB.");
     bytes.add(folder.write("four", "1234"));
 
     // The same file under other names: as many times as it fits.
@@ -127,8 +128,8 @@ TEST_CASE("Files beside a scene are read up to so many bytes, those of one kind 
     CHECK(read.materials.size() == fitting);
     CHECK(fault_lines(read.report) ==
           std::vector<std::string>{
-              fmt::format("{}:{}: 'mtllib': {}: with it all files of materials have more than {} "
-                          "MB. It is left out.",
+              fmt::format("{}:{}: 'mtllib': {}: together with this file, all material files have "
+                          "more than {} MB. It is left out.",
                           path, fitting + 1, folder.file(fmt::format("{}.mtl", fitting)),
                           most_material_bytes >> 20)});
 }

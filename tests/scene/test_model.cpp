@@ -210,12 +210,12 @@ TEST_CASE("A broken model is refused with its file, line and what is wrong") {
           "s.toml:10: there is no step 'turn'; the steps are: translate, scale, rotate_x, "
           "rotate_y, rotate_z.");
     CHECK_THAT(refusal_of_model("[{ rotate_y = 1, scale = [1, 1, 1] }]"),
-               ContainsSubstring("s.toml:10: ") && ContainsSubstring("says one thing"));
+               ContainsSubstring("s.toml:10: ") && ContainsSubstring("must say one thing"));
     CHECK_THAT(refusal_of_model("[{ scale = [1, 0, 1] }]"),
                ContainsSubstring("s.toml:10: ") &&
                    ContainsSubstring("leaves nothing of the object"));
     CHECK_THAT(refusal_of_model("[{ translate = [1e6, 0, 0] }, { translate = [1e6, 0, 0] }]"),
-               ContainsSubstring("s.toml:9: ") && ContainsSubstring("lies too far out"));
+               ContainsSubstring("s.toml:9: ") && ContainsSubstring("is too far out"));
     std::string many = "[";
     for (int i = 0; i < 70; ++i)
         many += "{ scale = [1e6, 1e6, 1e6] },";
@@ -223,7 +223,7 @@ TEST_CASE("A broken model is refused with its file, line and what is wrong") {
     many = "[";
     for (int i = 0; i < 60; ++i)
         many += "{ scale = [1e6, 1e6, 1e6] },";
-    CHECK_THAT(refusal_of_model(many + "]"), ContainsSubstring("enlarge too much"));
+    CHECK_THAT(refusal_of_model(many + "]"), ContainsSubstring("enlarge the object too much"));
     many = "[";
     for (int i = 0; i < 60; ++i)
         many += "{ scale = [1e-6, 1e-6, 1e-6] },";
@@ -249,7 +249,7 @@ TEST_CASE("A broken model is refused with its file, line and what is wrong") {
                                "B = [5, 2]\nC = [3, 9]\n[[part]]\nname = \"q\"\npoints = \"p\"\n"
                                "triangles = [\"A B C\"]\nmodel = [{ rotate_z = 1 }]\n";
     CHECK_THROWS_WITH(parse_scene(pixels, "s.toml"),
-                      ContainsSubstring("s.toml:11: points in pixels take no model."));
+                      ContainsSubstring("s.toml:11: points in pixels cannot have a model."));
 }
 
 TEST_CASE("A camera of a scene looks at a target, or is turned, not both") {
@@ -272,13 +272,13 @@ TEST_CASE("A camera of a scene that has no direction is refused with its file an
         return "accepted";
     };
     CHECK(refusal("position = [1, 2, 3]\ntarget = [1, 2, 3]\n") ==
-          "s.toml:13: the camera stands at its own target, which is no direction.");
+          "s.toml:13: the camera is at its own target, which gives it no direction to look in.");
     CHECK(refusal("target = [0, 0, 9]\nposition = [0, 0, 1]\nup = [0, 0, -1]\n") ==
-          "s.toml:14: up of the camera points along its view, or nowhere.");
+          "s.toml:14: the camera's up points along its view, or nowhere.");
     CHECK(refusal("target = [0, 0, 9]\nposition = [0, 0, 1]\nup = [0, 0, 0]\n") ==
-          "s.toml:14: up of the camera points along its view, or nowhere.");
+          "s.toml:14: the camera's up points along its view, or nowhere.");
     // Straight down, and nobody has said what is up then.
     CHECK(refusal("position = [0, -3, 0]\ntarget = [0, 2, 0]\n") ==
-          "s.toml:13: up of the camera points along its view, or nowhere.");
+          "s.toml:13: the camera's up points along its view, or nowhere.");
     CHECK(refusal("position = [0, -3, 0]\ntarget = [0, 2, 0]\nup = [0, 0, 1]\n") == "accepted");
 }

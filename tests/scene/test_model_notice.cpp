@@ -42,7 +42,7 @@ struct Folder {
 TEST_CASE("Kd 0 counts as 1 where an image is named, and is black where none is") {
     using namespace unseen_models;
     const Folder folder;
-    const std::string counts = " 'Kd' 0 would leave nothing to see of map_Kd; it counts as 1.";
+    const std::string counts = " 'Kd' 0 would make map_Kd invisible, so it counts as 1.";
     for (const std::string black : {"Kd 0 0 0\n", "Kd 0\n", "Kd 0.00 0.000 0e0\n", "Kd 1e-9\n"}) {
         INFO(black);
         const ObjModel model = folder.model_with("newmtl a\n" + black + "map_Kd p.png\nnewmtl b\n" +
@@ -60,7 +60,8 @@ TEST_CASE("Kd 0 counts as 1 where an image is named, and is black where none is"
           folder.with_path({":3: 'map_Kd': there is no file 'none.png'; the image is left out.",
                             ":2:" + counts}));
     CHECK(note_lines(missing.report) ==
-          folder.with_path({":5: the material 'b' is black: its Kd is 0, and it has no map_Kd."}));
+          folder.with_path({":5: the material 'b' is black because its Kd is 0 and it has no "
+                            "map_Kd."}));
     // A dark colour is one.
     CHECK(
         folder.model_with("newmtl a\nKd 0 0 0.01\nmap_Kd p.png\n").mesh.corner(0, 0).reflectance ==
@@ -75,7 +76,7 @@ TEST_CASE(
         return model_notice(scene_of_model(folder.model_with(materials)));
     };
     CHECK_THAT(notice("newmtl a\nKd 0 0 0\nnewmtl b\nKd 0\n"),
-               StartsWith("All of this model is black (Kd 0)"));
+               StartsWith("This whole model is black (Kd 0)"));
     CHECK(notice("newmtl a\nKd 0 0 0\nnewmtl b\nKd 1\n").empty());
     CHECK(notice("newmtl a\nKd 0 0 0\nKs 1 1 1\nnewmtl b\nKd 0\nKs 1\n").empty());
 }
@@ -91,7 +92,7 @@ TEST_CASE("A material that is wholly transparent is told with its line") {
         REQUIRE(note_lines(*scene.model_report).size() == 2);
         CHECK(note_lines(*scene.model_report)[0] ==
               folder.folder.file("m.mtl") +
-                  ":3: the material 'a' is wholly transparent: its alpha is 0.");
+                  ":3: the material 'a' is wholly transparent because its alpha is 0.");
     }
     const Scene half =
         scene_of_model(folder.model_with("newmtl a\nKd 1 1 1\nd 0\nnewmtl b\nKd 1 1 1\n"));

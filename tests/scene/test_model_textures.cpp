@@ -123,14 +123,15 @@ TEST_CASE(
     const std::vector<std::array<std::string, 2>> cases{
         {"none.png", "there is no file 'none.png'; the image is left out."},
         {"../none.png", "there is no file '../none.png'; the image is left out."},
-        {"../../none.png", "there is no file '../../none.png' beside it, below it or in a folder "
-                           "next to its own; the image is left out."},
-        {"/dev/zero", "there is no file '/dev/zero' beside it, below it or in a folder next to its "
-                      "own; the image is left out."},
+        {"../../none.png", "there is no file '../../none.png' in its folder, below it or in a "
+                           "folder next to it; the image is left out."},
+        {"/dev/zero", "there is no file '/dev/zero' in its folder, below it or in a folder next to "
+                      "it; the image is left out."},
         {"pipe.png", "'pipe.png' is a pipe or a device; the image is left out."},
         {"folder.png", "'folder.png' is a folder; the image is left out."},
-        {"text.png", folder.file("text.png") + ": the file is no picture that is read: PNG, "
-                                               "JPG, TGA, BMP, PPM or PGM. The image is left out."},
+        {"text.png", folder.file("text.png") + ": the file is not a picture that can be read (PNG, "
+                                               "JPG, TGA, BMP, PPM or PGM). The image is left "
+                                               "out."},
         {"cut.png", folder.file("cut.png") + ": "},
         {"vast.png", folder.file("vast.png") + ": a picture of "}};
     for (const auto& [name, begins] : cases) {
@@ -174,7 +175,7 @@ TEST_CASE("Faces without texture coordinates keep their colour in a part of thei
     const ObjModel model = read_obj(path);
     CHECK(fault_lines(model.report) ==
           std::vector<std::string>{path + ":8: not every corner of 'f' has a texture coordinate, "
-                                          "and the material 'a' has an image; such faces keep "
+                                          "although the material 'a' has an image; such faces keep "
                                           "their colour."});
     std::vector<std::array<int, 3>> parts;
     for (const ObjPart& part : model.parts)

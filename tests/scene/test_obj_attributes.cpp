@@ -41,20 +41,21 @@ TEST_CASE("A normal or texture coordinate that is wrong costs no face, and is to
         std::string lines, behind, fault;
     };
     const std::vector<Case> cases{
-        {"", "//1", "'f' names the normal 1, and there are 0;" + computed},
-        {"", "//99", "'f' names the normal 99, and there are 0;" + computed},
-        {"vn 1 0 0\n", "//2", "'f' names the normal 2, and there are 1;" + computed},
-        {"vn 1 0 0\n", "//0", "normals are counted from 1, and 'f' names 0;" + computed},
-        {"vn 1 0 0\n", "//-2", "'f' names the normal -2, and 1 stand before it;" + computed},
-        {"", "//4294967295", "'f' names the normal 4294967295, and 0 stand before it;" + computed},
-        {"", "//nan", "'nan' is no number of a normal;" + computed},
-        {"", "//1.0", "'1.0' is no number of a normal;" + computed},
-        {"", "/1", "'f' names the texture coordinate 1, and there are 0;" + without},
-        {"", "/1/", "'f' names the texture coordinate 1, and there are 0;" + without},
-        {"vt 1 1\n", "/0", "texture coordinates are counted from 1, and 'f' names 0;" + without},
+        {"", "//1", "'f' names the normal 1, but there are 0;" + computed},
+        {"", "//99", "'f' names the normal 99, but there are 0;" + computed},
+        {"vn 1 0 0\n", "//2", "'f' names the normal 2, but there are 1;" + computed},
+        {"vn 1 0 0\n", "//0", "normals are counted from 1, but 'f' names 0;" + computed},
+        {"vn 1 0 0\n", "//-2", "'f' names the normal -2, but there are 1 before it;" + computed},
+        {"", "//4294967295",
+         "'f' names the normal 4294967295, but there are 0 before it;" + computed},
+        {"", "//nan", "'nan' is not the number of a normal;" + computed},
+        {"", "//1.0", "'1.0' is not the number of a normal;" + computed},
+        {"", "/1", "'f' names the texture coordinate 1, but there are 0;" + without},
+        {"", "/1/", "'f' names the texture coordinate 1, but there are 0;" + without},
+        {"vt 1 1\n", "/0", "texture coordinates are counted from 1, but 'f' names 0;" + without},
         {"vt 1 1\n", "/-2",
-         "'f' names the texture coordinate -2, and 1 stand before it;" + without},
-        {"", "/x", "'x' is no number of a texture coordinate;" + without},
+         "'f' names the texture coordinate -2, but there are 1 before it;" + without},
+        {"", "/x", "'x' is not the number of a texture coordinate;" + without},
         {"", "///", ""},
         {"", "/", ""},
         {"", "//", ""},
@@ -91,8 +92,9 @@ TEST_CASE("What a corner names beyond three parts is not used") {
     const ObjModel model = parse_obj(lines + faces_with("/1/1/9"), "m.obj");
     CHECK(model.mesh == parse_obj(lines + faces_with("/1/1"), "m.obj").mesh);
     CHECK(fault_lines(model.report) ==
-          std::vector<std::string>{"m.obj:9: '1/1/1/9' is no corner: a, a/b, a//c or a/b/c; what "
-                                   "follows its third part is not used. There is 1 more like it."});
+          std::vector<std::string>{"m.obj:9: '1/1/1/9' is not a corner (a, a/b, a//c or a/b/c); "
+                                   "what follows its third part is not used. There is 1 more like "
+                                   "it."});
 }
 
 TEST_CASE("The other corners of a face keep the normals that are there") {
@@ -153,8 +155,8 @@ TEST_CASE("A hundred thousand faces with a wrong normal are one fault, and leave
     CHECK(model.mesh.triangle_count() == count);
     CHECK(model.report.counts.faults == count + 1);
     CHECK(fault_notice(model.report) ==
-          "m.obj:100004: 'f' has 2 corners, and a face has at least three; the face is left out. "
-          "m.obj:4: 'f' names the normal 5, and there are 0; the normal is computed. There are "
+          "m.obj:100004: 'f' has 2 corners, but a face has at least three; the face is left out. "
+          "m.obj:4: 'f' names the normal 5, but there are 0; the normal is computed. There are "
           "99999 more like it.");
 }
 

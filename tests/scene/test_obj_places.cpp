@@ -124,7 +124,7 @@ TEST_CASE("Where a model lies far away, what is subtracted is a round number, an
               .position);
     REQUIRE(model.report.notes.size() == 1);
     CHECK_THAT(model.report.notes[0].sentence,
-               Catch::Matchers::StartsWith("the model lies far from the origin: ("));
+               Catch::Matchers::StartsWith("the model is far from the origin, so ("));
     CHECK(model.report.counts.faults == 0);
     for (const std::string& near :
          {text_of({}), text_of({.move = {3, -2, 1}}), std::string("v 9 9 9\nf 1 1 1\n")}) {

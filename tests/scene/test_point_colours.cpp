@@ -72,7 +72,8 @@ TEST_CASE("That colours are taken to run to 255 is noted with the line that show
     const ObjReport report =
         parse_obj(triangle_with({"0 0 1", "9 0 0", "255 0 0"}), "m.obj").report;
     CHECK(note_lines(report) ==
-          std::vector<std::string>{"m.obj:2: the colours of the points are taken to run to 255."});
+          std::vector<std::string>{"m.obj:2: the colours of the points are taken to run from 0 to "
+                                   "255."});
     CHECK(parse_obj(triangle_with({"0 0 1", "1 0 0", "0 0 0"}), "m.obj").report.notes.empty());
 }
 
@@ -81,8 +82,8 @@ TEST_CASE("What is no colour behind a point leaves it white, and is told") {
     const ObjModel model = parse_obj(triangle_with({"1 0 0", "1 x 0", "nan 0 0"}), "m.obj");
     CHECK(colours_of(model) == Colours{{1, 0, 0}, {1, 1, 1}, {1, 1, 1}});
     CHECK(fault_lines(model.report) ==
-          std::vector<std::string>{"m.obj:2: 'x' is no number of a colour; the point is white. "
-                                   "There is 1 more like it."});
+          std::vector<std::string>{"m.obj:2: 'x' is not a valid number for a colour; the point is "
+                                   "white. There is 1 more like it."});
     for (const std::string behind : {"1", "1 0", "1 0 0 1 0"}) {
         INFO(behind);
         const ObjModel other = parse_obj(triangle_with({behind, behind, behind}), "m.obj");
@@ -124,8 +125,8 @@ TEST_CASE("Colours of points are multiplied with that of the material") {
     CHECK(colours_of(model) == Colours{{1, 0.5f, 0}, {0, 1, 0}, {0.5f, 0.5f, 0.5f}});
     CHECK(fault_lines(model.report) ==
           std::vector<std::string>{folder.file("m.mtl") +
-                                   ":2: 'Kd' 0 would leave nothing to see of the colours of the "
-                                   "points; it counts as 1."});
+                                   ":2: 'Kd' 0 would make the colours of the points invisible, so "
+                                   "it counts as 1."});
 }
 
 TEST_CASE("Colours of points go over a face in perspective, by the steps and by the fast engine") {

@@ -128,57 +128,60 @@ TEST_CASE("What is wrong in a model is told with its line, and the rest is read"
         std::string line, fault;
     };
     const std::vector<Case> cases{
-        {"v 1 nan 0", "'nan' is no number that 'v' can have; it is left out."},
-        {"v 1 -inf 0", "'-inf' is no number that 'v' can have; it is left out."},
-        {"v 1 1e999 0", "'1e999' is no number that 'v' can have; it is left out."},
-        {"v 1 2e9 0", "'2e9' is no number that 'v' can have; it is left out."},
-        {"v 1,5 2 3", "'1,5' has a decimal comma, and numbers have a point here; 'v' is left out."},
-        {"v 1,2,3 2 3", "'1,2,3' is no number that 'v' can have; it is left out."},
+        {"v 1 nan 0", "'nan' is not a number that 'v' can have; it is left out."},
+        {"v 1 -inf 0", "'-inf' is not a number that 'v' can have; it is left out."},
+        {"v 1 1e999 0", "'1e999' is not a number that 'v' can have; it is left out."},
+        {"v 1 2e9 0", "'2e9' is not a number that 'v' can have; it is left out."},
+        {"v 1,5 2 3", "'1,5' has a decimal comma, but numbers need a decimal point here; 'v' is "
+                      "left out."},
+        {"v 1,2,3 2 3", "'1,2,3' is not a number that 'v' can have; it is left out."},
         {"vt 0 -0,5e1",
-         "'-0,5e1' has a decimal comma, and numbers have a point here; 'vt' is left out."},
-        {"v 1 2 3 red 0 0", "'red' is no number of a colour; the point is white."},
-        {"v +-1 2 3", "'+-1' is no number that 'v' can have; it is left out."},
-        {"v 0x10 2 3", "'0x10' is no number that 'v' can have; it is left out."},
-        {"v 1 2", "'v' needs 3 numbers, and has 2; it is left out."},
-        {"v", "'v' needs 3 numbers, and has 0; it is left out."},
-        {"vt", "'vt' needs 1 numbers, and has 0; it is left out."},
-        {"vt u", "'u' is no number that 'vt' can have; it is left out."},
-        {"vn 1 2", "'vn' needs 3 numbers, and has 2; it is left out."},
-        {"vn 1.#QNAN 0 0", "'1.#QNAN' is no number that 'vn' can have; it is left out."},
-        {"v 0 1.#INF 0", "'1.#INF' is no number that 'v' can have; it is left out."},
-        {"v 0 0 -1.#IND00", "'-1.#IND00' is no number that 'v' can have; it is left out."},
-        {"v 1.#SNAN 0 0", "'1.#SNAN' is no number that 'v' can have; it is left out."},
-        {"vt 1.#Q", "'1.#Q' is no number that 'vt' can have; it is left out."},
-        {"vn 0 0 0", "a normal of length 0 points nowhere; where it is named, it is computed."},
-        {"f", "'f' has 0 corners, and a face has at least three; the face is left out."},
-        {"f 1", "'f' has 1 corner, and a face has at least three; the face is left out."},
-        {"f 1 2", "'f' has 2 corners, and a face has at least three; the face is left out."},
-        {"f 0 1 2", "points are counted from 1, and 'f' names 0; the face is left out."},
-        {"f 1 2 4", "'f' names the point 4, and there are 3; the face is left out."},
-        {"f 1 2 -4", "'f' names the point -4, and 3 stand before it; the face is left out."},
+         "'-0,5e1' has a decimal comma, but numbers need a decimal point here; 'vt' is left out."},
+        {"v 1 2 3 red 0 0", "'red' is not a valid number for a colour; the point is white."},
+        {"v +-1 2 3", "'+-1' is not a number that 'v' can have; it is left out."},
+        {"v 0x10 2 3", "'0x10' is not a number that 'v' can have; it is left out."},
+        {"v 1 2", "'v' needs 3 numbers but has 2; it is left out."},
+        {"v", "'v' needs 3 numbers but has 0; it is left out."},
+        {"vt", "'vt' needs 1 numbers but has 0; it is left out."},
+        {"vt u", "'u' is not a number that 'vt' can have; it is left out."},
+        {"vn 1 2", "'vn' needs 3 numbers but has 2; it is left out."},
+        {"vn 1.#QNAN 0 0", "'1.#QNAN' is not a number that 'vn' can have; it is left out."},
+        {"v 0 1.#INF 0", "'1.#INF' is not a number that 'v' can have; it is left out."},
+        {"v 0 0 -1.#IND00", "'-1.#IND00' is not a number that 'v' can have; it is left out."},
+        {"v 1.#SNAN 0 0", "'1.#SNAN' is not a number that 'v' can have; it is left out."},
+        {"vt 1.#Q", "'1.#Q' is not a number that 'vt' can have; it is left out."},
+        {"vn 0 0 0", "a normal of length 0 points nowhere; where it is used, it is computed "
+                     "instead."},
+        {"f", "'f' has 0 corners, but a face has at least three; the face is left out."},
+        {"f 1", "'f' has 1 corner, but a face has at least three; the face is left out."},
+        {"f 1 2", "'f' has 2 corners, but a face has at least three; the face is left out."},
+        {"f 0 1 2", "points are counted from 1, but 'f' names 0; the face is left out."},
+        {"f 1 2 4", "'f' names the point 4, but there are 3; the face is left out."},
+        {"f 1 2 -4", "'f' names the point -4, but there are 3 before it; the face is left out."},
         {"f 1 2 4294967297",
-         "'f' names the point 4294967297, and 3 stand before it; the face is left out."},
+         "'f' names the point 4294967297, but there are 3 before it; the face is left out."},
         {"f 1 2 99999999999999999999",
-         "'f' names the point 99999999999999999999, and 3 stand before it; the face is left out."},
+         "'f' names the point 99999999999999999999, but there are 3 before it; the face is left "
+         "out."},
         {"f 1/1 2/1 3/1",
-         "'f' names the texture coordinate 1, and there are 0; the face is drawn without texture "
+         "'f' names the texture coordinate 1, but there are 0; the face is drawn without texture "
          "coordinates."},
-        {"f 1//0 2 3", "normals are counted from 1, and 'f' names 0; the normal is computed."},
-        {"f 1//-1 2 3", "'f' names the normal -1, and 0 stand before it; the normal is computed."},
-        {"f 1 2 x", "'x' is no number of a point; the face is left out."},
-        {"f 1 2 3.5", "'3.5' is no number of a point; the face is left out."},
-        {"f 1 2 3/a", "'a' is no number of a texture coordinate; the face is drawn without texture "
-                      "coordinates."},
-        {"f 1 2 /3", "'/3' is no corner: a, a/b, a//c or a/b/c; the face is left out."},
-        {"f 1 2 3///1", "'3///1' is no corner: a, a/b, a//c or a/b/c; what follows its third part "
-                        "is not used."},
+        {"f 1//0 2 3", "normals are counted from 1, but 'f' names 0; the normal is computed."},
+        {"f 1//-1 2 3", "'f' names the normal -1, but there are 0 before it; the normal is "
+                        "computed."},
+        {"f 1 2 x", "'x' is not the number of a point; the face is left out."},
+        {"f 1 2 3.5", "'3.5' is not the number of a point; the face is left out."},
+        {"f 1 2 3/a", "'a' is not the number of a texture coordinate; the face is drawn without "
+                      "texture coordinates."},
+        {"f 1 2 /3", "'/3' is not a corner (a, a/b, a//c or a/b/c); the face is left out."},
+        {"f 1 2 3///1", "'3///1' is not a corner (a, a/b, a//c or a/b/c); what follows its third "
+                        "part is not used."},
         {"mtllib", "'mtllib': no file is named; it is left out."},
         {"mtllib not-there.mtl", "'mtllib': there is no file 'not-there.mtl'; it is left out."},
-        {"mtllib /dev/zero", "'mtllib': there is no file '/dev/zero' beside it, below it or in a "
-                             "folder next to its own; "
-                             "it is left out."},
+        {"mtllib /dev/zero", "'mtllib': there is no file '/dev/zero' in its folder, below it or in "
+                             "a folder next to it; it is left out."},
         {"mtllib .", "'mtllib': '.' is a folder; it is left out."},
-        {"usemtl wood\nf 1 2 3", "there is no material 'wood'; its faces are white."},
+        {"usemtl wood\nf 1 2 3", "there is no material 'wood', so its faces are white."},
     };
     for (const Case& one : cases) {
         INFO(one.line);
@@ -209,7 +212,7 @@ TEST_CASE("A point that cannot be read keeps its number, and takes its faces wit
     const ObjModel model = parse_obj(text, "m.obj");
     CHECK(fault_lines(model.report) ==
           std::vector<std::string>{
-              "m.obj:3: 'nan' is no number that 'v' can have; it is left out.",
+              "m.obj:3: 'nan' is not a number that 'v' can have; it is left out.",
               "m.obj:7: 'f' names the point 3, which could not be read; the face is left out."});
     REQUIRE(model.mesh.triangle_count() == 2);
     CHECK(model.mesh.corner(1, 2).position == glm::vec3(1, 1, 0));
@@ -221,28 +224,29 @@ TEST_CASE("Statements that have no effect are counted by kind, with the line of 
     CHECK(model.report.counts.faults == 0);
     CHECK(skipped_lines(model.report) ==
           std::vector<std::string>{
-              "m.obj:1: 2 statements 's' are skipped: smoothing groups are not used: normals are "
-              "given, or smoothed by angle.",
-              "m.obj:7: 1 statement 'l' is skipped: points and lines are not drawn, only faces "
-              "are.",
-              "m.obj:8: 1 statement 'zzz\\u001b[2J' is skipped: it is no statement of a model.",
+              "m.obj:1: 2 statements 's' are skipped: smoothing groups are not used; normals are "
+              "either given or smoothed by angle.",
+              "m.obj:7: 1 statement 'l' is skipped: points and lines are not drawn, only faces.",
+              "m.obj:8: 1 statement 'zzz\\u001b[2J' is skipped: it is not a statement of the OBJ "
+              "format.",
               "m.obj:9: 1 statement 'v' is skipped: what follows the three numbers of a point is "
-              "no colour, and not used."});
+              "not a colour and is not used."});
 }
 
 TEST_CASE("A file without a face is refused, and says why") {
-    CHECK(refusal_of_obj("") == "m.obj:1: there is no face in it that can be drawn.");
-    CHECK(refusal_of_obj("hello\nworld") == "m.obj:1: there is no face in it that can be drawn.");
+    CHECK(refusal_of_obj("") == "m.obj:1: there is no face in this file that can be drawn.");
+    CHECK(refusal_of_obj("hello\nworld") == "m.obj:1: there is no face in this file that can be "
+                                            "drawn.");
     CHECK(refusal_of_obj(triangle_points + "f 1 2") ==
-          "m.obj:4: 'f' has 2 corners, and a face has at least three; the face is left out. No "
-          "face of the whole file can be drawn.");
+          "m.obj:4: 'f' has 2 corners, but a face has at least three; the face is left out. No "
+          "face in the whole file can be drawn.");
     CHECK(refusal_of_obj("\xff\xfe"
-                         "f") == "m.obj:1: the file is UTF-16; a model is plain text.");
+                         "f") == "m.obj:1: the file is UTF-16; a model must be plain text.");
     CHECK(refusal_of_obj(std::string("v\0 \0", 4)) ==
-          "m.obj:1: the file is UTF-16; a model is plain text.");
+          "m.obj:1: the file is UTF-16; a model must be plain text.");
     CHECK(refusal_of_obj("v -1,0 -1,0 0,0\nv 1,0 -1,0 0,0\nv 0,0 1,0 0,0\nf 1 2 3\n") ==
-          "m.obj:1: '-1,0' has a decimal comma, and numbers have a point here; 'v' is left out. "
-          "There are 2 more like it. No face of the whole file can be drawn.");
+          "m.obj:1: '-1,0' has a decimal comma, but numbers need a decimal point here; 'v' is left "
+          "out. There are 2 more like it. No face in the whole file can be drawn.");
     CHECK_THROWS_AS(read_obj("/nowhere/m.obj"), AccessError);
     CHECK_THROWS_WITH(read_obj("/"), "cannot read '/': Is a directory.");
 }
@@ -256,9 +260,9 @@ TEST_CASE("More faults than are kept are counted") {
     CHECK(report.faults.size() == static_cast<std::size_t>(most_faults));
     CHECK(fault_lines(report).back() == "7 more faults after these.");
     CHECK(fault_notice(report) ==
-          "m.obj:5: points are counted from 1, and 'f' names 0; the face is left out. m.obj:6: "
-          "points are counted from 1, and 'f' names 0; the face is left out. m.obj:7: points are "
-          "counted from 1, and 'f' names 0; the face is left out. 204 more faults after that.");
+          "m.obj:5: points are counted from 1, but 'f' names 0; the face is left out. m.obj:6: "
+          "points are counted from 1, but 'f' names 0; the face is left out. m.obj:7: points are "
+          "counted from 1, but 'f' names 0; the face is left out. 204 more faults after that.");
 }
 
 TEST_CASE("A model that is inside out is told with the cure, and no other is") {
@@ -289,7 +293,7 @@ TEST_CASE("Only so many files of materials are looked for, and the same one only
     REQUIRE(faults.size() == most_material_files + 2);
     CHECK(faults[0] == "m.obj:5: 'mtllib': there is no file '0.mtl'; it is left out.");
     CHECK(faults.back() ==
-          "m.obj:70: more than 64 files of materials are named; this one is left out.");
+          "m.obj:70: more than 64 material files are named; this one is left out.");
 }
 
 TEST_CASE("More kinds of statement than are told apart are one kind") {
@@ -328,8 +332,8 @@ TEST_CASE("A face of 100000 corners is cut if a fan can, and left out in a sente
     CHECK(model.mesh.triangle_count() == 1);
     CHECK(fault_lines(model.report) ==
           std::vector<std::string>{
-              "m.obj:100001: a face of 100000 corners that no fan can cut is too much work: up to "
-              "2048 corners are cut; the face is left out."});
+              "m.obj:100001: cutting a face of 100000 corners that no fan covers is too much work "
+              "(ear clipping is limited to 2048 corners); the face is left out."});
 }
 
 TEST_CASE("A face whose edges cross is drawn, and told") {
@@ -341,7 +345,7 @@ TEST_CASE("A face whose edges cross is drawn, and told") {
         CHECK(model.mesh.triangle_count() == 2);
         CHECK(fault_lines(model.report) ==
               std::vector<std::string>{
-                  "m.obj:5: the edges of this face cross each other; its triangles overlap."});
+                  "m.obj:5: the edges of this face cross each other, so its triangles overlap."});
     }
 }
 
@@ -384,8 +388,8 @@ TEST_CASE("Materials stand beside the model, and give its faces their colour") {
     const std::string mtl = folder.file("two parts.mtl");
     CHECK(skipped_lines(model.report) ==
           std::vector<std::string>{
-              mtl + ":6: 1 statement '-clamp' is skipped: of an image's options only -bm, and -s "
-                    "and -o of map_Kd, are used.",
+              mtl + ":6: 1 statement '-clamp' is skipped: the only options of an image that are "
+                    "used are -bm, and -s and -o of map_Kd.",
               mtl + ":8: 1 statement 'illum' is skipped: this property of a material is not "
                     "used."});
 }
@@ -402,8 +406,8 @@ TEST_CASE("Scale and offset of an image move the corners of its faces in the tex
         const bool has_comma = map.find(',') != map.npos;
         CHECK(fault_lines(model.report) ==
               (has_comma ? std::vector<std::string>{folder.file("m.mtl") +
-                                                    ":2: '1,5' has a decimal comma, and numbers "
-                                                    "have a point here; '-s' is left out."}
+                                                    ":2: '1,5' has a decimal comma, but numbers "
+                                                    "need a decimal point here; '-s' is left out."}
                          : std::vector<std::string>{}));
         // The other material keeps the places of the file.
         CHECK(model.mesh.corner(1, 0).texcoord == glm::vec2(0.25f, 0.5f));
@@ -440,7 +444,7 @@ TEST_CASE("A file of materials may be named in quotes, and is plain text") {
     }
     CHECK(fault_lines(read("mtllib wide.mtl").report).front() ==
           folder.file("m.obj") + ":1: 'mtllib': " + folder.file("wide.mtl") +
-              ":1: the file is UTF-16; materials are plain text. It is left out.");
+              ":1: the file is UTF-16; a material file must be plain text. It is left out.");
 }
 
 TEST_CASE("Of several files of materials each may be named in quotes") {
@@ -489,17 +493,18 @@ TEST_CASE("What is wrong in a file of materials is told with its own line") {
              {"Kd 0 0", "'Kd' takes one or three numbers from 0 to 1; it is left out."},
              {"Ks", "'Ks' takes one or three numbers from 0 to 1; it is left out."},
              {"Kd 0 0,5 0",
-              "'0,5' has a decimal comma, and numbers have a point here; 'Kd' is left out."},
+              "'0,5' has a decimal comma, but numbers need a decimal point here; 'Kd' is left "
+              "out."},
              {"d 0,5",
-              "'0,5' has a decimal comma, and numbers have a point here; 'd' is left out."},
-             {"Ns -1", "'Ns' takes a number from 0; it is left out."},
-             {"Ns", "'Ns' takes a number from 0; it is left out."},
+              "'0,5' has a decimal comma, but numbers need a decimal point here; 'd' is left out."},
+             {"Ns -1", "'Ns' takes a number from 0 up; it is left out."},
+             {"Ns", "'Ns' takes a number from 0 up; it is left out."},
              {"newmtl", "'newmtl' has no name; it is left out."},
              {"map_Kd", "'map_Kd': no file is named; the image is left out."},
              {"map_Kd none.png", "'map_Kd': there is no file 'none.png'; the image is left out."},
              {"map_Bump images", "'map_Bump': 'images' is a folder; the image is left out."},
-             {"bump /dev/null", "'bump': there is no file '/dev/null' beside it, below it or in a "
-                                "folder next to its own; the image is left out."}}) {
+             {"bump /dev/null", "'bump': there is no file '/dev/null' in its folder, below it or "
+                                "in a folder next to it; the image is left out."}}) {
         INFO(one.line);
         folder.write("m.mtl", "newmtl a\n" + one.line + "\n");
         CHECK(fault_lines(read_obj(path).report) ==
@@ -508,7 +513,7 @@ TEST_CASE("What is wrong in a file of materials is told with its own line") {
     folder.write("m.mtl", "Kd 1 1 1\n");
     CHECK(
         fault_lines(read_obj(path).report) ==
-        std::vector<std::string>{mtl + ":1: 'Kd' stands before the first newmtl; it is left out."});
+        std::vector<std::string>{mtl + ":1: 'Kd' comes before the first newmtl; it is left out."});
     folder.write("m.mtl", std::string(largest_material_file + 1, '\n'));
     CHECK(fault_lines(read_obj(path).report) ==
           std::vector<std::string>{path + ":1: 'mtllib': " + mtl +

@@ -182,13 +182,13 @@ TEST_CASE("A broken scene is refused with its file, line and what is wrong") {
         {with_line(scene, 9, "triangles = [\"A B D\"]"),
          "s.toml:9: there is no point 'D' in the point set 'p'."},
         {with_line(scene, 9, "triangles = [\"A B\"]"),
-         "s.toml:9: a triangle has three points, and 'A B' names 2."},
+         "s.toml:9: a triangle has three points, but 'A B' names 2."},
         {with_line(scene, 9, "triangles = [\"A B C A\"]"),
-         "s.toml:9: a triangle has three points, and 'A B C A' names 4."},
+         "s.toml:9: a triangle has three points, but 'A B C A' names 4."},
         {with_line(scene, 9, "triangles = [\"\"]"),
-         "s.toml:9: a triangle has three points, and '' names 0."},
+         "s.toml:9: a triangle has three points, but '' names 0."},
         {with_line(scene, 9, "triangles = [[0, 1, 2]]"),
-         "s.toml:9: a triangle is the names of three points"},
+         "s.toml:9: a triangle is written as the names of three points"},
         {with_line(scene, 9, "triangles = []"), "s.toml:9: part 1 has no triangles."},
         {with_line(scene, 9, "triangles = 3"), "s.toml:9: 'triangles' of part 1 must be a list."},
         {with_line(scene, 9, ""), "s.toml:6: part 1 needs 'triangles'."},
@@ -198,7 +198,7 @@ TEST_CASE("A broken scene is refused with its file, line and what is wrong") {
         {with_line(scene, 1, "name = \"\""), "s.toml:1: 'name' of the scene must not be empty."},
         {with_line(scene, 1, ""), "s.toml:1: the scene needs 'name'."},
         {with_line(scene, 1, "name = \"s\"\nspace = \"moon\""),
-         "s.toml:2: 'space' is \"world\" or \"pixels\", not 'moon'."},
+         "s.toml:2: 'space' must be \"world\" or \"pixels\", not 'moon'."},
         {"name = \"s\"\n", "s.toml:1: the scene has no triangles."},
         {"", "s.toml:1: the scene needs 'name'."},
         {scene + "[viewport]\nwidth = 0\n", "s.toml:11: 'width' of the viewport must be a whole"},
@@ -214,7 +214,7 @@ TEST_CASE("A broken scene is refused with its file, line and what is wrong") {
         {scene + "[transform]\nmirror = [\"x\"]\n", "s.toml:10: the transform needs 'edge'."},
         {scene + "[transform]\nedge = 1\nmirror = [\"w\"]\n", "s.toml:12: 'mirror' lists axes"},
         {scene + "[[example]]\nname = \"e\"\nabout = \"a\"\npoints = [[0,0],[1,0],[0,1]]\n",
-         "s.toml:10: examples belong to a scene with space = \"pixels\"."},
+         "s.toml:10: examples are only allowed in a scene with space = \"pixels\"."},
     };
     for (const Case& one : cases) {
         INFO(one.text);
@@ -233,7 +233,7 @@ TEST_CASE("A name with a zero or a control character does not cut the sentence o
 TEST_CASE("A point that the transform throws too far out is refused") {
     const std::string scene = with_line(start, 3, "A = [1000, 2, 3]") + part;
     CHECK(refusal(scene + "[transform]\nedge = 1e-3\n") ==
-          "s.toml:3: the point 'A' lies too far out after the transform.");
+          "s.toml:3: the point 'A' is too far out after the transform.");
 }
 
 TEST_CASE("A pixel scene takes columns and rows and refuses what no picture has") {
@@ -247,7 +247,7 @@ TEST_CASE("A pixel scene takes columns and rows and refuses what no picture has"
     CHECK(refusal(pixels("[20000, 4]")).substr(0, 9) == "s.toml:4:");
     CHECK(refusal(pixels("[3]")).substr(0, 9) == "s.toml:4:");
     CHECK(refusal(pixels("[3, 4]") + "[transform]\nedge = 2\n") ==
-          "s.toml:11: points in pixels take no transform.");
+          "s.toml:11: points in pixels cannot have a transform.");
 }
 
 TEST_CASE("A polygon of a scene in pixels becomes a fan, and what is none is refused") {
@@ -278,20 +278,21 @@ TEST_CASE("A polygon of a scene in pixels becomes a fan, and what is none is ref
     CHECK(corners(5) == std::vector{b, d, e});
 
     CHECK(refusal(head + "polygons = [\"A B C\"]\n") ==
-          "s.toml:12: a polygon has from four to 100 points, and this one names 3.");
+          "s.toml:12: a polygon has four to 100 points, but this one names 3.");
     std::string many = "A";
     for (int i = 0; i < 100; ++i)
         many += " B";
     CHECK(refusal(head + "polygons = [\"" + many + "\"]\n") ==
-          "s.toml:12: a polygon has from four to 100 points, and this one names 101.");
+          "s.toml:12: a polygon has four to 100 points, but this one names 101.");
     CHECK(refusal(head + "polygons = [\"A B C X\"]\n") ==
           "s.toml:12: there is no point 'X' in the point set 'p'.");
     CHECK(refusal(head + "polygons = [3]\n") ==
-          "s.toml:12: a polygon is the names of its points in order: \"A B C D E\".");
+          "s.toml:12: a polygon is written as the names of its points in order, like \"A B C D "
+          "E\".");
     CHECK(refusal(head + "polygons = []\n") == "s.toml:12: part 1 has no polygons.");
     CHECK(refusal(head + "polygons = 3\n") == "s.toml:12: 'polygons' of part 1 must be a list.");
     CHECK(refusal(start + with_line(part, 4, "polygons = [\"A B C A\"]")) ==
-          "s.toml:9: polygons belong to a scene with space = \"pixels\".");
+          "s.toml:9: polygons are only allowed in a scene with space = \"pixels\".");
 }
 
 TEST_CASE("A stage that does not exist is refused where the scene asks for it") {

@@ -162,11 +162,11 @@ TEST_CASE("A broken surface is refused with its file, line and what is wrong") {
         {roof + "[materials]\nm = 3\n", "s.toml:10: the material 'm' must be a table."},
         {roof + "[materials.m]\nshine = 3\n", "s.toml:10: the material 'm' has no 'shine'"},
         {roof + "[materials.m]\ndiffuse = 1.5\n",
-         "s.toml:10: 'diffuse' of the material 'm' must lie between 0 and 1."},
+         "s.toml:10: 'diffuse' of the material 'm' must be between 0 and 1."},
         {roof + "[materials.m]\nspecular = [1, nan, 0]\n",
          "s.toml:10: 'specular' of the material 'm' must be a finite number."},
         {roof + "[materials.m]\nexponent = -1\n",
-         "s.toml:10: 'exponent' of the material 'm' must lie between 0 and 10000."},
+         "s.toml:10: 'exponent' of the material 'm' must be between 0 and 10000."},
         {roof + "[materials.m]\nexponent = 1e6\n", "s.toml:10: 'exponent' of the material 'm'"},
         {roof + "[normals.n]\nA = [0, 0, 0]\n", "s.toml:10: the normal of 'A' has no direction."},
         {roof + "[normals.n]\nA = [0, inf, 0]\n",
@@ -174,30 +174,29 @@ TEST_CASE("A broken surface is refused with its file, line and what is wrong") {
         {roof + "[normals.n]\nA = 1\n", "s.toml:10: the normal of 'A' must be three numbers."},
         {roof + "[normals.averaged]\nA = [0, 1, 0]\n",
          "s.toml:9: a set of normals cannot be called 'averaged'."},
-        {roof + "[colours.c]\nA = [2, 0, 0]\n",
-         "s.toml:10: 'A' of the set of colours 'c' must lie"},
+        {roof + "[colours.c]\nA = [2, 0, 0]\n", "s.toml:10: 'A' of the set of colours 'c' must be"},
         {roof + "[colours.c]\nA = \"red\"\n", "s.toml:10: 'A' of the set of colours 'c' must be"},
         {in_part + "material = \"wood\"\n", "s.toml:19: there is no material 'wood'."},
         {in_part + "material = \"m\"\nreflectance = 1\n",
-         "s.toml:20: part 1 has a material or a reflectance, not both."},
+         "s.toml:20: part 1 has either a material or a reflectance, not both."},
         {in_part + "material = 3\n", "s.toml:19: 'material' of part 1 must be text in quotes."},
         {in_part + "colours = \"d\"\n", "s.toml:19: there is no set 'd' in [colours]."},
-        {in_part + "normals = \"round\"\n", "s.toml:19: 'normals' is \"face\", \"averaged\" or a "
-                                            "set in [normals], and there is no set "
-                                            "'round' in [normals]."},
+        {in_part + "normals = \"round\"\n", "s.toml:19: 'normals' must be \"face\", \"averaged\" "
+                                            "or a set in [normals], and there is no set 'round' in "
+                                            "[normals]."},
         {roof + "[normals.n]\nZ = [0, 1, 0]\n" + written_part("normals = \"n\"\n"),
-         "s.toml:15: the set 'n' in [normals] names 'Z', which is no point of 'p'."},
+         "s.toml:15: the set 'n' in [normals] names 'Z', which is not a point of 'p'."},
         {roof + "[colours.c]\nZ = 1\n" + written_part("colours = \"c\"\n"),
-         "s.toml:15: the set 'c' in [colours] names 'Z', which is no point of 'p'."},
+         "s.toml:15: the set 'c' in [colours] names 'Z', which is not a point of 'p'."},
         {in_part + "[light]\nmodel = \"toon\"\n",
          "s.toml:20: 'model' of the light is lambert or blinn_phong, not 'toon'."},
         {in_part + "[light]\nplace = 3\n",
          "s.toml:20: 'place' of the light must be text in quotes."},
         {"name = \"s\"\nspace = \"pixels\"\n[points.p]\nA = [1, 2]\n[normals.n]\nA = [0, 1, 0]\n",
-         "s.toml:5: points in pixels take no normals."},
+         "s.toml:5: points in pixels cannot have normals."},
         {"name = \"s\"\nspace = \"pixels\"\n[points.p]\nA = [1, 2]\n[[part]]\nname = \"q\"\n"
          "points = \"p\"\nnormals = \"averaged\"\ntriangles = [\"A A A\"]\n",
-         "s.toml:8: points in pixels take no normals."},
+         "s.toml:8: points in pixels cannot have normals."},
     };
     for (const Case& one : cases) {
         INFO(one.text);

@@ -126,23 +126,23 @@ TEST_CASE("Texcoords that do not fit the triangles are refused with file and lin
     const std::string named = "texture = \"p.png\"\n";
     const std::vector<std::array<std::string, 2>> cases{
         {named, "s.toml:10: a part with a 'texture' needs 'texcoords'"},
-        {two_texcoords, "s.toml:10: 'texcoords' belong to a part with a 'texture' or a "
+        {two_texcoords, "s.toml:10: 'texcoords' are only allowed in a part with a 'texture' or a "
                         "'normal_map'."},
         {named + "texcoords = []\n",
-         "s.toml:11: 'texcoords' must be as many as the triangles, 2, and are 0."},
+         "s.toml:11: there must be as many 'texcoords' as triangles, 2, but there are 0."},
         {named + "texcoords = [[[0, 0], [1, 0], [1, 1]]]\n",
-         "s.toml:11: 'texcoords' must be as many as the triangles, 2, and are 1."},
+         "s.toml:11: there must be as many 'texcoords' as triangles, 2, but there are 1."},
         {named + "texcoords = \"0 0\"\n", "s.toml:11: 'texcoords' of part 1 must be a list."},
         {named + "texcoords = [[0, 0], [1, 0]]\n",
-         "s.toml:11: the texcoords of a triangle are three pairs, one a corner"},
+         "s.toml:11: the texcoords of a triangle must be three pairs, one for each corner"},
         {named + "texcoords = [[0, 0, 1], [1, 0, 1]]\n",
-         "s.toml:11: the texcoords of a triangle are three pairs, u and v"},
+         "s.toml:11: the texcoords of a triangle must be three pairs of u and v"},
         {named + "texcoords = [[[0, 0], [1, 0], [1, 1]],\n[[1, 1, 1], [1, 0], [0, 0]]]\n",
-         "s.toml:12: the texcoords of a triangle are three pairs, u and v"},
+         "s.toml:12: the texcoords of a triangle must be three pairs of u and v"},
         {named + "texcoords = [[[0, 0], [1, 0], [1, 1]],\n[[1, nan], [1, 0], [0, 0]]]\n",
          "s.toml:12: the texcoords of a triangle must be a finite number."},
         {named + "texcoords = [[[0, 0], [1, 0], [1, 1]],\n[[1, 1e9], [1, 0], [0, 0]]]\n",
-         "s.toml:12: the texcoords of a triangle must lie between"},
+         "s.toml:12: the texcoords of a triangle must be between"},
         {named + "texcoords = [[[0, 0], [1, 0], [1, 1]],\n[[1, \"x\"], [1, 0], [0, 0]]]\n",
          "s.toml:12: the texcoords of a triangle must be a number."},
     };
@@ -172,8 +172,8 @@ TEST_CASE("A file that is no texture is refused in a sentence, with file and lin
     REQUIRE(mkdir(folder.file("folder.png").c_str(), 0700) == 0);
     const std::vector<std::array<std::string, 2>> cases{
         {"none.png", "s.toml:10: the texture 'none.png' cannot be used: "},
-        {"text.png", "s.toml:10: the texture 'text.png' cannot be used: text.png: the file is no "
-                     "picture that is read: PNG, JPG, TGA, BMP, PPM or PGM."},
+        {"text.png", "s.toml:10: the texture 'text.png' cannot be used: text.png: the file is not "
+                     "a picture that can be read (PNG, JPG, TGA, BMP, PPM or PGM)."},
         {"empty.png", "s.toml:10: the texture 'empty.png' cannot be used: "},
         {"cut.png", "s.toml:10: the texture 'cut.png' cannot be used: "},
         {"head.png", "s.toml:10: the texture 'head.png' cannot be used: "},
@@ -184,7 +184,7 @@ TEST_CASE("A file that is no texture is refused in a sentence, with file and lin
         {"../none.png", "s.toml:10: the texture '../none.png' cannot be used: there is no file "
                         "'../none.png'."},
         {"/dev/zero", "s.toml:10: the texture '/dev/zero' cannot be used: there is no file "
-                      "'/dev/zero' beside it, below it or in a folder next to its own."},
+                      "'/dev/zero' in its folder, below it or in a folder next to it."},
         {"", "s.toml:10: 'texture' of part 1 must not be empty."},
     };
     for (const auto& [name, begins] : cases) {

@@ -233,7 +233,7 @@ TEST_CASE("What the fast engine refuses the steps draw, and it is told why") {
     CHECK_FALSE(results.a.is_fast);
     REQUIRE_FALSE(results.a.troubles.empty());
     CHECK(results.a.troubles.front().sentence ==
-          "the fast engine does not know shading=flat: the steps draw");
+          "the fast engine does not support shading=flat, so the steps draw");
     test::require_same(*results.a.framebuffer,
                        draw_frame(prepare_frame(*session.scene, session.a.settings)));
 }
@@ -256,7 +256,7 @@ TEST_CASE("A run of the steps is compared with one of the fast engine by their p
     CHECK(whole.divergences.count == 1);
     REQUIRE(whole.divergences.first);
     CHECK(whole.divergences.first->text == "run B is drawn by the fast engine, which has no "
-                                           "moments: only the pictures are compared.");
+                                           "moments, so only the pictures are compared.");
     // Before the end both are drawn by the steps.
     session.cursor = {200, Phase::vertices, 0, 0};
     finish(session, results);

@@ -245,8 +245,8 @@ TEST_CASE("Pictures of different sizes are not compared") {
     Results results;
     update(session, results);
     CHECK_FALSE(results.b);
-    CHECK(results.no_comparison == "Run B cannot be compared with run A: its picture has 60 x 50 "
-                                   "pixels, that of A 120 x 100.");
+    CHECK(results.no_comparison == "Run B cannot be compared with run A because its picture has 60 "
+                                   "x 50 pixels and A's has 120 x 100.");
     set_from_text(session.b->settings, "viewport.size=120x100");
     update(session, results);
     CHECK(results.b);
