@@ -41,7 +41,7 @@ std::string id(const TomlBlock& block, const toml::node& node) {
         text.size() <= longest &&
         text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") == text.npos;
     if (!is_good) {
-        block.input().fail(node, "an id has small letters, digits, - and _, at most " +
+        block.input().fail(node, "an id consists of small letters, digits, - and _, at most " +
                                      std::to_string(longest) + ".");
     }
     return text;
@@ -61,7 +61,7 @@ void refuse_numbers_in_code(std::string_view text) {
         const std::string_view inner = code.substr(open + 1, close - open - 1);
         const std::string_view name = inner.substr(0, inner.find(':'));
         if (name == "answer" || find_name(name)) {
-            throw UsageError(fmt::format("{} is not filled in within code or a formula.",
+            throw UsageError(fmt::format("{} is not replaced inside code or a formula.",
                                          in_quotes(code.substr(open, close - open + 1))));
         }
     }
@@ -74,7 +74,7 @@ std::string told(const TomlBlock& block, const toml::node& node) {
     refuse_numbers_in_code(text);
     fill_in(text, "", std::nullopt, [](std::string_view) { return Value(); });
     if (text.find("{answer") != text.npos)
-        throw UsageError("there is no {answer} here; 'because' of a prediction has it.");
+        throw UsageError("there is no {answer} here; only 'because' of a prediction has it.");
     return text;
 }
 
@@ -82,7 +82,7 @@ std::string told(const TomlBlock& block, const toml::node& node) {
 std::string short_text(const TomlBlock& block, const toml::node& node, std::size_t longest) {
     std::string text = block.text(node);
     if (text.size() > longest)
-        block.input().fail(node, fmt::format("this has at most {} letters.", longest));
+        block.input().fail(node, fmt::format("this may have at most {} letters.", longest));
     return text;
 }
 
@@ -148,7 +148,7 @@ std::vector<Misconception> read_misconceptions(const TomlBlock& prediction, cons
             if (p.kind != PredictionKind::choice) return;
             const auto found = std::find(p.choices.begin(), p.choices.end(), block.text(n));
             if (found == p.choices.end())
-                block.input().fail(n, "'answer' is one of the choices, word for word.");
+                block.input().fail(n, "'answer' must be one of the choices, word for word.");
             one.choice = static_cast<int>(found - p.choices.begin());
         };
         if (p.kind == PredictionKind::number) {
@@ -208,7 +208,7 @@ LessonTask read_task(const toml::table& table, int line, FaultList& faults) {
             parse_lesson_link(target);
             task.recipe.push_back(target);
         });
-        if (links == 0) block.input().fail(n, "a task cannot be solved by doing nothing.");
+        if (links == 0) block.input().fail(n, "a recipe must have at least one link.");
         // Half a recipe solves nothing; that need not be told as well.
         if (task.recipe.size() < links) task.recipe.clear();
     };
@@ -248,7 +248,8 @@ LessonPrediction read_prediction(const toml::table& table, int line, const ViewS
     keys["choices"] = [&](const toml::node& n) {
         block.for_each_text(n, most_choices, [&](const std::string& text) {
             if (text.size() > longest_choice)
-                throw UsageError(fmt::format("a choice has at most {} letters.", longest_choice));
+                throw UsageError(
+                    fmt::format("a choice may have at most {} letters.", longest_choice));
             if (std::find(p.choices.begin(), p.choices.end(), text) != p.choices.end())
                 throw UsageError("there are two choices " + in_quotes(text) + ".");
             p.choices.push_back(text);
@@ -295,7 +296,7 @@ LessonPrediction read_prediction(const toml::table& table, int line, const ViewS
         return list != nullptr ? list->size() : 0;
     };
     if (p.kind == PredictionKind::choice && size_of("choices") != size_of("right")) {
-        faults.add(p.answer_line, "'right' needs one condition for each of the choices.");
+        faults.add(p.answer_line, "'right' needs one condition for each choice.");
     }
     return p;
 }

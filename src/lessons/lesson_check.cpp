@@ -111,7 +111,7 @@ class Checker {
             const std::string missing = missing_in(control.read_out, trial_.facts());
             if (!missing.empty()) {
                 add(control.read_out_line,
-                    fmt::format("'{}' is not there when the step opens.", missing));
+                    fmt::format("'{}' has no value when the step opens.", missing));
             }
         }
     }
@@ -131,7 +131,7 @@ class Checker {
     void check_picture(const LinkPlace& picture) {
         if (trimmed(picture.words).empty()) {
             add(picture.line, "the picture " + in_quotes(picture.target) +
-                                  " has no text that stands for it: ![text](picture).");
+                                  " has no text that describes it: ![text](picture).");
         }
         // Each picture is read once.
         const auto [known, is_new] = pictures_.try_emplace(picture.target);
@@ -205,7 +205,7 @@ class Checker {
         Session& session = trial_.session;
         if (session.scene == nullptr) return;
         if (is_done(task, trial_.facts())) {
-            add(task.done_line, "the task '" + task.id + "' is solved before it is begun.");
+            add(task.done_line, "the task '" + task.id + "' is solved before it is started.");
             return;
         }
         const Facts opened = trial_.facts();
@@ -213,7 +213,8 @@ class Checker {
             for (const std::string& sentence : impossible_parts(one.when))
                 add(one.line, sentence);
             if (holds(one.when, std::cref(opened))) {
-                add(one.line, fmt::format("of the task '{}' this is said before anything is tried.",
+                add(one.line, fmt::format("this sentence of the task '{}' already applies before "
+                                          "anything is tried.",
                                           task.id));
             }
         }
@@ -236,7 +237,7 @@ class Checker {
         const std::string missing = missing_in(task.because, trial_.facts());
         if (!missing.empty()) {
             add(task.because_line,
-                fmt::format("'{}' is not there when the task '{}' is solved.", missing, task.id));
+                fmt::format("'{}' has no value when the task '{}' is solved.", missing, task.id));
         }
     }
 
@@ -283,7 +284,7 @@ class Checker {
             const std::string missing = missing_in(one.says, facts);
             if (!missing.empty()) {
                 add(one.line,
-                    fmt::format("'{}' is not there in the situation of the prediction '{}'.",
+                    fmt::format("'{}' has no value in the situation of the prediction '{}'.",
                                 missing, prediction.id));
             }
             bool is_right = own.fault.empty() && one.choice >= 0 && one.choice == own.choice;
@@ -294,7 +295,8 @@ class Checker {
                 const auto number = value(one.answer);
                 const auto off = value(one.tolerance ? one.tolerance : prediction.tolerance);
                 if (!number || !off) {
-                    add(one.line, fmt::format("this answer to '{}' is no number.", prediction.id));
+                    add(one.line,
+                        fmt::format("this answer to '{}' is not a number.", prediction.id));
                     continue;
                 }
                 // A near miss of the right answer is no misconception.
@@ -303,8 +305,8 @@ class Checker {
                 is_right = own.fault.empty() && std::abs(*number - own.number) <= reach;
             }
             if (is_right) {
-                add(one.line, fmt::format("the prediction '{}' takes what this misconception gives "
-                                          "for right.",
+                add(one.line, fmt::format("the prediction '{}' accepts the answer of this "
+                                          "misconception as right.",
                                           prediction.id));
             }
         }
@@ -334,10 +336,10 @@ class Checker {
             if (!judgement->fault.empty()) add(prediction.answer_line, judgement->fault);
         }
         if (right.fault.empty() && !right.is_right) {
-            add(prediction.answer_line, "the pixel of 'recipe' is not right by 'where'.");
+            add(prediction.answer_line, "the pixel of 'recipe' does not satisfy 'where'.");
         }
         if (wrong.is_right) {
-            add(prediction.answer_line, "the pixel of 'wrong' is right by 'where'.");
+            add(prediction.answer_line, "the pixel of 'wrong' satisfies 'where'.");
         }
     }
 
@@ -351,7 +353,7 @@ class Checker {
             const std::string missing = missing_in(prediction.because, trial_.facts());
             if (!missing.empty()) {
                 add(prediction.because_line,
-                    fmt::format("'{}' is not there in the situation of the prediction '{}'.",
+                    fmt::format("'{}' has no value in the situation of the prediction '{}'.",
                                 missing, prediction.id));
             }
         } catch (const Error& fault) {

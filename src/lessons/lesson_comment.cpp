@@ -26,12 +26,12 @@ LessonComment read_comment(const std::vector<std::string_view>& lines, std::size
         ++next;
         if (close != line.npos) {
             if (!trimmed(line.substr(close + 3)).empty()) {
-                faults.add(static_cast<int>(next), "nothing stands behind '-->' on its line.");
+                faults.add(static_cast<int>(next), "nothing may follow '-->' on its line.");
             }
             break;
         }
         if (next == lines.size()) {
-            faults.add(comment.line, "the comment does not end: '-->' is missing.");
+            faults.add(comment.line, "the comment does not end because '-->' is missing.");
             return comment;
         }
         line = lines[next];

@@ -49,7 +49,9 @@ SettingName given_setting(const std::string& name) {
     if (found.setting != nullptr) return found;
     const std::vector<std::string> known = all_setting_names();
     const std::vector<std::string_view> views(known.begin(), known.end());
-    throw UsageError("there is no setting " + in_quotes(name) + " that is one number or word." +
+    throw UsageError("there is no setting " + in_quotes(name) +
+                     " whose value is one number or "
+                     "word." +
                      did_you_mean(name, views));
 }
 
@@ -91,7 +93,7 @@ std::optional<ControlRange> slider_range(const LessonControl& control, const Giv
     range.step = given.step ? given.step->value : length / usual_steps;
     if (range.step <= 0.0 || range.step > length || length / range.step > most_slider_steps) {
         faults.add(given.step ? given.step->line : control.line,
-                   fmt::format("a slider has 1 to {} steps: 'step' is a number from {}.",
+                   fmt::format("a slider has 1 to {} steps, so 'step' is a number from {}.",
                                most_slider_steps, range_words(length / most_slider_steps, length)));
         return std::nullopt;
     }
@@ -114,7 +116,8 @@ std::optional<ControlRange> word_range(const LessonControl& control, const TomlB
     // A word that is none was told already.
     if (list == nullptr || list->size() != range.words.size()) return std::nullopt;
     if (range.words.size() < 2) {
-        block.faults().add(line_of(*given.words), "there must be at least two words to choose.");
+        block.faults().add(line_of(*given.words), "there must be at least two words to choose "
+                                                  "from.");
         return std::nullopt;
     }
     return range;
@@ -143,7 +146,7 @@ std::optional<ControlRange> range_of(const LessonControl& control, const TomlBlo
     }
     if (!has_no_key_of(control, block, {"words"}, "words")) return std::nullopt;
     if (is_slider(*control.setting)) return slider_range(control, given, block.faults());
-    block.faults().add(control.line, "the size of the picture has no control in a lesson.");
+    block.faults().add(control.line, "the size of the picture cannot have a control in a lesson.");
     return std::nullopt;
 }
 
@@ -151,11 +154,11 @@ std::optional<ControlRange> range_of(const LessonControl& control, const TomlBlo
 std::string given_read_out(const TomlBlock& block, const toml::node& node) {
     std::string text = block.text(node);
     if (text.size() > longest_read_out)
-        throw UsageError(fmt::format("a read-out has at most {} letters.", longest_read_out));
+        throw UsageError(fmt::format("a read-out may have at most {} letters.", longest_read_out));
     if (!asks_for_numbers(text))
-        throw UsageError("a read-out says a number that may change: {EXPRESSION}.");
+        throw UsageError("a read-out must show a number that may change: {EXPRESSION}.");
     if (text.find("{answer") != text.npos)
-        throw UsageError("a control has no {answer}; predictions have.");
+        throw UsageError("a control has no {answer}; only predictions do.");
     return text;
 }
 
@@ -217,7 +220,7 @@ std::string misfit_of(const LessonControl& control, const Settings& settings, co
     const bool is_reached = now >= static_cast<float>(control.range.smallest) &&
                             now <= static_cast<float>(control.range.largest);
     if (is_reached) return {};
-    return fmt::format("the step opens with {}={}, and the slider goes from {}.", control.name,
+    return fmt::format("the step opens with {}={}, but the slider goes from {}.", control.name,
                        number_text(now),
                        range_words(control.range.smallest, control.range.largest));
 }

@@ -46,7 +46,7 @@ std::vector<std::string_view> link_names() {
     std::string known;
     for (const std::string_view name : link_names())
         known.append(name).append(": ");
-    throw UsageError(fmt::format("the link {} leads nowhere: links begin with {}or name another "
+    throw UsageError(fmt::format("the link {} leads nowhere. Links begin with {}or name another "
                                  "lesson, NN-name.md.",
                                  in_quotes(target), known));
 }

@@ -31,8 +31,7 @@ fs::path find_picture(const fs::path& folder, std::string_view target) {
                            inner.find(':') != inner.npos || inner.find('\\') != inner.npos;
     const auto refuse = [&] {
         throw UsageError(
-            fmt::format("the picture {} must be a PNG in the folder of the lessons or in "
-                        "../screenshots/.",
+            fmt::format("the picture {} must be a PNG in the lessons folder or in ../screenshots/.",
                         in_quotes(target)));
     };
     if (leads_out || !inner.ends_with(".png")) refuse();

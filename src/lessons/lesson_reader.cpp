@@ -112,8 +112,8 @@ class Reader {
         };
         for (const LinkPlace& link : parts.links) {
             if (++links_ <= most_lesson_links) continue;
-            faults_.refuse(link.line,
-                           "a lesson has at most " + std::to_string(most_lesson_links) + " links.");
+            faults_.refuse(link.line, "a lesson may have at most " +
+                                          std::to_string(most_lesson_links) + " links.");
             return;
         }
         move_all(parts.links, step().links);
@@ -142,18 +142,19 @@ class Reader {
         if (is_title) {
             if (step_number() > 0 || !step().heading.empty()) {
                 faults_.add(line_number(),
-                            "a lesson has one heading with '#'; its steps have '##'.");
+                            "a lesson has one heading with '#'; the headings of its steps have "
+                            "'##'.");
             } else {
                 step().heading = std::string(trimmed(words));
                 step().line = line_number();
                 may_have_block_ = true;
                 if (!step().parts.empty()) {
-                    faults_.add(line_number(), "the heading with '#' comes before all text.");
+                    faults_.add(line_number(), "the heading with '#' must come before all text.");
                 }
             }
         } else if (step_number() >= most_lesson_steps) {
             if (!told_steps_) {
-                faults_.add(line_number(), "a lesson has at most " +
+                faults_.add(line_number(), "a lesson may have at most " +
                                                std::to_string(most_lesson_steps) + " steps.");
             }
             told_steps_ = true;
@@ -184,7 +185,7 @@ class Reader {
         }
         if (note.text.empty()) faults_.add(note.line, "the footnote has no text.");
         if (lesson_.footnotes.size() >= most_lesson_footnotes) {
-            faults_.refuse(note.line, "a lesson has at most " +
+            faults_.refuse(note.line, "a lesson may have at most " +
                                           std::to_string(most_lesson_footnotes) + " footnotes.");
             return;
         }
@@ -211,7 +212,7 @@ class Reader {
                                                         "prediction", "control", "note"};
             faults_.add(comment.line,
                         "there is no block " + in_quotes(comment.kind) +
-                            "; there are lesson, step, task, prediction, control and note." +
+                            "; the blocks are lesson, step, task, prediction, control and note." +
                             did_you_mean(comment.kind, block_kinds));
         }
     }
@@ -219,7 +220,8 @@ class Reader {
     void read_lesson_comment(const LessonComment& comment) {
         if (has_lesson_block_ || step_number() > 0 || !step().heading.empty() ||
             !trimmed(text_).empty() || !step().parts.empty()) {
-            faults_.add(comment.line, "the block 'lesson' stands once, at the head of the file.");
+            faults_.add(comment.line, "the block 'lesson' must appear once, at the top of the "
+                                      "file.");
             return;
         }
         has_lesson_block_ = true;
@@ -232,7 +234,7 @@ class Reader {
     void read_step_comment(const LessonComment& comment) {
         if (!may_have_block_ || !trimmed(text_).empty()) {
             faults_.add(comment.line,
-                        "the block 'step' stands once in a step, directly under its heading.");
+                        "the block 'step' may appear once in a step, directly under its heading.");
             return;
         }
         may_have_block_ = false;
@@ -255,7 +257,7 @@ class Reader {
 
     bool is_new_id(const std::string& id, int line) {
         if (id.empty() || ids_.insert(id).second) return true;
-        faults_.add(line, "there are two questions of the id " + in_quotes(id) + ".");
+        faults_.add(line, "there are two questions with the id " + in_quotes(id) + ".");
         return false;
     }
 
@@ -267,14 +269,15 @@ class Reader {
         const std::string kind(comment.kind);
         if (text.empty()) {
             faults_.add(comment.line, "the block '" + kind +
-                                          "' is directly followed by its text, a quote: > ...");
+                                          "' must be directly followed by its text, a quote: > "
+                                          "...");
         }
         look_through(text, quote_line);
         if (!comment.is_good) return;
         if (lesson_.tasks.size() + lesson_.predictions.size() >=
             static_cast<std::size_t>(most_lesson_questions)) {
             if (!told_questions_) {
-                faults_.add(comment.line, "a lesson has at most " +
+                faults_.add(comment.line, "a lesson may have at most " +
                                               std::to_string(most_lesson_questions) +
                                               " tasks and predictions.");
             }
@@ -330,7 +333,7 @@ class Reader {
         });
         if (count >= most_step_controls) {
             if (told_controls_of_ != step_number()) {
-                faults_.add(comment.line, "a step has at most " +
+                faults_.add(comment.line, "a step may have at most " +
                                               std::to_string(most_step_controls) + " controls.");
             }
             told_controls_of_ = step_number();
@@ -343,7 +346,7 @@ class Reader {
                    lesson_.controls[static_cast<std::size_t>(part.index)].name == control.name;
         });
         if (is_there) {
-            faults_.add(comment.line, "the step has a control of " + control.name + " already.");
+            faults_.add(comment.line, "the step already has a control for " + control.name + ".");
             return;
         }
         step().parts.push_back({LessonPart::Kind::control,
@@ -357,15 +360,15 @@ class Reader {
 
     void finish() {
         if (!has_lesson_block_)
-            faults_.add(1, "the block 'lesson' is missing at the head of the file.");
+            faults_.add(1, "the block 'lesson' is missing at the top of the file.");
         if (lesson_.steps.front().heading.empty()) {
             faults_.add(1, "the heading with '#' is missing.");
         }
-        if (in_code_) faults_.add(code_line_, "the block of code does not end.");
+        if (in_code_) faults_.add(code_line_, "the code block does not end.");
         if (lesson_.picture > step_number()) {
             faults_.add(lesson_state_.line_of("picture"),
                         "'picture' names step " + std::to_string(lesson_.picture) +
-                            ", and the last step is " + std::to_string(step_number()) + ".");
+                            ", but the last step is " + std::to_string(step_number()) + ".");
         }
         std::set<std::string> used;
         for (const LessonStep& one : lesson_.steps) {

@@ -42,7 +42,7 @@ void judge_number(const LessonPrediction& prediction, const Facts& facts, double
     const double number = prediction.answer ? value_of(*prediction.answer, reader) : std::nan("");
     const double tolerance = prediction.tolerance ? value_of(*prediction.tolerance, reader) : 0.0;
     if (std::isnan(number) || std::isnan(tolerance)) {
-        result.fault = "The program has no answer here: something that it asks for is not there.";
+        result.fault = "The program has no answer here because something that it needs is missing.";
         return;
     }
     result.number = number;
@@ -309,7 +309,8 @@ std::string fill_in(std::string_view text, std::string_view answer, std::optiona
             const std::string_view after = trimmed(inner.substr(colon + 1));
             if (after.size() != 1 || after[0] < '0' || after[0] > '9') {
                 throw UsageError(fmt::format(
-                    "behind the colon in {} stands how many digits, 0 to 9.", in_quotes(inner)));
+                    "the part after the colon in {} must be the number of digits, 0 to 9.",
+                    in_quotes(inner)));
             }
             digits = after[0] - '0';
             inner = inner.substr(0, colon);

@@ -33,22 +33,22 @@ void take_part(const MarkdownPart& part, int line, InlineParts& parts, FaultList
         parts.footnotes.push_back({part.text, line});
         break;
     case PartKind::address:
-        faults.add(line, "a link is written [words](target), not " + in_quotes(part.text) + ".");
+        faults.add(line, "write a link as [words](target), not " + in_quotes(part.text) + ".");
         break;
     case PartKind::split_target:
-        faults.add(line, "the target of a link has no blanks: " + in_quotes(part.text) +
-                             "; write %20 for one.");
+        faults.add(line, "the target of a link must not have blanks: " + in_quotes(part.text) +
+                             "; write %20 for a blank.");
         break;
     case PartKind::comment:
-        faults.add(line, "a comment stands on lines of its own.");
+        faults.add(line, "a comment must be on lines of its own.");
         break;
     case PartKind::definition:
-        faults.add(line, "a link is written in its place: [words](target).");
+        faults.add(line, "write a link where it belongs, as [words](target).");
         break;
     case PartKind::table:
         if (part.columns <= most_table_columns) break;
-        faults.refuse(line,
-                      "a table has at most " + std::to_string(most_table_columns) + " columns.");
+        faults.refuse(line, "a table may have at most " + std::to_string(most_table_columns) +
+                                " columns.");
         break;
     case PartKind::nesting:
         faults.refuse(line, "the text is nested deeper than " + std::to_string(deepest_lesson) +

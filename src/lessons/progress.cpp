@@ -23,14 +23,14 @@ LessonProgress parse_lesson_progress(const TomlInput& input) {
         for (const toml::node& node : input.list("steps")) {
             const auto step = node.value<int>();
             if (!step || *step < 0 || *step > most_lesson_steps)
-                input.fail(node, "A step is a number.");
+                input.fail(node, "A step must be a number.");
             lesson.steps.insert(*step);
         }
     }
     if (input.find("tasks") != nullptr) {
         for (const toml::node& node : input.list("tasks")) {
             const auto id = node.value<std::string>();
-            if (!id) input.fail(node, "A task is named by a text.");
+            if (!id) input.fail(node, "A task must be named by a text.");
             lesson.tasks.insert(*id);
         }
     }
@@ -44,7 +44,7 @@ LessonProgress parse_lesson_progress(const TomlInput& input) {
             const toml::node* const found = answer.find(key);
             if (found == nullptr) return false;
             const std::optional<bool> value = found->value<bool>();
-            if (!value) answer.fail(*found, std::string("'") + key + "' is true or false.");
+            if (!value) answer.fail(*found, std::string("'") + key + "' must be true or false.");
             return *value;
         };
         lesson.answers[std::string(id.str())] = {answer.text_or_empty("said"), truth("right"),

@@ -11,8 +11,8 @@ Rejection cull_by_view_axis(std::span<const ClipVertex> corners, const VertexRul
     const bool is_back = along > 0.0f;
     if (test != nullptr) {
         test->measure = "dot(n, forward)";
-        test->reason = is_back ? "the normal points the way the camera looks"
-                               : "the normal does not point the way the camera looks";
+        test->reason = is_back ? "the normal points in the direction the camera looks"
+                               : "the normal does not point in the direction the camera looks";
         test->is_back = is_back;
         test->values = {along};
     }

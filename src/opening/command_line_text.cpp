@@ -118,7 +118,7 @@ class Line {
 
 std::vector<std::string> command_line_words(const Session& session) {
     if (hides_settings(session)) {
-        throw UsageError("the view cannot be copied while a quiz hides its settings.");
+        throw UsageError("the view cannot be copied while a quiz is hiding its settings.");
     }
     scene_in_file(session); // says why, if there is none
     return Line(session, start_of(session)).words();

@@ -96,8 +96,8 @@ void refuse_picture(const std::string& path) {
     // What is no file, as a pipe, could not be read a second time.
     if (!fs::is_regular_file(path, fault) || !is_image_file(path)) return;
     throw UsageError(in_quotes(path) +
-                     " is a picture, not a scene: 'rasterwalk diagnose FILE' tells what may be "
-                     "wrong with it, and so does the window when the picture is dropped there.");
+                     " is a picture, not a scene. 'rasterwalk diagnose FILE' suggests what is "
+                     "wrong with it, and so does the window if you drop the picture there.");
 }
 
 Start start_of_scene(const ViewOptions& options, const std::optional<Bug>& bug,
@@ -127,7 +127,7 @@ void take_lesson(const SavedView& saved, Start& start) {
         start.own_tab = saved.own_tab;
         if (!start.own_tab.empty()) state.tab = step.tab;
     } catch (const Error& fault) {
-        session.notice = std::string("The lesson of this view is not here: ") + fault.what();
+        session.notice = std::string("The lesson of this view is missing: ") + fault.what();
     }
 }
 
@@ -252,14 +252,15 @@ ViewOptions with_file_sorted(ViewOptions options) {
     if (options.file.empty()) return options;
     if (is_view_file(options.file)) {
         if (options.lesson.empty()) return options;
-        throw UsageError("a saved view has its own lesson: it does not go with --lesson.");
+        throw UsageError("a saved view has its own lesson, so it cannot be combined with "
+                         "--lesson.");
     }
     const std::string file = std::exchange(options.file, "");
     const bool is_lesson = file.ends_with(".md");
     std::string& place = is_lesson ? options.lesson : options.scene;
     if (!place.empty()) {
-        throw UsageError(is_lesson ? "the lesson is named twice: as FILE and by --lesson."
-                                   : "the scene is named twice: as FILE and by --scene.");
+        throw UsageError(is_lesson ? "the lesson is named twice, as FILE and by --lesson."
+                                   : "the scene is named twice, as FILE and by --scene.");
     }
     // A path, even where it has no folder.
     place = is_lesson && file.find('/') == file.npos ? "./" + file : file;
@@ -272,7 +273,7 @@ Session open_view(const ViewOptions& given, const ReadingWatch& watch) {
     const ViewOptions options = with_file_sorted(given);
     if (!options.scene.empty()) refuse_picture(find_scene_file(options.scene));
     if (!options.step.empty() && options.lesson.empty()) {
-        throw UsageError("--step belongs to --lesson.");
+        throw UsageError("--step can only be used with --lesson.");
     }
     std::optional<Bug> bug;
     if (!options.bug.empty()) bug = find_bug(read_bugs(), options.bug);
@@ -337,7 +338,8 @@ Lesson lesson_named(const std::string& name) {
     }
     if (!is_lesson_file(fs::path(path).filename().string())) {
         throw UsageError(in_quotes(path) +
-                         " is no lesson: its name is two digits, a hyphen, a name and .md.");
+                         " is not a lesson: the name of a lesson is two digits, a hyphen, a name "
+                         "and .md.");
     }
     read_file(path, largest_lesson); // says why it cannot be read
     return read_lesson(path);

@@ -58,8 +58,8 @@ std::string decoded(std::string_view text) {
         const auto high = escape.size() == 3 ? digit_of(escape[1]) : std::nullopt;
         const auto low = escape.size() == 3 ? digit_of(escape[2]) : std::nullopt;
         if (!high || !low) {
-            throw UsageError(fmt::format("the link has {}, where a % begins two hexadecimal digits "
-                                         "as in %20.",
+            throw UsageError(fmt::format("the link has {}, but a % must be followed by two "
+                                         "hexadecimal digits, as in %20.",
                                          in_quotes(escape)));
         }
         result += static_cast<char>(*high << 4u | *low);
@@ -67,7 +67,7 @@ std::string decoded(std::string_view text) {
     }
     if (!is_plain_text(result)) {
         throw UsageError("the link has " + in_quotes(result) +
-                         ", which is no plain text on one line in UTF-8.");
+                         ", which is not plain UTF-8 text on one line.");
     }
     return result;
 }
@@ -76,11 +76,11 @@ LinkPair parse_pair(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == text.npos) {
         throw UsageError("the link has " + in_quotes(text) +
-                         ", which is no pair of a name and a value, as step=3.");
+                         ", which is not a name and a value, like step=3.");
     }
     LinkPair pair{decoded(text.substr(0, equals)), decoded(text.substr(equals + 1))};
     if (pair.value.empty()) {
-        throw UsageError("the link says " + in_quotes(pair.name) + " without a value.");
+        throw UsageError("the link names " + in_quotes(pair.name) + " without a value.");
     }
     return pair;
 }
@@ -108,11 +108,11 @@ void check_names(const CLI::App& app, const std::vector<LinkPair>& pairs) {
     std::set<std::string_view> given;
     for (const LinkPair& pair : pairs) {
         if (std::find(known.begin(), known.end(), pair.name) == known.end()) {
-            throw UsageError(fmt::format("a link cannot say {}.{}", in_quotes(pair.name),
+            throw UsageError(fmt::format("a link cannot set {}.{}", in_quotes(pair.name),
                                          did_you_mean(pair.name, known)));
         }
         if (!given.insert(pair.name).second && single.count(pair.name) != 0) {
-            throw UsageError("the link says " + in_quotes(pair.name) + " twice.");
+            throw UsageError("the link names " + in_quotes(pair.name) + " twice.");
         }
     }
 }
@@ -219,7 +219,7 @@ ViewOptions parse_view_link(std::string_view fragment) {
     }
     ViewOptions options = read_pairs(parse_pairs(fragment));
     if (!options.step.empty() && options.lesson.empty()) {
-        throw UsageError("step belongs to lesson.");
+        throw UsageError("step can only be used with lesson.");
     }
     if (!options.lesson.empty()) options.lesson = lesson_of_link(options.lesson);
     // A path, or else a file that happens to lie where the program was started would come first.
@@ -236,7 +236,8 @@ std::string view_link(const Session& session) {
         const std::string name = words[i].substr(std::string_view("--").size());
         const std::string value = value_for_link(name, words[i + 1]);
         if (!is_plain_text(value)) {
-            throw UsageError(in_quotes(value) + " cannot stand in a link; save the view instead.");
+            throw UsageError(in_quotes(value) + " cannot be written in a link; save the view "
+                                                "instead.");
         }
         link += fmt::format("{}{}={}", link.empty() ? "" : "&", name, encoded(value));
     }

@@ -56,18 +56,18 @@ void add_part(CLI::App& command, ViewOptions& o, ViewPart part) {
 
 void add_view_options(CLI::App& command, ViewOptions& o) {
     add_text(command, "--scene", o.scene,
-             "Scene (.toml) or model (.obj), or one of the program's own as scenes/fence.toml; the "
-             "lab's room "
-             "if not given",
+             "Scene (.toml) or model (.obj), or one of the program's own, like scenes/fence.toml; "
+             "if not given, the lab's room",
              "FILE");
     add_text(command, "--texture", o.texture,
-             "Image that is laid on every part of the model without one, for a model whose file "
-             "names no image",
+             "Image to put on every part of the model that has none, for a model whose file names "
+             "no image",
              "FILE");
     add_text(command, "--lesson", o.lesson,
-             "The picture of a lesson, 05-row-table or a file (.md); what else is said here wins",
+             "The picture of a lesson, like 05-row-table or a file (.md); other options override "
+             "it",
              "ID");
-    add_text(command, "--step", o.step, "Step of the lesson; 0, its opening, if not given", "N");
+    add_text(command, "--step", o.step, "Step of the lesson; if not given, 0, its opening", "N");
     add_text(command, "--stage", o.stage,
              "points, edges, rows, fill, depth, vertex_light or pixel_light", "NAME");
     add_text(command, "--bug", o.bug,

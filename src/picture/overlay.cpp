@@ -214,19 +214,19 @@ const std::array<OverlayInfo, overlay_count>& overlay_list() {
         {Overlay::wireframe, "wireframe",
          "The true edges of all triangles: straight lines between the projected vertices."},
         {Overlay::alone, "one triangle alone",
-         "Fills the triangle on show as far as it is drawn, whatever lies in front of it; of all "
-         "others only the edges are seen. Not while two runs are compared."},
+         "Fills the triangle on show as far as it is drawn, whatever is in front of it; of all "
+         "other triangles, only the edges are shown. Not available while two runs are compared."},
         {Overlay::owner, "triangle owner",
-         "Tints every triangle in a colour of its own and names the one under the pointer."},
+         "Tints every triangle in its own colour and names the triangle under the pointer."},
         {Overlay::overdraw, "overdraw", "How many fragments fell on each pixel, drawn or not."},
         {Overlay::drawn_twice, "drawn twice",
-         "Pixels on which two neighbours both drew a fragment: both ends of a row are inclusive, "
-         "so both draw the edge that they share."},
+         "Pixels on which two neighbours both drew a fragment. Both ends of a row are inclusive, "
+         "so both triangles draw the edge that they share."},
         {Overlay::depth, "depth test",
-         "Hatched where some fragment failed the depth test, blue where all passed."},
+         "Hatched where at least one fragment failed the depth test, blue where all passed."},
         {Overlay::uncovered, "uncovered", "Pixels on which nothing fell."},
         {Overlay::over_one, "colour over 1",
-         "Pixels with a channel above 1, which is cut when the colour is shown."},
+         "Pixels with a channel above 1, which is clamped when the colour is shown."},
         {Overlay::affine_error, "affine error",
          "How far apart the affine and the perspective-correct position of the visible point lie "
          "in the world."},

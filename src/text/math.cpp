@@ -99,7 +99,7 @@ class Reader {
         say("the braces of the formula " + in_quotes(whole_) + " do not match.");
     }
     void say_missing(const std::string& of) {
-        say(in_quotes(of) + " has nothing to stand on in the formula " + in_quotes(whole_) + ".");
+        say(in_quotes(of) + " has nothing to act on in the formula " + in_quotes(whole_) + ".");
     }
     void note_depth(int depth) {
         if (depth <= deepest_formula) return;
@@ -143,7 +143,9 @@ MathNode Reader::scripts(MathNode base, int depth) {
         rest_.remove_prefix(1);
         const std::size_t place = c == '^' ? 1 : 2;
         if (has_one[place]) {
-            say("the formula " + in_quotes(whole_) + " has two scripts in one place.");
+            say("the formula " + in_quotes(whole_) +
+                " has two subscripts or superscripts in one "
+                "place.");
         }
         has_one[place] = is_script = true;
         script.children[place] = argument(std::string(1, c), depth);

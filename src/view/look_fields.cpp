@@ -110,8 +110,8 @@ ViewField overlays_field() {
         session.overlays = overlays.value_or(OverlaySet{});
     };
     const ViewOption option{"overlay", "NAME",
-                            "Laid over the picture: " + one_of(enum_words<Overlay>) +
-                                "; repeatable; none for none",
+                            "Drawn over the picture: " + one_of(enum_words<Overlay>) +
+                                "; repeatable; none for no overlay",
                             true};
     ViewField field = make_field("overlays", ViewPart::panel, option, form);
     field.parse = [](const GivenOption& given, ViewState& state) {
@@ -148,8 +148,8 @@ ViewField depth_range_field() {
     form.read = [](const TomlBlock& block, const toml::node& node) {
         const std::optional<DepthInterval> range = parse_depth_range(block.text(node));
         if (!range) {
-            block.input().fail(node,
-                               "a range of depths is needed here, the smaller first: \"0.2,0.8\".");
+            block.input().fail(node, "a range of depths is needed here, the smaller first, like "
+                                     "\"0.2,0.8\".");
         }
         return *range;
     };
@@ -157,7 +157,8 @@ ViewField depth_range_field() {
     form.parse = [](const GivenOption& given, const std::string& word) {
         const std::optional<DepthInterval> range = parse_depth_range(word);
         if (!range && word != no_value) {
-            refuse_option(given, "a range of depths, the smaller first, as 0.2,0.8 or none", word);
+            refuse_option(given, "a range of depths, the smaller first, like 0.2,0.8, or none",
+                          word);
         }
         return range;
     };
@@ -168,8 +169,8 @@ ViewField depth_range_field() {
     };
     form.show = [](const auto& range, Session& session) { session.depth_range = range; };
     const ViewOption option{"depth-range", "SMALLER,LARGER",
-                            "Range of 1/z, or of what else the depth buffer holds, that the depth "
-                            "view colours; all that is there if not given"};
+                            "Range of 1/z, or of whatever the depth buffer holds, that the depth "
+                            "view colours; if not given, the whole range"};
     ViewField field = make_field("depth_range", ViewPart::plane, option, form);
     field.is_of_scene = true;
     return field;
@@ -194,7 +195,7 @@ ViewField zoom_field() {
     form.read = [](const TomlBlock& block, const toml::node& node) {
         const float zoom = block.input().number(node, 0.0f, largest_zoom, "the zoom");
         if (zoom != 0.0f && zoom < smallest_zoom) {
-            block.input().fail(node, "the zoom is 0.25 to 64, or 0 to fit.");
+            block.input().fail(node, "the zoom must be 0.25 to 64, or 0 to fit.");
         }
         return zoom;
     };
@@ -239,10 +240,10 @@ ViewField centre_field() {
     form.read = [](const TomlBlock& block, const toml::node& node) {
         const std::optional<glm::vec2> centre = parse_place(block.text(node));
         if (!centre) {
-            block.input().fail(node, "a place in the picture is needed here: \"250,131\".");
+            block.input().fail(node, "a position in the picture is needed here, like \"250,131\".");
         }
         if (!is_near(*centre)) {
-            block.input().fail(node, "this place lies too far outside the picture.");
+            block.input().fail(node, "this position is too far outside the picture.");
         }
         return *centre;
     };
@@ -250,7 +251,7 @@ ViewField centre_field() {
     form.parse = [](const GivenOption& given, const std::string& word) {
         const std::optional<glm::vec2> centre = parse_place(word);
         if (!centre || !is_near(*centre)) {
-            refuse_option(given, "a place in the picture as 250,131.5", word);
+            refuse_option(given, "a position in the picture, like 250,131.5", word);
         }
         return centre;
     };
@@ -260,7 +261,7 @@ ViewField centre_field() {
         return glm::vec2{std::clamp(centre.x, -farthest_centre, farthest_centre),
                          std::clamp(centre.y, -farthest_centre, farthest_centre)};
     };
-    const ViewOption option{"centre", "X,Y", "Place in the middle of the zoomed picture"};
+    const ViewOption option{"centre", "X,Y", "Position at the middle of the zoomed picture"};
     ViewField field = make_field("centre", ViewPart::canvas, option, form);
     field.is_of_scene = true;
     field.words = [](const ViewChange& change) -> std::vector<std::string> {
@@ -286,7 +287,7 @@ ViewField switch_field(std::string_view key, const ViewOption& option, std::stri
     ViewForm<bool> form{member};
     form.read = [what](const TomlBlock& block, const toml::node& node) {
         const std::optional<bool> on = node.value_exact<bool>();
-        if (!on) block.input().fail(node, std::string(what) + " is true or false.");
+        if (!on) block.input().fail(node, std::string(what) + " must be true or false.");
         return *on;
     };
     form.toml = [](bool on) { return std::string(on ? "true" : "false"); };
@@ -316,7 +317,7 @@ ViewField grid_field() {
 
 ViewField row_table_field() {
     const ViewOption option{"row-table", "WORD",
-                            "Row table beside the rows of the picture, from 24x on: on or off"};
+                            "Row table next to the rows of the picture, from 24x on: on or off"};
     return switch_field("row_table", option, "the row table", &ViewState::row_table,
                         &CanvasView::row_table);
 }
@@ -344,7 +345,7 @@ ViewField choice_field(std::string_view key, const ViewOption& option, const cha
 
 ViewField cell_numbers_field() {
     const ViewOption option{"cell-numbers", "NAME",
-                            "Numbers in the cells, where the zoom gives room: " +
+                            "Numbers in the cells, if the zoom leaves room: " +
                                 one_of(enum_words<CellNumbers>)};
     return choice_field("cell_numbers", option, "numbers in the cells", &ViewState::cell_numbers,
                         &CanvasView::numbers);
@@ -367,7 +368,7 @@ ViewField canvas_field() {
 namespace {
 
 constexpr const char* outside_form =
-    "camera, yaw and pitch as -0.75,-0.4, or these with a distance and a target as "
+    "camera, or yaw and pitch like -0.75,-0.4, or these with a distance and a target like "
     "-0.75,-0.4,5,0,0,1";
 
 } // namespace
@@ -396,8 +397,7 @@ ViewField outside_field() {
         session.canvas.outside = view.value_or(OutsideView());
     };
     const ViewOption option{"outside", "YAW,PITCH",
-                            "From where the scene is seen from outside: " +
-                                std::string(outside_form)};
+                            "Where the scene is seen from outside: " + std::string(outside_form)};
     ViewField field = make_field("outside", ViewPart::canvas, option, form);
     field.is_of_scene = true;
     field.link = {"outside",
@@ -434,7 +434,7 @@ ViewField plane_field() {
 
 ViewField page_field() {
     const ViewOption option{"page", "NAME",
-                            "What is read beside the picture: " + one_of(enum_words<SidePage>)};
+                            "What you read next to the picture: " + one_of(enum_words<SidePage>)};
     return enum_field("page", ViewPart::panel, option, "page", &ViewState::page, &Session::page,
                       false);
 }

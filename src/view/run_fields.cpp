@@ -24,8 +24,8 @@ ViewField compare_field() {
     };
     const ViewOption option{
         "b", "NAME=VALUE",
-        "A second run beside the first, which differs by this setting; repeatable; none for "
-        "no second run",
+        "A second run next to the first, which differs by this setting; repeatable; none for no "
+        "second run",
         true};
     ViewField field = make_field("compare", ViewPart::runs, option, form);
     field.parse = [](const GivenOption& given, ViewState& state) {
@@ -57,7 +57,7 @@ ViewField compare_field() {
 ViewField wipe_field() {
     ViewForm<float> form{&ViewState::wipe};
     form.read = [](const TomlBlock& block, const toml::node& node) {
-        return block.input().number(node, 0.0f, 1.0f, "the place of the divider");
+        return block.input().number(node, 0.0f, 1.0f, "the position of the divider");
     };
     form.toml = [](float wipe) { return number_text(wipe); };
     form.parse = [](const GivenOption& given, const std::string& word) {
@@ -73,7 +73,7 @@ ViewField wipe_field() {
     form.show = [](const auto& wipe, Session& session) {
         session.wipe = wipe.value_or(session.wipe);
     };
-    const ViewOption option{"wipe", "NUMBER", "Place of the divider between them, 0 to 1"};
+    const ViewOption option{"wipe", "NUMBER", "Position of the divider between them, 0 to 1"};
     return make_field("wipe", ViewPart::runs, option, form);
 }
 

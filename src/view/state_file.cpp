@@ -48,9 +48,8 @@ std::string name_from(const std::string& folder, const std::string& file, const 
         const std::string name = name_within(root, file);
         if (name.empty()) continue;
         if (!is_utf8(name)) {
-            throw UsageError(std::string("the view cannot be saved: it names its ") + what +
-                             ", and " + in_quotes(name) +
-                             " is not UTF-8 text; give the file another name.");
+            throw UsageError(std::string("the view cannot be saved, because it names its ") + what +
+                             ", and " + in_quotes(name) + " is not UTF-8 text; rename the file.");
         }
         try {
             if (is_same_file(find_lesson_file(folder, name), file)) return name;
@@ -60,8 +59,8 @@ std::string name_from(const std::string& folder, const std::string& file, const 
     }
     std::error_code ignored;
     const std::string home = fs::absolute(folder_of(file), ignored).lexically_normal().string();
-    throw UsageError(fmt::format("the view can only be saved beside its {}, in {}, or in a folder "
-                                 "above.",
+    throw UsageError(fmt::format("the view can only be saved in the folder of its {}, {}, or in a "
+                                 "folder above it.",
                                  what, home));
 }
 
@@ -79,7 +78,7 @@ void add_line(std::string& text, std::string_view key, std::string_view value) {
 
 std::string view_text(const Session& session, const std::string& path) {
     if (hides_settings(session)) {
-        throw UsageError("the view cannot be saved while a quiz hides its settings.");
+        throw UsageError("the view cannot be saved while a quiz is hiding its settings.");
     }
     const std::string folder = folder_of(path);
     const Scene original = scene_in_file(session);
@@ -96,7 +95,8 @@ std::string view_text(const Session& session, const std::string& path) {
     }
     const ViewState state = state_of(session, original);
     if (state.vertices && state.vertices->size() > most_placed_triangles) {
-        throw UsageError(fmt::format("more than {} triangles were moved: too many to be saved.",
+        throw UsageError(fmt::format("more than {} triangles were moved, which is too many to be "
+                                     "saved.",
                                      most_placed_triangles));
     }
     for (const ViewField& field : view_table()) {
@@ -114,7 +114,7 @@ SavedView parse_view(std::string_view text, const std::string& path) {
     SavedView view;
     view.path = path;
     if (text.size() > largest_view_file)
-        throw InputError(path + ": a view is no larger than 1 MB.");
+        throw InputError(path + ": a view may not be larger than 1 MB.");
     toml::table root = parse_toml(text, path);
     const TomlInput input(root, path, "the view");
     view.scene = input.text("scene");
@@ -122,12 +122,12 @@ SavedView parse_view(std::string_view text, const std::string& path) {
     view.lesson = input.text_or_empty("lesson");
     input.read("step", view.step, 0, most_lesson_steps);
     if (input.find("step") != nullptr && view.lesson.empty()) {
-        input.fail(*input.find("step"), "'step' belongs to a 'lesson', and there is none.");
+        input.fail(*input.find("step"), "'step' needs a 'lesson', but there is none.");
     }
     view.own_tab = input.text_or_empty("own_tab");
     if (const toml::node* const node = input.find("own_tab")) {
         if (view.lesson.empty()) {
-            input.fail(*node, "'own_tab' belongs to a 'lesson', and there is none.");
+            input.fail(*node, "'own_tab' needs a 'lesson', but there is none.");
         }
         if (find_tab(view.own_tab) == nullptr) {
             input.fail(*node, "there is no tab " + in_quotes(view.own_tab) + ".");
@@ -168,7 +168,7 @@ std::string find_file(const SavedView& view, const char* key, const std::string&
     } catch (const Error&) {
         throw InputError(view.path, view.state.line_of(key),
                          "there is no file " + in_quotes(name) +
-                             " in the folder of this view, nor is it one of the program's own.");
+                             " in the folder of this view or among the program's own.");
     }
 }
 

@@ -38,7 +38,7 @@ void check_assignments(const std::string& argument) {
 void require(bool is_good, const std::string& argument, const char* what) {
     if (is_good) return;
     throw UsageError(
-        fmt::format("the link cannot go to {}: it takes {}.", in_quotes(argument), what));
+        fmt::format("the link cannot go to {}; it takes {}.", in_quotes(argument), what));
 }
 
 void pick_pixel(Session& session, const std::string& argument) {
@@ -46,7 +46,7 @@ void pick_pixel(Session& session, const std::string& argument) {
     const Viewport& size = session.a.settings.viewport;
     if (pixel &&
         (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.width || pixel->y >= size.height)) {
-        throw UsageError(fmt::format("the pixel {} lies outside the picture of {} x {} pixels.",
+        throw UsageError(fmt::format("the pixel {} is outside the picture of {} x {} pixels.",
                                      in_quotes(argument), size.width, size.height));
     }
     session.selection.pixel = pixel;
@@ -57,8 +57,8 @@ std::optional<int> chosen(const std::string& argument, std::string_view what, in
     if (argument == no_value) return std::nullopt;
     const int number = parse_int(argument).value_or(-1);
     if (number >= 0 && number < count) return number;
-    throw UsageError(
-        fmt::format("there is no {} {}: they are 0 to {}.", what, in_quotes(argument), count - 1));
+    throw UsageError(fmt::format("there is no {} {}; the numbers are 0 to {}.", what,
+                                 in_quotes(argument), count - 1));
 }
 
 } // namespace

@@ -72,8 +72,8 @@ ViewField vertices_field() {
     };
     const ViewOption option{
         "vertices", "[N:]X,Y/X,Y/X,Y",
-        "Where the vertices of a scene in pixels lie, as 10,5/5,10/15,15; of triangle 3: "
-        "3:10,5/5,10/15,15; repeatable",
+        "Positions of the vertices of a scene in pixels, like 10,5/5,10/15,15, or "
+        "3:10,5/5,10/15,15 for triangle 3; repeatable",
         true};
     ViewField field = make_field("vertices", ViewPart::drawn, option, form);
     field.is_of_scene = true;
@@ -99,8 +99,8 @@ ViewField cursor_field() {
         if (!cursor) {
             block.input().fail(node,
                                in_quotes(block.text(node)) +
-                                   " is not a moment; one is written t12, t12/v1, "
-                                   "t12/p2/s1, t12/k, t12/e2/s14, t12/b4/c7, t12/r37/c5 or end.");
+                                   " is not a moment; moments are written t12, t12/v1, t12/p2/s1, "
+                                   "t12/k, t12/e2/s14, t12/b4/c7, t12/r37/c5 or end.");
         }
         return *cursor;
     };
@@ -141,7 +141,7 @@ ViewField pixel_field() {
     form.parse = [](const GivenOption& given, const std::string& word) {
         const std::optional<glm::ivec2> pixel = parse_pixel(word);
         if (!pixel && word != no_value) {
-            refuse_option(given, "a column and a row as 250,131 or none", word);
+            refuse_option(given, "a column and a row, like 250,131, or none", word);
         }
         return pixel;
     };
@@ -154,7 +154,7 @@ ViewField pixel_field() {
         const Viewport& size = session.a.settings.viewport;
         session.selection.pixel = std::nullopt;
         if (pixel && !is_inside(*pixel, size)) {
-            throw UsageError("the pixel " + text(*pixel) + " lies outside the picture of " +
+            throw UsageError("the pixel " + text(*pixel) + " is outside the picture of " +
                              std::to_string(size.width) + " x " + std::to_string(size.height) +
                              " pixels.");
         }

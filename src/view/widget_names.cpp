@@ -86,14 +86,15 @@ void check_pattern(const WidgetPattern& pattern) {
         const std::string_view place = place_at_start(name.substr(at));
         if (words_for(place).empty()) {
             throw UsageError(
-                "in a widget's name stand {stage}, {tab}, {setting}, {vector}, {size}, "
-                "{box} and {overlay}, not " +
+                "a widget's name can contain {stage}, {tab}, {setting}, {vector}, {size}, {box} "
+                "and {overlay}, not " +
                 in_quotes(place.empty() ? name.substr(at) : place) + ".");
         }
         at += place.size() - 1;
     }
     if (pattern.is_for_lessons && name.find('*') != name.npos) {
-        throw UsageError("a widget that lessons can point at has a name of its own, not '*'.");
+        throw UsageError("a widget that lessons can point at must have a name of its own, not "
+                         "'*'.");
     }
 }
 

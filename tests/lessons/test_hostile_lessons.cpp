@@ -83,7 +83,7 @@ TEST_CASE("What is no file of text is no lesson") {
     SECTION("a pipe into which nobody writes") {
         REQUIRE(mkfifo(path.c_str(), 0600) == 0);
         CHECK_FALSE(is_readable(
-            refused(path, {1, "the block 'lesson' is missing at the head of the file."})));
+            refused(path, {1, "the block 'lesson' is missing at the top of the file."})));
     }
     SECTION("a file without an end") {
         fs::create_symlink("/dev/zero", path);
@@ -94,7 +94,7 @@ TEST_CASE("What is no file of text is no lesson") {
     }
     SECTION("an empty file") {
         folder.write("01-hostile.md", "");
-        refused(path, {1, "the block 'lesson' is missing at the head of the file."});
+        refused(path, {1, "the block 'lesson' is missing at the top of the file."});
     }
     SECTION("a file of zeros") {
         folder.write("01-hostile.md", std::string(5'000, '\0'));
@@ -113,13 +113,12 @@ TEST_CASE("No link of the file system leads a lesson out of its folder") {
     const auto lesson_with = [&](const std::string& text) {
         return folder.write("01-hostile.md", test::lesson_head() + text);
     };
-    const std::string must_be =
-        " must be a PNG in the folder of the lessons or in ../screenshots/.";
+    const std::string must_be = " must be a PNG in the lessons folder or in ../screenshots/.";
     refused(lesson_with("![a](images/dot.png)"), {10, "the picture 'images/dot.png'" + must_be});
     refused(lesson_with("![a](images/all/secret.png)"),
             {10, "the picture 'images/all/secret.png'" + must_be});
     refused(lesson_with("## Step\n<!-- step\nscene = \"images/scene.toml\"\n-->\n"),
-            {12, "there is no file 'images/scene.toml' in the folder of the lessons."});
+            {12, "there is no file 'images/scene.toml' in the lessons folder."});
 }
 
 TEST_CASE("A picture that says it is endless is refused by what it says") {
@@ -127,7 +126,7 @@ TEST_CASE("A picture that says it is endless is refused by what it says") {
     folder.write("dot.png", test::endless_picture());
     const std::string path = folder.write("01-hostile.md", test::lesson_head() + "![a](dot.png)");
     refused(path, {10, "the picture 'dot.png': a picture of 100000 x 100000 pixels is too large: a "
-                       "side has at most 4096."});
+                       "side may have at most 4096."});
 }
 
 TEST_CASE("Tables of TOML nested a thousand deep are refused") {

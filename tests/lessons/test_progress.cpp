@@ -197,16 +197,18 @@ TEST_CASE("A file of progress that is damaged is refused with its line") {
     CHECK(fault_of("lesson = 'a'").find("progress.toml:1: the progress has no 'lesson'") == 0);
     CHECK(fault_of("\nlessons = 5") == "progress.toml:2: the lessons must be a table.");
     CHECK(fault_of("[lessons]\na = 5") == "progress.toml:2: a lesson must be a table.");
-    CHECK(fault_of("[lessons.a]\nsteps = [1, 'two']") == "progress.toml:2: A step is a number.");
-    CHECK(fault_of("[lessons.a]\nsteps = [-1]") == "progress.toml:2: A step is a number.");
-    CHECK(fault_of("[lessons.a]\nsteps = [65]") == "progress.toml:2: A step is a number.");
+    CHECK(fault_of("[lessons.a]\nsteps = [1, 'two']") == "progress.toml:2: A step must be a "
+                                                         "number.");
+    CHECK(fault_of("[lessons.a]\nsteps = [-1]") == "progress.toml:2: A step must be a number.");
+    CHECK(fault_of("[lessons.a]\nsteps = [65]") == "progress.toml:2: A step must be a number.");
     CHECK(fault_of("[lessons.a]\nlast_step = 9999999999").find("progress.toml:2: ") == 0);
-    CHECK(fault_of("[lessons.a]\ntasks = [5]") == "progress.toml:2: A task is named by a text.");
+    CHECK(fault_of("[lessons.a]\ntasks = [5]") == "progress.toml:2: A task must be named by a "
+                                                  "text.");
     CHECK(fault_of("[lessons.a]\nanswers = [5]") ==
           "progress.toml:2: the answers must be a table.");
     CHECK(fault_of("[lessons.a.answers]\nb = 5") == "progress.toml:2: an answer must be a table.");
     CHECK(fault_of("[lessons.a.answers]\nb = { right = 'no' }") ==
-          "progress.toml:2: 'right' is true or false.");
+          "progress.toml:2: 'right' must be true or false.");
     CHECK(fault_of("= = =").find("progress.toml:1: ") == 0);
     CHECK(fault_of(std::string(300, '[')).find("progress.toml:1: ") == 0);
     CHECK(fault_of("\xff\xfe").find("progress.toml:1: ") == 0);

@@ -206,28 +206,29 @@ TEST_CASE("A link may say whatever the options of a view say") {
 }
 
 TEST_CASE("What is no link is refused with a sentence") {
-    CHECK(refusal("lessn=04-edges") == "a link cannot say 'lessn'. Did you mean 'lesson'?");
-    CHECK(refusal("=3") == "a link cannot say ''.");
-    CHECK(refusal("--lesson=04-edges") == "a link cannot say '--lesson'. Did you mean 'lesson'?");
+    CHECK(refusal("lessn=04-edges") == "a link cannot set 'lessn'. Did you mean 'lesson'?");
+    CHECK(refusal("=3") == "a link cannot set ''.");
+    CHECK(refusal("--lesson=04-edges") == "a link cannot set '--lesson'. Did you mean 'lesson'?");
     for (const char* name : {"help", "h", "FILE", "file", "output", "o", "version", "json",
                              "config", "time", "polygon", "a", "Lesson", "compare", "cursor"}) {
         INFO(name);
         CHECK_THAT(refusal(std::string(name) + "=x"),
-                   Catch::Matchers::ContainsSubstring("a link cannot say '" + std::string(name)));
+                   Catch::Matchers::ContainsSubstring("a link cannot set '" + std::string(name)));
     }
-    const std::string no_pair = "', which is no pair of a name and a value, as step=3.";
+    const std::string no_pair = "', which is not a name and a value, like step=3.";
     CHECK(refusal("lesson") == "the link has 'lesson" + no_pair);
     CHECK(refusal("render") == "the link has 'render" + no_pair);
     CHECK(refusal("tab=rows&") == "the link has '" + no_pair);
     CHECK(refusal("&tab=rows") == "the link has '" + no_pair);
     CHECK(refusal("tab=rows&&row=3") == "the link has '" + no_pair);
-    CHECK(refusal("##tab=rows") == "a link cannot say '#tab'. Did you mean 'tab'?");
-    CHECK(refusal("tab=") == "the link says 'tab' without a value.");
-    CHECK(refusal("step=3") == "step belongs to lesson.");
-    CHECK(refusal("step=3&scene=scenes/fence.toml") == "step belongs to lesson.");
-    CHECK(refusal("tab=rows&tab=rows") == "the link says 'tab' twice.");
-    CHECK(refusal("lesson=04-edges&lesson=05-row-table") == "the link says 'lesson' twice.");
-    const std::string no_escape = "', where a % begins two hexadecimal digits as in %20.";
+    CHECK(refusal("##tab=rows") == "a link cannot set '#tab'. Did you mean 'tab'?");
+    CHECK(refusal("tab=") == "the link names 'tab' without a value.");
+    CHECK(refusal("step=3") == "step can only be used with lesson.");
+    CHECK(refusal("step=3&scene=scenes/fence.toml") == "step can only be used with lesson.");
+    CHECK(refusal("tab=rows&tab=rows") == "the link names 'tab' twice.");
+    CHECK(refusal("lesson=04-edges&lesson=05-row-table") == "the link names 'lesson' twice.");
+    const std::string no_escape = "', but a % must be followed by two hexadecimal digits, as in "
+                                  "%20.";
     CHECK(refusal("tab=%") == "the link has '%" + no_escape);
     CHECK(refusal("tab=%4") == "the link has '%4" + no_escape);
     CHECK(refusal("tab=%g0") == "the link has '%g0" + no_escape);
@@ -238,12 +239,12 @@ TEST_CASE("What is no link is refused with a sentence") {
          {"%00", "a%00", "%0a", "%0D", "%09", "%1b[2J", "%7f", "%c2%85", "%e2%80%ae", "%ff", "%c3",
           "\xff", "\t", "\n", "%ed%a0%80", "%c0%af", "%f4%90%80%80"}) {
         INFO(bad);
-        const std::string rest = "which is no plain text on one line in UTF-8.";
+        const std::string rest = "which is not plain UTF-8 text on one line.";
         CHECK_THAT(refusal("preset=" + bad), Catch::Matchers::ContainsSubstring(rest));
         CHECK_THAT(refusal(bad + "=x"), Catch::Matchers::ContainsSubstring(rest));
     }
     CHECK(refusal(std::string("preset=a\0b", 10)) ==
-          "the link has 'a\\u0000b', which is no plain text on one line in UTF-8.");
+          "the link has 'a\\u0000b', which is not plain UTF-8 text on one line.");
 }
 
 TEST_CASE("A link has a longest length") {
@@ -268,8 +269,8 @@ TEST_CASE("Values that no view has are refused where the view is opened") {
 
 TEST_CASE("A link opens nothing but the page's own files") {
     const LinkedLessons lessons;
-    const std::string leads_out = " leads out of the folder of the lessons.";
-    const std::string absent = " in the folder of the lessons.";
+    const std::string leads_out = " leads out of the lessons folder.";
+    const std::string absent = " in the lessons folder.";
     CHECK(refusal("scene=/etc/passwd") == "'/etc/passwd'" + leads_out);
     CHECK(refusal("scene=%2Fetc%2Fpasswd") == "'/etc/passwd'" + leads_out);
     CHECK(refusal("scene=../outside/out.toml") == "'../outside/out.toml'" + leads_out);
@@ -350,7 +351,7 @@ TEST_CASE("Files with awkward names stand in a link, and can be read again") {
           "#scene=%C3%BC%20%26%20=%20%23.toml");
     fs::copy_file(lessons.path("scenes/fence.toml"), lessons.path("a\nb.toml"));
     CHECK(refusal_of(open_session(lessons.path("a\nb.toml"))) ==
-          "'a b.toml' cannot stand in a link; save the view instead.");
+          "'a b.toml' cannot be written in a link; save the view instead.");
 }
 
 TEST_CASE("A lesson in a folder below is named from the folder of the lessons") {
@@ -388,7 +389,7 @@ TEST_CASE("What is not the page's own has no link") {
 TEST_CASE("A view that is too long for a link, or hidden by a quiz, has none") {
     Session session = session_on("scenes/lab-room.toml");
     REQUIRE(start_quiz(session, read_bugs(), 1));
-    CHECK(refusal_of(session) == "the view cannot be copied while a quiz hides its settings.");
+    CHECK(refusal_of(session) == "the view cannot be copied while a quiz is hiding its settings.");
 
     const LinkedLessons lessons;
     std::string scene = bytes_of(lessons.path("scenes/one-triangle.toml"));

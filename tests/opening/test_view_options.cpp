@@ -197,10 +197,10 @@ TEST_CASE("The vertices of a bench can be said") {
     CHECK(placed("1,2/3.5,4/-5,6,2")[1].position == glm::vec3(3.5f, 4, 1));
     CHECK(placed("0: 1,2/3.5,4/-5,6,2")[2].position == glm::vec3(-5, 6, 2));
     refuses({"--scene", "scenes/one-triangle.toml", "--vertices", "1:1,2/3,4/5,6"}, 2,
-            "there is no triangle 1 to put elsewhere: the triangles are 0 to 0.");
+            "there is no triangle 1 to move; the triangles are 0 to 0.");
     refuses({"--vertices", "1,2/3,4/5,6"}, 2,
-            "only the vertices of a scene in pixels can be put elsewhere; 'The lab's room' is "
-            "none.");
+            "only the vertices of a scene in pixels can be moved, and 'The lab's room' is not such "
+            "a scene.");
     for (const char* bad :
          {"1,2", "1,2/3,4", "1,2/3,4/5", "1,2/3,4/5,6/7,8", "1,2/3,4/5,6,0", "1,2/3,4/5,1e9",
           "1,2/3,4/5,nan", "-1:1,2/3,4/5,6", "1,2/3,4/5,6,1,1", "x:1,2/3,4/5,6", "/", "1,2/3,4/"}) {
@@ -216,19 +216,19 @@ TEST_CASE("Values that a view cannot have are refused with a sentence") {
     refuses({"--lesson", "05-row-table", "--step", "99"}, 2,
             "--step is a number from 0 to 8 in lesson '05-row-table', not '99'.");
     refuses({"--lesson", "../05-row-table"}, 2,
-            "'../05-row-table' is no lesson: its name is two digits, a hyphen, a name and .md.");
-    refuses({"--step", "2"}, 2, "--step belongs to --lesson.");
+            "'../05-row-table' is not a lesson: the name of a lesson is two digits, a hyphen, a "
+            "name and .md.");
+    refuses({"--step", "2"}, 2, "--step can only be used with --lesson.");
     refuses({lesson_path("04-edges"), "--lesson", "04-edges"}, 2,
-            "the lesson is named twice: as FILE and by --lesson.");
+            "the lesson is named twice, as FILE and by --lesson.");
     refuses({"--triangle", "99"}, 2, "there is no triangle 99: the triangles are 0 to 29.");
     refuses({"--triangle", "-1"}, 2, "there is no triangle -1: the triangles are 0 to 29.");
-    refuses({"--pixel", "500,1"}, 2,
-            "the pixel 500,1 lies outside the picture of 500 x 500 pixels.");
-    refuses({"--pixel", "x"}, 2, "--pixel is a column and a row as 250,131 or none, not 'x'.");
+    refuses({"--pixel", "500,1"}, 2, "the pixel 500,1 is outside the picture of 500 x 500 pixels.");
+    refuses({"--pixel", "x"}, 2, "--pixel is a column and a row, like 250,131, or none, not 'x'.");
     refuses({"--zoom", "65"}, 2, "--zoom is a number from 0.25 to 64 or fit, not '65'.");
     refuses({"--zoom", "nan"}, 2, "--zoom is a number from 0.25 to 64 or fit, not 'nan'.");
     refuses({"--centre", "1e9,0"}, 2,
-            "--centre is a place in the picture as 250,131.5, not '1e9,0'.");
+            "--centre is a position in the picture, like 250,131.5, not '1e9,0'.");
     refuses({"--b", "stage=dept"}, 2,
             "stage cannot be 'dept': it takes points, edges, rows, fill, depth, vertex_light or "
             "pixel_light.");
@@ -239,11 +239,11 @@ TEST_CASE("Values that a view cannot have are refused with a sentence") {
     refuses({"--canvas", "outsid"}, 2,
             "--canvas is picture, outside or both, not 'outsid'. Did you mean 'outside'?");
     refuses({"--outside", "1"}, 2,
-            "--outside is camera, yaw and pitch as -0.75,-0.4, or these with a distance and a "
-            "target as -0.75,-0.4,5,0,0,1, not '1'.");
+            "--outside is camera, or yaw and pitch like -0.75,-0.4, or these with a distance and a "
+            "target like -0.75,-0.4,5,0,0,1, not '1'.");
     refuses({"--wipe", "2"}, 2, "--wipe is a number from 0 to 1, not '2'.");
     refuses({"--depth-range", "0.8,0.2"}, 2,
-            "--depth-range is a range of depths, the smaller first, as 0.2,0.8 or none, not "
+            "--depth-range is a range of depths, the smaller first, like 0.2,0.8, or none, not "
             "'0.8,0.2'.");
 }
 
@@ -267,7 +267,7 @@ TEST_CASE("A saved view is opened, and what is said beside it wins") {
     CHECK_FALSE(changed.selection.row);
     CHECK_FALSE(changed.b);
     refuses({path, "--lesson", "04-edges"}, 2,
-            "a saved view has its own lesson: it does not go with --lesson.");
+            "a saved view has its own lesson, so it cannot be combined with --lesson.");
     CHECK(run({"check", path}).exit_code == 0);
     const std::string bad =
         folder.write("bad.walk.toml", "scene = \"scenes/fence.toml\"\nrow = -1\n");

@@ -298,7 +298,8 @@ TEST_CASE(
     REQUIRE(found.divergences.first);
     CHECK(found.divergences.first->cursor == cursor_begin);
     CHECK(found.divergences.first->text ==
-          "A draws 1 triangle for each of the scene, B 16: only the pictures are compared.");
+          "A draws 1 triangle for each triangle of the scene and B 16, so only the pictures are "
+          "compared.");
     CHECK_FALSE(found.is_same());
     CHECK_FALSE(next_divergence(a, b, cursor_begin));
     // In parts the same is found.

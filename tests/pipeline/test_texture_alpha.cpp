@@ -200,7 +200,7 @@ TEST_CASE("The fast engine refuses textures with alpha until their alpha is swit
     Settings settings = default_settings(scene);
     set_from_text(settings, "clip=near");
     settings.stage = Stage::depth;
-    const std::string alpha = "textures with alpha: texture_alpha=off draws them opaque";
+    const std::string alpha = "textures with alpha (texture_alpha=off draws them opaque)";
     CHECK(fast_engine_refuses(scene, settings).find(alpha) != std::string::npos);
     set_from_text(settings, "texture_alpha=off");
     CHECK(fast_engine_refuses(scene, settings).find(alpha) == std::string::npos);
@@ -219,8 +219,9 @@ TEST_CASE("Two runs part where one lets a fragment through, and the alpha is tol
     const auto first = next_divergence(cut, opaque, cursor_begin);
     REQUIRE(first.has_value());
     // The corner of the picture lies in the first texel, which is clear.
-    CHECK(first->text.find("is let through: the alpha of its texture is 0, below 1/2 in A") !=
-          std::string::npos);
+    CHECK(
+        first->text.find("is let through because the alpha of its texture is 0, below 1/2 in A") !=
+        std::string::npos);
 }
 
 TEST_CASE("The fact pixel.cut_out counts the fragments of a pixel that fall through a hole") {

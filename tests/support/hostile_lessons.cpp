@@ -59,7 +59,7 @@ std::vector<HostileLesson> hostile_lessons() {
          times(160'000, "All work and no play makes a dull lesson, and a long one too.\n"), 0,
          "the file is larger than 1 MB."},
         {"a million empty lines", std::string(1'000'000, '\n'), 20'000,
-         "a lesson has at most 20000 lines."},
+         "a lesson may have at most 20000 lines."},
         {"a line of 4001 letters", std::string(4'001, 'a'), first,
          "the line is longer than 4000 letters."},
         {"quotes in quotes", times(1'000, ">") + " Help!", first, too_deep},
@@ -76,16 +76,16 @@ std::vector<HostileLesson> hostile_lessons() {
         {"emphasis", times(250, "*a **b ") + times(250, "c** d* "), first, too_deep},
         {"one long mark of emphasis", times(1'000, "*") + "a" + times(1'000, "*"), first, too_deep},
         {"ten thousand links", lines(10'000, [](int) { return "[a](tab:rows)"; }), first + 2'000,
-         "a lesson has at most 2000 links."},
+         "a lesson may have at most 2000 links."},
         {"ten thousand footnotes",
          "Text.\n\n" + lines(10'000, [](int i) { return numbered("[^", i, "]: note"); }),
-         first + 2 + 99, "a lesson has at most 99 footnotes."},
+         first + 2 + 99, "a lesson may have at most 99 footnotes."},
         {"ten thousand columns", times(10'000, "|a") + "|\n" + times(10'000, "|-") + "|", first,
          "the line is longer than 4000 letters."},
         {"ninety columns", times(90, "|a") + "|\n" + times(90, "|---") + "|", first,
-         "a table has at most 40 columns."},
+         "a table may have at most 40 columns."},
         {"bytes that are no text", "\xff\xfe\xfd", first,
-         "the line is not plain text in UTF-8, or holds control characters."},
+         "the line is not plain UTF-8 text, or contains control characters."},
     };
     // Of these the rest can be shown.
     const auto add = [&](const char* about, std::string text, int line, std::string sentence) {
@@ -98,11 +98,13 @@ std::vector<HostileLesson> hostile_lessons() {
         std::string("the formula '") + times(12, "\\sqrt") +
             "...' is nested deeper than 12 levels.");
     add("powers of powers", std::string("$") + times(900, "a^") + "a$", first,
-        std::string("the formula '") + times(30, "a^") + "...' has two scripts in one place.");
+        std::string("the formula '") + times(30, "a^") +
+            "...' has two subscripts or superscripts "
+            "in one place.");
     add("parentheses", task("a", times(400, "(") + "1" + times(400, ")")), first + 2,
         "the expression is nested deeper than 32 levels.");
     add("a thousand parentheses", task("a", times(1'000, "(") + "1" + times(1'000, ")")), first + 2,
-        "an expression has at most 1000 letters.");
+        "an expression may have at most 1000 letters.");
     add("signs", task("a", times(900, "-") + "1"), first + 2,
         "the expression is nested deeper than 32 levels.");
     add("no, no, no", task("a", times(240, "not ") + "1"), first + 2,
@@ -110,25 +112,26 @@ std::vector<HostileLesson> hostile_lessons() {
     add("functions of functions", task("a", times(200, "abs(") + "1"), first + 2,
         "the expression is nested deeper than 32 levels.");
     add("65 steps", lines(65, [](int i) { return numbered("## Step ", i, "\n"); }), first + 2 * 64,
-        "a lesson has at most 64 steps.");
+        "a lesson may have at most 64 steps.");
     std::string tasks;
     for (int i = 0; i < 101; ++i)
         tasks += task(numbered("a", i, ""), "stage == rows");
-    add("101 tasks", tasks, first + 7 * 100, "a lesson has at most 100 tasks and predictions.");
+    add("101 tasks", tasks, first + 7 * 100,
+        "a lesson may have at most 100 tasks and "
+        "predictions.");
     add("a file outside", "[a](../../../../etc/passwd)", first,
-        "the link '../../../../etc/passwd' leads nowhere: links begin with set: cursor: show: "
+        "the link '../../../../etc/passwd' leads nowhere. Links begin with set: cursor: show: "
         "compare: pixel: triangle: row: vertex: tab: view: overlay: canvas: outside: preset: bug: "
-        "term: or name "
-        "another lesson, NN-name.md.");
+        "term: or name another lesson, NN-name.md.");
     add("a picture outside", "![a](../../../../etc/passwd.png)", first,
-        "the picture '../../../../etc/passwd.png' must be a PNG in the folder of the lessons or in "
+        "the picture '../../../../etc/passwd.png' must be a PNG in the lessons folder or in "
         "../screenshots/.");
     // Of each setting one; all others are too many.
     const std::string three = "<!-- control\nsetting = \"interpolation\"\n-->\n"
                               "<!-- control\nsetting = \"clip\"\n-->\n"
                               "<!-- control\nsetting = \"cull\"\n-->\n";
     all.push_back({"three thousand controls", three + times(3'000, "<!-- control\n-->\n"),
-                   first + 9, "a step has at most 3 controls.", true});
+                   first + 9, "a step may have at most 3 controls.", true});
     for (HostileLesson& lesson : all)
         lesson.text = lesson_head().append(lesson.text);
     return all;

@@ -125,16 +125,16 @@ TEST_CASE("Scene and lesson of a view are found beside it") {
 
     SECTION("elsewhere it cannot be saved") {
         CHECK_THROWS_WITH(view_text(session, folder.file("below/v.walk.toml")),
-                          Catch::Matchers::ContainsSubstring("beside its lesson"));
+                          Catch::Matchers::ContainsSubstring("in the folder of its lesson"));
         const TemporaryFolder other;
         CHECK_THROWS_WITH(view_text(session, other.file("v.walk.toml")),
-                          Catch::Matchers::ContainsSubstring("beside its scene"));
+                          Catch::Matchers::ContainsSubstring("in the folder of its scene"));
     }
     SECTION("without its lesson it opens all the same, and says so") {
         fs::remove(folder.file("07-mine.md"));
         const Session again = opened_file(path);
         CHECK(again.lesson.empty());
-        CHECK(again.notice.find("The lesson of this view is not here") == 0);
+        CHECK(again.notice.find("The lesson of this view is missing") == 0);
     }
 }
 
@@ -215,19 +215,20 @@ TEST_CASE("What is wrong in a saved view is told with its line") {
     CHECK(complaint(folder, head + "point_at = \"x\"\n") ==
           "v.walk.toml:2: the view has no 'point_at'.");
     says(head + "\nzoom = nan\n", "v.walk.toml:3: the zoom must be a finite number.");
-    says(head + "zoom = 65\n", "v.walk.toml:2: the zoom must lie between 0 and 64.");
-    says(head + "zoom = 0.1\n", "v.walk.toml:2: the zoom is 0.25 to 64, or 0 to fit.");
+    says(head + "zoom = 65\n", "v.walk.toml:2: the zoom must be between 0 and 64.");
+    says(head + "zoom = 0.1\n", "v.walk.toml:2: the zoom must be 0.25 to 64, or 0 to fit.");
     says(head + "zoom = 2\ncentre = \"1e9,1\"\n",
-         "v.walk.toml:3: this place lies too far outside the picture.");
+         "v.walk.toml:3: this position is too far outside the picture.");
     says(head + "centre = \"inf,1\"\n",
-         "v.walk.toml:2: a place in the picture is needed here: \"250,131\".");
-    says(head + "wipe = 2\n", "v.walk.toml:2: the place of the divider must lie between 0 and 1.");
-    says(head + "grid = 1\n", "v.walk.toml:2: the grid is true or false.");
+         "v.walk.toml:2: a position in the picture is needed here, like \"250,131\".");
+    says(head + "wipe = 2\n", "v.walk.toml:2: the position of the divider must be between 0 and "
+                              "1.");
+    says(head + "grid = 1\n", "v.walk.toml:2: the grid must be true or false.");
     says(head + "outside = \"1,2,3\"\n",
-         "v.walk.toml:2: the view from outside is camera, yaw and pitch as -0.75,-0.4, or these "
-         "with a distance and a target as -0.75,-0.4,5,0,0,1.");
+         "v.walk.toml:2: the view from outside is camera, or yaw and pitch like -0.75,-0.4, or "
+         "these with a distance and a target like -0.75,-0.4,5,0,0,1.");
     says(head + "depth_range = \"2,1\"\n",
-         "v.walk.toml:2: a range of depths is needed here, the smaller first: \"0.2,0.8\".");
+         "v.walk.toml:2: a range of depths is needed here, the smaller first, like \"0.2,0.8\".");
     says(head + "set = [\n\"light.power=1e9\",\n]\n",
          "v.walk.toml:3: light.power cannot be '1e9': it takes one number or three, each from 0 "
          "to 10000.");
@@ -237,22 +238,22 @@ TEST_CASE("What is wrong in a saved view is told with its line") {
     CHECK(complaint(folder, head + "cursor = \"t0/r999\"\n").starts_with("v.walk.toml:2: "));
     says(head + "row = 500\n", "v.walk.toml:2: there is no row 500: the rows are 0 to 499.");
     says(head + "vertices = [\"1,2/3,4/5,6\"]\n",
-         "v.walk.toml:2: only the vertices of a scene in pixels can be put elsewhere; 'The lab's "
-         "room' is none.");
+         "v.walk.toml:2: only the vertices of a scene in pixels can be moved, and 'The lab's room' "
+         "is not such a scene.");
     says(head + "compare = [\"stage=x\"]\n",
          "v.walk.toml:2: stage cannot be 'x': it takes points, edges, rows, fill, depth, "
          "vertex_light or pixel_light.");
-    says(head + "step = 1\n", "v.walk.toml:2: 'step' belongs to a 'lesson', and there is none.");
+    says(head + "step = 1\n", "v.walk.toml:2: 'step' needs a 'lesson', but there is none.");
     says(head + "own_tab = \"rows\"\n",
-         "v.walk.toml:2: 'own_tab' belongs to a 'lesson', and there is none.");
+         "v.walk.toml:2: 'own_tab' needs a 'lesson', but there is none.");
     says(head + "lesson = \"05-row-table\"\nown_tab = \"settings\"\n",
          "v.walk.toml:3: there is no tab 'settings'.");
     says(head + "lesson = \"05-row-table\"\nstep = -1\n",
          "v.walk.toml:3: 'step' of the view must be a whole number between 0 and 64.");
     says("scene = 5\n", "v.walk.toml:1: 'scene' of the view must be text in quotes.");
     says("\nscene = \"absent.toml\"\n",
-         "v.walk.toml:2: there is no file 'absent.toml' in the folder of this view, nor is it one "
-         "of the program's own.");
+         "v.walk.toml:2: there is no file 'absent.toml' in the folder of this view or among the "
+         "program's own.");
 }
 
 TEST_CASE("A view never reads a file outside its folder") {
@@ -315,8 +316,8 @@ TEST_CASE("A view is not saved beside a scene whose name it could not say") {
     const Session session = open_view(options);
     const std::string path = folder.file("view.walk.toml");
     CHECK_THROWS_WITH(write_view(session, path),
-                      "the view cannot be saved: it names its scene, and 'caf\\xe9.toml' is not "
-                      "UTF-8 text; give the file another name.");
+                      "the view cannot be saved, because it names its scene, and 'caf\\xe9.toml' "
+                      "is not UTF-8 text; rename the file.");
     CHECK_FALSE(fs::exists(path));
     // A name with other letters, and one that a terminal would obey, are found again.
     for (const char* name : {"café.toml", "\x1b[31m.toml", "a \"b\" \u202e.toml"}) {

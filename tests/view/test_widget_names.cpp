@@ -85,13 +85,13 @@ TEST_CASE("A list of widgets is read line by line") {
     CHECK(is_named_by(patterns[2], "legend.depth"));
     CHECK_FALSE(is_named_by(patterns[2], "legend.deep"));
     CHECK_THROWS_WITH(parse_widget_patterns("a\nb.{bug}\n", "w.txt"),
-                      "w.txt:2: in a widget's name stand {stage}, {tab}, {setting}, {vector}, "
+                      "w.txt:2: a widget's name can contain {stage}, {tab}, {setting}, {vector}, "
                       "{size}, {box} and {overlay}, not '{bug}'.");
     CHECK_THROWS_AS(parse_widget_patterns("a.{stage\n", "w.txt"), InputError);
     CHECK_THROWS_AS(parse_widget_patterns("a.}\n", "w.txt"), InputError);
     CHECK_THROWS_WITH(parse_widget_patterns("a.*\n", "w.txt"),
-                      "w.txt:1: a widget that lessons can point at has a name of its own, not "
-                      "'*'.");
+                      "w.txt:1: a widget that lessons can point at must have a name of its own, "
+                      "not '*'.");
 }
 
 TEST_CASE("Widgets are those of the program, whatever folder the lessons lie in") {

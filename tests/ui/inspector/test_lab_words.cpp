@@ -57,7 +57,7 @@ TEST_CASE("Each name of each likely mistake stands on a line of its own, with ho
 TEST_CASE("The nearest mistake is named apart from the verdict that none is likely") {
     Diagnosis found;
     found.different = 10;
-    found.verdict = "No known mistake explains the difference; the nearest, B3 “As it is” (with "
+    found.verdict = "No known mistake explains the difference; the best match, B3 “As it is” (with "
                     "light.power=14), explains 87 % of it.";
     const LabHeadline headline = headline_of(answer_with(found));
     CHECK(headline.names == Lines{"No known mistake explains the difference."});
@@ -170,7 +170,7 @@ TEST_CASE("Where no mistake is likely, it is said what the wrong pixels have in 
                                            "40 to 59."));
     CHECK_THAT(
         shown_text(driver, "lab.finding.0"),
-        Catch::Matchers::StartsWith(std::to_string(black) + " pixels are black and should not be"));
+        Catch::Matchers::StartsWith(std::to_string(black) + " pixels are black but should not be"));
     CHECK_FALSE(driver.hand.is_visible("lab.remedy"));
     CHECK_THAT(shown_text(driver, "lab.lamp_and_camera"),
                Catch::Matchers::ContainsSubstring("set it here"));

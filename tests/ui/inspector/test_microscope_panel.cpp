@@ -113,7 +113,7 @@ TEST_CASE("A line that decides shows its decision variable, its steps and its ru
     CHECK(driver.hand.is_visible("microscope.header.6"));
     CHECK(driver.hand.is_visible("microscope.header.7"));
     CHECK_FALSE(driver.hand.is_visible("microscope.header.1"));
-    CHECK(says("l = 12, s = 3; d begins at 2 s − l = −6"));
+    CHECK(says("l = 12, s = 3; d starts at 2 s − l = −6"));
     CHECK(says("d < 0: straight, d + 2 s = d + 6"));
     CHECK(says("d ≥ 0: diagonal, d + 2 s − 2 l = d − 18"));
     driver.hand.click("microscope.sample.1");
