@@ -58,7 +58,7 @@ std::string did_you_mean(std::string_view wanted, std::span<const std::string_vi
 
 std::string no_such_name(std::string_view what, std::string_view wanted,
                          std::span<const std::string_view> names) {
-    return fmt::format("there is no {} {}; there are {}.{}", what, in_quotes(wanted),
+    return fmt::format("there is no {} {}; choose from {}.{}", what, in_quotes(wanted),
                        fmt::join(names, ", "), did_you_mean(wanted, names));
 }
 

@@ -13,7 +13,7 @@ std::string_view nearest_name(std::string_view wanted, std::span<const std::stri
 /// " Did you mean 'light.power'?", or nothing if no name comes close.
 std::string did_you_mean(std::string_view wanted, std::span<const std::string_view> names);
 
-/// "there is no tab 'row'; there are rows, graph. Did you mean 'rows'?"
+/// "there is no tab 'row'; choose from rows, graph. Did you mean 'rows'?"
 std::string no_such_name(std::string_view what, std::string_view wanted,
                          std::span<const std::string_view> names);
 

@@ -99,7 +99,8 @@ std::string remark(const EngineResult& result) {
     if (!result.refusal.empty()) return "cannot draw this: " + result.refusal;
     if (!result.from_peer || result.ratio) return {};
     const std::string difference = difference_text(*result.from_peer);
-    return (result.has_other_edges ? "draws other edges: " : "draws something else: ") + difference;
+    return (result.has_other_edges ? "draws other edges: " : "draws something different: ") +
+           difference;
 }
 
 Json to_json(const std::optional<PictureDifference>& difference) {

@@ -102,7 +102,7 @@ std::string change_text(PictureChange change) {
     case PictureChange::elsewhere:
         break;
     }
-    return "another picture";
+    return "a different picture";
 }
 
 void print_convention(std::ostream& out, std::string_view name, const ConventionPlace& place) {

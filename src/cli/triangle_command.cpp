@@ -327,7 +327,7 @@ void print_polygon(std::ostream& out, const std::optional<PolygonWays>& ways) {
         << fmt::format("  inside, by active edges: {}\n", pixels(ways->inside))
         << fmt::format("  row table: {}; {} of {} reach outside\n", pixels(ways->table),
                        ways->wrong_rows, counted(ways->rows, "row", "rows"))
-        << fmt::format("  fan: {}, laid {} times; {} square pixels\n", pixels(ways->fan),
+        << fmt::format("  fan: {}, covered {} times in all; {} square pixels\n", pixels(ways->fan),
                        ways->fan_laid, ways->fan_area);
 }
 

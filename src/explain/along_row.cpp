@@ -39,7 +39,7 @@ struct WeighedCorners {
         return triangle.values_at({pixel_centre(report.pixel.x), pixel_centre(report.pixel.y)});
     }
     Source source(std::size_t i) const {
-        return from_words(fmt::format("corner {} of what is drawn", number(i)));
+        return from_words(fmt::format("corner {} of the polygon that is drawn", number(i)));
     }
 };
 

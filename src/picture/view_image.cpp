@@ -90,8 +90,8 @@ const std::array<ViewInfo, view_count>& view_list() {
     static constexpr std::array<ViewInfo, view_count> list{{
         {View::colour, "colour", "The picture itself.", "Colour",
          "Shows the colours of the picture."},
-        {View::depth, "depth 1/z", "The depth of every pixel: bright is near.", "Depth buffer",
-         "Shows the depth of every pixel, bright is near."},
+        {View::depth, "depth 1/z", "The depth of every pixel; bright is near.", "Depth buffer",
+         "Shows the depth of every pixel; bright is near."},
         {View::triangle, "triangle", "Which triangle every pixel belongs to.", "Triangle owner",
          "Shows which triangle every pixel belongs to."},
         {View::overdraw, "overdraw", "How many fragments fell on every pixel.", "Overdraw",

@@ -21,7 +21,7 @@ std::vector<SettingFault> setting_faults(const Settings& settings, const Scene& 
                           "far plane not behind the near one"});
     }
     if (has_camera && settings.view_box && !view_box_rule(settings, space)) {
-        faults.push_back({"view_box does nothing with transform=lab, which uses the focal length: "
+        faults.push_back({"view_box does nothing with transform=lab, which uses the focal length; "
                           "set transform=matrices",
                           "view_box needs matrices"});
     }

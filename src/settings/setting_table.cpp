@@ -416,7 +416,7 @@ std::vector<Setting> make_table() {
          .unit = "",
          .kind = choice<&Settings::divided_by>(),
          .needs_world = true},
-        {"behind_mark", "Vertices behind the camera", "Camera",
+        {"behind_mark", "Vertices behind camera", "Camera",
          "How a vertex on or behind the camera plane is marked: it has no pixel, or by mistake the "
          "column −1.",
          "Drawing points", "", choice<&Settings::behind_mark>()},
@@ -508,8 +508,8 @@ std::vector<Setting> make_table() {
          "Illumination", "", lamp_choice<&Light::model>()},
         {"light.direction", "Direction of the light", "Light",
          "The vector that is compared with the normal: the one to the lamp, made unit length; or "
-         "by mistake the one from the lamp, the one to the lamp at its full length, or one with w "
-         "= 1 in its length.",
+         "by mistake the one from the lamp, the one to the lamp at its full length, or the one to "
+         "the lamp divided by a length that includes w = 1.",
          "Illumination", "", light_choice<&LightRules::direction>()},
         {"light.falloff", "Falloff", "Light",
          "What the power is divided by: 4 pi r^2, r^2, r, nothing, or by mistake 4 pi r^3, or 4 pi "

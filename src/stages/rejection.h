@@ -46,7 +46,7 @@ inline constexpr std::array rejection_list{
         "a vertex on or behind the camera plane (z ≤ 0)", true},
     RejectionWords{Rejection::too_far_out, "too_far_out", "a vertex is projected too far out",
                    "a vertex is projected too far out",
-                   "an absurdly long edge, its vertex too near or too far enlarged",
+                   "an absurdly long edge whose vertex is too near or too greatly enlarged",
                    "a vertex so close to the camera plane, or so greatly enlarged, that its edges "
                    "would be absurdly long",
                    true},

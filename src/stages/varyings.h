@@ -176,7 +176,7 @@ inline constexpr std::array varying_list{
           {"colour_green", "colour green", "cg/z", "Green of the reflectance, interpolated."},
           {"colour_blue", "colour blue", "cb/z", "Blue of the reflectance, interpolated."}}},
         varying_component<&Varyings::colour>, &Varyings::colour),
-    varying_info("texcoord", "place in the texture", "texture", false, VaryingUse::by_shader,
+    varying_info("texcoord", "position in the texture", "texture", false, VaryingUse::by_shader,
                  {{{"u", "u", "u/z", "u of the position in the texture, interpolated."},
                    {"v", "v", "v/z", "v of the position in the texture, interpolated."}}},
                  varying_component<&Varyings::texcoord>, &Varyings::texcoord),

@@ -125,7 +125,7 @@ TEST_CASE("A picture that differs is exit code 1, and instead of ratios it is sa
     const StandIn peer(answering_script(folder.write("picture", bytes)));
     const CliRun result = run_small();
     CHECK(result.exit_code == 1);
-    CHECK_THAT(result.out, ContainsSubstring("draws something else: 10 of 400 pixels differ"));
+    CHECK_THAT(result.out, ContainsSubstring("draws something different: 10 of 400 pixels differ"));
     CHECK_THAT(result.out, ContainsSubstring("the first at 0,1"));
 }
 
@@ -167,7 +167,7 @@ TEST_CASE("Options of engines that mean nothing are wrong usage") {
         return result.err;
     };
     CHECK_THAT(complaint("--workload", "w4"), ContainsSubstring("there is no workload 'w4'"));
-    CHECK_THAT(complaint("--simd", "mmx"), ContainsSubstring("'mmx'; there are scalar"));
+    CHECK_THAT(complaint("--simd", "mmx"), ContainsSubstring("'mmx'; choose from scalar"));
     CHECK_THAT(complaint("--threads", "3"), ContainsSubstring("--threads is a whole number from 1 "
                                                               "to 2, not '3'"));
     CHECK_THAT(complaint("--rounds", "4"), ContainsSubstring("from 5 to 1000"));

@@ -279,10 +279,11 @@ TEST_CASE("triangle tells what a row table and a fan make of the polygon it belo
     std::vector<std::string> left{"triangle", "1", "--scene", dented};
     left.insert(left.end(), rules.begin(), rules.end());
     CHECK_THAT(run(left).out,
-               ContainsSubstring("\nPolygon of 5 corners, 144 square pixels\n"
-                                 "  inside, by active edges: 136 pixels\n"
-                                 "  row table: 176 pixels; 5 of 11 rows reach outside\n"
-                                 "  fan: 192 pixels, laid 248 times; 240 square pixels\n"));
+               ContainsSubstring("\nPolygon of 5 corners, 144 square pixels"
+                                 "\n  inside, by active edges: 136 pixels"
+                                 "\n  row table: 176 pixels; 5 of 11 rows reach outside"
+                                 "\n  fan: 192 pixels, covered 248 times in all; 240 square pixels"
+                                 "\n"));
     std::vector<std::string> right{"4", "--scene", dented};
     right.insert(right.end(), rules.begin(), rules.end());
     CHECK_THAT(json_of(right),
