@@ -83,7 +83,7 @@ export function testScreen(place) {
         const page = await visit.context.newPage();
         await page.goto(place.site.url);
         const says = () => page.evaluate(() => document.getElementById('sentence').textContent);
-        await until(async () => !(await says()).includes('being loaded'), 'the page says something', 20);
+        await until(async () => !(await says()).includes('Loading'), 'the page says something', 20);
         holds((await says()).startsWith('Rasterwalk needs WebGL 2'), `The page says: ${await says()}`);
         visit.messages = visit.messages.filter(text => !/webgl|exit/i.test(text));
     });

@@ -84,19 +84,19 @@ void stand_at(Ui& ui, const Cursor& cursor) {
 
 void go_to_next_divergence(Ui& ui) {
     if (!ui.results.b) {
-        ui.session.notice = "There are no two runs: press C to compare.";
+        ui.session.notice = "There is only one run. Press C to compare.";
         return;
     }
     Cursor from = ui.session.cursor;
     if (from != cursor_end) ++from.step;
     const auto found = next_divergence(ui.results.a.frame, ui.results.b->frame, from);
     if (found) stand_at(ui, found->cursor);
-    ui.session.notice = found ? "" : "The runs do not differ any more after this moment.";
+    ui.session.notice = found ? "" : "The runs do not differ again after this moment.";
 }
 
 void go_to_previous_divergence(Ui& ui) {
     if (!ui.results.b) {
-        ui.session.notice = "There are no two runs: press C to compare.";
+        ui.session.notice = "There is only one run. Press C to compare.";
         return;
     }
     const auto found =
@@ -202,11 +202,11 @@ std::string steps_words(const Results& results) {
         return words(what, frame.triangle_count(), static_cast<int>(frame.triangles.size()));
     };
     if (results.a.is_frame_late) return prepared("prepared", results.a);
-    if (results.b && results.b->is_frame_late) return prepared("prepared of run B", *results.b);
+    if (results.b && results.b->is_frame_late) return prepared("run B: prepared", *results.b);
     if (!results.a.is_drawn()) return drawn("drawn", results.a);
-    if (results.b && !results.b->is_drawn()) return drawn("drawn of run B", *results.b);
+    if (results.b && !results.b->is_drawn()) return drawn("run B: drawn", *results.b);
     if (results.history_work) {
-        return words("looked at for the pixel", results.history_work->triangles_done(),
+        return words("checked for the pixel", results.history_work->triangles_done(),
                      results.a.frame.triangle_count());
     }
     const ComparisonWork& work = results.comparison.work;
@@ -218,7 +218,7 @@ std::string steps_words(const Results& results) {
 std::string work_words(const Results& results) {
     if (!results.a.preview.is_shown) return steps_words(results);
     if (results.hand.has_moved()) return "fast engine, while it moves";
-    return "fast engine, until the steps have drawn: " + steps_words(results);
+    return "fast engine, until the steps are drawn: " + steps_words(results);
 }
 
 std::vector<std::string> difference_forms(const PixelDifference& pixels) {

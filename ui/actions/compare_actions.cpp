@@ -34,9 +34,9 @@ std::vector<Action> compare_actions() {
         {"switch.compare",
          "Compare",
          "Compare two runs",
-         "Compares the picture as it is, run A, with one that is drawn otherwise, run B: with "
-         "other "
-         "interpolation, light, depth test or edges, as suits the stage. Again: back to one run.",
+         "Compares the picture as it is (run A) with one that is drawn differently (run B): with a "
+         "different interpolation, lighting, depth test or edge rule, depending on the stage. "
+         "Repeat to go back to one run.",
          {'C'},
          toggle_compare,
          [](const Ui& ui) { return ui.session.b.has_value(); }},
@@ -48,7 +48,7 @@ std::vector<Action> compare_actions() {
         {"compare.hold",
          "Compare",
          "Hold the blinking",
-         "Stays with the picture on show while two runs blink; again: goes on.",
+         "Keeps the current picture while two runs blink; repeat to go on.",
          {'H'},
          [](Ui& ui) { ui.compare.blink_is_held = !ui.compare.blink_is_held; },
          [](const Ui& ui) { return ui.compare.blink_is_held; }},
@@ -65,14 +65,14 @@ std::vector<Action> compare_actions() {
         {"compare.next",
          "Compare",
          "Next difference",
-         "Goes on to the next moment at which the two runs differ.",
+         "Goes to the next moment at which the two runs differ.",
          {'J'},
          go_to_next_divergence,
          nullptr},
         {"compare.previous",
          "Compare",
          "Previous difference",
-         "Goes back to the moment before at which the two runs differ.",
+         "Goes back to the previous moment at which the two runs differ.",
          {'K'},
          go_to_previous_divergence,
          nullptr},

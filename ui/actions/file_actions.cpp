@@ -10,21 +10,21 @@ std::vector<Action> file_actions() {
         {"file.open",
          "File",
          "Open ...",
-         "Opens a saved view, a scene or a lesson; the view before it can be brought back by undo.",
+         "Opens a saved view, a scene or a lesson; undo brings back the previous view.",
          {'O', true},
          begin_opening,
          nullptr},
         {"file.lay_texture",
          "File",
-         "Lay an image on the model ...",
-         "Lays an image on every part of a model that has none, where its file does not name one.",
+         "Apply an image to the model ...",
+         "Applies an image to every part of a model whose file does not name one.",
          {},
          begin_choosing_texture,
          nullptr},
         {"file.save_view",
          "File",
          "Save the view ...",
-         "Writes everything that is on show into a file that can be opened again.",
+         "Writes everything that is shown to a file that can be opened again.",
          {'S', true},
          begin_saving,
          nullptr},
@@ -64,7 +64,7 @@ std::vector<Action> edit_actions() {
         {"edit.undo",
          "Edit",
          "Undo",
-         "Takes back the last thing that was set.",
+         "Takes back the last change.",
          {'Z', true},
          [](Ui& ui) {
              if (!undo(ui.session)) ui.session.notice = "Nothing to undo.";
@@ -73,7 +73,7 @@ std::vector<Action> edit_actions() {
         {"edit.redo",
          "Edit",
          "Redo",
-         "Sets again what was taken back.",
+         "Makes the change again that was taken back.",
          {'Z', true, true},
          [](Ui& ui) {
              if (!redo(ui.session)) ui.session.notice = "Nothing to redo.";
@@ -85,13 +85,13 @@ std::vector<Action> edit_actions() {
          "Returns to the moment and selection visited before.",
          {key::left, false, false, true},
          [](Ui& ui) {
-             if (!go_back(ui.session)) ui.session.notice = "No place was visited before this one.";
+             if (!go_back(ui.session)) ui.session.notice = "This is the first place visited.";
          },
          nullptr},
         {"go.forward",
          "Edit",
          "Forward",
-         "Goes on to the place that Back came from.",
+         "Goes forward to the place that Back came from.",
          {key::right, false, false, true},
          [](Ui& ui) {
              if (!go_forward(ui.session)) ui.session.notice = "This is the last place visited.";

@@ -43,7 +43,7 @@ void write_kept(Ui& ui, KeptFile& file, const char* what, const std::function<vo
         // The second of them must not hide that the first is lost too, least of all progress.
         const bool are_both = ui.lesson.progress_file.is_failing && ui.options_file.is_failing;
         ui.session.notice = std::string(are_both ? "Progress and the look of the window" : what)
-                                .append(" will not be kept until this is mended: ")
+                                .append(" will not be kept until this is fixed: ")
                                 .append(fault.what());
     } catch (const Error& fault) {
         give_up(ui, file, what, fault);

@@ -28,12 +28,12 @@ std::string size_words(Viewport size) {
 
 /// What a picture is held against: another size than that of the scene is said.
 std::string picture_words(const LabReference& against, Viewport size) {
-    const std::string what = "the picture of " + against.scene->name +
-                             (against.is_set ? " with the camera, light and stage that are set"
-                                             : " as the handout draws it");
+    const std::string what =
+        "the picture of " + against.scene->name +
+        (against.is_set ? " with the current camera, light and stage" : " as the handout draws it");
     const Viewport usual = against.settings.viewport;
     if (size == usual) return what + ", " + size_words(usual) + " pixels like yours";
-    return what + ", drawn in the size of yours: " + size_words(size) + " pixels instead of " +
+    return what + ", drawn at the size of yours: " + size_words(size) + " pixels instead of " +
            size_words(usual);
 }
 
@@ -174,7 +174,7 @@ void begin_quiz(Ui& ui) {
     if (lab.seed == 0) lab.seed = 1000 + ImGui::GetFrameCount() * 37 % 9000;
     const auto seed = static_cast<std::uint32_t>(lab.seed);
     if (!start_quiz(ui.session, lab_bugs(ui), seed, lab.wants_two ? 2 : 1)) {
-        ui.session.notice = "None of the mistakes shows in this scene: open the room.";
+        ui.session.notice = "None of the mistakes shows in this scene. Open the room instead.";
         return;
     }
     ui.session.notice.clear();

@@ -286,7 +286,8 @@ void release_pointed(Ui& ui) {
             lesson.frames_unseen = 0;
         } else if (lesson.frames_unseen > frames_to_appear) {
             // What a step points at may come later, as behind the start page.
-            if (!is_of_step) ui.session.notice = "What is pointed at is not on the screen now.";
+            if (!is_of_step)
+                ui.session.notice = "What this link points to is not on the screen now.";
             lesson.is_held = false;
         }
     }

@@ -121,7 +121,7 @@ void open_lesson_to_go_on(Ui& ui) {
 void open_neighbour_step(Ui& ui, int distance) {
     const Lesson* const lesson = open_lesson_of(ui);
     if (lesson == nullptr) {
-        ui.session.notice = "No lesson is open: the key L lists them.";
+        ui.session.notice = "No lesson is open. Press L to list them.";
         return;
     }
     const int step = ui.session.step + distance;

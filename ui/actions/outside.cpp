@@ -10,7 +10,7 @@ CanvasShows shown_on_canvas(const Ui& ui) {
 
 void show_on_canvas(Ui& ui, CanvasShows shows) {
     if (shows != CanvasShows::picture && ui.session.scene->space != SceneSpace::world) {
-        ui.session.notice = "This scene is given in pixels: it has no camera to be seen from "
+        ui.session.notice = "This scene is given in pixels, so it has no camera to be seen from "
                             "outside.";
         return;
     }

@@ -67,7 +67,7 @@ void carry_on_reading(Ui& ui) {
     if (ui.session.scene != reading.shown || ui.session.lesson != reading.lesson) {
         const std::filesystem::path path = reading.now->path();
         stop_reading(ui);
-        tell(ui.session, "Something else was opened: " + in_quotes(path.filename().string()) +
+        tell(ui.session, "Something else was opened, so " + in_quotes(path.filename().string()) +
                              " is not read any further.");
         return;
     }

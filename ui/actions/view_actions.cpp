@@ -53,7 +53,7 @@ std::vector<Action> canvas_choices() {
     actions.push_back({"view.through_camera",
                        "View",
                        "Look through the camera",
-                       "Puts the eye outside where the camera is; again, back outside.",
+                       "Moves the outside view to where the camera is; repeat to move it back.",
                        {},
                        switch_camera_view,
                        [](const Ui& ui) {
@@ -72,14 +72,14 @@ std::vector<Action> turning_actions() {
     };
     constexpr float step = 0.1f; // radians
     std::vector<Action> actions;
-    for (const Turn turn : {Turn{"left", "Turn the outside left", key::left, -step, 0.0f},
-                            Turn{"right", "Turn the outside right", key::right, step, 0.0f},
-                            Turn{"up", "Turn the outside up", key::up, 0.0f, step},
-                            Turn{"down", "Turn the outside down", key::down, 0.0f, -step}}) {
+    for (const Turn turn : {Turn{"left", "Turn the outside view left", key::left, -step, 0.0f},
+                            Turn{"right", "Turn the outside view right", key::right, step, 0.0f},
+                            Turn{"up", "Turn the outside view up", key::up, 0.0f, step},
+                            Turn{"down", "Turn the outside view down", key::down, 0.0f, -step}}) {
         actions.push_back({std::string("view.outside_").append(turn.name),
                            "",
                            turn.title,
-                           "Turns the scene as it is seen from outside.",
+                           "Turns the scene in the outside view.",
                            {turn.key, false, true},
                            [turn](Ui& ui) {
                                if (shown_on_canvas(ui) == CanvasShows::picture) return;
@@ -104,7 +104,7 @@ std::vector<Action> view_actions() {
         {"view.grid",
          "View",
          "Pixel grid",
-         "Draws lines between pixels from 8x on.",
+         "Draws lines between the pixels at 8x and above.",
          {'G'},
          [](Ui& ui) { ui.session.canvas.grid = !ui.session.canvas.grid; },
          [](const Ui& ui) { return ui.session.canvas.grid; },
@@ -112,8 +112,8 @@ std::vector<Action> view_actions() {
         {"view.fit",
          "View",
          "Fit the picture",
-         "Shows the whole picture, of a very small one its triangles; and all of the scene from "
-         "outside.",
+         "Shows the whole picture (of a very small one, its triangles); in the outside view, the "
+         "whole scene.",
          {'F'},
          [](Ui& ui) {
              ui.session.canvas.zoom = 0.0f;
@@ -139,7 +139,7 @@ std::vector<Action> view_actions() {
         {"view.lecture",
          "View",
          "Lecture mode",
-         "For a projector: everything is large, and Page down walks. Escape ends it.",
+         "Makes everything large for a projector; Page down walks. Escape ends it.",
          {key::f5},
          toggle_lecture,
          [](const Ui& ui) { return ui.options.is_lecture; }},
@@ -171,7 +171,7 @@ std::vector<Action> view_actions() {
         {"view.theme",
          "View",
          "Light theme",
-         "Changes between the dark and the light theme.",
+         "Switches between the dark and the light theme.",
          {},
          [](Ui& ui) {
              ui.options.theme = ui.options.theme == Theme::dark ? Theme::light : Theme::dark;
@@ -199,8 +199,8 @@ std::vector<Action> stage_actions() {
         {"switch.perspective",
          "Stage",
          "Perspective-correct interpolation",
-         "Interpolates q/z, or q/w where w is not z, and recovers q at the pixel; off, q itself is "
-         "interpolated and the light skews.",
+         "Interpolates q/z, or q/w where w is not z, and recovers q at the pixel; when it is off, "
+         "q itself is interpolated and the light is skewed.",
          {'P'},
          [](Ui& ui) {
              if (refuses_settings(ui.session)) return;
@@ -215,7 +215,7 @@ std::vector<Action> stage_actions() {
         {"switch.depth_test",
          "Stage",
          "Depth test",
-         "Draws a fragment only if it is nearer; off, the last one drawn wins.",
+         "Draws a fragment only if it is nearer; when it is off, the last one drawn wins.",
          {'Z'},
          [](Ui& ui) {
              if (refuses_settings(ui.session)) return;

@@ -162,8 +162,8 @@ void check_result(Ui& ui, const std::string& path) {
     refuse_endless_file(path);
     // What cannot be read is said on the sheet, beside the other files.
     if (!is_result(path)) {
-        throw InputError(fmt::format("{}: a result is a picture ({}), or printed rows as .txt.",
-                                     path, exact_image_formats));
+        throw InputError(fmt::format("{}: a result is a picture ({}) or printed rows (.txt).", path,
+                                     exact_image_formats));
     }
     if (!is_image_file(path)) parse_printed_rows(read_file(path), path);
     diagnose_file(ui, path);
@@ -171,7 +171,7 @@ void check_result(Ui& ui, const std::string& path) {
 
 void lay_texture(Ui& ui, const std::string& path) {
     ui.session.scene = std::make_shared<const Scene>(with_texture(*ui.session.scene, path));
-    tell(ui.session, "Laid " + fs::path(path).filename().string() + " on the model.");
+    tell(ui.session, "Applied " + fs::path(path).filename().string() + " to the model.");
 }
 
 void open_dropped(Ui& ui, const std::string& path) {
@@ -212,7 +212,7 @@ void copy_link(Ui& ui) {
         const std::string link = page + view_link(ui.session);
         ImGui::SetClipboardText(link.c_str());
         const char* const what =
-            page.empty() ? "Copied what belongs behind the address of the page: " : "Copied: ";
+            page.empty() ? "Copied what goes after the address of the page: " : "Copied: ";
         tell(ui.session, what + link);
     } catch (const Error& fault) {
         ui.session.notice = fault.what();
@@ -231,8 +231,8 @@ void begin_choosing_result(Ui& ui) {
 
 void begin_choosing_texture(Ui& ui) {
     if (ui.host.is_browser) {
-        ui.session.notice = "A browser hands over one file at a time: name the image in the "
-                            "model's .mtl, and open them on the desktop.";
+        ui.session.notice = "A browser hands over only one file at a time. Name the image in the "
+                            "model's .mtl, and open the model on the desktop.";
         return;
     }
     begin_sheet(ui, FileSheet::Kind::texture);
@@ -240,7 +240,7 @@ void begin_choosing_texture(Ui& ui) {
 
 void begin_saving(Ui& ui) {
     if (hides_settings(ui.session)) {
-        ui.session.notice = "The view can be saved when the quiz is over.";
+        ui.session.notice = "The view can be saved once the quiz is over.";
         return;
     }
     if (ui.host.is_browser) return save_as_download(ui);

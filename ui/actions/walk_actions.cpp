@@ -14,11 +14,11 @@ Timeline timeline_of(const Ui& ui) {
 void walk_to_change(Ui& ui, bool (*walk)(Session&, const Timeline&, const PixelHistory&),
                     const char* direction) {
     if (ui.results.history_work) {
-        ui.session.notice = "What fell on the pixel is still being looked for.";
+        ui.session.notice = "The program is still looking for what fell on the pixel.";
         return;
     }
     if (!ui.results.history) {
-        ui.session.notice = "There is no picked pixel: pick a pixel first, by a click.";
+        ui.session.notice = "No pixel is picked. Click one first.";
         return;
     }
     const glm::ivec2 pixel = ui.results.history->pixel;
@@ -50,7 +50,7 @@ std::vector<Action> walk_actions() {
         {"walk.play",
          "Walk",
          "Play or pause",
-         "Lets time run as fast as the dial says; from the end, from the beginning.",
+         "Lets time run as fast as the dial says; at the end, it starts again from the beginning.",
          {key::space},
          [](Ui& ui) { toggle_play(ui.session, timeline_of(ui)); },
          [](const Ui& ui) { return ui.session.play.running; }},
@@ -86,21 +86,21 @@ std::vector<Action> walk_actions() {
         {"walk.previous_change",
          "Walk",
          "Previous change of the pixel",
-         "Goes back to where the picked pixel was written before.",
+         "Goes back to the previous time the picked pixel was written.",
          {'B'},
          [](Ui& ui) { walk_to_change(ui, previous_change, "earlier"); },
          nullptr},
         {"walk.next_change",
          "Walk",
          "Next change of the pixel",
-         "Goes on to where the picked pixel is written next.",
+         "Goes on to the next time the picked pixel is written.",
          {'N'},
          [](Ui& ui) { walk_to_change(ui, next_change, "later"); },
          nullptr},
         {"walk.events",
          "Walk",
          "List of moments",
-         "Lists what the triangle does moment by moment, as text to search and to copy.",
+         "Lists what the triangle does moment by moment, as text to search and copy.",
          {},
          [](Ui& ui) { ui.sheets.toggle(Sheet::events); },
          [](const Ui& ui) { return ui.sheets.is_open(Sheet::events); },

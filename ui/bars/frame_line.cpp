@@ -110,11 +110,11 @@ void use_frame_line(const TimeLines& s, bool has_window) {
     }
     name_widget(s.ui, "walk.scrub",
                 has_window
-                    ? "The whole frame from its first vertex to its last fragment; a tick a "
-                      "triangle. Drag to go to any moment. The bracket is what the line below "
-                      "enlarges; the wheel makes it narrower."
-                    : "The whole frame from its first vertex to its last fragment; a tick a "
-                      "triangle. Drag to go to any moment.");
+                    ? "The whole frame from its first vertex to its last fragment, with one tick "
+                      "per triangle. Drag to go to any moment. The bracket marks what the line "
+                      "below enlarges; the wheel makes it narrower."
+                    : "The whole frame from its first vertex to its last fragment, with one tick "
+                      "per triangle. Drag to go to any moment.");
     step_by_arrows(s, "walk.scrub");
 }
 

@@ -192,7 +192,8 @@ void draw_way_out(Ui& ui, const Area& area) {
     ImGui::SetCursorScreenPos(area.position);
     const bool pressed = ImGui::InvisibleButton("lecture.leave", area.size);
     const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, "lecture.leave", "Everything is again as it was before the lecture.\nKey: Esc");
+    name_widget(ui, "lecture.leave",
+                "Puts everything back as it was before the lecture.\nKey: Esc");
     const ImVec2 text = ImGui::CalcTextSize(words.c_str());
     ImGui::GetWindowDrawList()->AddText({area.position.x + 0.5f * (area.size.x - text.x),
                                          area.position.y + 0.5f * (area.size.y - text.y)},

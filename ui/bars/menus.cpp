@@ -146,7 +146,7 @@ void draw_lesson_menu(Ui& ui) {
         text_in(palette(ui.options.theme).dim, words);
         ImGui::PopFont();
         keep_item_whole(ui);
-        name_widget(ui, "menu.lesson.count", "The ten around the open lesson.");
+        name_widget(ui, "menu.lesson.count", "The ten lessons around the one that is open.");
         note_text(ui, "menu.lesson.count", words);
     }
     if (!wanted.empty()) open_lesson(ui, wanted, ui.lesson.progress.of(wanted).last_step);
@@ -157,14 +157,14 @@ struct MenuTitle {
     const char* help;
 };
 
-const MenuTitle menus[] = {{"File", "Views to open and save, pictures, and the way out."},
+const MenuTitle menus[] = {{"File", "Open and save views, save pictures, quit."},
                            {"Edit", "Undo, redo, and the places visited."},
                            {"View", "What the canvas shows, text size and theme."},
                            {"Scene", "The scenes that come with the program, and presets."},
-                           {"Lesson", "The lessons, and what is done of them."},
+                           {"Lesson", "The lessons, and your progress."},
                            {"Stage", "The stages of the pipeline and the two switches."},
                            {"Compare", "Two runs of the scene, and where they differ."},
-                           {"Walk", "Through time: steps, play, beginning and end."},
+                           {"Walk", "Move through time: steps, play, beginning and end."},
                            {"Help", "All keys, and what the words mean."}};
 
 void draw_menu(Ui& ui, const MenuTitle& menu) {

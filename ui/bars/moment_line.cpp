@@ -101,8 +101,8 @@ void draw_marks_key(Ui& ui, ImVec2 at, float room) {
     ImGui::SetCursorScreenPos(at);
     draw_difference_key(ui, words);
     name_widget(ui, "walk.differences",
-                "Each diamond above the line is a place where the two runs do something "
-                "different. Click one to go there; J and K go to the next and the previous.");
+                "Each diamond above the line is a place where the two runs do something different. "
+                "Click one to go there; J and K go to the next one and the previous one.");
 }
 
 /// What the diamonds mean, if there are any, and the piece of work that comes next, if there is

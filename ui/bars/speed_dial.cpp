@@ -96,9 +96,9 @@ void draw_speed_dial(Ui& ui, ImVec2 at, DialForm form) {
     if (is_hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) play.speed = Speed{};
     const Speed meant = speed_in(play.speed, steps);
     name_widget(ui, "walk.speed",
-                "How fast the play goes: from a step a second over the whole frame in so many "
-                "seconds to as fast as can be drawn. Drag it or turn the wheel; a double click is "
-                "the whole frame in 15 s again.");
+                "How fast time runs: from one step a second, through the whole frame in a given "
+                "time, to as fast as it can be drawn. Drag it or turn the wheel; a double click "
+                "sets it back to the whole frame in 15 s.");
     note_text(ui, "walk.speed", speed_text(meant));
     const int more = take_arrows(ui, "walk.speed").more();
     if (more > 0) play.speed = faster(play.speed, steps);

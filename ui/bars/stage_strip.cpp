@@ -190,7 +190,7 @@ StripWord scene_word(const Ui& ui, const Form& form) {
             .loud = shortened(name.empty() ? "unnamed" : name,
                               form.scene_width * ui.options.text_scale) +
                     " ▾",
-            .help = "The scene on show: " + name + ".\nClick: opens another.",
+            .help = "The current scene: " + name + ".\nClick to open another one.",
             .widest = ""};
 }
 

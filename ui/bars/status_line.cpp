@@ -34,7 +34,7 @@ struct StatusTrouble {
     std::vector<int> lessons; ///< numbers of those that tell why it happens
 };
 
-/// "; lesson 12 tells why it happens": a clause, or nothing.
+/// "; lesson 12 explains why it happens": a clause, or nothing.
 std::string lesson_words(const std::vector<int>& lessons) {
     if (lessons.empty()) return "";
     std::string words = lessons.size() == 1 ? "; lesson " : "; lessons ";
@@ -43,7 +43,7 @@ std::string lesson_words(const std::vector<int>& lessons) {
                   : i + 1 < lessons.size() ? ", "
                                            : " and ") +
                  std::to_string(lessons[i]);
-    return words + (lessons.size() == 1 ? " tells why it happens" : " tell why it happens");
+    return words + (lessons.size() == 1 ? " explains why it happens" : " explain why it happens");
 }
 
 StatusTrouble trouble_of(const Ui& ui) {
@@ -109,7 +109,7 @@ void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
     const std::string about =
         is_notice ? ""
         : is_working(ui.results)
-            ? "\nIt is too much work for one frame of the window, and goes on."
+            ? "\nThis is too much work for one frame of the window, so it goes on in the next ones."
             : "\nThe program guards against this and goes on" + lesson_words(trouble.lessons) + ".";
     name_widget(ui, "status.trouble", trouble.text + about);
     note_text(ui, "status.trouble", words);
@@ -121,9 +121,9 @@ void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
         ImGui::GetWindowDrawList()->AddText({x, y}, packed(p.link), action.c_str());
         name_widget(
             ui, "status.show_outside",
-            "Rounding carries the end of a line one row too far: the table has no entry "
-            "for it, and the sample is left out. With the lab's settings that is usual, and "
-            "harms nothing. Selects the first such triangle, and shows its row table.");
+            "Rounding carries the end of a line one row too far. The table has no entry for that "
+            "row, so the sample is left out. With the lab's settings this is normal and does no "
+            "harm. Click to select the first such triangle and see its row table.");
         if (pressed) show_sample_outside(ui, trouble.triangle);
     }
     ImGui::PopClipRect();

@@ -249,9 +249,9 @@ void use_window_line(const TimeLines& s) {
     }
     name_widget(
         s.ui, "walk.window",
-        "The part in the bracket, enlarged: what a triangle is made of, each piece about as "
-        "long as it has moments. Drag to go to any of them; the wheel enlarges, and a double "
-        "click shows the whole triangle again.");
+        "The part in the bracket, enlarged. It shows what a triangle is made of; the more moments "
+        "a piece has, the longer it is. Drag to go to any moment; the wheel enlarges, and a "
+        "double click shows the whole triangle again.");
     step_by_arrows(s, "walk.window");
 }
 

@@ -73,8 +73,8 @@ float draw_test_colours(const Ui& ui, ImDrawList* list, ImVec2 at) {
 
 /// What the colours say, for whoever cannot see them.
 constexpr const char* test_colours_text =
-    "Tested pixels: blue inside, orange outside. Framed is the box that is tested; along each edge "
-    "a band lies on its inner side.";
+    "Tested pixels: blue inside, orange outside. The frame is the box that is tested; the band "
+    "along each edge is on its inner side.";
 
 } // namespace
 
@@ -132,9 +132,8 @@ void draw_cell_key(Ui& ui, const Pane& place) {
     ImGui::Dummy({std::max(place.room().x, 1.0f), std::max(place.room().y, 1.0f)});
     name_widget(ui, "canvas.cells",
                 (has_tests ? std::string(test_colours_text) + "\n\n" : std::string()) + text +
-                    "\n\nThe signs in a cell are those of the triangle on show. In the picked "
-                    "pixel there is one for each fragment, in the order of drawing; '…' stands "
-                    "for earlier ones.");
+                    "\n\nThe signs in a cell belong to the current triangle. The picked pixel has "
+                    "one sign for each fragment, in drawing order; '…' stands for earlier ones.");
     note_text(ui, "canvas.cells", text);
 }
 

@@ -96,9 +96,9 @@ void draw_title(Ui& ui, ImDrawList* list, bool of_b, const TitlePlace& title, st
     ImGui::SetCursorScreenPos(low);
     ImGui::Dummy({width, side});
     name_widget(ui, of_b ? "compare.title_b" : "compare.title_a",
-                (of_b ? "Run B: what it has otherwise than A.\n"
-                      : "Run A: what it has otherwise than B. The switches and the settings "
-                        "set this run.\n") +
+                (of_b ? "Run B: where it differs from A.\n"
+                      : "Run A: where it differs from B. The switches and the settings apply to "
+                        "this run.\n") +
                     run_assignments(ui.session, of_b));
     note_text(ui, of_b ? "compare.title_b" : "compare.title_a", words);
 }

@@ -152,9 +152,9 @@ std::string tooltip_of_variant(const Ui& ui, const Variant& variant) {
     std::string text(info.menu_title);
     text += ".\n";
     text += variant.view == CompareView::difference
-                ? variant.words.front() + " differ, of what is drawn up to this moment"
+                ? variant.words.front() + " differ in what is drawn so far"
                 : run_assignments(ui.session, variant.view == CompareView::run_b);
-    return text + "\nClick: shows it large.";
+    return text + "\nClick to enlarge it.";
 }
 
 /// The widest single word of the shortest words of all: the small pictures stay equally large.

@@ -152,7 +152,7 @@ void draw_views(Ui& ui, bool as_list) {
         const CompareViewInfo& now = compare_view_list()[static_cast<std::size_t>(chosen)];
         ImGui::SetNextItemWidth(button_width("Side by side ") + ImGui::GetFrameHeight());
         const bool open = ImGui::BeginCombo("##compare view", now.title.data());
-        name_widget(ui, "compare.view", "In which way the two pictures are shown.");
+        name_widget(ui, "compare.view", "How the two pictures are shown.");
         if (!open) return;
         for (const CompareViewInfo& info : compare_view_list()) {
             if (list_entry(ui, std::string("compare.").append(info.name), info.menu_title,
@@ -232,9 +232,8 @@ void draw_compare_bar(Ui& ui) {
         text_in(p.dim, shown);
         name_widget(ui, "compare.counts",
                     forms.front() +
-                        "\nOf what is drawn up to this moment; in linear colour, of the "
-                        "channel that differs most. "
-                        "The Compare tab has more.");
+                        "\nCounted in what is drawn so far. Differences are those of the channel "
+                        "that differs most, in linear colour. The Compare tab has more.");
         note_text(ui, "compare.counts", shown);
     }
     ImGui::SameLine();
@@ -279,7 +278,7 @@ void draw_wipe_handle(Ui& ui, const Pane& canvas) {
     ImGui::InvisibleButton("compare.wipe_handle", {width, canvas.high.y - canvas.low.y});
     const bool is_held = ImGui::IsItemActive();
     if (is_held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    name_widget(ui, "compare.divider", "A at the left, B at the right. Drag it.");
+    name_widget(ui, "compare.divider", "A is on the left, B on the right. Drag it.");
     const auto right = static_cast<float>(take_arrows(ui, "compare.divider").right);
     ui.session.wipe = std::clamp(ui.session.wipe + 0.02f * right, 0.0f, 1.0f);
     if (!is_held) return;

@@ -191,8 +191,7 @@ void draw_numbers(Ui& ui, const DepthView& view, ImVec2 low, float right) {
     ImGui::SetCursorScreenPos({low.x, y});
     text_in(p.dim, far);
     name_widget(ui, "depth.far_text",
-                depth_name(ui) +
-                    " from which on pixels take the darkest colour, and the z of it: " +
+                depth_name(ui) + " at which pixels become darkest, and its z: " +
                     depth_text(ui, view.range.far) + ".");
     note_text(ui, "depth.far_text", far);
     const float far_end = ImGui::GetItemRectMax().x + gap;
@@ -200,8 +199,7 @@ void draw_numbers(Ui& ui, const DepthView& view, ImVec2 low, float right) {
     ImGui::SetCursorScreenPos({std::max(near_left, far_end), y});
     text_in(p.dim, near);
     name_widget(ui, "depth.near_text",
-                depth_name(ui) +
-                    " from which on pixels take the brightest colour, and the z of it: " +
+                depth_name(ui) + " at which pixels become brightest, and its z: " +
                     depth_text(ui, view.range.near) + ".");
     note_text(ui, "depth.near_text", near);
     if (const std::optional<float> depth = depth_asked(ui)) {

@@ -28,7 +28,7 @@ std::string difference_of_depths(const Ui& ui) {
     const DepthWords& a = depth_words(ui.results.a.frame);
     const DepthWords& b = depth_words(ui.results.b->frame);
     return fmt::format("B − A, {}",
-                       a.kind == b.kind ? a.name : std::string_view("depths of two kinds"));
+                       a.kind == b.kind ? a.name : std::string_view("two kinds of depth"));
 }
 
 std::string difference_unit(const Ui& ui, View view) {
@@ -139,7 +139,7 @@ void draw_difference_legend(Ui& ui, ImVec2 low, ImVec2 high) {
     ImGui::Dummy({high.x - low.x, high.y - low.y});
     name_widget(ui, "compare.scale",
                 "What the colours of the difference mean: blue where B is less than A, orange "
-                "where it is more, black where they are the same.\n" +
+                "where it is more, black where they are equal.\n" +
                     difference_said(ui).front());
 }
 

@@ -53,7 +53,7 @@ std::vector<std::string> forms_of(const RunResults& run, LargeFrameWish wish) {
         grouped(std::llround(fragments.all / 1'000'000.0)) + " million fragments";
     const double outside = 100.0 * fragments.share_outside();
     const std::string share =
-        outside >= 1.0 ? fmt::format(", {} % beside the picture", fixed(outside, 1)) : "";
+        outside >= 1.0 ? fmt::format(", {} % outside the picture", fixed(outside, 1)) : "";
     std::string state;
     if (run.is_held)
         state = wish == LargeFrameWish::stop ? ": stopped" : ": not drawn yet";
@@ -85,11 +85,11 @@ bool draw_large_frame_bar(Ui& ui) {
     const RunResults* const run = large_run(ui.results);
     if (run == nullptr) return false;
     const NoticeButton draw{"canvas.draw_it", "draw it",
-                            "Draws the frame all the same, a part at a time."};
-    const NoticeButton stop{"canvas.stop", "stop", "Stops the drawing; what is drawn stays."};
+                            "Draws the frame anyway, a part at a time."};
+    const NoticeButton stop{"canvas.stop", "stop", "Stops the drawing; what has been drawn stays."};
     const NoticeButton clip{"canvas.clip_it", "clip it",
-                            "Cuts all triangles by the six planes of the view: clip=all. Then "
-                            "hardly a fragment falls beside the picture."};
+                            "Clips all triangles at the six planes of the view (clip=all). Then "
+                            "hardly any fragments fall outside the picture."};
     std::vector<NoticeButton> buttons;
     if (run->is_held)
         buttons.push_back(draw);
@@ -102,8 +102,8 @@ bool draw_large_frame_bar(Ui& ui) {
     const std::vector<std::string> forms = forms_of(*run, wish_of(ui));
     const std::string help =
         forms.front() + ".\nEstimated from the areas of the triangles. A program that interpolates "
-                        "every fragment of a triangle, in the picture or not, seems to hang here: "
-                        "lesson 18.";
+                        "every fragment of a triangle, whether in the picture or not, seems to "
+                        "hang here; see lesson 18.";
     const std::string_view clicked =
         draw_notice_bar(ui, "canvas.fragments", forms, help, true, buttons);
     if (clicked == draw.name) say(ui, LargeFrameWish::draw);

@@ -69,15 +69,15 @@ void draw_switch(Ui& ui, const char* name, const char* title, bool& on, float ne
 /// What stands in the cells and beside them.
 void draw_cell_list(Ui& ui) {
     CanvasView& canvas = ui.session.canvas;
-    draw_switch(ui, "layers.row_table", "row table beside its rows", canvas.row_table,
+    draw_switch(ui, "layers.row_table", "row table next to its rows", canvas.row_table,
                 row_table_zoom(ui),
-                "leftPixels and rightPixels of the triangle on show, each line beside the row of "
-                "the picture that it describes.\nOnly where it covers nothing of the triangle: the "
-                "Rows tab always has it.");
+                "leftPixels and rightPixels of the current triangle, each line next to the row of "
+                "the picture that it describes.\nShown only where it covers no part of the "
+                "triangle; the Rows tab always has it.");
     const std::string fates = std::string("pass ") + passed_sign + " and fail " + failed_sign;
     draw_switch(ui, "layers.fates", fates.c_str(), canvas.fates, fates_zoom(ui),
-                "What the depth test said of each fragment of the triangle on show, and of all "
-                "that fell on the picked pixel.");
+                "What the depth test said about each fragment of the current triangle, and about "
+                "all fragments that fell on the picked pixel.");
     text_in(palette(ui.options.theme).dim, "in the cells");
     keep_item_whole(ui);
     const bool has_tests = tests_pixels(ui.results.a.frame.stages);
@@ -125,7 +125,7 @@ float layers_button_width(const Ui&, bool narrow) {
 void draw_layers_button(Ui& ui, bool narrow) {
     const std::vector<std::string> on = layers_on(ui);
     std::string help =
-        "What is laid over the picture and stands in its cells: wireframe, owners, the row table, "
+        "What is drawn over the picture and in its cells: wireframe, owners, the row table, "
         "numbers ...";
     for (const std::string& name : on)
         help += (&name == on.data() ? "\nOn: " : ", ") + name;

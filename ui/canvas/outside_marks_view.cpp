@@ -310,7 +310,8 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
         return {point, pen.is_narrow ? "divided" : "dividing puts it here",
                 pen.meaning(Meaning::fail), 2};
     case OutsidePointKind::occluder:
-        return {point, pen.is_narrow ? "shades" : "stands between", pen.meaning(Meaning::fail), 1};
+        return {point, pen.is_narrow ? "blocks" : "blocks the light", pen.meaning(Meaning::fail),
+                1};
     case OutsidePointKind::axis:
         // Before the vertices: an arrow without a name says nothing, and they have their numbers
         // in the panel.

@@ -155,7 +155,7 @@ void draw_caption(Ui& ui, ImDrawList* list, const Pane& pane) {
     if (button(ui, "outside.camera", label, Look::link, tooltip_of("view.through_camera"))) {
         switch_camera_view(ui);
     }
-    const std::string hint = is_camera ? "as the camera sees it" : "drag turns · wheel nears";
+    const std::string hint = is_camera ? "as the camera sees it" : "drag to turn · wheel to zoom";
     std::vector<std::string> forms{hint};
     if (const std::optional<int>& triangle = ui.results.a.triangle) {
         const std::string rays = "rays of " + triangle_name(*triangle);

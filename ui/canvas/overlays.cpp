@@ -246,8 +246,8 @@ void draw_fold_button(Ui& ui, ImVec2 corner, float side) {
     ImGui::SetCursorScreenPos(corner);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
     if (button(ui, "legend.fold", ui.canvas.shows_legend ? "−" : "+", Look::quiet,
-               ui.canvas.shows_legend ? "Folds the legend up: the picture gets its room."
-                                      : "Unfolds the legend.",
+               ui.canvas.shows_legend ? "Collapses the legend to make room for the picture."
+                                      : "Expands the legend.",
                {side, side})) {
         ui.canvas.shows_legend = !ui.canvas.shows_legend;
     }

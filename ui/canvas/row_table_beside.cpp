@@ -179,7 +179,7 @@ void draw_header(const Table& t, float canvas_top) {
     const RowTableLayout::End &left = t.layout.ends[0], &right = t.layout.ends[1];
     const std::array titles{
         Title{"entry", "entry", 0.0f, t.layout.entry, p.dim,
-              "The index i of leftPixels[i] and rightPixels[i]: the row of the picture less the "
+              "The index i of leftPixels[i] and rightPixels[i]: the row of the picture minus the "
               "first row of the triangle."},
         Title{"left", is_bare ? "left" : "leftPixels", left.left, left.number,
               colour_of(Meaning::left_end, theme),

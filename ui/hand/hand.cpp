@@ -207,8 +207,8 @@ ImVec2 Hand::pixel_middle(int column, int row) {
     const std::optional<float> x = screen_middle(column, place.origin.x, place.scale);
     const std::optional<float> y = screen_middle(row, place.origin.y, place.scale);
     if (!x || !y) {
-        throw UsageError(pixel + " cannot be pointed at: the picture is shown smaller than it is; "
-                                 "zoom in.");
+        throw UsageError(pixel + " cannot be pointed at because the picture is shown smaller than "
+                                 "it is; zoom in.");
     }
     if (*x < canvas.top_left.x || *x >= canvas.bottom_right.x || *y < canvas.top_left.y ||
         *y >= canvas.bottom_right.y) {
@@ -329,7 +329,7 @@ std::vector<std::string> Hand::names() const {
 std::string Hand::not_found(std::string_view name) const {
     const std::string quoted = "'" + std::string(name) + "'";
     if (ui_.widgets.contains(std::string(name))) {
-        return "The widget " + quoted + " cannot be seen and not be scrolled into view.";
+        return "The widget " + quoted + " cannot be seen and cannot be scrolled into view.";
     }
     std::vector<std::string> all = names();
     const std::vector<std::string_view> views(all.begin(), all.end());
@@ -342,7 +342,8 @@ std::string Hand::not_found(std::string_view name) const {
     for (std::size_t i = 0; i < all.size() && i < largest_list; ++i)
         list.append(list.empty() ? "" : ", ").append(all[i]);
     if (all.size() > largest_list) list += ", ...";
-    return sentence + (list.empty() ? " No widget is there at all." : " There are: " + list + ".");
+    return sentence +
+           (list.empty() ? " There are no widgets at all." : " There are: " + list + ".");
 }
 
 } // namespace rasterwalk

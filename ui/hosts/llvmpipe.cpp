@@ -38,7 +38,7 @@ GLuint compiled(GLenum kind, const std::string& text) {
     if (is_good == GL_TRUE) return shader;
     std::array<char, 1024> log{};
     glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    throw AccessError(std::string("llvmpipe does not take a shader: ") + log.data());
+    throw AccessError(std::string("llvmpipe does not accept a shader: ") + log.data());
 }
 
 GLuint linked_program(const ShaderTexts& texts) {

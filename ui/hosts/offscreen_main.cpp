@@ -38,8 +38,8 @@ using ActionOptions =
 ActionOptions describe(CLI::App& app, Arguments& a) {
     app.set_version_flag("--version", "rasterwalk-offscreen " + version_text());
     app.footer(
-        "--click, --hover, --pick and --press are carried out in the order in which they "
-        "stand.\nExit codes: 0 done, 2 wrong usage, 3 bad input, 4 could not read or write.");
+        "--click, --hover, --pick and --press are carried out in the order given.\nExit codes: 0 "
+        "done, 2 wrong usage, 3 bad input, 4 could not read or write.");
     app.add_option("FILE", a.view.file,
                    "Scene (.toml), model (.obj), lesson (.md) or saved view (.walk.toml) to open");
     app.add_option("-o,--output", a.output, "PNG file to write")->type_name("FILE")->required();
@@ -54,7 +54,7 @@ ActionOptions describe(CLI::App& app, Arguments& a) {
         ->group("Window");
     text("--theme", a.theme, "dark or light", "NAME");
     text("--report-widgets", a.options.report_path,
-         "Write names and places of all widgets to this file; - for standard output", "FILE");
+         "Write the names and places of all widgets to this file; - for standard output", "FILE");
 
     ActionOptions actions;
     const auto action = [&](const char* name, std::vector<std::string>& values,
@@ -67,7 +67,7 @@ ActionOptions describe(CLI::App& app, Arguments& a) {
     action("--hover", a.hovers, HandAction::Kind::hover, "Point at a widget; repeatable", "NAME");
     action("--pick", a.picks, HandAction::Kind::pick, "Click on a pixel of the picture; repeatable",
            "X,Y");
-    action("--press", a.presses, HandAction::Kind::press, "Press a key, as Ctrl+Z; repeatable",
+    action("--press", a.presses, HandAction::Kind::press, "Press a key, such as Ctrl+Z; repeatable",
            "KEY");
     return actions;
 }

@@ -52,14 +52,14 @@ TEST_CASE("The status line names the lesson that tells of the trouble there is, 
         return all;
     };
     Settings& settings = driver.ui.session.a.settings;
-    CHECK_THAT(says(), ContainsSubstring("lesson 12 tells"));
+    CHECK_THAT(says(), ContainsSubstring("lesson 12 explains"));
     settings.stage = Stage::edges;
     settings.camera.position.z = -0.5f;
-    CHECK_THAT(says(), ContainsSubstring("lesson 17 tells"));
+    CHECK_THAT(says(), ContainsSubstring("lesson 17 explains"));
     settings = default_settings(*driver.ui.session.scene);
     settings.stage = Stage::edges;
     settings.far = 0.01f;
-    CHECK_THAT(says(), ContainsSubstring("goes on.") && !ContainsSubstring("tells why"));
+    CHECK_THAT(says(), ContainsSubstring("goes on.") && !ContainsSubstring("explains why"));
 }
 
 TEST_CASE("Samples outside their row table are shown by a click on the status line") {
@@ -198,7 +198,7 @@ TEST_CASE("While a large picture turns it is said that the fast engine draws it"
     }
     while (driver.ui.results.hand.has_moved())
         driver.hand.frames(1);
-    CHECK(told().starts_with("fast engine, until the steps have drawn: "));
+    CHECK(told().starts_with("fast engine, until the steps are drawn: "));
     CHECK(driver.ui.canvas.picture.number == a.preview.number);
     come_to_rest();
     driver.hand.frames(1);

@@ -36,7 +36,7 @@ TEST_CASE("Without a picked pixel the history asks for one, and so do the keys f
         driver.ui.session.notice.clear();
         driver.hand.press(key);
         CHECK_THAT(driver.ui.session.notice,
-                   Catch::Matchers::ContainsSubstring("pick a pixel first"));
+                   Catch::Matchers::ContainsSubstring("No pixel is picked"));
         CHECK(driver.ui.results.a.cursor == cursor_end);
     }
     driver.hand.click_picture(240, 300);

@@ -232,7 +232,7 @@ TEST_CASE("A lesson leaves nothing behind in what a picture is held against") {
     finish_check(driver);
     CHECK(driver.ui.lab.answer->subject.reference.camera.yaw == 0.2f);
     CHECK_THAT(shown_text(driver, "lab.held_against"),
-               Catch::Matchers::ContainsSubstring("that are set"));
+               Catch::Matchers::ContainsSubstring("with the current camera"));
     driver.hand.click("lab.other_reference");
     finish_check(driver);
     CHECK(driver.ui.lab.answer->diagnosis.different == fresh);

@@ -141,7 +141,7 @@ TEST_CASE("A widget that is not on the screen is told") {
     Driver driver;
     point_at_widget(driver.ui, "depth.histogram", true);
     driver.hand.frames(6);
-    CHECK(driver.ui.session.notice == "What is pointed at is not on the screen now.");
+    CHECK(driver.ui.session.notice == "What this link points to is not on the screen now.");
     CHECK(driver.ui.lesson.pointed_at.empty());
 }
 

@@ -250,8 +250,7 @@ TEST_CASE("The view is copied as a link") {
     driver.hand.press('C', ctrl_shift);
     const std::string part = ImGui::GetClipboardText();
     CHECK(part.starts_with("#stage=depth&pixel=250,400&triangle="));
-    CHECK(driver.ui.session.notice ==
-          "Copied what belongs behind the address of the page: " + part);
+    CHECK(driver.ui.session.notice == "Copied what goes after the address of the page: " + part);
     CHECK_FALSE(is_fault(driver.ui.session));
     check_same_view(open_view(parse_view_link(part)), driver.ui.session);
 

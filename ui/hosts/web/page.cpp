@@ -119,7 +119,7 @@ void keep_file(Page& page, const KeptFile& file, int& kept_writes) {
     if (page_keep(file.path.c_str()) || page.is_storage_told) return;
     page.is_storage_told = true;
     page.ui.session.notice =
-        "This browser keeps nothing for this page: what you do here is gone when you leave.";
+        "This browser keeps nothing for this page, so what you do here is gone when you leave.";
 }
 
 void keep_state(Page& page) {
@@ -196,7 +196,7 @@ void open_context() {
     const auto context = emscripten_webgl_create_context(canvas_name, &attributes);
     if (context <= 0) {
         throw Error(ExitCode::no_display,
-                    "Rasterwalk needs WebGL 2, and this browser does not have it, or has turned it "
+                    "Rasterwalk needs WebGL 2, which this browser does not have or has turned "
                     "off.");
     }
     emscripten_webgl_make_context_current(context);
@@ -372,7 +372,7 @@ EMSCRIPTEN_KEEPALIVE void web_open(const char* path, bool is_result) {
             open_dropped(ui, path);
             if (std::string_view(path).ends_with(".md")) {
                 the_page->said_when_open =
-                    "A page cannot watch files: drop the lesson again when you have changed it.";
+                    "A page cannot watch files. Drop the lesson again when you have changed it.";
             }
         }
     });

@@ -19,7 +19,7 @@ const page = {
 
     copy(text) {
         const byHand = () => {
-            tell('web_say', 'This browser does not let the page copy: copy the text from the dialog.');
+            tell('web_say', 'This browser does not let the page copy. Copy the text from the dialog.');
             window.prompt('Copy this:', text);
         };
         if (navigator.clipboard) navigator.clipboard.writeText(text).catch(byHand);
@@ -133,7 +133,7 @@ function stop(fault) {
     console.error(fault);
     const what = (fault && fault.message || String(fault)).replace(/\.$/, '');
     page.say(wasRunning ? `Rasterwalk has stopped (${what}). Reload the page to go on; your progress is kept.`
-        : `Rasterwalk could not be started (${what}). It needs a browser with WebGL 2 and WebAssembly exceptions, and its own files beside it.`);
+        : `Rasterwalk could not be started (${what}). It needs a browser with WebGL 2 and WebAssembly exceptions, and its own files next to it.`);
 }
 
 function tell(name, ...values) {
@@ -300,7 +300,7 @@ async function openFiles(files, isResult) {
     if (!files.length) return;
     const size = files.reduce((sum, {file}) => sum + file.size, 0);
     if (openedSize + size > largestFiles) {
-        tell('web_say', 'That is more than 512 MB, with what was opened before: reload the page, and open fewer files.');
+        tell('web_say', 'Together with what was opened before, that is more than 512 MB. Reload the page and open fewer files.');
         return;
     }
     openedSize += size;
@@ -314,7 +314,7 @@ async function openFiles(files, isResult) {
             FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
         }
         if (size > longRead) {
-            tell('web_say', `Reading ${main.name}: the page stands still until that is done.`);
+            tell('web_say', `Reading ${main.name}. The page does not respond until that is done.`);
             await pictures(3);
         }
         tell('web_open', folder + '/' + main.name, isResult);
@@ -385,7 +385,7 @@ function entryOf(line) {
     const [, path, size] = /^\s*(?:\.\/)?([^#\s].*?)(?:\s+(\d+))?\s*$/.exec(line) || [];
     if (!path) return null;
     const isInside = path.split('/').every(part => part && !/^\.+$/.test(part) && !/[\\\p{Cc}]/u.test(part)) && /\.[^/]+$/.test(path);
-    if (!isInside) console.warn(`lessons: the list holds ${path}, which is no file from this folder on.`);
+    if (!isInside) console.warn(`lessons: the list holds ${path}, which is not a file in this folder or below it.`);
     return isInside ? {path, size: size && Number(size)} : null;
 }
 
@@ -431,7 +431,7 @@ function putFile({path, size, bytes}) {
 // ---- The beginning -------------------------------------------------------------------------------
 
 if (location.protocol === 'file:') {
-    page.say('A browser runs Rasterwalk from a web server only: in the folder of the program, ./run web serves it.');
+    page.say('A browser can run Rasterwalk only from a web server. Run ./run web in the program folder to start one.');
 }
 
 const listed = listedFiles();
