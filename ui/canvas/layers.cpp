@@ -71,13 +71,13 @@ void draw_cell_list(Ui& ui) {
     CanvasView& canvas = ui.session.canvas;
     draw_switch(ui, "layers.row_table", "row table next to its rows", canvas.row_table,
                 row_table_zoom(ui),
-                "leftPixels and rightPixels of the current triangle, each line next to the row of "
-                "the picture that it describes.\nShown only where it covers no part of the "
+                "leftPixels and rightPixels of the triangle shown, each line next to the row of "
+                "the picture that it describes.\nVisible only where it covers no part of the "
                 "triangle; the Rows tab always has it.");
     const std::string fates = std::string("pass ") + passed_sign + " and fail " + failed_sign;
     draw_switch(ui, "layers.fates", fates.c_str(), canvas.fates, fates_zoom(ui),
-                "What the depth test said about each fragment of the current triangle, and about "
-                "all fragments that fell on the picked pixel.");
+                "What the depth test said about each fragment of the triangle shown, and about all "
+                "fragments that fell on the picked pixel.");
     text_in(palette(ui.options.theme).dim, "in the cells");
     keep_item_whole(ui);
     const bool has_tests = tests_pixels(ui.results.a.frame.stages);

@@ -74,7 +74,7 @@ void draw_bench_examples(Ui& ui) {
     ImGui::SetNextItemWidth(-1.0f);
     const bool open =
         ImGui::BeginCombo("##example", current != nullptr ? current->name.c_str() : "your own");
-    name_widget(ui, "bench.examples", "Triangles that are worth a look.");
+    name_widget(ui, "bench.examples", "Triangles worth a look.");
     if (open) {
         for (const BenchExample& example : scene->examples) {
             if (list_entry(ui, "bench.example." + example.name, example.name, &example == current,

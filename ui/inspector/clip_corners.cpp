@@ -64,7 +64,7 @@ void draw_clip_corners(const ClipPage& page) {
     if (page.frame.settings.transform != Transform::matrices) return;
     // The same space stands in the Vertices tab by another scale.
     ImGui::PushStyleColor(ImGuiCol_Text, page.palette().dim);
-    wrapped_text("x and y count pixels here: they are W/2 and H/2 times those that Tp gives. So "
+    wrapped_text("Here x and y are in pixels: they are W/2 and H/2 times those that Tp gives. So "
                  "the left plane, x + w = 0 after Tp, is x + W/2 · w = 0.");
     keep_text_whole(page.ui);
     ImGui::PopStyleColor();
@@ -95,22 +95,25 @@ void draw_clip_codes(const ClipPage& page) {
             const bool is_set = (codes.of_corner[static_cast<std::size_t>(v)] >> p & 1u) != 0;
             const std::string id = fmt::format("code.{}.{}", p, v);
             ImGui::TableNextColumn();
-            draw_asked(
-                page, "clip." + id, id, is_set ? "1" : "0",
-                is_set ? colour_of(Meaning::fail, page.ui.options.theme) : page.palette().dim,
-                fmt::format("{} lies {} the {}.", vertex_name(v), is_set ? "beyond" : "inside of",
-                            plane_name(static_cast<ClipPlane>(p))));
+            draw_asked(page, "clip." + id, id, is_set ? "1" : "0",
+                       is_set ? colour_of(Meaning::fail, page.ui.options.theme)
+                              : page.palette().dim,
+                       fmt::format("{} is {} the {}.", vertex_name(v),
+                                   is_set ? "beyond"
+                                          : "on the inner "
+                                            "side of",
+                                   plane_name(static_cast<ClipPlane>(p))));
         }
         ImGui::PopFont();
     }
     draw_code_row(
         page, "AND", codes.common(),
-        "The bits that all corners have: beyond such a plane the whole triangle lies, and "
-        "it can be rejected at once. No such bit does not mean that a part is inside.");
+        "The bits that all corners have. The whole triangle lies beyond such a plane and can be "
+        "rejected at once. The absence of such a bit does not mean that any part is inside.");
     draw_code_row(
         page, "OR", codes.any(),
-        "The bits that any corner has: only these planes can have work. No bit: the whole "
-        "triangle lies inside, and is accepted at once.");
+        "The bits that any corner has. Only these planes can have work to do. If there is no bit, "
+        "the whole triangle lies inside and is accepted at once.");
     end_clip_table();
 }
 

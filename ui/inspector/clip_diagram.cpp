@@ -90,7 +90,7 @@ CornerMark given_mark(const ClipField& field, std::size_t i) {
             fmt::format("clip.diagram.corner.{}", i),
             short_corner_name(corner),
             fmt::format("{}, {} the {}: d = {}\n{}", corner_name(corner),
-                        is_inside ? "inside of" : "beyond", plane_name(diagram.plane),
+                        is_inside ? "on the inner side of" : "beyond", plane_name(diagram.plane),
                         fixed(static_cast<double>(d), 3), coordinates_text(corner)),
             fmt::format("d.{}.{}", static_cast<int>(diagram.plane), i),
             field.colour(is_inside ? Meaning::pass : Meaning::fail),
@@ -318,7 +318,9 @@ void ask_corners(const ClipField& field, const std::vector<CornerMark>& marks) {
         ImGui::SetCursorScreenPos({mark.at.x - reach, mark.at.y - reach});
         if (ImGui::InvisibleButton(mark.widget.c_str(), {2.0f * reach, 2.0f * reach}))
             field.page.ui.inspector.clip.number = mark.number;
-        name_widget(field.page.ui, mark.widget, mark.help + "\nClick: how it came to be.");
+        name_widget(field.page.ui, mark.widget,
+                    mark.help + "\nClick to see how it was "
+                                "calculated.");
     }
 }
 
@@ -341,11 +343,11 @@ void draw_caption(const ClipPage& page, const ClipDiagram& diagram) {
              first_fitting({"clip space, " + side + " and w; " + condition, condition},
                            ImGui::GetContentRegionAvail().x));
     name_widget(page.ui, "clip.diagram.inside",
-                "Before the division the plane is a straight line in every two coordinates, and so "
-                "is every edge, also where w is negative: each edge meets the plane once at most, "
-                "and a straight cut is enough. On the screen an edge through the eye's plane would "
-                "come back from the other side.\nx and y count pixels: at the border of the "
-                "picture x is W/2 · w, and y is H/2 · w.");
+                "Before the division, the plane is a straight line in these two coordinates, and "
+                "so is every edge, even where w is negative. So each edge meets the plane at "
+                "most once, and a straight cut is enough. On the screen, an edge through the "
+                "eye's plane would come back from the other side.\nx and y are in pixels: at the "
+                "border of the picture, x is W/2 · w and y is H/2 · w.");
 }
 
 } // namespace
@@ -360,7 +362,7 @@ bool draw_clip_diagram(const ClipPage& page, ClipPlane plane) {
     const std::optional<float> height = fitting_height(page, caption);
     if (height && diagram->is_endless) {
         ImGui::PushStyleColor(ImGuiCol_Text, page.palette().dim);
-        wrapped_text("No diagram: a corner is no number, or too far away to be drawn.");
+        wrapped_text("No diagram: a corner is not a number, or is too far away to be drawn.");
         keep_text_whole(ui);
         ImGui::PopStyleColor();
         name_widget(ui, "clip.diagram.none", "A diagram needs corners with finite coordinates.");

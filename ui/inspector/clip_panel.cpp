@@ -38,32 +38,32 @@ std::string list_of_planes(Outcode code) {
 std::string verdict_of(const ClipHistory& history, const Settings& settings) {
     const TriangleCodes& codes = history.codes;
     if (history.rejected != Rejection::none) {
-        return "Rejected before clipping: all corners lie beyond " +
+        return "Rejected before clipping because all corners lie beyond " +
                list_of_planes(history.outer_codes.common()) + ".";
     }
     if (!history.cuts) {
         if (history.clipped.is_cut)
-            return "It is changed by a function that tells of no plane: what is left stands below.";
+            return "It is changed by a function that reports no plane; what is left is shown "
+                   "below.";
         if (history.clipped.rejection != Rejection::none)
-            return "Nothing is cut: the triangle is left out whole.";
+            return "Nothing is cut; the whole triangle is left out.";
         if (settings.reject == Reject::cheap)
-            return "Nothing is cut: of what lies beside the picture cheap clipping walks no row "
-                   "and no column.";
+            return "Nothing is cut; cheap clipping skips the rows and columns outside the picture.";
         if (settings.clip != Clip::leave_out)
-            return "Nothing is cut: what reaches out of the view is divided as it is.";
-        return "Nothing is cut, as in the lab: a triangle with a vertex behind the camera is left "
-               "out whole, and what lies beside the picture is left out pixel by pixel.";
+            return "Nothing is cut; what reaches outside the view is divided as it is.";
+        return "Nothing is cut, as in the lab. A triangle with a vertex behind the camera is left "
+               "out completely, and what is outside the picture is left out pixel by pixel.";
     }
     if (history.clipped.rejection != Rejection::none) {
         if (codes.common() != 0) {
-            return "Nothing is left: all corners lie beyond " + list_of_planes(codes.common()) +
-                   ".";
+            return "Nothing is left because all corners lie beyond " +
+                   list_of_planes(codes.common()) + ".";
         }
-        return "Nothing is left, though no plane has all corners beyond it: the triangle passes by "
-               "a corner of the view. Outcodes alone cannot tell.";
+        return "Nothing is left, although no plane has all corners beyond it. The triangle passes "
+               "by a corner of the view, which outcodes alone cannot detect.";
     }
     if (history.planes.empty()) {
-        return "Accepted: no corner lies beyond a plane. There is nothing to cut.";
+        return "Accepted because no corner lies beyond a plane. There is nothing to cut.";
     }
     Outcode cut = 0;
     for (const PlaneHistory& plane : history.planes)
@@ -100,14 +100,14 @@ std::string behind_text(const ClipHistory& history, const Frame& frame, int vert
         const glm::vec2 place = glm::vec2(frame.stages.viewport_middle(rules)) +
                                 frame.stages.perspective_divide(clip, 1.0f / clip.w);
         const auto part = [](float value) { return fixed(static_cast<double>(value), 0); };
-        text = fmt::format("{} lies behind the camera: {}. Dividing by it turns left to right and "
-                           "top to bottom: it lands at {}, on the other side of the picture, and "
-                           "the triangle turns inside out.",
+        text = fmt::format("{} is behind the camera: {}. Dividing by w swaps left and right, and "
+                           "top and bottom, so the vertex lands at {}, on the other side of the "
+                           "picture, and the triangle turns inside out.",
                            vertex_name(vertex), unbroken("w = " + w),
                            unbroken(fmt::format("({}, {})", part(place.x), part(place.y))));
     } else {
         text = vertex_name(vertex) + " lies in the camera's own plane: w = 0, and nothing can be "
-                                     "divided by it.";
+                                     "divided by 0.";
     }
     if (history.cuts) return text + " So it is cut off before the division.";
     if (!frame.is_drawn(history.triangle)) return text + " So the whole triangle is left out.";
@@ -118,7 +118,7 @@ std::string behind_text(const ClipHistory& history, const Frame& frame, int vert
 void draw_offer(Ui& ui) {
     if (hides_settings(ui.session)) return;
     if (button(ui, "clip.cut_all", "Cut by all six planes", Look::plain,
-               "Sets \"Clipped\" to \"by all planes\": what reaches out of the view is cut off "
+               "Sets \"Clipped\" to \"by all planes\", so what reaches outside the view is cut off "
                "before the division.")) {
         ui.session.a.settings.clip = Clip::all;
     }
@@ -128,10 +128,10 @@ void draw_clip_verdict(const ClipPage& page) {
     Ui& ui = page.ui;
     const bool is_culled = page.frame.settings.cull != Cull::none && page.history.cull.is_back;
     wrapped_text(verdict_of(page.history, page.frame.settings) +
-                 (is_culled ? " It is left out: it shows its back." : ""));
+                 (is_culled ? " It is left out because it shows its back." : ""));
     keep_text_whole(ui);
     name_widget(ui, "clip.verdict",
-                "What becomes of the triangle between the vertex shader and the division by w.");
+                "What happens to the triangle between the vertex shader and the division by w.");
     if (!page.history.cuts && page.history.rejected == Rejection::none) draw_offer(ui);
     const int behind = vertex_behind(page.history);
     if (behind < 0) return;
@@ -140,8 +140,8 @@ void draw_clip_verdict(const ClipPage& page) {
     keep_text_whole(ui);
     ImGui::PopStyleColor();
     name_widget(ui, "clip.behind",
-                "Behind the camera w is negative. The division by w makes a place in front of it "
-                "of one behind it, mirrored through the eye.");
+                "Behind the camera, w is negative. The division by w turns a place behind the "
+                "camera into one in front of it, mirrored through the eye.");
 }
 
 /// What is explained while nobody has asked: what was just done, or the first cut, or else what
@@ -268,8 +268,8 @@ bool ClipPage::is_current(ClipPlane plane, int step) const {
 void draw_clip_panel(Ui& ui) {
     const RunResults& a = ui.results.a;
     if (!a.inspected.clip) {
-        const char* const why = a.triangle ? "The scene is given in pixels: it has no camera, and "
-                                             "nothing of it is clipped."
+        const char* const why = a.triangle ? "The scene is given in pixels, so it has no camera "
+                                             "and nothing is clipped."
                                            : "The scene has no triangles.";
         ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
         wrapped_text(why);

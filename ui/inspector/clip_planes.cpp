@@ -68,8 +68,8 @@ void draw_distance(const ClipPage& page, const std::string& name, const std::str
     const Meaning meaning = is_inside ? Meaning::pass : Meaning::fail;
     draw_asked(page, name, id, text,
                is_coming ? page.palette().dim : colour_of(meaning, page.ui.options.theme),
-               is_inside ? "How far inside of the plane the corner lies."
-                         : "Less than 0: the corner lies outside of the plane.");
+               is_inside ? "How far inside the plane the corner is."
+                         : "Less than 0, so the corner is outside the plane.");
 }
 
 /// What a step passes on: the corner at its beginning, the one that it makes, both or none.
@@ -125,9 +125,9 @@ void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<Cut
              short_corner_name(from) + "→" + short_corner_name(to));
     const std::string edge =
         from.edge >= 0 ? "On " + edge_name(from.edge) + " of the triangle"
-                       : "Along the " + plane_name(from.edge_plane) + ", which has cut before";
+                       : "Along the " + plane_name(from.edge_plane) + ", which cut earlier";
     name_widget(page.ui, "clip.edge." + place,
-                fmt::format("{}, from {} to {}.\nClick: to the moment in which it is cut.", edge,
+                fmt::format("{}, from {} to {}.\nClick to go to the moment when it is cut.", edge,
                             corner_name(from), corner_name(to)));
     if (ImGui::IsItemClicked()) go_to_step(page, step.plane, step.from);
     if (is_current) {
@@ -158,7 +158,7 @@ void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<Cut
                                 : dim);
     name_widget(page.ui, "clip.gives." + place,
                 "What the step passes on to the polygon after this plane: the corner at its "
-                "beginning if that lies inside, and the new corner if the edge is cut.");
+                "beginning if that is inside, and the new corner if the edge is cut.");
 }
 
 /// The names of a varying's row: where the lab has a word for it, that.
@@ -243,7 +243,7 @@ ImVec4 cut_edge_colour(const ClipPage& page, const CutCorner& corner) {
 void draw_clip_plane_buttons(const ClipPage& page) {
     const float gap = 6.0f * page.ui.options.text_scale;
     const float right = right_end();
-    draw_clip_title(page, "Plane by plane", "open: those that have work");
+    draw_clip_title(page, "Plane by plane", "open: those with work to do");
     ImGui::PushFont(page.ui.fonts.small);
     for (std::size_t p = 0; p < page.history.codes.plane_count; ++p) {
         const auto plane = static_cast<ClipPlane>(p);
@@ -251,9 +251,9 @@ void draw_clip_plane_buttons(const ClipPage& page) {
         if (p > 0 && ImGui::GetItemRectMax().x + gap + button_width(label) <= right)
             ImGui::SameLine(0.0f, gap);
         const std::string help = has_work(page, plane)
-                                     ? "It cuts. Click: opens or closes what it does."
-                                     : "It has no work: every corner lies inside. Click: opens or "
-                                       "closes the distances.";
+                                     ? "It cuts. Click to open or close what it does."
+                                     : "It has no work to do because every corner is inside. Click "
+                                       "to open or close the distances.";
         const bool is_clicked =
             button(page.ui, "clip.plane." + label, label,
                    is_plane_open(page, plane) ? Look::chosen : Look::plain, help);
@@ -281,9 +281,9 @@ void draw_clip_plane(const ClipPage& page, ClipPlane plane) {
         put_text(page, page.palette().dim, "edge");
         ImGui::PopFont();
         draw_column_title(page, "clip.header.from", "from, d",
-                          "How far inside of the plane the edge begins.");
+                          "How far inside the plane the edge begins.");
         draw_column_title(page, "clip.header.to", "to, d",
-                          "How far inside of the plane the edge ends.");
+                          "How far inside the plane the edge ends.");
         const float room = ImGui::GetContentRegionAvail().x;
         draw_column_title(page, "clip.header.t", "t",
                           "Where the edge is cut: d of the corner inside, divided by the sum of "

@@ -31,20 +31,20 @@ std::string answer_help(const Frame& frame, Cull way) {
     const std::string sight(sight_name(frame));
     switch (way) {
     case Cull::face_normal:
-        return sight + ": does the normal of the first corner point away from the camera? Then it "
-                       "is a back.";
+        return sight + ": does the normal of the first corner point away from the camera? Then "
+                       "this is a back face.";
     case Cull::screen_area:
-        return "The area on the screen with its sign: less than 0 where the corners go round "
-               "counterclockwise, as those of a back do. With a corner behind the camera there is "
-               "no such order.";
+        return "The signed area on the screen. It is less than 0 where the corners go round "
+               "counterclockwise, as those of a back face do. With a corner behind the camera "
+               "there is no such order.";
     case Cull::vertex_normals:
-        return sight + " of the corner whose normal points least away: a back only if all of them "
-                       "do. A smooth body keeps the faces of its outline.";
+        return sight + " of the corner whose normal points away least. It is a back face only if "
+                       "all of them point away, so a smooth body keeps the faces on its outline.";
     case Cull::fragment_normal:
         return sight +
-               " at every fragment, with the normal that was interpolated to it: a back "
-               "only as far as it is greater than 0. The number is that of the corner whose normal "
-               "points least away.";
+               " at every fragment, with the normal interpolated to it. A fragment shows a back "
+               "only if this is greater than 0. The number is that of the corner whose normal "
+               "points away least.";
     case Cull::none:
     case Cull::view_axis:
     case Cull::lamp:
@@ -80,9 +80,10 @@ std::string culling_text(const ClipPage& page, const std::vector<CullAnswer>& an
     const Cull in_force = page.frame.settings.cull;
     std::string text;
     if (in_force == Cull::none) {
-        text = "The setting leaves out no backs: it is drawn whichever side it shows.";
+        text = "The setting leaves out no backs, so the triangle is drawn whichever side it shows.";
     } else if (in_force == Cull::fragment_normal) {
-        text = "The setting asks each fragment by itself: those with a back's normal are left out.";
+        text = "The setting checks each fragment separately and leaves out those whose normal "
+               "points away.";
     } else {
         text = page.history.cull.is_back ? "It is left out." : "It is drawn.";
     }
@@ -91,13 +92,13 @@ std::string culling_text(const ClipPage& page, const std::vector<CullAnswer>& an
     if (backs == 0 || backs == static_cast<std::ptrdiff_t>(answers.size())) return text;
     const bool is_open = std::any_of(answers.begin(), answers.end(),
                                      [](const CullAnswer& answer) { return answer.is_open; });
-    text += " The ways differ here: ";
+    text += " The tests differ here because ";
     if (is_open) {
-        text += "a corner lies behind the camera, so that the corners have no order on the screen.";
+        text += "a corner is behind the camera, so the corners have no order on the screen.";
     } else if (answers[0].is_back != answers[1].is_back) {
-        text += "the normal and the order of the corners do not say the same of its front.";
+        text += "the normal and the order of the corners disagree about its front.";
     } else {
-        text += "some of its vertices have normals that point to the camera.";
+        text += "some of its vertices have normals that point toward the camera.";
     }
     return text;
 }
@@ -171,7 +172,7 @@ void draw_clip_rest(const ClipPage& page) {
 void draw_clip_culling(const ClipPage& page) {
     const std::vector<CullAnswer> answers = cull_answers(page.frame, page.history);
     if (answers.empty()) return;
-    draw_clip_title(page, "Front or back?", "each way to ask");
+    draw_clip_title(page, "Front or back?", "what each test says");
     if (begin_clip_table(page, "culling", {1.6f, 1.2f, 1.0f})) {
         for (const CullAnswer& answer : answers)
             draw_answer(page, answer, answer.way == page.frame.settings.cull);
@@ -182,8 +183,8 @@ void draw_clip_culling(const ClipPage& page) {
     keep_text_whole(page.ui);
     ImGui::PopStyleColor();
     name_widget(page.ui, "clip.culling",
-                "Of a closed body one sees only the sides that face the camera; the others need "
-                "not be drawn. The setting \"Backs left out\" says which way is in force.");
+                "Of a closed body you see only the sides that face the camera, so the others need "
+                "not be drawn. The setting \"Backs left out\" selects the test that is used.");
 }
 
 void draw_clip_counts(const ClipPage& page) {
@@ -207,16 +208,17 @@ void draw_clip_counts(const ClipPage& page) {
         note_text(page.ui, "clip.count." + name, whole_text(count));
     };
     line("rejected", "rejected", left_out.of(Rejection::outside),
-         "Triangles of which all corners lie beyond the same plane, found by their outcodes.");
-    line("cut", "clipped", clipping.clipped, "Triangles from which a plane has cut a part.");
+         "Triangles whose corners all lie beyond the same plane, found by their outcodes.");
+    line("cut", "clipped", clipping.clipped, "Triangles that a plane has cut.");
     line("after clipping", "clip_triangles", clipping.clip_triangles,
-         "Triangles after clipping: a fan of each polygon; those that were not cut count as well.");
+         "Triangles after clipping, including the fan of each polygon; those that were not cut "
+         "count as well.");
     line("culled", "culled", left_out.of(Rejection::back_facing),
          "Triangles that show their back and are left out.");
     line(is_whole ? "fragments outside" : "fragments outside, so far", "fragments_outside",
          a.replay.tally().fragments_outside,
-         "Fragments that fall beside the picture: worked out for nothing. Clipping by all planes "
-         "saves them, and so does cheap clipping.");
+         "Fragments that fall outside the picture and are worked out for nothing. Clipping by all "
+         "planes avoids them, and so does cheap clipping.");
     end_clip_table();
 }
 

@@ -48,7 +48,7 @@ std::string clip_number(float value, int coordinate) {
 void draw_asked(const ClipPage& page, const std::string& name, const std::string& id,
                 const std::string& text, const ImVec4& colour, const std::string& help) {
     if (!number_cell(page.ui, name, text, colour, page.number == id,
-                     help + "\nClick: how it came to be."))
+                     help + "\nClick to see how it was calculated."))
         return;
     page.ui.inspector.clip.number = id;
 }

@@ -17,7 +17,7 @@ inline constexpr std::array<const char*, 4> clip_coordinate_help{
     "by w it is on the screen. The matrix Tp gives it in units of W/2.",
     "y of clip space, y' = f y of the lab: pixels from the middle of the picture, times w; points "
     "down. The matrix Tp gives it in units of H/2.",
-    "z of clip space, of which the depth is made: it is divided by w too.",
+    "z of clip space, from which the depth is made; it is divided by w too.",
     "What x, y and z are divided by: how far in front of the camera. 0 or less is behind it."};
 
 /// A text that is shown whole or not at all.

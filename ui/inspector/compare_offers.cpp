@@ -149,11 +149,12 @@ CardSize card_size(const Ui& ui, float width) {
 std::string tooltip_of_pair(const Session& session, const ComparePair& pair, bool is_on_show) {
     const Settings& a = session.a.settings;
     const PairWay& way = offer_of(pair, a);
-    std::string text("Compares the picture as it is (run A) with one with ");
+    std::string text("Compares the picture as it is (run A) with ");
     text.append(way.title).append(" (run B).\n").append(way.words);
     if (!(at_step_of(pair, a) == a))
-        text.append("\nIt does not show at this stage: both go to one at which it does.");
-    return is_on_show ? text.append("\nAgain: back to one run.") : text;
+        text.append("\nThe difference does not show at this stage, so both runs go to one where it "
+                    "does.");
+    return is_on_show ? text.append("\nClick again to go back to one run.") : text;
 }
 
 void draw_offers(Ui& ui) {

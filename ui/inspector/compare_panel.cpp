@@ -34,7 +34,7 @@ void set_next_word(Settings& settings, const ChoiceSetting& choice) {
 void draw_choice_of_difference(Ui& ui, const char* title) {
     ImGui::SetNextItemWidth(-1.0f);
     const bool open = ImGui::BeginCombo("##another", title, ImGuiComboFlags_HeightLarge);
-    name_widget(ui, "compare.another", "Sets a setting otherwise in run B.");
+    name_widget(ui, "compare.another", "Changes a setting in run B.");
     keep_item_whole(ui);
     if (!open) return;
     for (const Setting& setting : setting_table()) {
@@ -54,14 +54,14 @@ void draw_choice_of_difference(Ui& ui, const char* title) {
 
 void draw_no_comparison(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
-    wrapped_text("Two runs of the same scene: where do they part, and why?");
+    wrapped_text("Two runs of the same scene: where do they diverge, and why?");
     keep_text_whole(ui);
     ImGui::Spacing();
     draw_offers(ui);
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
-    wrapped_text("Run A is the picture as it is. Run B is a copy in which one thing is otherwise; "
-                 "what you change from then on changes both.");
+    wrapped_text("Run A is the picture as it is. Run B is a copy in which one thing is different; "
+                 "whatever you change after that changes both.");
     keep_text_whole(ui);
     ImGui::PopStyleColor();
     ImGui::Spacing();
@@ -90,7 +90,7 @@ void setting_link(Ui& ui, const std::string& name, const Setting& setting) {
     const std::string title =
         shortened(std::string(setting.title), ImGui::GetContentRegionAvail().x);
     if (button(ui, "compare.setting." + name, title, Look::link,
-               name + "\n" + std::string(setting.help) + "\nClick: shows it in the settings.")) {
+               name + "\n" + std::string(setting.help) + "\nClick to see it in the settings.")) {
         ui.inspector.setting_search = name;
         open_tab(ui, "settings");
     }
@@ -117,7 +117,9 @@ void edit_both(Ui& ui, const std::string& name, const Setting& setting) {
 /// @param of the setting that the columns are of; empty: of all
 void run_headers(Ui& ui, const std::string& of) {
     const std::string end = of.empty() ? "" : "." + of;
-    header_cell(ui, {"A"}, "compare.header.a" + end, "Run A, which the switches and settings set.",
+    header_cell(ui, {"A"}, "compare.header.a" + end,
+                "Run A, which the switches and settings apply "
+                "to.",
                 true);
     header_cell(ui, {"B"}, "compare.header.b" + end, "Run B, which is compared with it.", true);
 }
@@ -156,7 +158,10 @@ void draw_settings(Ui& ui) {
     }
     if (!begin_columns("compare.settings", 3)) return;
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    header_cell(ui, {"setting"}, "compare.header.setting", "What is set otherwise in run B.", true);
+    header_cell(ui, {"setting"}, "compare.header.setting",
+                "The settings that differ in run "
+                "B.",
+                true);
     run_headers(ui, "");
     for (const RunDifference& difference : differences) {
         const std::string name(difference.setting);
@@ -195,10 +200,8 @@ void draw_counts(Ui& ui) {
     ImGui::TableSetupColumn("", 0, 1.0f);
     ImGui::TableSetupColumn("", 0, 1.0f);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    header_cell(ui, {"what differs"}, "compare.header.what", "How far the two runs lie apart.",
-                true);
-    header_cell(ui, {"so far"}, "compare.header.here", "In what is drawn up to this moment.",
-                false);
+    header_cell(ui, {"what differs"}, "compare.header.what", "How much the two runs differ.", true);
+    header_cell(ui, {"so far"}, "compare.header.here", "In what is drawn so far.", false);
     header_cell(ui, {"whole frame", "whole"}, "compare.header.whole", "When everything is drawn.",
                 false);
     const auto number = [](double value, int digits) { return fixed(value, digits); };
@@ -222,8 +225,8 @@ void draw_counts(Ui& ui) {
                "Rows of row tables whose left or right end differs.");
     count_line(
         ui, "moments", "compare.count.moments", "", found(comparison.whole().divergences.count),
-        "A moment is the smallest piece of work: a vertex, a sample of an edge, a fragment of "
-        "a row. So many of them do something different in the two runs.");
+        "A moment is the smallest piece of work: a vertex, a sample of an edge, a fragment of a "
+        "row. This many of them do something different in the two runs.");
     ImGui::EndTable();
 }
 
@@ -241,7 +244,7 @@ void draw_divergence(Ui& ui, const char* title, const std::string& name,
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
     if (button(ui, name, moment_name(divergence.cursor), Look::link,
                describe_moment(ui.results.a.frame, divergence.cursor) +
-                   "\nClick: stands there in both runs.")) {
+                   "\nClick to go there in both runs.")) {
         stand_at(ui, divergence.cursor);
     }
     keep_item_whole(ui);
@@ -258,7 +261,7 @@ void draw_first(Ui& ui) {
     begin_card(ui);
     if (!list.first) {
         text_in(palette(ui.options.theme).dim, comparison.work.is_done()
-                                                   ? "The two runs do the very same."
+                                                   ? "The two runs do exactly the same."
                                                    : work_words(ui.results).c_str());
         end_card(ui);
         return;
@@ -295,7 +298,7 @@ void draw_first(Ui& ui) {
     draw_difference_key(ui, key);
     keep_item_whole(ui);
     name_widget(ui, "compare.key",
-                "On the time line this mark stands where the two runs begin to differ.");
+                "On the time line, this mark shows where the two runs begin to differ.");
     ImGui::PopFont();
 }
 
@@ -316,7 +319,7 @@ void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
     const std::string part = part_name(*ui.results.a.frame.scene, group.triangle);
     name_widget(ui, "compare.group." + std::to_string(index),
                 triangle_name(group.triangle) + ", " + part + ": from " + to_text(group.first) +
-                    " to " + to_text(group.last) + ".\nClick: stands at the first of them.");
+                    " to " + to_text(group.last) + ".\nClick to go to the first of them.");
     ImGui::SameLine(0.0f, 0.0f);
     ImGui::TextUnformatted(shortened(short_triangle_name(group.triangle) + " " + part,
                                      ImGui::GetContentRegionAvail().x)
@@ -370,7 +373,7 @@ void draw_groups(Ui& ui) {
 
 void draw_compare_panel(Ui& ui) {
     if (!ui.session.b && hides_settings(ui.session)) {
-        wrapped_text("While a quiz goes on, the laboratory compares with the correct run.");
+        wrapped_text("During a quiz, the laboratory compares with the correct run.");
         return;
     }
     if (!ui.session.b) {

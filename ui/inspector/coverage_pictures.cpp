@@ -191,8 +191,8 @@ std::string rule_tooltip(const EdgeByRule& by_rule) {
         compared_fill_rules.begin());
     return std::string(sentences.at(i)) +
            "\nYellow with a dot: drawn by both. Hollow: drawn by neither. The lighter pixels "
-           "belong "
-           "to the triangle on show.\nCounted along the whole edge.\nClick: draws with this rule.";
+           "belong to the triangle shown.\nCounted along the whole edge.\nClick to draw with this "
+           "rule.";
 }
 
 void draw_rules_at_edge(Ui& ui, CoveragePictures& shown) {
@@ -226,9 +226,10 @@ void draw_ways_of_polygon(Ui& ui, CoveragePictures& shown) {
         polygon.window, [&](std::size_t i) -> const auto& { return polygon.ways[i].pixels; });
     constexpr std::array<const char*, polygon_way_count> titles{"row table", "fan", "active edges"};
     constexpr std::array<const char*, polygon_way_count> sentences{
-        "One left and one right end a row, and all pixels between them.",
-        "The triangles of the polygon's fan about its first corner, each filled.",
-        "In each row inside begins and ends at every edge that crosses it: even and odd."};
+        "One left and one right end per row, and all pixels between them.",
+        "The triangles of the polygon's fan around its first corner, each filled.",
+        "In each row, every edge that crosses it switches between outside and inside: the even-odd "
+        "rule."};
     std::vector<SmallPicture> pictures;
     for (std::size_t i = 0; i < polygon_way_count; ++i) {
         const PolygonByWay& way = polygon.ways[i];
@@ -265,11 +266,11 @@ void draw_subject(Ui& ui, CoveragePictures& shown, bool shows_rules) {
     ImGui::PushFont(ui.fonts.small);
     if (shown.shared && shown.polygon) {
         if (button(ui, "inside.show.polygon", "polygon", shows_rules ? Look::quiet : Look::chosen,
-                   "The whole polygon by row table, fan and active edges."))
+                   "The whole polygon, filled by row table, fan and active edges."))
             shown.wants_rules = false;
         ImGui::SameLine();
         if (button(ui, "inside.show.rules", "fill rules", shows_rules ? Look::chosen : Look::quiet,
-                   "An edge that a neighbour shares, by each fill rule."))
+                   "An edge that a neighbour shares, under each fill rule."))
             shown.wants_rules = true;
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();

@@ -80,8 +80,8 @@ void draw_shadow(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
     keep_text_whole(ui);
     ImGui::PopStyleColor();
     name_widget(ui, "fragment.shadow",
-                "Whether the lamp's light arrives, by the setting shadows: only where it does is "
-                "there direct light.");
+                "Whether the lamp's light arrives, according to the setting shadows. Where it does "
+                "not, there is no direct light.");
     for (const char* id :
          {"shadow.t", "shadow.seen.z", "shadow.bias", "shadow.compared", "shadow.map", "lit"})
         draw_fragment_line(ui, prefix + id);
@@ -117,10 +117,10 @@ void draw_bump(Ui& ui) {
     }
     draw_bump_line(ui, "n", "normal", axis_names, bump.normal,
                    bump.space ? "The normal in the world, as the normal map bends it."
-                              : "The normal that the light has: as the normal map bends it.");
+                              : "The normal used for the light, as the normal map bends it.");
     if (!bump.space) return;
     draw_bump_line(ui, "in t, b, n", "square.normal", axis_names, bump.space->normal,
-                   "The normal that the light has, along the axes of tangent space.");
+                   "The normal used for the light, along the axes of tangent space.");
 }
 
 /// The light at one point, term by term.
@@ -164,7 +164,7 @@ void draw_vertex_light(Ui& ui) {
                 light[i] > 1.0f ? colour_of(Meaning::fail, ui.options.theme) : p.text;
             const std::string name = "fragment.vertex_light.v" + std::to_string(v) + "." + channel;
             if (line.link(shown({light[i]}), name,
-                          channel + " of the light that the vertex gives back.\nClick: shows it "
+                          channel + " of the light that the vertex reflects.\nClick to see it "
                                     "there, term by term.",
                           colour)) {
                 go_to_source(ui, from_vertex(report.cursor.triangle, v, "light.R." + channel));
@@ -210,7 +210,9 @@ void draw_fragment_light(Ui& ui) {
         bool is_first; ///< the one in force, if it is not the light per pixel
     };
     const LightChoice per_triangle{"fragment.light.per_triangle", "per triangle",
-                                   "The light in the middle of the triangle, for all of it.", true};
+                                   "The light at the middle of the triangle, used for all of "
+                                   "it.",
+                                   true};
     const LightChoice per_vertex{"fragment.light.per_vertex", "per vertex",
                                  "The light of the three vertices, interpolated.", true};
     const bool shows_first =
@@ -223,8 +225,8 @@ void draw_fragment_light(Ui& ui) {
         const bool in_force = choice.is_first == (in_force_is_vertex || in_force_is_flat);
         const std::string title = std::string(in_force ? "● " : "") + choice.title;
         const std::string help =
-            std::string(choice.help) + (in_force ? "\nThis is the lighting in force."
-                                                 : "\nWhat the other lighting would give.");
+            std::string(choice.help) +
+            (in_force ? "\nThis is the lighting in use." : "\nWhat the other lighting would give.");
         if (button(ui, choice.name, title,
                    choice.is_first == shows_first ? Look::plain : Look::quiet, help)) {
             ui.inspector.chosen.shows_other_light = !in_force;

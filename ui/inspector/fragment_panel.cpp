@@ -68,8 +68,7 @@ FragmentLinks links_of(const Ui& ui) {
 
 void draw_follow_link(Ui& ui) {
     if (link_at_right(ui, "fragment.follow", "the one drawn last",
-                      "Lets the picked pixel go: from moment to moment the fragment that was drawn "
-                      "last is shown.")) {
+                      "Releases the picked pixel and always shows the fragment drawn last.")) {
         ui.session.selection.pixel = std::nullopt;
     }
 }
@@ -118,8 +117,8 @@ void draw_title(Ui& ui) {
     keep_item_whole(ui);
     ImGui::PopFont();
     name_widget(ui, "fragment.pixel",
-                is_picked ? "Column and row of the picture on which the fragment fell."
-                          : "Column and row of the picture on which the fragment drawn last fell.");
+                is_picked ? "Column and row of the pixel that the fragment fell on."
+                          : "Column and row of the pixel that the fragment drawn last fell on.");
     ImGui::SameLine();
     ImGui::BeginGroup();
     const glm::vec3 reflectance = scene.corner(triangle, 0).reflectance;
@@ -138,8 +137,8 @@ void draw_title(Ui& ui) {
     keep_item_whole(ui);
     name_widget(
         ui, "fragment.place",
-        "Whose fragment it is: its triangle, the entry of the triangle's row table, and how "
-        "far along that row; each from 0.");
+        "Where the fragment belongs: its triangle, the entry of the triangle's row table, and how "
+        "far along that row; all count from 0.");
     if (links.can_go && !ui.inspector.is_low) draw_go_link(ui);
 }
 
@@ -272,7 +271,7 @@ void draw_no_fragment(Ui& ui) {
     const Frame& frame = ui.results.a.frame;
     std::string words;
     if (!has_fragments(frame.settings.stage)) {
-        words = "This stage has no fragments: they come with the filling of triangles.";
+        words = "This stage has no fragments. They come with filled triangles.";
     } else if (ui.session.selection.pixel) {
         words = "No fragment ever falls on this pixel. The History tab says why.";
     } else {

@@ -23,7 +23,7 @@ void draw_number(Ui& ui, const std::string& id, const std::string& cell, int dig
     const std::string name = "fragment." + cell;
     if (number_cell(ui, name, fixed(static_cast<double>(formula->result.value), digits), colour,
                     ui.inspector.chosen.fragment_number == id,
-                    formula->help + "\nClick: how it came to be.")) {
+                    formula->help + "\nClick to see how it was calculated.")) {
         ui.inspector.chosen.fragment_number = id;
     }
 }
@@ -39,7 +39,7 @@ void draw_error(Ui& ui, const QuantityInfo& info) {
     if (info.quantity == Quantity::zinv) {
         right_aligned("0", p.dim);
         name_widget(ui, "fragment.zinv.off",
-                    std::string(info.words.name) + " is interpolated the same way under both.");
+                    std::string(info.words.name) + " is interpolated the same way in both.");
         return;
     }
     const std::string id = std::string(info.words.id) + ".off";
@@ -165,7 +165,7 @@ void draw_column_headers(Ui& ui, const std::array<ValueColumn, 4>& columns) {
         keep_item_whole(ui);
         name_widget(ui, name,
                     std::string(column.help) +
-                        (column.in_force ? "\nThis is the way in force." : ""));
+                        (column.in_force ? "\nThis is the method in use." : ""));
         note_text(ui, name, title);
     }
     ImGui::PopFont();

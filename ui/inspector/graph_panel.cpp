@@ -95,8 +95,9 @@ void draw_row_choice(Ui& ui, int index, const char* where) {
     text_in(p.dim, first_fitting({column + where, column, shortest},
                                  ImGui::GetContentRegionAvail().x - width - gap));
     name_widget(ui, "graph.where",
-                "The column whose numbers stand beside the curves' names: under the pointer, or "
-                "else of the current fragment, or else where the error is largest.");
+                "The column whose numbers are next to the curves' names: the one under the "
+                "pointer, or else that of the current fragment, or else the one with the largest "
+                "error.");
     ImGui::SameLine();
     const float room = ImGui::GetContentRegionAvail().x;
     if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
@@ -250,7 +251,7 @@ int draw_plots(Ui& ui, int index, int pointed) {
     int in_carried = -1;
     if (has_carried) {
         draw_legend(ui, "graph.carried.legend", carried, index,
-                    "What a perspective-correct row carries: straight lines both. The pixel "
+                    "What a perspective-correct row carries. Both are straight lines. The pixel "
                     "divides one by the other, and the quotient is the curve above.");
         in_carried = draw_plot(ui, "graph.carried", carried, {width, room - high}, axis,
                                in_truth >= 0 ? in_truth : pointed);
@@ -289,7 +290,7 @@ void draw_no_row(Ui& ui) {
     const Frame& frame = ui.results.a.frame;
     std::string words = "No row of this triangle lies in the picture.";
     if (frame.settings.stage < Stage::rows) {
-        words = "This stage has no rows yet: they come with filled triangles.";
+        words = "This stage has no rows yet. They come with filled triangles.";
     } else if (!frame.is_drawn(*ui.results.a.triangle)) {
         words = "This triangle is left out, so it has no rows. The Vertices tab says why.";
     } else if (ui.session.selection.row) {

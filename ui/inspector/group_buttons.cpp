@@ -25,9 +25,9 @@ struct GroupButton {
 };
 
 constexpr std::array group_help{
-    "The triangle on show: its vertices, its rows, and what floats do to its edges.",
-    "The picked pixel: the fragment on it, all that fell on it, and values along its row.",
-    "The run on show, a second one beside it, and the mistakes that rasterizers make.",
+    "The triangle shown: its vertices, its rows, and what floats do to its edges.",
+    "The picked pixel: the fragment on it, everything that fell on it, and values along its row.",
+    "The run shown, a second one next to it, and the mistakes that rasterizers make.",
 };
 constexpr std::array group_titles{"Triangle", "Pixel", "Runs"};
 static_assert(group_help.size() == tab_group_count && group_titles.size() == tab_group_count);

@@ -73,22 +73,22 @@ std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
                     " of the colour is its own,",
                 number_words(1.0f - winner.share) + " is what the pixel showed before."};
     }
-    if (history.entries.size() == 1) return {text + ": it is alone.", ""};
+    if (history.entries.size() == 1) return {text + " because nothing else fell here.", ""};
     if (!history.depth_tested)
-        return {text + ": there is no depth test, so the last one drawn stays.", ""};
+        return {text + " because there is no depth test and it was drawn last.", ""};
     const PixelEntry& next = runner_up(history, sign);
     const std::string other = triangle_words(ui, next.cursor.triangle);
     const float ahead = -sign * next.margin_to_winner;
     if (!(ahead > 0.0f)) {
         if (depth_rule(ui.results.a.frame.settings) == DepthTest::or_equal)
-            return {text + ": it came after " + other + ", which is just as near.", ""};
+            return {text + " because it came after " + other + ", which is just as near.", ""};
         const bool has_epsilon = depth_epsilon_rule(ui.results.a.frame.settings) > 0.0f;
-        return {text + ": it came before " + other +
+        return {text + " because it came before " + other +
                     (has_epsilon ? ", which is not nearer by more than epsilon."
                                  : ", which is just as near."),
                 ""};
     }
-    return {text + ": its " + value + " is the " + most + ",",
+    return {text + " because its " + value + " is the " + most + ",",
             fmt::format("{} ahead of {}.",
                         with_minus_signs(significant(static_cast<double>(ahead), 3)), other)};
 }
@@ -188,9 +188,9 @@ void pick(Ui& ui, const glm::ivec2& pixel) {
 /// Says what to do, and offers two pixels to begin with.
 void draw_no_pixel(Ui& ui) {
     wrapped_text(
-        "No pixel is picked. Click one in the picture: everything that falls on it is then "
-        "listed here, in the order of drawing, with what the depth test said of it.");
-    name_widget(ui, "history.empty", "Everything that falls on the pixel is then listed here.");
+        "No pixel is picked. Click one in the picture, and everything that falls on it is listed "
+        "here in drawing order, with what the depth test said about it.");
+    name_widget(ui, "history.empty", "Everything that falls on the picked pixel is listed here.");
     if (const std::optional<FragmentReport>& fragment = ui.results.a.inspected.fragment) {
         const std::string pixel = fmt::format("({}, {})", fragment->pixel.x, fragment->pixel.y);
         const float padding = 2.0f * ImGui::GetStyle().FramePadding.x;
@@ -198,25 +198,24 @@ void draw_no_pixel(Ui& ui) {
             first_fitting({"the fragment drawn last: " + pixel, "drawn last: " + pixel},
                           ImGui::GetContentRegionAvail().x - padding);
         if (button(ui, "history.pick_last", label, Look::plain,
-                   "Picks the pixel on which the moment's fragment fell.")) {
+                   "Picks the pixel that the last fragment fell on.")) {
             pick(ui, fragment->pixel);
         }
         keep_item_whole(ui);
     }
-    if (button(
-            ui, "history.pick_most", "a pixel with the most fragments", Look::plain,
-            "Picks a pixel on which more fragments fell than on any other, up to this moment.")) {
+    if (button(ui, "history.pick_most", "a pixel with the most fragments", Look::plain,
+               "Picks a pixel that more fragments have fallen on so far than on any other.")) {
         if (const auto pixel = most_drawn_pixel(*ui.results.a.framebuffer)) {
             pick(ui, *pixel);
         } else {
-            tell(ui.session, "Nothing is drawn at this moment.");
+            tell(ui.session, "Nothing has been drawn yet.");
         }
     }
 }
 
 void draw_pixel_to_come(const glm::ivec2& pixel) {
-    wrapped_text(fmt::format("Pixel ({}, {}): all triangles are asked what fell on it ...", pixel.x,
-                             pixel.y));
+    wrapped_text(fmt::format("Pixel ({}, {}): searching all triangles for what fell on it ...",
+                             pixel.x, pixel.y));
 }
 
 } // namespace

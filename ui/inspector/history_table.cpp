@@ -160,10 +160,10 @@ std::string depth_help(const Ui& ui) {
         return words.kind == ClipDepth::inv_z ? "Its interpolated 1/z: larger is nearer."
                                               : fmt::format("Its {}. {}", words.name, words.ends);
     return words.kind == ClipDepth::inv_z
-               ? "One over the z that is interpolated in equal steps: what this depth test "
-                 "compares, and wrong between the ends."
-               : fmt::format("The {} of the z that is interpolated in equal steps: what this depth "
-                             "test compares; under perspective wrong between the ends.",
+               ? "One over the z that is interpolated in equal steps. This depth test compares it, "
+                 "but it is wrong between the ends."
+               : fmt::format("The {} of the z that is interpolated in equal steps. This depth test "
+                             "compares it, but under perspective it is wrong between the ends.",
                              words.name);
 }
 
@@ -175,7 +175,7 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
                             nine_digits_shown(entry.depth), nine_digits_shown(entry.stored),
                             nine_digits_shown(entry.margin));
     } else if (has_fragments(ui.results.a.frame.settings.stage)) {
-        text += fmt::format("\n{} {}; no depth test asks for it", depth_value_words(ui),
+        text += fmt::format("\n{} {}; no depth test uses it", depth_value_words(ui),
                             nine_digits_shown(entry.depth));
     }
     if (entry.fate == Fate::depth_failed) {
@@ -191,11 +191,11 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
                             "below 1/2.",
                             nine_digits_shown(entry.alpha));
     } else if (stays(history, index)) {
-        text += "\nWritten, and nothing written after it: its colour stays.";
+        text += "\nWritten, and nothing was written after it, so its colour stays.";
     } else if (entry.share > 0.0f) {
-        text += "\nWritten. What was written later is half-transparent: it shows through.";
+        text += "\nWritten. What was written later is half-transparent, so it shows through.";
     } else {
-        text += "\nWritten, and written over later.";
+        text += "\nWritten, and overwritten later.";
     }
     if (ui.results.a.frame.blends && entry.share > 0.0f) {
         text += fmt::format("\n{} of the colour that stays is its own.",
@@ -205,7 +205,7 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
         return fmt::format("{} {} {}", nine_digits_shown(of.r), nine_digits_shown(of.g),
                            nine_digits_shown(of.b));
     };
-    return fmt::format("{}\ncolour {} → {}\nClick: to the moment just after it.", text,
+    return fmt::format("{}\ncolour {} → {}\nClick to go to the moment just after it.", text,
                        colour(entry.colour_before), colour(entry.colour_after));
 }
 
@@ -321,17 +321,18 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
         {"zinv", depth_title(ui), depth_help(ui)},
         {"margin", "margin",
          is_smaller_nearer(words_of(ui).kind)
-             ? fmt::format("The depth buffer's value before less its {}: above {} it is nearer and "
-                           "is written.",
+             ? fmt::format("The depth buffer's previous value minus its {}. Above {} it is nearer "
+                           "and is written.",
                            depth_value_words(ui), margin_limit(rules))
-             : fmt::format("Its {} less the depth buffer's value before: above {} it is nearer and "
-                           "is written.",
+             : fmt::format("Its {} minus the depth buffer's previous value. Above {} it is nearer "
+                           "and is written.",
                            depth_value_words(ui), margin_limit(rules))},
         {"fate", "fate",
-         std::string("✓ written: it became the pixel's colour. ✓ stays: and it was the last to do "
+         std::string("✓ written: it became the pixel's colour. ✓ stays: it was the last to do "
                      "so. ") +
              (shown_frame.blends ? "✓ shows: what lies over it is half-transparent. " : "") +
-             (has_texture_alpha(*shown_frame.scene) ? "✗ cut out: its texture is clear there. "
+             (has_texture_alpha(*shown_frame.scene) ? "✗ cut out: its texture is transparent "
+                                                      "there. "
                                                     : "") +
              "✗ hidden: something nearer was there."},
         {"colour", "", "The pixel's colour after it."},

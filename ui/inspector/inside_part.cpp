@@ -52,7 +52,7 @@ void draw_number_of_test(Ui& ui, const Formula& formula, const std::string& text
     std::string& chosen = ui.inspector.chosen.test_number;
     const bool is_chosen = chosen == formula.id;
     if (number_cell(ui, "inside." + formula.id, text, colour, is_chosen,
-                    formula.help + "\nClick: how it came to be."))
+                    formula.help + "\nClick to see how it was calculated."))
         chosen = is_chosen ? std::string() : formula.id;
 }
 
@@ -208,7 +208,7 @@ void draw_tested_columns(Ui& ui, const PixelTest& test, const TestedPolygon& pol
     const ColumnRange tested = polygon.tested_columns(triangle, test.row);
     const std::string columns = fmt::format("{} to {}", tested.first, tested.last);
     const std::vector<std::string> forms{
-        fmt::format("row {}: columns {} are tested, of {} to {} in the box", test.row, columns,
+        fmt::format("row {}: columns {} are tested out of {} to {} in the box", test.row, columns,
                     triangle.box.left, triangle.box.right - 1),
         fmt::format("row {}: columns {} are tested", test.row, columns),
         fmt::format("columns {}", columns)};
@@ -217,7 +217,7 @@ void draw_tested_columns(Ui& ui, const PixelTest& test, const TestedPolygon& pol
     ImGui::PopFont();
     keep_item_whole(ui);
     name_widget(ui, "inside.interval",
-                "The interval of this row between the places where the edges cross it: only there "
+                "The interval of this row between the places where the edges cross it. Only there "
                 "can all three E be 0 or more, so only these pixels are tested.");
 }
 
@@ -248,7 +248,7 @@ void draw_pixel_test(Ui& ui, const PixelTest& test) {
                         test.is_inside ? "inside" : "outside"));
     name_widget(ui, "inside.pixel",
                 with_minus_signs(pixel_test_text(test)) +
-                    "\nA pixel lies inside if E is what it needs to be at all three edges.");
+                    "\nA pixel is inside if E is what it needs to be at all three edges.");
     keep_item_whole(ui);
     draw_place_of_test(ui, settings.pixel_sample, test);
     draw_tested_columns(ui, test, polygon);

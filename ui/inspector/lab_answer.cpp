@@ -56,7 +56,7 @@ void draw_pictures(Ui& ui, const LabAnswer& answer) {
     const Diagnosis& diagnosis = answer.diagnosis;
     draw_lab_pictures(
         ui, {"Where it is not right", !diagnosis.is_same()         ? "Orange: not as it should be."
-                                      : diagnosis.findings.empty() ? "The very same."
+                                      : diagnosis.findings.empty() ? "Exactly the same."
                                                                    : "Orange: only rounding."});
 }
 
@@ -65,18 +65,18 @@ void draw_findings(Ui& ui, const LabAnswer& answer) {
     const Diagnosis& diagnosis = answer.diagnosis;
     draw_sentence(
         ui, "lab.difference", difference_words(answer),
-        "How much is not right, and where. One step of 255 is no difference: a byte may be "
-        "cut or rounded.");
+        "How much is wrong, and where. A single step of 255 does not count, because a byte may be "
+        "truncated or rounded.");
     draw_sentence(ui, "lab.rules", rules_words(diagnosis),
-                  "Rules and numbers other than the handout's, of which none is wrong. What is not "
-                  "right is counted without them.");
+                  "Rules and numbers that differ from the handout's; none of them is wrong. What "
+                  "is wrong is counted without them.");
     for (std::size_t i = 0; i < diagnosis.findings.size(); ++i) {
         draw_sentence(ui, "lab.finding." + std::to_string(i), diagnosis.findings[i],
                       "What the wrong pixels have in common.");
     }
     if (!diagnosis.is_complete) {
         draw_sentence(ui, "lab.incomplete", "The search was stopped before everything was tried.",
-                      "What is most likely of what was tried so far.");
+                      "The answer is the most likely of what was tried so far.");
     }
     ImGui::Spacing();
 }
@@ -87,7 +87,7 @@ void draw_remedy(Ui& ui, const Diagnosis& diagnosis) {
     if (text.empty()) return;
     const MarkdownEvents events =
         draw_markdown(ui, ui.lab.remedy, text, ImGui::CalcItemWidth(), "lab.remedy.");
-    name_widget(ui, "lab.remedy", "What is likely wrong, and how it is mended.");
+    name_widget(ui, "lab.remedy", "What is likely wrong, and how to fix it.");
     note_text(ui, "lab.remedy", text);
     ImGui::Spacing();
     answer_links(ui, document_of(*ui.lab.remedy), events);
@@ -100,21 +100,21 @@ bool draw_reference(Ui& ui, const LabAnswer& answer) {
         !answer.diagnosis.is_same() && likely_candidate(answer.diagnosis) == nullptr;
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
     draw_sentence(ui, "lab.held_against", "Compared with " + answer.subject.held_against + ".",
-                  "The reference: what the right program makes.");
+                  "The reference, that is, what a correct program makes.");
     ImGui::PopStyleColor();
     if (answer.subject.is_picture && is_unsure && !is_set) {
         draw_sentence(ui, "lab.lamp_and_camera",
                       "If your lamp or camera differs from the handout's and was not found, set it "
-                      "here and hold your picture against that.",
+                      "here and compare your picture with that.",
                       "The arrows move and turn the camera; W, A, S, D, Q and E move the lamp.");
     }
     const bool pressed = button(
         ui, "lab.other_reference",
-        is_set ? "Hold it against the handout's picture" : "Hold it against what is set",
+        is_set ? "Compare it with the handout's picture" : "Compare it with the current settings",
         Look::link,
         is_set ? "The lab's room with the camera, light and stage of the handout."
-               : "The scene that is open, with the camera, light and stage that are set now. For a "
-                 "picture of another scene, or from another place.");
+               : "The open scene with the current camera, light and stage. Use this for a picture "
+                 "of another scene, or from another place.");
     keep_item_whole(ui);
     return pressed;
 }
@@ -141,8 +141,8 @@ void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
     keep_text_whole(ui);
     const std::string name = "lab.candidate." + std::to_string(index);
     name_widget(ui, name,
-                "With this " + grouped(candidate.different) +
-                    " still differ from your result; mean distance " +
+                "With this mistake, " + grouped(candidate.different) +
+                    " still differ from your result; the mean distance is " +
                     fixed(candidate.distance, 3) + " steps of 255.");
     note_text(ui, name, candidate.ids().front());
     keep_item_whole(ui);
@@ -170,10 +170,10 @@ void draw_candidates(Ui& ui, const Diagnosis& diagnosis) {
     ImGui::TableNextColumn();
     right_aligned("explains", palette(ui.options.theme).dim);
     name_widget(ui, "lab.header.explains",
-                "How much of the difference from the reference is gone with this mistake.");
+                "How much of the difference from the reference this mistake explains.");
     ImGui::TableNextColumn();
     text_in(palette(ui.options.theme).dim, "mistake");
-    name_widget(ui, "lab.header.mistake", "What may have been done; the likeliest first.");
+    name_widget(ui, "lab.header.mistake", "What may have gone wrong, likeliest first.");
     ImGui::PopFont();
     for (std::size_t i = 0; i < diagnosis.candidates.size(); ++i)
         draw_candidate(ui, diagnosis.candidates[i], static_cast<int>(i));

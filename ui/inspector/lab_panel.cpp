@@ -40,11 +40,14 @@ void draw_line(Ui& ui, const Bug& bug) {
     if (can_double && is_double) turn_on(ui, bug, false);
     const bool is_made = !on && is_made_by(bug, ui.session.a.settings);
     name_widget(ui, name,
-                bug.sentence + (is_made ? "\nRun A does so as it is set now." : "") +
-                    "\nClick: describes it." +
+                bug.sentence +
+                    (is_made ? "\nRun A makes this mistake with its current "
+                               "settings."
+                             : "") +
+                    "\nClick to read about it." +
                     (!can_double ? ""
-                     : is_made   ? " Double click: compares it with the cure."
-                                 : " Double click: turns it on."));
+                     : is_made   ? " Double click to compare it with the cure."
+                                 : " Double click to turn it on."));
     const float u = ui.options.text_scale;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec4& ink = on ? colour_of(Meaning::fail, ui.options.theme) : p.dim;
@@ -119,10 +122,10 @@ void draw_card(Ui& ui, const Bug& bug) {
     draw_buttons(ui, bug);
     if (!is_on(ui.session, bug.id) && is_made_by(bug, ui.session.a.settings)) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        wrapped_text("It is on already: the program on show does so by itself.");
+        wrapped_text("It is already on: the current settings make this mistake anyway.");
         keep_text_whole(ui);
         ImGui::PopStyleColor();
-        name_widget(ui, "lab.made", "What is set now makes this mistake without being told to.");
+        name_widget(ui, "lab.made", "Nothing needs to be turned on to see this mistake.");
     }
     const float width = ImGui::CalcItemWidth();
     const MarkdownEvents events =
@@ -226,7 +229,7 @@ float height_of_card_head() {
 
 void draw_lab_panel(Ui& ui) {
     if (lab_bugs(ui).empty()) {
-        wrapped_text(ui.lab.fault.empty() ? "There are no mistakes to be shown." : ui.lab.fault);
+        wrapped_text(ui.lab.fault.empty() ? "There are no mistakes to show." : ui.lab.fault);
         return;
     }
     // A quiz that goes on must not be spoilt by the list.

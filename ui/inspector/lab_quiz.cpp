@@ -49,7 +49,7 @@ void draw_keeping(Ui& ui) {
     ImGui::Checkbox("keep my score", &score.is_kept);
     keep_item_whole(ui);
     name_widget(ui, "lab.keep_score",
-                "The next time the program is opened the points are still there.");
+                "Your points are still there the next time you open the program.");
     if (score.rounds == 0) return;
     ImGui::SameLine();
     if (button(ui, "lab.reset_score", "forget it", Look::quiet, "Sets points and rounds to 0.")) {
@@ -58,8 +58,8 @@ void draw_keeping(Ui& ui) {
 }
 
 void draw_beginning(Ui& ui) {
-    wrapped_text("The program makes a mistake in the scene that is open, and hides the settings. "
-                 "You find out which it is: with the tabs, the overlays, the time, and a look at "
+    wrapped_text("The program makes a mistake in the open scene and hides the settings. Find out "
+                 "which mistake it is, using the tabs, the overlays, the time line and a look at "
                  "the correct run.");
     keep_text_whole(ui);
     ImGui::Spacing();
@@ -71,11 +71,12 @@ void draw_beginning(Ui& ui) {
     keep_item_whole(ui);
     ui.lab.seed = std::clamp(ui.lab.seed, 0, 999'999);
     name_widget(ui, "lab.seed",
-                "The same number makes the same quiz, for everyone. 0: the program takes one.");
+                "The same number makes the same quiz for everyone. With 0, the program picks a "
+                "number.");
     draw_keeping(ui);
     ImGui::Spacing();
     if (button(ui, "lab.quiz.start", "begin", Look::main,
-               "Makes a mistake. What is set now comes back when the quiz is ended.")) {
+               "Makes a mistake. The current settings come back when the quiz ends.")) {
         begin_quiz(ui);
     }
     keep_item_whole(ui);
@@ -85,9 +86,9 @@ void draw_beginning(Ui& ui) {
 void draw_correct_run_switch(Ui& ui) {
     const bool comparing = ui.session.b.has_value();
     if (button(ui, "lab.quiz.compare",
-               comparing ? "without the correct run" : "beside the correct run",
+               comparing ? "without the correct run" : "next to the correct run",
                comparing ? Look::chosen : Look::plain,
-               "Shows where the picture is not as it ought to be; the question is why.")) {
+               "Shows where the picture is wrong; the question is why.")) {
         if (comparing) {
             stop_comparing(ui.session);
         } else {
@@ -155,11 +156,11 @@ void draw_question_card(Ui& ui) {
     ImGui::EndDisabled();
     ImGui::SameLine();
     if (button(ui, "lab.hint", "hint", Look::plain,
-               "Says a little more. Costs " + std::to_string(cost_of_hint) + " points.")) {
-        if (!give_hint(quiz, lab_bugs(ui))) ui.session.notice = "There is no further hint.";
+               "Tells you a little more. Costs " + std::to_string(cost_of_hint) + " points.")) {
+        if (!give_hint(quiz, lab_bugs(ui))) ui.session.notice = "There are no more hints.";
     }
     ImGui::SameLine();
-    if (button(ui, "lab.give_up", "give up", Look::quiet, "Says which it is.")) {
+    if (button(ui, "lab.give_up", "give up", Look::quiet, "Tells you which mistake it is.")) {
         quiz.given_up = true;
     }
     draw_hints(ui);
@@ -176,7 +177,7 @@ void draw_answer(Ui& ui) {
     keep_item_whole(ui);
     ImGui::PopFont();
     name_widget(ui, "lab.verdict",
-                "A hundred points for each mistake, less hints and wrong guesses.");
+                "A hundred points for each mistake, minus hints and wrong guesses.");
     for (const QuizQuestion& question : quiz.questions) {
         std::string names;
         for (const std::string& id : question.bugs)
@@ -192,14 +193,16 @@ void draw_answer(Ui& ui) {
         keep_text_whole(ui);
         ImGui::PopStyleColor();
     }
-    if (button(ui, "lab.quiz.again", "another one", Look::main, "Ends this one and begins anew.")) {
+    if (button(ui, "lab.quiz.again", "another one", Look::main,
+               "Ends this quiz and starts a new "
+               "one.")) {
         finish_quiz(ui);
         begin_quiz(ui);
     }
     keep_item_whole(ui);
     ImGui::SameLine();
     if (button(ui, "lab.quiz.end", "end", Look::plain,
-               "Brings back what was set before the quiz.")) {
+               "Brings back the settings from before the quiz.")) {
         finish_quiz(ui);
     }
     end_card(ui);
@@ -229,7 +232,7 @@ void draw_lab_quiz(Ui& ui) {
     }
     ImGui::SameLine();
     if (button(ui, "lab.quiz.stop", "end", Look::quiet,
-               "Ends the quiz and brings back what was set before.")) {
+               "Ends the quiz and brings back the settings from before.")) {
         finish_quiz(ui);
         return;
     }

@@ -24,12 +24,12 @@ namespace {
 
 void draw_intro(Ui& ui) {
     ImGui::PushFont(ui.fonts.bold);
-    wrapped_text("My picture is wrong: why?");
+    wrapped_text("My picture is wrong. Why?");
     keep_text_whole(ui);
     ImGui::PopFont();
-    wrapped_text(fmt::format("Choose a picture that your program saved ({}), or the rows that it "
-                             "printed, as text. You can also drop the file on the window, or type "
-                             "its path.",
+    wrapped_text(fmt::format("Choose a picture that your program saved ({}), or a text with the "
+                             "rows that it printed. You can also drop the file on the window or "
+                             "type its path.",
                              exact_image_formats));
     keep_text_whole(ui);
     name_widget(ui, "lab.intro", "What can be checked, and how.");
@@ -42,9 +42,9 @@ void draw_file(Ui& ui, bool another) {
     LabLook& lab = ui.lab;
     if (button(ui, "lab.choose", another ? "Another file …" : "Choose a file …",
                another ? Look::plain : Look::main,
-               "Shows the folders and the files that can be checked. What is chosen is held "
-               "against the lab's room as the handout draws it, and every mistake is carried out "
-               "to see which comes nearest.")) {
+               "Shows the folders and the files that can be checked. Your file is compared with "
+               "the lab's room as the handout draws it, and every known mistake is tried to "
+               "see which comes closest.")) {
         begin_choosing_result(ui);
     }
     keep_item_whole(ui);
@@ -52,7 +52,9 @@ void draw_file(Ui& ui, bool another) {
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - width, 60.0f));
     const bool entered = ImGui::InputTextWithHint("##path", "or its path", &lab.result_path,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
-    name_widget(ui, "lab.path", "The picture, or a text with lines as Start: (10,5). End: (10,5).");
+    name_widget(ui, "lab.path",
+                "The picture, or a text with lines like Start: (10,5). End: "
+                "(10,5).");
     keep_item_whole(ui);
     ImGui::SameLine();
     ImGui::BeginDisabled(lab.result_path.empty());
@@ -80,12 +82,12 @@ bool is_stopping(const LabLook& lab) {
 
 const char* stop_help(const LabLook& lab) {
     return is_stopping(lab)
-               ? "Drops what was found. Key: Esc"
-               : "Searches no further, and shows what was found so far. Esc drops that, too.";
+               ? "Discards what was found. Key: Esc"
+               : "Stops the search and shows what was found so far. Esc discards that, too.";
 }
 
 constexpr const char* progress_help =
-    "How many of the pictures are drawn that are known to be needed; what they show may lead to "
+    "How many of the pictures known to be needed have been drawn; what they show may call for "
     "more.";
 
 /// How far the check is, and the way to stop it.
@@ -93,8 +95,7 @@ void draw_progress(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     const LabLook& lab = ui.lab;
     const std::string drawn = pictures_words(lab);
-    const std::string what =
-        is_stopping(lab) ? "What was found is looked at" : "Each mistake is tried";
+    const std::string what = is_stopping(lab) ? "Looking at what was found" : "Trying each mistake";
     const std::string words = drawn.empty() ? what + " …" : what + ": " + drawn;
     text_in(p.dim, words);
     keep_item_whole(ui);
@@ -120,11 +121,11 @@ std::vector<std::string> watch_forms(const LabLook& lab, bool is_checking) {
         return {drawn.empty() ? what + " …" : what + ", " + drawn, what + " …", "Checking …"};
     }
     if (!lab.result_fault.empty()) {
-        return {file + " cannot be read now: the answer is of before.",
-                "Cannot be read now: the answer is of before.", "Cannot be read now."};
+        return {file + " cannot be read now; this is the previous answer.",
+                "Cannot be read now; this is the previous answer.", "Cannot be read now."};
     }
     if (lab.is_given_up) {
-        return {"The check was stopped: the answer is of before.", "Stopped: of before."};
+        return {"The check was stopped; this is the previous answer.", "Stopped: previous answer."};
     }
     return {file + ": checked again whenever it changes", "Checked again whenever it changes",
             "Checked when it changes"};
@@ -148,8 +149,8 @@ void draw_watch_line(Ui& ui) {
     name_widget(ui, "lab.watch",
                 is_checking ? progress_help
                 : is_fault  ? lab.result_fault + "\nIt is tried again when the file changes."
-                            : "The file is watched: save it again, and it is checked against the "
-                              "same. " +
+                            : "The file is being watched. Save it again, and it is checked against "
+                              "the same reference. " +
                                  lab.watched_path);
     note_text(ui, "lab.watch", words);
     const float bottom = ImGui::GetItemRectMax().y;
@@ -177,7 +178,7 @@ void draw_result_answer(Ui& ui) {
         wrapped_text(lab.result_fault);
         ImGui::PopStyleColor();
         name_widget(ui, "lab.result.fault",
-                    "Why it could not be diagnosed. It is tried again when the file changes.");
+                    "Why it could not be diagnosed. It will be tried again when the file changes.");
     }
     if (is_diagnosing(ui)) draw_progress(ui);
 }

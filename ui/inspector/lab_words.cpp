@@ -88,8 +88,8 @@ std::string explained_words(const LabAnswer& answer, const Candidate& likely) {
     if (!is_exact)
         return fmt::format("{} {} of what is wrong.", who, explained_text(likely.explained, 0));
     return fmt::format("{} {}.", who,
-                       answer.subject.is_picture ? "your picture to the last pixel"
-                                                 : "your rows to the last end");
+                       answer.subject.is_picture ? "your picture down to the last pixel"
+                                                 : "your rows down to the last end");
 }
 
 const Bug* bug_of_id(Ui& ui, const std::string& id) {
@@ -139,8 +139,8 @@ LabHeadline headline_of(const LabAnswer& answer) {
     if (diagnosis.is_same()) {
         const bool is_by_other_rules = !diagnosis.rules.empty() || !diagnosis.findings.empty();
         if (is_by_other_rules) return {{"Your picture is right."}, ""};
-        return {{is_picture ? "Your picture is the reference, pixel for pixel."
-                            : "Your rows are those of the reference, end for end."},
+        return {{is_picture ? "Your picture matches the reference, pixel for pixel."
+                            : "Your rows match the reference, end for end."},
                 ""};
     }
     if (const Candidate* const likely = likely_candidate(diagnosis))

@@ -25,10 +25,10 @@ void draw_drift_curve(Ui& ui) {
     keep_item_whole(ui);
     name_widget(ui, "microscope.curve",
                 edge.has_decision_variable()
-                    ? "The decision variable d along the edge: each step brings it back towards "
-                      "0. Click or drag: to a sample."
-                    : "How far the float is off the exact fraction, along the edge. Marks: samples "
-                      "on a wrong pixel. Click or drag: to a sample.");
+                    ? "The decision variable d along the edge. Each step brings it back toward 0. "
+                      "Click or drag to go to a sample."
+                    : "How far the float is from the exact fraction, along the edge. Marks show "
+                      "samples on a wrong pixel. Click or drag to go to a sample.");
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(low, high, packed(p.card), 5.0f * u);
     const int last = std::max(edge.count - 1, 1);
@@ -74,9 +74,9 @@ void draw_drift_curve(Ui& ui) {
                       packed(colour_of(Meaning::current, ui.options.theme)), 1.5f * u);
     }
     const std::string label =
-        shows_decision ? "decision d, to " + with_minus_signs(decision_number(largest))
+        shows_decision ? "decision d, up to " + with_minus_signs(decision_number(largest))
                        : std::string("drift of ") + (ui.inspector.microscope.shows_x ? "x" : "y") +
-                             (largest != 0.0 ? ", to " + drift_text(largest) : ": none");
+                             (largest != 0.0 ? ", up to " + drift_text(largest) : ": none");
     list->AddText(ui.fonts.small, ui.fonts.small->FontSize, {low.x + 8.0f * u, low.y + 3.0f * u},
                   packed(p.dim), label.c_str());
     if (is_held) {

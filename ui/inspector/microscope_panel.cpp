@@ -132,7 +132,7 @@ void draw_buttons(Ui& ui) {
     const char* const next_label = is_narrow ? "≠" : "next ≠";
     same_line_if_room(next_label, gap);
     if (button(ui, "microscope.next", next_label, Look::plain,
-               "Goes to the next sample that falls on another pixel than its exact place.")) {
+               "Goes to the next sample that falls on a different pixel from its exact place.")) {
         const int current = current_sample(ui);
         const int next = view.shown.next_difference(current + 1);
         const MicroscopeSample sample = view.shown.at(next);
@@ -182,21 +182,21 @@ void draw_verdict(Ui& ui) {
                                                     : "every sample is on its exact pixel")
                                   : some_samples(differing, edge.count) +
                                         (edge.decides() ? " not on a nearest pixel"
-                                                        : " on another pixel than exact"));
+                                                        : " not on the exact pixel"));
 }
 
 const char* walk_text(LineWalk walk) {
     switch (walk) {
     case LineWalk::accumulate:
     case LineWalk::zinv_falls: // along rows
-        return "each sample adds the step to the one before, in float";
+        return "each sample adds the step to the previous one, in float";
     case LineWalk::multiply:
         return "sample i is the start plus i times the step, in float";
     case LineWalk::integer_step:
-        return "each sample adds the step to the one before; the step is divided as int by int";
+        return "each sample adds the step to the previous one; the step is divided as int by int";
     case LineWalk::short_step:
-        return "each sample adds the step to the one before; the step is divided by the samples, "
-               "one too many";
+        return "each sample adds the step to the previous one; the step is divided by the number "
+               "of samples, which is one too many";
     case LineWalk::exact:
         return "pixels come from whole fractions; the floats are only shown";
     }
@@ -258,7 +258,7 @@ void draw_summary(Ui& ui) {
     }
     const int reverse = summary.differ_from_reverse;
     draw_statement(ui, reverse == 0,
-                   reverse == 0 ? "walked backwards it has the same pixels"
+                   reverse == 0 ? "walked backwards, it has the same pixels"
                                 : "walked backwards: " +
                                       some_samples(static_cast<std::size_t>(reverse), edge.count) +
                                       " on another pixel");

@@ -35,8 +35,8 @@ std::string coordinate_words(const char* axis, const char* pixel, const Microsco
     if (c.exact.denominator != 1)
         text += " = " + with_minus_signs(significant(c.exact.value(), 12));
     text += "\n     " + std::string(pixel) + " " + whole_text(c.pixel);
-    if (c.differs_from_exact()) text += ", where exact would be " + whole_text(c.exact_pixel);
-    if (c.differs_from_reverse()) text += "; the other way: " + whole_text(c.reverse_pixel);
+    if (c.differs_from_exact()) text += ", where the exact one is " + whole_text(c.exact_pixel);
+    if (c.differs_from_reverse()) text += "; walked backwards: " + whole_text(c.reverse_pixel);
     return text;
 }
 
@@ -50,7 +50,7 @@ std::string sample_words(const Ui& ui, const MicroscopeSample& sample) {
         const LineAlgorithm line = ui.results.a.frame.settings.line;
         text += "\n" + with_minus_signs(decision_words(edge, line, sample.sample));
     }
-    return text + "\nClick: to the moment in which it was entered.";
+    return text + "\nClick to go to the moment when it was entered.";
 }
 
 /// A whole pixel; one that is not what it is compared with is marked.
@@ -185,8 +185,8 @@ SampleColumns columns_of(const Ui& ui) {
                  : "The pixel that the float becomes. ≠: the exact place is on another pixel.",
          std::max(5, whole + 2)},
         {5, "reverse",
-         "The pixel of this place when the edge is walked from its end to its start. ≠: "
-         "another one than walking forwards.",
+         "The pixel of this place when the edge is walked from its end to its start. ≠: a "
+         "different one from walking forwards.",
          std::max(5, whole + 2)}};
     columns.insert(columns.end(), std::begin(others), std::end(others));
     return columns;

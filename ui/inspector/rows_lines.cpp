@@ -133,9 +133,10 @@ void draw_count(const Ui& ui, int index) {
     }
     right_aligned(counts, colour_of(Meaning::fail, ui.options.theme));
     if (ImGui::IsItemHovered())
-        draw_tooltip(ui, "Inside are the columns " + columns +
-                             ": the polygon has a dent. The table has one left and one right end, "
-                             "so the row is drawn from the first to the last.");
+        draw_tooltip(ui, "Columns " + columns +
+                             " are inside because the polygon has a dent. The table has one left "
+                             "and one right end, so the row is drawn from the first column to "
+                             "the last.");
 }
 
 } // namespace

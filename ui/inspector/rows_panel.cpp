@@ -54,10 +54,10 @@ void draw_moment(Ui& ui) {
     const RunResults& a = ui.results.a;
     if (a.triangle && a.frame.is_drawn(*a.triangle) && !walks_edges(a.frame.stages)) {
         ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
-        wrapped_text("No samples: a row holds the pixels whose centres lie inside.");
+        wrapped_text("There are no samples; a row holds the pixels whose centres are inside.");
         keep_text_whole(ui);
         if (tests_pixels(a.frame.stages)) {
-            wrapped_text("Step, or pick a pixel that has been tested: it is explained here.");
+            wrapped_text("Step, or pick a pixel that has been tested, to see it explained here.");
             keep_text_whole(ui);
         }
         ImGui::PopStyleColor();
@@ -65,7 +65,7 @@ void draw_moment(Ui& ui) {
         return;
     }
     if (!history.last) {
-        text_in(p.dim, "No sample has been entered yet: every row is empty.");
+        text_in(p.dim, "No sample has been entered yet, so every row is empty.");
         keep_text_whole(ui);
         end_card(ui);
         return;
@@ -102,7 +102,7 @@ void draw_moment(Ui& ui) {
         words += last.write.left && last.write.right ? "both ends become " + column
                  : last.write.left                   ? "left end becomes " + column
                  : last.write.right                  ? "right end becomes " + column
-                                                     : "lies between its ends, nothing changes";
+                                                     : "lies between its ends, so nothing changes";
         wrapped_text(words);
     }
     keep_text_whole(ui);
@@ -143,7 +143,7 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
     if (button(ui, "rows.values", values_label,
                ui.inspector.shows_end_values ? Look::chosen : Look::plain,
                "Shows " + std::string(weight_name(ui.results.a.frame)) +
-                   " and the varyings of both ends in further columns.")) {
+                   " and the varyings of both ends in additional columns.")) {
         ui.inspector.shows_end_values = !ui.inspector.shows_end_values;
     }
     // Without samples none is outside.
@@ -154,7 +154,7 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
             words_of_outside(history));
     keep_item_whole(ui);
     name_widget(ui, "rows.outside",
-                "Samples of this triangle, up to this moment, that fell in no row of the table.");
+                "Samples of this triangle so far that fell in no row of the table.");
 }
 
 /// The tested pixel first, and below it the rows as far as they are found. What has no room is

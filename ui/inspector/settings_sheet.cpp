@@ -101,8 +101,8 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
         ImGui::SameLine();
         ImGui::SetCursorPosX(begin + columns.reset);
         if (button(ui, "reset." + name, "↺", Look::link,
-                   "Differs from the handout; sets it back to " + said_value(setting, usual) +
-                       ".")) {
+                   "Differs from the handout. Click to set it back to " +
+                       said_value(setting, usual) + ".")) {
             set_value(ui.session.a.settings, setting, usual_text);
         }
     }
@@ -246,7 +246,7 @@ void draw_all_settings(Ui& ui) {
             draw(setting, changed ? heading_of_changed(ui, usual) : setting.group);
         }
     }
-    if (!any) text_in(p.dim, "No setting has that word.");
+    if (!any) text_in(p.dim, "No setting contains that word.");
 }
 
 /// Title, search, and the way out.
@@ -264,7 +264,7 @@ void draw_sheet_head(Ui& ui) {
         ImGui::SetNextItemWidth(std::max(right - side - 8.0f * u - ImGui::GetCursorPosX(), 1.0f));
         ImGui::InputTextWithHint("##search", "search", &ui.inspector.setting_search);
         name_widget(ui, "settings.search",
-                    "Shows only the settings whose name or help has this word.");
+                    "Shows only the settings whose name or help contains this word.");
         ImGui::SameLine();
     }
     ImGui::SetCursorPosX(right - side);
@@ -279,7 +279,7 @@ void draw_sheet_head(Ui& ui) {
 void draw_settings_sheet(Ui& ui) {
     draw_sheet_head(ui);
     if (hides_settings(ui.session)) {
-        wrapped_text("The settings are hidden until the quiz is over: the Mistakes tab has it.");
+        wrapped_text("The settings are hidden until the quiz in the Mistakes tab is over.");
         name_widget(ui, "settings.hidden", "They would give the mistake away.");
         return;
     }

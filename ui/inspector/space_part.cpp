@@ -41,8 +41,8 @@ void draw_order(Ui& ui) {
         const bool is_chosen = ui.session.a.settings.matrix_order == order;
         if (button(ui, "vertices.matrix_order." + word, label,
                    is_chosen ? Look::chosen : Look::outline,
-                   "On which side of the matrix the vector stands; the matrix of one is the "
-                   "transpose of the other.")) {
+                   "Which side of the matrix the vector is on; the matrix for one side is the "
+                   "transpose of that for the other.")) {
             ui.session.a.settings.matrix_order = order;
         }
         keep_item_whole(ui);
@@ -116,14 +116,14 @@ void draw_conventions(Ui& ui, const Vertex& vertex) {
     ImGui::TextUnformatted("conventions");
     keep_item_whole(ui);
     name_widget(ui, "vertices.conventions",
-                "The same point by the lab's projection, whatever is drawn, with one choice made "
-                "otherwise: pixels from the middle.");
+                "The same point under the lab's projection, whatever is drawn, with one choice "
+                "made differently; in pixels from the middle.");
     const auto draw_line = [&](std::string_view name, const ConventionPlace& place) {
         line_of_text(ui, std::string(name) + ": " + fixed(place.picture.x, 1) + ", " +
                              fixed(place.picture.y, 1) + ", " +
                              std::string(change_words(place.change)));
     };
-    line_of_text(ui, "as the lab: " + fixed(report.lab.picture.x, 1) + ", " +
+    line_of_text(ui, "as in the lab: " + fixed(report.lab.picture.x, 1) + ", " +
                          fixed(report.lab.picture.y, 1));
     for (std::size_t i = 0; i < convention_count; ++i)
         draw_line(convention_names()[i], report.alone[i]);

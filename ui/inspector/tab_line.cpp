@@ -42,19 +42,20 @@ Chooser chooser_of(const Session& session) {
     const std::string guide = session.lesson.empty() ? "stage" : "lesson";
     if (hides_tabs(session)) {
         return {"", "show all", "tabs.show_all",
-                "The lesson shows only what this step needs. Click: all groups and tabs.",
+                "The lesson shows only what this step needs. Click to show all groups and tabs.",
                 [](Ui& ui) { ui.session.tab_guide.shows_all = true; }};
     }
     if (!session.tab_guide.before_compare.empty()) {
         return {"while you compare", "", "tabs.follows",
-                "The comparison brought its tab. The one before is back when it ends.", nullptr};
+                "The comparison opened its own tab. The previous tab comes back when it ends.",
+                nullptr};
     }
     if (!session.tab_guide.is_own) {
         return {"follows the " + guide, "", "tabs.follows",
                 "The " + guide + " chooses the tab, until you click one.", nullptr};
     }
     return {"yours ·", "follow " + guide, "tabs.follow",
-            "You chose the tab. Click: the " + guide + " chooses it again.",
+            "You chose the tab. Click to let the " + guide + " choose it again.",
             [](Ui& ui) { follow_guide(ui.session); }};
 }
 

@@ -69,7 +69,7 @@ void draw_texture_title(Ui& ui) {
     ImGui::TextUnformatted(fmt::format("Pixel ({}, {})", report.pixel.x, report.pixel.y).c_str());
     keep_item_whole(ui);
     ImGui::PopFont();
-    name_widget(ui, "texture.pixel", "Column and row of the picture on which the fragment fell.");
+    name_widget(ui, "texture.pixel", "Column and row of the pixel that the fragment fell on.");
     const std::string size =
         fmt::format("{} × {} texels", texture.base().width, texture.base().height);
     const std::string file = texture.name.substr(texture.name.find_last_of('/') + 1);
@@ -153,7 +153,7 @@ void draw_texture_map(Ui& ui) {
     keep_item_whole(ui);
     name_widget(
         ui, "texture.map",
-        "The whole texture. The ring is where the pixel lies, and the box around it is what the "
+        "The whole texture. The ring is where the pixel is, and the box around it is what the "
         "pixel covers.");
 }
 
@@ -198,8 +198,8 @@ void draw_taken_texels(Ui& ui) {
         if (ImGui::InvisibleButton(id.c_str(), {side - u, side - u})) choose_texture_number(ui, id);
         keep_item_whole(ui);
         name_widget(ui, fmt::format("texture.texel.{}", k),
-                    fmt::format("Column {}, row {} of level {}; its weight is {}.\nClick: how that "
-                                "came to be.",
+                    fmt::format("Column {}, row {} of level {}; its weight is {}.\nClick to see "
+                                "how that was calculated.",
                                 texel.column, texel.row, texel.level, shown({texel.weight})));
         list->AddRectFilled(from, to, texel_colour(ui, texel.colour));
         const bool is_chosen = ui.inspector.chosen.texture_number == id;
@@ -240,7 +240,7 @@ void draw_mixed_colour(Ui& ui) {
         const std::string channel = channel_names[static_cast<std::size_t>(i)];
         const std::string id = "texture." + channel;
         if (line.link(shown({report.colour[i]}), id,
-                      channel + " of the texture here.\nClick: how it was mixed.", p.text))
+                      channel + " of the texture here.\nClick to see how it was mixed.", p.text))
             choose_texture_number(ui, id);
         line.text("  ", p.text);
     }
@@ -305,7 +305,7 @@ void draw_no_texture(Ui& ui) {
     else if (frame.settings.texture == TextureUse::off)
         words = "Textures are off.";
     else if (!has_fragments(frame.settings.stage))
-        words = "This stage has no fragments: they come with the filling of triangles.";
+        words = "This stage has no fragments. They come with filled triangles.";
     else if (ui.results.a.inspected.fragment)
         words = "This surface has no texture.";
     else if (ui.session.selection.pixel)

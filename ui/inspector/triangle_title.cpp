@@ -24,8 +24,8 @@ void draw_triangle_title(Ui& ui) {
     ImGui::PopFont();
     const std::string part = part_name(*ui.results.a.frame.scene, triangle);
     name_widget(ui, "triangle.name",
-                "The triangle that the inspector shows, of the part \"" + part +
-                    "\"; the scene's triangles count from 0, as in a C++ program.");
+                "The triangle that the inspector shows, a part of \"" + part +
+                    "\"; the scene's triangles are counted from 0, as in a C++ program.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -39,8 +39,7 @@ void draw_triangle_title(Ui& ui) {
                                   triangle_name(can_follow ? ui.results.a.done->triangle : 0);
     const auto follow = [&] {
         if (button(ui, "triangle.follow", follow_label, Look::link,
-                   "Lets the picked triangle go: from moment to moment the one that is being drawn "
-                   "is shown.")) {
+                   "Releases the picked triangle and always shows the one being drawn.")) {
             ui.session.selection.triangle = std::nullopt;
         }
         keep_item_whole(ui);
@@ -61,12 +60,13 @@ void draw_triangle_title(Ui& ui) {
     }
     if (count > 1) {
         const ImVec2 size{ImGui::GetFrameHeight(), 0};
-        if (button(ui, "triangle.previous", "‹", Look::plain, "Shows the triangle before.", size)) {
+        if (button(ui, "triangle.previous", "‹", Look::plain, "Shows the previous triangle.",
+                   size)) {
             ui.session.selection.triangle = (triangle + count - 1) % count;
         }
         keep_item_whole(ui);
         ImGui::SameLine();
-        if (button(ui, "triangle.next", "›", Look::plain, "Shows the triangle after.", size)) {
+        if (button(ui, "triangle.next", "›", Look::plain, "Shows the next triangle.", size)) {
             ui.session.selection.triangle = (triangle + 1) % count;
         }
     } else {

@@ -58,8 +58,8 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
         wrapped_text(other_roundings(vertex, formula.id, settings.vertex_rounding));
         keep_text_whole(ui);
         name_widget(ui, "vertices.other_roundings",
-                    "The same number made whole in the other ways. int() cuts toward zero, so it "
-                    "moves negative numbers the other way than positive ones.");
+                    "The same number rounded in the other ways. int() cuts toward zero, so it "
+                    "moves negative numbers in the opposite direction from positive ones.");
     }
     const bool has_camera = ui.results.a.scene->space == SceneSpace::world;
     // As long as nothing is turned there is no R to speak of.
@@ -67,8 +67,8 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
         wrapped_text(other_convention(vertex, formula, settings.rotation));
         keep_text_whole(ui);
         name_widget(ui, "vertices.other_convention",
-                    "A vector before the matrix or behind it: one is the transpose of the other, "
-                    "and turns the camera the other way.");
+                    "A vector on the left or on the right of the matrix. One matrix is the "
+                    "transpose of the other, and turns the camera the other way.");
     }
     ImGui::PopStyleColor();
 }

@@ -22,7 +22,7 @@ const VertexLine line_list[] = {
     {"", "y", "world.y", 3, "y points down."},
     {"", "z", "world.z", 3, "z points into the picture."},
     {"− camera", "x", "minus_camera.x", 3,
-     "The world moved so that the camera stands at the origin: P − C."},
+     "The world moved so that the camera is at the origin: P − C."},
     {"", "y", "minus_camera.y", 3, "P − C."},
     {"", "z", "minus_camera.z", 3, "P − C."},
     {"rotated", "x", "rotated.x", 3, "Turned so that the camera looks along +z: (P − C) R."},
@@ -34,22 +34,20 @@ const VertexLine line_list[] = {
     {"pixel", "column", "pixel.column", 0, ""}, // see help_of()
     {"", "row", "pixel.row", 0, ""},
     {"", "1/z", "zinv", 5, "What the depth buffer will hold: larger is nearer."},
-    {"normal", "x", "normal.x", 3, "Across the surface, of unit length.", true},
-    {"", "y", "normal.y", 3, "Across the surface, of unit length.", true},
-    {"", "z", "normal.z", 3, "Across the surface, of unit length.", true},
+    {"normal", "x", "normal.x", 3, "Perpendicular to the surface, of unit length.", true},
+    {"", "y", "normal.y", 3, "Perpendicular to the surface, of unit length.", true},
+    {"", "z", "normal.z", 3, "Perpendicular to the surface, of unit length.", true},
     {"shine", "n·h", "light.n_dot_h", 3,
-     "How near the normal is to half-way between lamp and eye: 1 at the mirror image of the lamp.",
+     "How close the normal is to halfway between lamp and eye: 1 at the mirror image of the lamp.",
      true, true},
     {"", "(n·h)^e", "light.power", 3,
      "The larger the exponent, the faster the highlight falls off.", true, true},
-    {"", "S red", "light.S.red", 3, "The highlight, which comes on top.", true, true},
-    {"", "S green", "light.S.green", 3, "The highlight, which comes on top.", true, true},
-    {"", "S blue", "light.S.blue", 3, "The highlight, which comes on top.", true, true},
-    {"light", "red", "light.R.red", 3, "The light that this vertex gives back: R = ρ (D + N).",
-     true},
-    {"", "green", "light.R.green", 3, "The light that this vertex gives back: R = ρ (D + N).",
-     true},
-    {"", "blue", "light.R.blue", 3, "The light that this vertex gives back: R = ρ (D + N).", true},
+    {"", "S red", "light.S.red", 3, "The highlight, which is added on top.", true, true},
+    {"", "S green", "light.S.green", 3, "The highlight, which is added on top.", true, true},
+    {"", "S blue", "light.S.blue", 3, "The highlight, which is added on top.", true, true},
+    {"light", "red", "light.R.red", 3, "The light that this vertex reflects: R = ρ (D + N).", true},
+    {"", "green", "light.R.green", 3, "The light that this vertex reflects: R = ρ (D + N).", true},
+    {"", "blue", "light.R.blue", 3, "The light that this vertex reflects: R = ρ (D + N).", true},
 };
 
 /// Is the projection another than perspective? Then w is not z.
@@ -102,10 +100,10 @@ std::string help_of(const Ui& ui, const VertexLine& line) {
     if (is_mixed(ui) && id.starts_with("projected."))
         return "Pixels from the middle of the picture, before rounding.";
     if (is_mixed(ui) && id == "zinv")
-        return "Values are weighted by this; it is the same at all vertices where rays are "
+        return "The weight used for interpolation; it is the same at all vertices if the rays are "
                "parallel.";
     if (id == "zinv" && depth_kind(ui.results.a.frame) != ClipDepth::inv_z)
-        return "Values are weighted by this; the depth buffer holds " +
+        return "The weight used for interpolation; the depth buffer holds " +
                std::string(depth_words(ui.results.a.frame).name) + ".";
     if (!id.starts_with("pixel.")) return has_mistake(ui, line) ? told_help(ui, line) : line.help;
     return how_made_whole(ui.results.a.frame.settings, ui.results.a.scene->space);
@@ -209,7 +207,7 @@ void draw_cell(Ui& ui, const VertexLine& line, int v, int chosen) {
     const std::string text =
         fixed(static_cast<double>(formula->result.value), digits_of(ui, line, column));
     if (number_cell(ui, name, text, v == chosen ? p.text : p.dim, is_chosen,
-                    help_of(ui, line) + "\nClick: how it came to be.")) {
+                    help_of(ui, line) + "\nClick to see how it was calculated.")) {
         ui.session.selection.vertex = v;
         ui.inspector.chosen.vertex_number = line.id;
     }

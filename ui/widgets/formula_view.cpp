@@ -23,9 +23,9 @@ std::string input_tooltip(const FormulaInput& input) {
     std::string text = input.symbol + " = " + exact_text(input.number) + "\n";
     std::string place = source_text(input.source);
     if (input.source.kind == SourceKind::formula)
-        place = "Click: how it came to be.";
+        place = "Click to see how it was calculated.";
     else if (input.source.kind != SourceKind::given)
-        place += "\nClick: shows it there.";
+        place += "\nClick to see it there.";
     return text + place;
 }
 

@@ -174,7 +174,8 @@ TEST_CASE("Before anything is drawn there is no pixel to begin with, and it says
     CHECK_FALSE(driver.hand.is_visible("history.pick_last"));
     driver.hand.click("history.pick_most");
     CHECK_FALSE(driver.ui.session.selection.pixel);
-    CHECK_THAT(driver.ui.session.notice, Catch::Matchers::ContainsSubstring("Nothing is drawn"));
+    CHECK_THAT(driver.ui.session.notice,
+               Catch::Matchers::ContainsSubstring("Nothing has been drawn"));
 }
 
 TEST_CASE("The place of a fragment stands below the names of what it counts") {

@@ -173,7 +173,7 @@ TEST_CASE("A diagnosis shows the student's picture beside where it differs from 
           "1 pixel differs from the right picture. It is in column 80 and row 80.");
     check_image(driver, right);
     CHECK_THAT(shown_text(driver, "lab.picture.beside"),
-               Catch::Matchers::EndsWith("The very same."));
+               Catch::Matchers::EndsWith("Exactly the same."));
     CHECK(marked_pixels(shown(1)) == 0);
     driver.ui.host.textures = &driver.textures;
 }
@@ -374,7 +374,7 @@ TEST_CASE("Below what is said of a picture the way to another one stays whole") 
         CHECK(driver.ui.widgets.at("lab.diagnosis").is_whole);
         CHECK_THAT(shown_text(driver, "lab.diagnosis"), Catch::Matchers::StartsWith("B3 “"));
         CHECK_THAT(shown_text(driver, "lab.diagnosis"),
-                   Catch::Matchers::EndsWith(" It explains your picture to the last pixel."));
+                   Catch::Matchers::EndsWith(" It explains your picture down to the last pixel."));
     }
 }
 

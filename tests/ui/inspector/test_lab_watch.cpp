@@ -70,7 +70,8 @@ TEST_CASE("A picture that is saved again is checked again, and the answer stays 
     save_again(driver, folder, "mine.png", png_of(drawn_by(driver, reference)));
     finish_check(driver);
     CHECK(driver.ui.lab.answer->diagnosis.is_same());
-    CHECK(shown_text(driver, "lab.diagnosis") == "Your picture is the reference, pixel for pixel.");
+    CHECK(shown_text(driver, "lab.diagnosis") ==
+          "Your picture matches the reference, pixel for pixel.");
     // Given up, the check leaves the answer, and says of when it is.
     save_again(driver, folder, "mine.png", mine);
     REQUIRE(is_diagnosing(driver.ui));

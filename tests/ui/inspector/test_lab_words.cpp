@@ -40,18 +40,18 @@ using Lines = std::vector<std::string>;
 TEST_CASE("Each name of each likely mistake stands on a line of its own, with how sure it is") {
     const LabHeadline one = headline_of(answer_with(likely({{{"B9"}, {"Last"}}}, 0)));
     CHECK(one.names == Lines{"B9 “Last”"});
-    CHECK(one.rest == "It explains your picture to the last pixel.");
+    CHECK(one.rest == "It explains your picture down to the last pixel.");
     const LabHeadline choice =
         headline_of(answer_with(likely({{{"B9", "upside_down"}, {"Last", "Upside down"}}}, 0)));
     CHECK(choice.names == Lines{"B9 “Last”", "or Upside down"});
-    CHECK(choice.rest == "Each of them alone explains your picture to the last pixel.");
+    CHECK(choice.rest == "Each of them alone explains your picture down to the last pixel.");
     const LabHeadline two = headline_of(
         answer_with(likely({{{"B9"}, {"Last"}}, {{"B3", "B4"}, {"As it is", "Twice"}}}, 4)));
     CHECK(two.names == Lines{"B9 “Last”", "together with B3 “As it is”", "or B4 “Twice”"});
     CHECK(two.rest == "Together they explain 99.6 % of what is wrong.");
     LabAnswer rows = answer_with(likely({{{"B9"}, {"Last"}}}, 0));
     rows.subject.is_picture = false;
-    CHECK(headline_of(rows).rest == "It explains your rows to the last end.");
+    CHECK(headline_of(rows).rest == "It explains your rows down to the last end.");
 }
 
 TEST_CASE("The nearest mistake is named apart from the verdict that none is likely") {
@@ -82,7 +82,7 @@ TEST_CASE("Rules and numbers of a program are said in words, as right or as the 
 TEST_CASE("What differs by rounding alone, or by rules, is right all the same") {
     Diagnosis found;
     CHECK(headline_of(answer_with(found)).names ==
-          Lines{"Your picture is the reference, pixel for pixel."});
+          Lines{"Your picture matches the reference, pixel for pixel."});
     Diagnosis rounding = found;
     rounding.findings = {"2 pixels differ along edges, as rounding of floats may make them."};
     CHECK(headline_of(answer_with(rounding)).names == Lines{"Your picture is right."});
@@ -97,7 +97,8 @@ TEST_CASE("The diagnosis says sizes and settings in words") {
     driver.ui.session.a.settings = reference;
     driver.open("lab");
     check_picture(driver, reference);
-    CHECK(shown_text(driver, "lab.diagnosis") == "Your picture is the reference, pixel for pixel.");
+    CHECK(shown_text(driver, "lab.diagnosis") ==
+          "Your picture matches the reference, pixel for pixel.");
     CHECK_THAT(shown_text(driver, "lab.held_against"),
                Catch::Matchers::EndsWith("500 x 500 pixels like yours."));
     Settings small = reference;
