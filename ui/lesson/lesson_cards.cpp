@@ -132,7 +132,7 @@ std::vector<PartWord> words_of(Ui& ui, const Lesson& lesson, const LessonStep& s
         if (part.kind == Kind::text) {
             ++texts;
             word.title = texts == 1 ? "text" : "more";
-            word.help = texts == 1 ? "What the step says first." : "What the step says then.";
+            word.help = texts == 1 ? "What the step says first." : "What the step says next.";
             if (texts == 1) word.name = "lesson.card.text";
             if (index == shown) word.title += place_of_card(strip, index);
         } else {
@@ -141,14 +141,16 @@ std::vector<PartWord> words_of(Ui& ui, const Lesson& lesson, const LessonStep& s
             ++number;
             word.title = sign_of(ui, lesson, part) + (is_task ? "task" : "question");
             if (count_of(part.kind) > 1) word.title += " " + std::to_string(number);
-            word.help = is_task ? "Something to do." : "Answer first; then the program shows.";
+            word.help = is_task ? "Something to do."
+                                : "Answer first; then the program shows its "
+                                  "own answer.";
         }
         words.push_back(word);
     }
     const int end = static_cast<int>(step.parts.size());
     if (is_last_step(ui, lesson) && (strip.cards.empty() || has_card(strip, end))) {
         words.push_back(
-            {end, "lesson.card.end", "end", "What was done, and where to go from here."});
+            {end, "lesson.card.end", "end", "What you have done, and where to go from here."});
     }
     // One part in one piece is all there is to see.
     if (words.size() == 1 && strip.cards.size() <= 1) words.clear();

@@ -43,7 +43,7 @@ void draw_switch(Ui& ui, const Lesson* lesson, float width) {
         {"lesson.open", "Lesson", "The lesson that is open.", SidePage::lesson},
         {"lesson.stage", "This stage", "A page about the stage that the picture shows.",
          SidePage::stage},
-        {"lesson.list", "All lessons", "The lessons, what is done of them, and a search.",
+        {"lesson.list", "All lessons", "The lessons, your progress, and a search.",
          SidePage::list}};
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;

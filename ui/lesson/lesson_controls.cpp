@@ -89,7 +89,7 @@ void draw_lesson_control(Ui& ui, const LessonControl& control, float width) {
             wrapped_text(read_out);
         }
         ImGui::PopFont();
-        name_widget(ui, name + ".read_out", "What comes of it.");
+        name_widget(ui, name + ".read_out", "What this leads to.");
         note_text(ui, name + ".read_out", read_out);
         keep_text_whole(ui);
     }

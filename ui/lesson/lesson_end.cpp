@@ -43,7 +43,7 @@ std::string done_so_far(const Ui& ui, const Lesson& lesson) {
     text += " ";
     if (!lesson.predictions.empty()) {
         text += of(score.right, lesson.predictions.size(), "prediction", "predictions") +
-                " right at the first try";
+                " right on the first try";
     }
     if (!lesson.tasks.empty()) {
         text += lesson.predictions.empty() ? "" : ", ";
@@ -63,9 +63,8 @@ std::string way_on(Ui& ui, const Lesson& lesson) {
     const std::string id = lesson_after(ui, lesson.id);
     const Lesson* const next = id.empty() ? nullptr : ui.lesson.lessons.find(id);
     if (next == nullptr)
-        return "This is the last lesson. What to do next: [your own program](show:tab.lab), with "
-               "all "
-               "of it.";
+        return "This is the last lesson. Next comes [your own program](show:tab.lab), with all of "
+               "this in it.";
     return fmt::format("Next: lesson {}, {}. {}", lesson_number(id), link_to_lesson(*next),
                        as_markdown(next->about));
 }

@@ -144,7 +144,7 @@ void draw_lessons(Ui& ui, float width) {
     }
     ImGui::Dummy({0.0f, 6.0f * ui.options.text_scale});
     if (button(ui, "lesson.reset", "forget all progress", Look::link,
-               "Every tick and answer is taken back; asks first.")) {
+               "Removes every tick and answer; asks first.")) {
         ImGui::OpenPopup("lesson.reset.sure");
     }
     if (ImGui::BeginPopup("lesson.reset.sure")) {
@@ -172,7 +172,7 @@ void draw_hits(Ui& ui, float width) {
     // The copy outlives a lesson's opening, which may search anew.
     const std::vector<SearchHit> hits = found.hits;
     if (hits.empty()) {
-        text_in(p.dim, "Nothing says that.");
+        text_in(p.dim, "Nothing was found.");
         return;
     }
     int number = 0;

@@ -143,7 +143,7 @@ void draw_lesson_faults(Ui& ui, const Lesson& lesson) {
     }
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
     wrapped_text(text);
-    name_widget(ui, "lesson.faults", "rasterwalk check tells all of them.");
+    name_widget(ui, "lesson.faults", "rasterwalk check lists all of them.");
     ImGui::PopStyleColor();
     ImGui::Spacing();
 }

@@ -38,8 +38,9 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     }
     ImGui::SameLine(0.0f, 10.0f * u);
     if (ImGui::GetContentRegionAvail().x < button_width("answer")) ImGui::NewLine();
-    const bool pressed =
-        button(ui, name + ".answer", "answer", Look::main, "Then the program tells its own.");
+    const bool pressed = button(ui, name + ".answer", "answer", Look::main,
+                                "Then the program shows its own "
+                                "answer.");
     keep_item_whole(ui);
     if (view.is_no_number) {
         text_in(colour_of(Meaning::fail, ui.options.theme),
@@ -179,12 +180,15 @@ std::string verdict(const LessonPrediction& prediction, const PredictionView& vi
                as_said(prediction, judged.answer);
     }
     std::string text = !judged.is_right ? "You said: "
-                       : is_second      ? "Right at the second try: "
+                       : is_second      ? "Right on the second try: "
                                         : "Right: ";
     text.append(as_said(prediction, view.said));
     if (is_second_try) return text;
     using Kind = LessonPrediction::Kind;
-    if (prediction.kind == Kind::pixel) return judged.is_right ? text : text + " That is not one.";
+    if (prediction.kind == Kind::pixel)
+        return judged.is_right ? text
+                               : text + " That pixel is not "
+                                        "right.";
     const bool is_nearly = prediction.kind == Kind::number && judged.answer != view.said;
     if (!judged.is_right || is_nearly) {
         text.append(" The program says: ").append(as_said(prediction, judged.answer));
@@ -223,7 +227,7 @@ void show_fresh(Ui& ui, const std::string& widget) {
 void draw_again(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
                 const std::string& name) {
     const bool is_pressed = button(ui, name + ".again", "answer again", Look::link,
-                                   "The first answer is the one that is remembered.");
+                                   "The program remembers your first answer.");
     keep_item_whole(ui);
     if (std::exchange(ui.lesson.predictions[prediction.id].is_fresh, false))
         show_fresh(ui, name + ".again");
@@ -341,7 +345,7 @@ void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& predi
     {
         LessonBox box(ui, width, colour);
         box.heading("PREDICTION", colour);
-        name_widget(ui, name, "Answer first; then the program shows.");
+        name_widget(ui, name, "Answer first; then the program shows its own answer.");
         box.markdown(name + ".text", ui.lesson.pages[name], without_label(prediction.text));
         ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
         if (!take_up_answer(ui, lesson, prediction)) {

@@ -66,7 +66,9 @@ void draw_task(Ui& ui, const Lesson& lesson, const LessonTask& task, float width
         LessonBox box(ui, width, colour);
         box.heading(done ? "✓ DONE" : "TASK", colour);
         name_widget(ui, name,
-                    done ? "You have solved this." : "Ticked off when it is so and nothing moves.");
+                    done ? "You have solved this."
+                         : "Ticked off when you have done it and nothing "
+                           "is moving.");
         box.markdown(name, ui.lesson.pages[name], without_label(task.text));
         draw_task_words(ui, task, name, done, box.inner_width());
         if (!task.hint.empty() && !done) draw_hint(ui, task, name, box.inner_width());

@@ -66,9 +66,9 @@ bool has_previous(const PageFooter& footer) {
 std::string next_help(const PageFooter& footer) {
     switch (footer.open_below) {
     case PageFooter::Open::question:
-        return "Scrolls to it: answer first, then go on.";
+        return "Scrolls to the question. Answer it first, then go on.";
     case PageFooter::Open::task:
-        return "Scrolls to it: something to do before you go on.";
+        return "Scrolls to the task. Do it before you go on.";
     case PageFooter::Open::nothing:
         break;
     }
@@ -84,7 +84,7 @@ bool draw_previous(Ui& ui, const PageFooter& footer, const std::string& label, I
     return button(ui, "lesson.previous", label, Look::plain,
                   footer.has_more_before
                       ? "What this step said before."
-                      : "To the page before: " + title_of(footer, footer.current - 1),
+                      : "To the previous page: " + title_of(footer, footer.current - 1),
                   size);
 }
 

@@ -86,11 +86,11 @@ void draw_event_lines(Ui& ui) {
     const EventSheet& sheet = ui.sheets.events;
     const Palette& p = palette(ui.options.theme);
     if (sheet.list.count() == 0) {
-        text_in(p.dim, "This triangle is left out: it has no moments.");
+        text_in(p.dim, "This triangle is left out, so it has no moments.");
         return;
     }
     if (sheet.found.empty()) {
-        text_in(p.dim, "No moment has these words.");
+        text_in(p.dim, "No moment contains these words.");
         return;
     }
     const int done = last_done(ui, sheet.list.triangle);
@@ -120,8 +120,8 @@ void draw_event_head(Ui& ui) {
                                                counted(sheet.list.count(), "moment", "moments"));
     ImGui::PopFont();
     name_widget(ui, "events.count",
-                "The triangle on show, and how many of its moments are listed. Of very many only "
-                "those around the cursor are.");
+                "The triangle shown, and how many of its moments are listed. If there are very "
+                "many, only those around the cursor are.");
 }
 
 } // namespace
@@ -132,7 +132,7 @@ void draw_event_sheet(Ui& ui, ImVec2 window) {
     begin_sheet(ui, events_look, window);
     draw_event_head(ui);
     draw_sheet_search(ui, events_look, "search: edge 1, row 12, left end",
-                      "Lists only the moments whose line has these words.");
+                      "Lists only the moments whose line contains these words.");
     draw_event_lines(ui);
     end_sheet();
 }

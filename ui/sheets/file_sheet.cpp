@@ -34,22 +34,22 @@ SheetWords words_of(FileSheet::Kind kind) {
     switch (kind) {
     case FileSheet::Kind::save:
         return {"Save the view",
-                "Everything that is on show, as a text that can be opened again or given to "
-                "someone else.",
+                "Everything that is shown, as a text that can be opened again or given to someone "
+                "else.",
                 "No views are saved here.", "Save", "Writes the file. Key: Enter"};
     case FileSheet::Kind::result:
         return {"Check my picture",
                 fmt::format("A picture that your program saved ({}), or the rows that it printed "
                             "(.txt).",
                             exact_image_formats),
-                "No pictures and no texts here.", "Check",
+                "No pictures or texts here.", "Check",
                 "Looks for what may be wrong with it. Key: Enter"};
     case FileSheet::Kind::texture:
-        return {"Lay an image on the model",
+        return {"Apply an image to the model",
                 fmt::format("An image ({}) for every part that has texture coordinates and no "
                             "image of its own.",
                             image_formats_read),
-                "No images here.", "Lay it on", "Shows the model with it. Key: Enter"};
+                "No images here.", "Apply", "Shows the model with it. Key: Enter"};
     default:
         return {
             "Open",
@@ -118,7 +118,7 @@ bool draw_path(Ui& ui) {
     const bool had_enter = hand_over_typed(sheet);
     ImGui::SetNextItemWidth(-1.0f);
     const std::string before = sheet.path;
-    const bool entered = ImGui::InputTextWithHint("##path", "name, or a whole path", &sheet.path,
+    const bool entered = ImGui::InputTextWithHint("##path", "name, or a full path", &sheet.path,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     sheet.has_keyboard = sheet.has_keyboard || ImGui::IsItemActive();
     if (sheet.path != before) {
@@ -126,7 +126,7 @@ bool draw_path(Ui& ui) {
         sheet.asked.clear();
     }
     name_widget(ui, "files.path",
-                "The file: its name in the folder below, or a whole path; ~/ is the home folder.");
+                "The file: its name in the folder below, or a full path; ~/ is the home folder.");
     return entered || had_enter;
 }
 
@@ -155,18 +155,18 @@ void draw_places(Ui& ui) {
                              gap);
     }
     if (button(ui, "files.up", labels[0], Look::plain,
-               "Shows the folder in which this one lies.")) {
+               "Shows the folder that contains this one.")) {
         go(std::filesystem::path(sheet.folder).parent_path().string());
     }
     ImGui::SameLine(0.0f, gap);
     if (button(ui, "files.here", labels[1], Look::plain,
-               "Shows the folder in which the program was started.")) {
+               "Shows the folder the program was started in.")) {
         go(".");
     }
     if (!has_own) return;
     ImGui::SameLine(0.0f, gap);
     if (button(ui, "files.own", labels[2], Look::plain,
-               "Shows the lessons that come with the program; its scenes lie in scenes/.")) {
+               "Shows the lessons that come with the program; its scenes are in scenes/.")) {
         go(lessons_folder());
     }
 }
@@ -203,18 +203,17 @@ void draw_list(Ui& ui, float height) {
         }
         name_widget(ui, "files.entry." + entry.name,
                     entry.is_folder    ? "Shows this folder."
-                    : is_saving(sheet) ? "Saves under this name, in place of what stands there."
+                    : is_saving(sheet) ? "Saves under this name, replacing the file."
                                        : "Chooses this file; a double click opens it.");
     }
     if (sheet.entries.empty()) {
         text_in(p.dim, words_of(sheet.kind).nothing);
     }
     if (sheet.left_out > 0) {
-        text_in(p.dim, "and " + std::to_string(sheet.left_out) + " more: type the name");
+        text_in(p.dim, "and " + std::to_string(sheet.left_out) + " more; type the name");
     }
     if (sheet.is_cut) {
-        wrapped_text("The folder holds so many files that only some were looked at: type the "
-                     "name.");
+        wrapped_text("The folder has so many files that only some were looked at; type the name.");
     }
     if (clicked != nullptr && clicked->is_folder) {
         const std::string folder = sheet.folder + "/" + clicked->name;
@@ -235,8 +234,7 @@ void draw_list(Ui& ui, float height) {
 std::string message_of(const FileSheet& sheet) {
     if (!sheet.fault.empty()) return sheet.fault;
     if (sheet.asked.empty()) return {};
-    return std::filesystem::path(sheet.asked).filename().string() +
-           " is there already. Replace it?";
+    return std::filesystem::path(sheet.asked).filename().string() + " already exists. Replace it?";
 }
 
 float message_height(const std::string& message) {

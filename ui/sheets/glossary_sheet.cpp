@@ -51,7 +51,7 @@ void draw_glossary_sheet(Ui& ui, ImVec2 window) {
     if (!ui.sheets.is_open(Sheet::glossary)) return;
     begin_sheet(ui, glossary_look, window);
     draw_sheet_search(ui, glossary_look, "search the glossary",
-                      "Shows only the terms that have this word.");
+                      "Shows only the entries that contain this word.");
     const std::string& search = ui.sheets.search_of(Sheet::glossary);
     ImGui::BeginChild("terms");
     begin_whole_lines(ui);
@@ -61,7 +61,7 @@ void draw_glossary_sheet(Ui& ui, ImVec2 window) {
         any = true;
         draw_term(ui, term);
     }
-    if (!any) text_in(palette(ui.options.theme).dim, "No term has that word.");
+    if (!any) text_in(palette(ui.options.theme).dim, "No entry contains that word.");
     end_whole_lines(ui);
     ImGui::EndChild();
     end_sheet();

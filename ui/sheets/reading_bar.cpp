@@ -33,14 +33,14 @@ void draw_reading_bar(Ui& ui, ImVec2 window) {
     ImGui::ProgressBar(share_of(state), {bar, height * u}, "");
     ImGui::PopStyleColor();
     const std::string words = reading_words(state);
-    name_widget(ui, "reading.bar", "What is open stays in use until all of it is read.");
+    name_widget(ui, "reading.bar", "What is open now stays open until all of it has been read.");
     note_text(ui, "reading.bar", words);
     ImGui::AlignTextToFramePadding();
     text_in(palette(ui.options.theme).dim, words.empty() ? "..." : words);
     ImGui::SameLine();
     ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x + bar - button_width("Stop"));
     if (button(ui, "reading.stop", "Stop", Look::plain,
-               "Stops reading; what was open before stays.")) {
+               "Stops reading; what was open before stays open.")) {
         stop_reading(ui);
     }
     ImGui::End();

@@ -75,8 +75,8 @@ Fonts make_fonts(const FontSizes& wanted) {
         ImFont* const built_in = atlas.AddFontDefault();
         for (const FontFile& file : font_files)
             fonts.*file.font = built_in;
-        fonts.notice = "The DejaVu fonts are not installed: text is shown in the built-in font, "
-                       "without mathematical signs.";
+        fonts.notice = "The DejaVu fonts are not installed, so text is shown in the built-in font, "
+                       "without mathematical symbols.";
     }
     // Latin, Greek, punctuation, super- and subscripts, arrows, mathematics, shapes, tick and
     // cross.

@@ -20,14 +20,14 @@ std::string end_text(const RowEnd& end, bool is_left, bool is_short) {
 }
 
 std::string replaced_tooltip(const EndWriter& writer) {
-    return "↻: an earlier sample stood here and was replaced, " +
+    return "↻: an earlier sample was here and has been replaced " +
            counted(writer.replaced, "time", "times") + " so far.";
 }
 
 std::string writer_tooltip(const EndWriter& writer) {
     return "Written by " + sample_name(writer.edge, writer.sample) + "." +
            (writer.replaced > 0 ? "\n" + replaced_tooltip(writer) : "") +
-           "\nClick: to the moment in which it was written.";
+           "\nClick to go to the moment when it was written.";
 }
 
 std::string end_tooltip(const Ui& ui, const RowEnd& end, const EndWriter& writer) {
@@ -35,7 +35,7 @@ std::string end_tooltip(const Ui& ui, const RowEnd& end, const EndWriter& writer
     const bool is_extreme = end.column == empty_left || end.column == empty_right;
     if (!walks_edges(ui.results.a.frame.stages)) {
         return is_extreme ? "INT_MAX with its sign: so far no pixel of this row is inside."
-                          : "The pixel of this row that is inside and lies farthest out.";
+                          : "The outermost pixel of this row that is inside.";
     }
     return is_extreme
                ? "INT_MAX with its sign: no sample has reached this row yet, so any column is "

@@ -53,7 +53,7 @@ void edit_choice(Ui& ui, Settings& settings, const Setting& setting, const std::
     const bool open = ImGui::BeginCombo("##value", said.c_str());
     name_widget(ui, name,
                 now == no_word ? help
-                               : help + "\nWritten " + code + " = " +
+                               : help + "\nWritten as " + code + " = " +
                                      std::string(choice.words[static_cast<std::size_t>(now)]));
     if (!open) return;
     for (int i = 0; i < static_cast<int>(choice.words.size()); ++i) {

@@ -127,7 +127,7 @@ TEST_CASE("A wrong first answer is told what is wrong, and asked once more befor
         CHECK(q.ui.session.a.settings.stage == Stage::edges); // the answer is not shown yet
         CHECK(q.ui.lesson.predictions.at("count").typed.empty());
         q.answer("30");
-        CHECK(q.said(name + ".verdict") == "Right at the second try: 30 triangles.");
+        CHECK(q.said(name + ".verdict") == "Right on the second try: 30 triangles.");
         CHECK(q.is_there(name + ".again"));
         CHECK_FALSE(q.is_there(name + ".show"));
         CHECK(q.ui.session.a.settings.stage == Stage::depth);
@@ -148,7 +148,7 @@ TEST_CASE("A wrong first answer is told what is wrong, and asked once more befor
         q.driver.hand.leave();
         if (q.ui.lesson.is_strip) q.driver.hand.click("lesson.card.0");
         q.driver.hand.frames(2 * frames_to_rest);
-        CHECK(q.said(name + ".verdict") == "Right at the second try: 30 triangles.");
+        CHECK(q.said(name + ".verdict") == "Right on the second try: 30 triangles.");
         CHECK(q.ui.session.a.settings.stage == Stage::edges);
         q.driver.hand.click(name + ".show");
         q.driver.hand.leave();
@@ -264,7 +264,7 @@ TEST_CASE("The last step says what was done, where to go next, and on what the l
     q.driver.hand.enter("lesson.control.camera.focal_length", "550");
     q.driver.hand.leave();
     const std::string end = q.said("lesson.end");
-    CHECK(end.find("1 of 2 predictions right at the first try, 1 of 2 tasks done.") != end.npos);
+    CHECK(end.find("1 of 2 predictions right on the first try, 1 of 2 tasks done.") != end.npos);
     CHECK(end.find("Next: lesson 2, [Questions](02-after.md).") != end.npos);
     CHECK(end.find("Somebody, *Something*, 1990") != end.npos);
     q.driver.hand.click("lesson.end.link.0");
