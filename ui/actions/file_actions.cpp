@@ -17,7 +17,7 @@ std::vector<Action> file_actions() {
         {"file.lay_texture",
          "File",
          "Apply an image to the model ...",
-         "Applies an image to every part of a model whose file does not name one.",
+         "Applies an image to every part of a model that has none of its own.",
          {},
          begin_choosing_texture,
          nullptr},

@@ -121,7 +121,7 @@ void run_headers(Ui& ui, const std::string& of) {
                 "Run A, which the switches and settings apply "
                 "to.",
                 true);
-    header_cell(ui, {"B"}, "compare.header.b" + end, "Run B, which is compared with it.", true);
+    header_cell(ui, {"B"}, "compare.header.b" + end, "Run B, which is compared with run A.", true);
 }
 
 bool begin_columns(const std::string& name, int count) {
@@ -139,7 +139,7 @@ void draw_settings(Ui& ui) {
     const std::vector<RunDifference> differences = run_differences(ui.session);
     if (differences.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        wrapped_text("Both runs have the same settings. Change one: it changes run A.");
+        wrapped_text("Both runs have the same settings. If you change one, run A changes.");
         ImGui::PopStyleColor();
         return;
     }

@@ -171,7 +171,7 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
     const PixelEntry& entry = history.entries[index];
     std::string text = describe_moment(ui.results.a.frame, entry.cursor);
     if (history.depth_tested) {
-        text += fmt::format("\n{} {}, stored before {}, margin {}", depth_value_words(ui),
+        text += fmt::format("\n{} {}, previously stored {}, margin {}", depth_value_words(ui),
                             nine_digits_shown(entry.depth), nine_digits_shown(entry.stored),
                             nine_digits_shown(entry.margin));
     } else if (has_fragments(ui.results.a.frame.settings.stage)) {

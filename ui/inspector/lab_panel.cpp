@@ -91,7 +91,7 @@ void draw_list(Ui& ui, const std::function<void(const Bug&)>& below) {
 void draw_buttons(Ui& ui, const Bug& bug) {
     if (is_on(ui.session, bug.id)) {
         if (button(ui, "lab.off", "turn off", Look::main,
-                   "Back to one run and to what was set before.")) {
+                   "Goes back to one run and to the previous settings.")) {
             end_comparison(ui.session);
         }
     } else {
@@ -178,7 +178,7 @@ void draw_modes(Ui& ui) {
         {LabMode::bugs, "lab.mode.bugs", "Make one",
          "The mistakes that rasterizers make, each to be turned on."},
         {LabMode::quiz, "lab.mode.quiz", "Guess one",
-         "The program makes a mistake and hides the settings: you find out which."},
+         "The program makes a mistake and hides the settings; you find out which mistake it is."},
         {LabMode::result, "lab.mode.result",
          ui.inspector.is_narrow ? "Check mine" : "Check my picture",
          "A picture or a printed row table of your own program, and what may be wrong with it."}};

@@ -181,7 +181,7 @@ SampleColumns columns_of(const Ui& ui) {
                  : "Float minus exact: what the additions have lost on the way here.",
          drift == 0.0 ? 4 : 9},
         {4, x ? "column" : "row",
-         decided ? "The pixel of the sample. ≠: another one is nearer to the line."
+         decided ? "The pixel of the sample. ≠: another pixel is nearer to the line."
                  : "The pixel that the float becomes. ≠: the exact place is on another pixel.",
          std::max(5, whole + 2)},
         {5, "reverse",

@@ -154,7 +154,7 @@ void draw_lessons(Ui& ui, float width) {
             ImGui::CloseCurrentPopup();
         }
         ImGui::SameLine();
-        if (button(ui, "lesson.reset.no", "keep", Look::main, "Nothing is changed.")) {
+        if (button(ui, "lesson.reset.no", "keep", Look::main, "Nothing changes.")) {
             ImGui::CloseCurrentPopup();
         }
         ImGui::EndPopup();

@@ -38,7 +38,7 @@ constexpr std::array<Card, way_count> cards{{
      "Press play, stop anywhere, and look.",
      {"Time runs both ways, down to the single edge sample.",
       "Click a pixel or a triangle: every number says where it comes from."},
-     "Begins at the first stage; the pictures above lead to each."},
+     "Begins at the first stage; the pictures above lead to each one."},
     {Way::picture,
      "Check my own picture",
      "What differs from a correct one, where first, and why?",
