@@ -172,7 +172,7 @@ void draw_clip_rest(const ClipPage& page) {
 void draw_clip_culling(const ClipPage& page) {
     const std::vector<CullAnswer> answers = cull_answers(page.frame, page.history);
     if (answers.empty()) return;
-    draw_clip_title(page, "Front or back?", "what each test says");
+    draw_clip_title(page, "Front or back?", "by each test");
     if (begin_clip_table(page, "culling", {1.6f, 1.2f, 1.0f})) {
         for (const CullAnswer& answer : answers)
             draw_answer(page, answer, answer.way == page.frame.settings.cull);

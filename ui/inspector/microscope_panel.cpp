@@ -258,7 +258,7 @@ void draw_summary(Ui& ui) {
     }
     const int reverse = summary.differ_from_reverse;
     draw_statement(ui, reverse == 0,
-                   reverse == 0 ? "walked backwards, it has the same pixels"
+                   reverse == 0 ? "the same pixels when walked backwards"
                                 : "walked backwards: " +
                                       some_samples(static_cast<std::size_t>(reverse), edge.count) +
                                       " on another pixel");
