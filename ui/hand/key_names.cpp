@@ -70,7 +70,7 @@ KeyPress parse_key(std::string_view text) {
     pressed.key = find_key(name);
     if (pressed.key == 0) {
         throw UsageError("there is no key '" + std::string(text) +
-                         "'; keys are called A, 7, F1, Space, Left, Ctrl+Z ...");
+                         "'; key names are A, 7, F1, Space, Left, Ctrl+Z ...");
     }
     return pressed;
 }

@@ -57,12 +57,12 @@ SheetColumns sheet_columns(const Ui& ui) {
 
 /// What is said of settings that do nothing.
 std::string idle_text(const std::string& reason) {
-    return "without effect " + reason;
+    return "no effect " + reason;
 }
 
 std::string tooltip_of_setting(const Setting& setting, const std::string& idle) {
     std::string about = std::string(setting.name).append("\n").append(setting.help);
-    if (!idle.empty()) about.append("\nIt is ").append(idle_text(idle)).append(".");
+    if (!idle.empty()) about.append("\nIt has ").append(idle_text(idle)).append(".");
     about.append("\nLab: ").append(setting.section);
     if (!setting.unit.empty()) about.append("\nUnit: ").append(setting.unit);
     return about;
