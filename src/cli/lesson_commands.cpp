@@ -11,6 +11,7 @@
 #include "base/files.h"
 #include "base/numbers.h"
 #include "cli/json.h"
+#include "cli/prose_files.h"
 #include "facts/facts.h"
 #include "laboratory/bug.h"
 #include "lessons/lesson.h"
@@ -83,6 +84,7 @@ struct FileCheck {
     std::ostream& out;
     ProgressLine& progress;
     bool luck = false; ///< tasks are tried at random
+    StyleGuide guide{};
 };
 
 /// Random tries at a task.
@@ -165,46 +167,14 @@ int check_file(const std::string& path, FileCheck& check) {
     return static_cast<int>(faults.size()) + unlucky;
 }
 
-/// The files that hold prose, those of all folders below too, by name; but not what is built, nor
-/// what is hidden.
-void add_prose(const fs::path& path, std::vector<std::string>& files) {
-    std::error_code fault;
-    if (!fs::is_directory(path, fault)) {
-        if (!fs::exists(path, fault))
-            throw AccessError("cannot read '" + path.string() + "': there is no such file.");
-        files.push_back(path.string());
-        return;
-    }
-    std::vector<fs::path> entries;
-    for (fs::directory_iterator entry(path, fault), end; !fault && entry != end;
-         entry.increment(fault))
-        entries.push_back(entry->path());
-    if (fault) throw AccessError("cannot read '" + path.string() + "': " + fault.message() + ".");
-    std::sort(entries.begin(), entries.end());
-    for (const fs::path& entry : entries) {
-        const std::string name = entry.filename().string();
-        std::error_code ignored;
-        const bool is_folder = fs::is_directory(entry, ignored);
-        if (is_folder && !fs::is_symlink(entry, ignored) && name[0] != '.' && name != "build")
-            add_prose(entry, files);
-        else if (!is_folder && prose_kind(name))
-            files.push_back(entry.lexically_normal().string());
-    }
-}
-
-int check_styles(const std::vector<std::string>& files, FileCheck& check) {
-    const Style style = read_style(lessons_folder() + "/style.toml");
-    int faults = 0;
-    for (const std::string& file : files) {
-        const std::vector<ProseWord> words =
-            prose_of(read_file(file), prose_kind(file).value_or(ProseKind::script));
-        for (const Fault& fault : style_faults(words, style)) {
-            check.progress.clear();
-            check.out << file << ':' << fault.line << ": " << fault.sentence << '\n';
-            ++faults;
-        }
-    }
-    return faults;
+/// Prints the phrases of one file that read as if translated; returns how many there are.
+int check_style(const std::string& path, FileCheck& check) {
+    const ProseKind kind = prose_kind(path).value_or(ProseKind::script);
+    const std::vector<Fault> faults = style_faults(prose_of(read_file(path), kind), check.guide);
+    check.progress.clear();
+    for (const Fault& fault : faults)
+        check.out << path << ':' << fault.line << ": " << fault.sentence << '\n';
+    return static_cast<int>(faults.size());
 }
 
 const char* type_name(ValueType type) {
@@ -226,21 +196,13 @@ const char* type_name(ValueType type) {
 ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostream& err,
                        ProgressLine& progress) {
     FileCheck check{.out = out, .progress = progress, .luck = options.luck};
-    std::vector<std::string> files;
-    if (options.style) {
-        for (const std::string& path : options.paths)
-            add_prose(path, files);
-    } else {
-        files = files_to_check(options.paths);
-    }
+    if (options.style) check.guide = read_style(lessons_folder() + "/style.toml");
+    const std::vector<std::string> files =
+        options.style ? prose_files(options.paths) : files_to_check(options.paths);
     if (files.empty()) throw InputError("there is nothing to check, neither lessons nor scenes.");
     int faults = 0;
-    if (options.style) {
-        faults = check_styles(files, check);
-    } else {
-        for (const std::string& file : files)
-            faults += check_file(file, check);
-    }
+    for (const std::string& file : files)
+        faults += options.style ? check_style(file, check) : check_file(file, check);
     progress.clear();
     const std::string in_files = counted(static_cast<std::int64_t>(files.size()), "file", "files");
     if (faults > 0) {

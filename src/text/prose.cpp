@@ -12,7 +12,7 @@ namespace {
 
 /// In a mask: a character that is not read, between texts that have nothing to do with each other;
 /// and one that takes the place of a word of code.
-constexpr char gap = '\0', code = '\1';
+constexpr char gap = '\0', code_mark = '\1';
 
 bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
@@ -56,7 +56,7 @@ class Mask {
             const std::size_t end = text_.find(c == '`' ? '`' : '}', at_ + 1);
             if (end < end_of_line()) {
                 std::fill(mask_.begin() + static_cast<std::ptrdiff_t>(at_),
-                          mask_.begin() + static_cast<std::ptrdiff_t>(end + 1), code);
+                          mask_.begin() + static_cast<std::ptrdiff_t>(end + 1), code_mark);
                 at_ = end + 1;
                 return;
             }
@@ -301,9 +301,9 @@ std::vector<ProseWord> prose_of(std::string_view text, ProseKind kind) {
             ++i;
         } else if (is_blank(mask[i])) {
             ++i;
-        } else if (mask[i] == code) {
+        } else if (mask[i] == code_mark) {
             breaks = 0;
-            i = std::min(mask.find_first_not_of(code, i), mask.size());
+            i = std::min(mask.find_first_not_of(code_mark, i), mask.size());
             add("{}");
         } else if (!is_letter(mask[i]) ||
                    (rest.starts_with(mark_of_utf8) && !rest.starts_with(apostrophe))) {

@@ -51,39 +51,39 @@ bool is_at(const Phrase& phrase, const std::vector<ProseWord>& words, std::size_
 
 } // namespace
 
-Style parse_style(std::string_view text, const std::string& path) {
+StyleGuide parse_style(std::string_view text, const std::string& path) {
     const toml::table root = parse_toml(text, path);
     const TomlInput input(root, path, "the file of phrases");
     input.allow_only({"rule", "meant"});
-    Style style;
+    StyleGuide guide;
     for (const toml::node& node : input.list("rule")) {
         const TomlInput entry = input.table(node, "the rule");
         entry.allow_only({"phrases", "advice"});
         for (const toml::node& phrase : entry.list("phrases")) {
             if (!phrase.is_string()) entry.fail(phrase, "a phrase is a text.");
-            style.rules.push_back({phrase_of(**phrase.as_string(), entry), entry.text("advice")});
+            guide.rules.push_back({phrase_of(**phrase.as_string(), entry), entry.text("advice")});
         }
     }
     for (const toml::node& phrase : input.list("meant")) {
         if (!phrase.is_string()) input.fail(phrase, "a phrase is a text.");
-        style.meant.push_back(phrase_of(**phrase.as_string(), input));
+        guide.meant.push_back(phrase_of(**phrase.as_string(), input));
     }
-    return style;
+    return guide;
 }
 
-Style read_style(const std::string& path) {
+StyleGuide read_style(const std::string& path) {
     return parse_style(read_file(path), path);
 }
 
-std::vector<Fault> style_faults(const std::vector<ProseWord>& words, const Style& style) {
+std::vector<Fault> style_faults(const std::vector<ProseWord>& words, const StyleGuide& guide) {
     std::unordered_map<std::string_view, std::vector<const StyleRule*>> rules;
-    for (const StyleRule& rule : style.rules) {
+    for (const StyleRule& rule : guide.rules) {
         for (const std::string& first : rule.phrase.front())
             rules[first].push_back(&rule);
     }
     std::vector<bool> is_meant(words.size(), false);
     for (std::size_t at = 0; at < words.size(); ++at) {
-        for (const Phrase& phrase : style.meant) {
+        for (const Phrase& phrase : guide.meant) {
             if (!is_at(phrase, words, at)) continue;
             std::fill_n(is_meant.begin() + static_cast<std::ptrdiff_t>(at), phrase.size(), true);
         }

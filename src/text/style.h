@@ -19,7 +19,7 @@ struct StyleRule {
     std::string advice; ///< what to write instead
 };
 
-struct Style {
+struct StyleGuide {
     std::vector<StyleRule> rules;
     std::vector<Phrase> meant; ///< within these no rule holds
 };
@@ -27,11 +27,11 @@ struct Style {
 /// Reads the file of phrases (lessons/style.toml). A phrase is words between blanks, each with
 /// others that may take its place: "tell|tells a|the *". Throws InputError, and AccessError for a
 /// file that cannot be read.
-Style read_style(const std::string& path);
-Style parse_style(std::string_view text, const std::string& path);
+StyleGuide read_style(const std::string& path);
+StyleGuide parse_style(std::string_view text, const std::string& path);
 
 /// Each phrase of a rule in a text, at the line of its first word: the words as they are, and the
 /// advice.
-std::vector<Fault> style_faults(const std::vector<ProseWord>& words, const Style& style);
+std::vector<Fault> style_faults(const std::vector<ProseWord>& words, const StyleGuide& guide);
 
 } // namespace rasterwalk

@@ -89,7 +89,7 @@ TEST_CASE("A phrase that reads as if translated is a fault in each kind of file"
 }
 
 TEST_CASE("Words of a phrase, and what is meant as it stands") {
-    const Style style = parse_style("meant = ['by half-way houses']\n[[rule]]\n"
+    const StyleGuide style = parse_style("meant = ['by half-way houses']\n[[rule]]\n"
                                     "phrases = ['half-way', 'who|whoever forgets *']\n"
                                     "advice = 'write halfway.'\n",
                                     "a.toml");
