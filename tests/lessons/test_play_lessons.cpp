@@ -245,17 +245,17 @@ TEST_CASE("Each lesson holds at least two tasks and two predictions") {
     }
 }
 
-TEST_CASE("Each lesson has its picture in screenshots/ and its place in the README, and none is "
-          "left over") {
+TEST_CASE("Each lesson has its picture in screenshots/ and its place in lessons/README.md, and "
+          "none is left over") {
     const std::filesystem::path root(project_root());
-    const std::string readme = read_file((root / "README.md").string());
+    const std::string readme = read_file((root / "lessons/README.md").string());
     std::set<std::string> wanted, found;
     for (const Lesson& lesson : all_lessons()) {
         const std::string picture = std::string("lesson-").append(lesson.id).append(".png");
         wanted.insert(picture);
         INFO(lesson.id << ", " << lesson.title << ", " << lesson.minutes << " minutes");
-        CHECK(readme.find("(screenshots/" + picture + ")") != readme.npos);
-        CHECK(readme.find("[" + lesson.title + "](lessons/" + lesson.id + ".md), " +
+        CHECK(readme.find("(../screenshots/" + picture + ")") != readme.npos);
+        CHECK(readme.find("[" + lesson.title + "](" + lesson.id + ".md), " +
                           std::to_string(lesson.minutes) + " minutes") != readme.npos);
     }
     for (const auto& entry : std::filesystem::directory_iterator(root / "screenshots")) {
