@@ -1,6 +1,6 @@
 #pragma once
 
-// The words of an enum: they stand beside it, and whoever reads or prints them asks here.
+// The words of an enum. They are declared next to it; code that reads or prints them asks here.
 
 #include <array>
 #include <cstddef>

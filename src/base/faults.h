@@ -18,7 +18,7 @@ struct Fault {
     friend bool operator==(const Fault&, const Fault&) = default;
 };
 
-/// The most faults of one file that are kept; later ones are not told.
+/// The most faults of one file that are kept; later ones are not reported.
 inline constexpr int most_faults = 200;
 
 /// Collects the faults of a file while it is read, so that one does not hide the next.

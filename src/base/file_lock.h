@@ -4,8 +4,8 @@
 
 namespace rasterwalk {
 
-/// Keeps other processes, and other locks of this one, from a file while it is read and written
-/// anew. The lock is held on a file beside it, NAME.lock, which stays there.
+/// Keeps other processes, and other locks of this one, from a file while it is read and rewritten.
+/// The lock is held on a file next to it, NAME.lock, which stays there.
 class FileLock {
   public:
     /// Waits for at most about half a second. Where the file system knows no locks, or nothing can

@@ -6,7 +6,7 @@
 
 namespace rasterwalk {
 
-/// When a file was last written, and its size in bytes: together they tell whether it changed.
+/// When a file was last written, and its size in bytes: together they show whether it changed.
 struct FileState {
     std::filesystem::file_time_type written{};
     std::uintmax_t size = 0;

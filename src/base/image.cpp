@@ -46,10 +46,10 @@ void check_png_data(std::string_view bytes, const std::string& path, glm::ivec2 
                                  size.x, size.y));
 }
 
-/// Which byte of a TGA tells how its pixels are stored.
+/// The byte of a TGA that says how its pixels are stored.
 constexpr std::size_t tga_descriptor = 17;
 
-/// Many programs leave the opacity of a TGA empty; the header tells how many of its bits count.
+/// Many programs leave the opacity of a TGA empty; the header says how many of its bits count.
 void ignore_empty_alpha(std::string_view bytes, Image& image) {
     constexpr int alpha_bits = 15;
     if ((bytes[tga_descriptor] & alpha_bits) != 0) return;

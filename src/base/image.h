@@ -42,7 +42,7 @@ Image parse_image(std::string_view bytes, const std::string& path,
 /// The same where every pixel counts: a JPG is refused, since it keeps none exactly.
 Image parse_exact_image(std::string_view bytes, const std::string& path);
 
-/// Is told the size of a picture before it is unpacked; may throw.
+/// Called with a picture's size before it is unpacked; may throw.
 using ImageSizeCheck = std::function<void(glm::ivec2)>;
 
 /// The same from a file. Throws AccessError too.

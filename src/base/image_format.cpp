@@ -27,7 +27,7 @@ constexpr ImageEnding image_endings[] = {
     {".bmp", true}, {".ppm", true},  {".pgm", true},
 };
 
-/// What the name says of the picture; null: nothing.
+/// What the name says about the picture; null: nothing.
 const ImageEnding* find_image_ending(std::string_view name) {
     const std::string small = in_small_letters(name);
     const auto* const found =

@@ -14,7 +14,7 @@ enum class ImageFormat : std::uint8_t {
     bmp,
     jpeg,
     pnm, ///< PGM and PPM, as text (P2, P3) or as bytes (P5, P6)
-    tga, ///< has no mark of its own: it is told by a header that makes sense
+    tga, ///< has no mark of its own: recognized by a header that makes sense
 };
 
 /// How messages list them.

@@ -93,7 +93,7 @@ inline constexpr std::size_t most_model_parts = 4096;
 inline constexpr std::size_t most_materials = 4096;
 inline constexpr std::size_t most_material_files = 64;
 
-/// The longest name of a material, bytes; what is beyond it does not tell materials apart.
+/// The longest name of a material, bytes; names that differ only beyond it count as the same.
 inline constexpr std::size_t longest_material_name = 1024;
 
 /// The most corners of a face that a fan cannot cut into triangles, and the most questions about

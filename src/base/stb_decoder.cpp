@@ -38,8 +38,8 @@ namespace rasterwalk {
 
 namespace {
 
-/// For some faults stb_image gives no reason: there is none then, or still that of a picture
-/// before. So that one is forgotten first.
+/// For some faults stb_image gives no reason: there is none then, or still that of an earlier
+/// picture. So the old reason is cleared first.
 void forget_reason() {
     int ignored = 0;
     stbi_info_from_memory(nullptr, 0, &ignored, &ignored, &ignored);
@@ -48,7 +48,7 @@ void forget_reason() {
 std::string last_reason() {
     const char* const said = stbi_failure_reason();
     const std::string_view reason = said != nullptr ? said : "";
-    // What it says of bytes that are none, or that are of another format, is no reason.
+    // What it says about no bytes at all, or about bytes of another format, is no reason.
     for (const std::string_view none : {"", "unknown image type", "bad png sig", "no SOI"})
         if (reason == none) return "its data is damaged";
     return std::string(reason);

@@ -19,8 +19,8 @@ namespace rasterwalk {
 
 namespace {
 
-/// A text as a stream, in blocks: in between it can be told how far the parser is. toml++ takes an
-/// exception for its own; so it is kept, and the text ends there.
+/// A text as a stream, in blocks, so that the parser's progress can be reported between them.
+/// toml++ would take an exception for its own; so it is kept, and the text ends there.
 class ToldText : public std::streambuf {
   public:
     ToldText(std::string_view text, const std::function<void(std::size_t)>& told)

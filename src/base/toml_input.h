@@ -16,7 +16,7 @@
 namespace rasterwalk {
 
 /// Parses text; `path` is only used in messages. Throws InputError.
-/// @param told is told now and then how many bytes have been read; what it throws ends the parsing
+/// @param told receives now and then how many bytes have been read; what it throws ends the parsing
 toml::table parse_toml(std::string_view text, const std::string& path,
                        const std::function<void(std::size_t)>& told = {});
 
