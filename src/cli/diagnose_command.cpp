@@ -17,7 +17,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A result that was held against the reference.
+/// A result that was compared with the reference.
 struct Finding {
     Diagnosis diagnosis;
     std::string kind; ///< "picture" or "rows"

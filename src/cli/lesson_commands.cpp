@@ -98,7 +98,7 @@ int check_luck(const Lesson& lesson, FileCheck& check) {
         check.out << fault_text(lesson, {task.done_line, sentence}) << '\n';
     };
     for (const LessonTask& task : lesson.tasks) {
-        if (!task.done || task.recipe.empty()) continue; // that was told
+        if (!task.done || task.recipe.empty()) continue; // already reported
         check.progress.say(fmt::format("Trying the task '{}'", task.id));
         const TaskLuck luck = luck_of(lesson, task, luck_tries, check.session, check.trial);
         if (luck.control.empty()) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Two runs of one scene, A and B, held against each other: how far their pictures lie apart, and
-// what else differs.
+// Two runs of one scene, A and B, compared: how far apart their pictures are, and what else
+// differs.
 
 #include <cstdint>
 #include <memory>
@@ -101,13 +101,13 @@ struct Comparison {
     }
 };
 
-/// Two runs being compared, part by part. Draws both side by side and holds them against each other
-/// moment by moment: takes some times both frames' drawing, and the memory of two pictures. Of runs
-/// that cut the scene into other triangles, or of which one is drawn by the fast engine, only the
+/// Two runs being compared, part by part. Draws both side by side and compares them moment by
+/// moment: takes a few times as long as drawing both frames, and the memory of two pictures. If the
+/// runs cut the scene into different triangles, or the fast engine draws one of them, only the
 /// pictures are compared, and one divergence says so: no moment of one is a moment of the other.
 class ComparisonWork {
   public:
-    /// Begins anew. The frames must be of the same scene, have viewports of the same size, and live
+    /// Starts over. The frames must be of the same scene, have viewports of the same size, and live
     /// until the work is done or another is begun.
     void begin(const Frame& a, const Frame& b, const Cursor& to = cursor_end);
 

@@ -84,7 +84,7 @@ Apart tests_apart(const PixelTest& a, const PixelTest& b) {
     return same ? Apart::not_at_all : Apart::clearly;
 }
 
-/// By what both runs' pixels are told apart.
+/// What decides whether both runs' pixels differ.
 struct SightRules {
     ScreenRules screen_a, screen_b; ///< what is seen of a channel
     bool has_depth_a, has_depth_b;  ///< marks have none: what stands in its place says nothing

@@ -169,7 +169,7 @@ std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment
     return fmt::format("{}: {}", vertex, varying_text(in_a, in_b));
 }
 
-/// What one run does with an edge at a plane; `other` tells which digits are needed.
+/// What one run does with an edge at a plane; `other` decides which digits are needed.
 std::string clip_side(const ClipEvent* event, const ClipEvent* other) {
     if (event == nullptr) return "does nothing";
     const ClipStep& step = event->step;
@@ -370,7 +370,7 @@ std::string row_text(const Frame& a, const Frame& b, const PairMoment& moment) {
         if (ends_a == ends_b) return text + "both " + ends_a + ", but not all of it is drawn.";
         return fmt::format("{}A {}, B {}.", text, ends_a, ends_b);
     }
-    // Both ends of a row are one moment: the first that differs is told.
+    // Both ends of a row are one moment: the first that differs is reported.
     for (std::size_t i = 0; i + 1 < count; ++i) {
         const FragmentEvent &p = moment.a.fragments[i], &q = moment.b.fragments[i];
         if (p.fragment.column != q.fragment.column || p.fragment.row != q.fragment.row ||

@@ -45,7 +45,7 @@ std::optional<int> behind_box_rows(const Frame& frame, int triangle, int begun, 
     return std::nullopt;
 }
 
-/// Rows of the table that every part makes anew.
+/// Rows of the table that every part makes again.
 std::int64_t remade_rows(const Frame& frame, int triangle) {
     if (!frame.is_drawn(triangle) || frame.settings.stage < Stage::rows) return 0;
     const auto [top, bottom] = table_rows(frame, triangle);
@@ -185,8 +185,9 @@ void RunWalk::skip_to(int triangle) {
     next_ = {triangle, Phase::vertices, 0, 0};
 }
 
-/// Of a box of many pixels the tests of so many as are kept; none where no more are left than go
-/// with the first rows. Box rows beside the picture cost nothing, and go with the others.
+/// In a box of many pixels, where the part ends that has as many tests as are kept; none if no more
+/// are left than go with the first rows. Box rows outside the picture cost nothing, and go with the
+/// others.
 std::optional<Cursor> RunWalk::part_end_in_box() const {
     if (next_.phase > Phase::tests) return std::nullopt;
     const int begun = next_.phase == Phase::tests ? next_.index : 0;

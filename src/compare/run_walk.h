@@ -41,7 +41,7 @@ struct MomentEvents {
     const TestEvent* test = nullptr;
     std::span<const FragmentEvent> fragments; ///< and marks; both ends of a row are one moment
 
-    /// A triangle that is asked and shows its front goes on as if nobody had asked.
+    /// A triangle that is tested and shows its front goes on as if it had not been tested.
     bool is_culled() const { return cull != nullptr && cull->test.is_back; }
     bool is_nothing() const {
         return vertex == nullptr && clip == nullptr && !is_culled() && sample == nullptr &&
@@ -55,7 +55,7 @@ struct PairMoment {
     MomentEvents a, b;
 };
 
-/// Is told of every moment, in order; false ends the walk.
+/// Called for every moment, in order; false ends the walk.
 using PairVisitor = std::function<bool(const PairMoment&)>;
 
 /// Everything that a run does in a part of a frame, in order.
