@@ -80,7 +80,7 @@ std::vector<Entrant> own_entrants(const MeasurePlan& plan, const Scene& scene,
     return entrants;
 }
 
-/// Every engine draws the same picture, which is held against those of the peer and of the steps.
+/// Every engine draws the same picture, which is compared with the peer's and the steps'.
 void compare_pictures(std::vector<Entrant>& entrants, TimedEngine& steps) {
     const EnginePicture of_peer = entrants.back().engine->picture(compared_picture);
     const EnginePicture of_steps = steps.picture(compared_picture);

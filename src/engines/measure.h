@@ -66,8 +66,8 @@ struct MeasureWatch {
 
 using StartPeer = std::function<Peer(const PeerTask&)>;
 
-/// Measures until all is done or the watch says stop: then what has a round is returned. Throws
-/// what starting and asking the peer throws.
+/// Measures until all is done or the watch says stop, and returns every engine that has had a
+/// round. Throws what starting and asking the peer throws.
 /// @param room the lab's room
 std::vector<Measurement> measure_engines(const MeasurePlan& plan, const Scene& room,
                                          const StartPeer& start_peer, const MeasureWatch& watch);
