@@ -21,7 +21,7 @@ EndPart part_of_ends(Quantity quantity) {
 
 namespace {
 
-/// Where edge functions find the pixels: what weighs the fragment.
+/// Where edge functions find the pixels: the corners whose weighted values make the fragment.
 struct WeighedCorners {
     const TestedPolygon& polygon;
     const TestedTriangle& triangle;

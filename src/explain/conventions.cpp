@@ -23,7 +23,8 @@ constexpr std::array<std::string_view, convention_count> said_conventions{
     "R v instead of v R",   "the transpose of R", "y up in the world",
     "z out of the picture", "−f instead of f",    "rows counted from the bottom"};
 
-/// Points about the camera: a place that only looks the same at one of them is told apart.
+/// Points about the camera, so that a convention that happens to agree at one of them is not taken
+/// for the same.
 std::array<glm::dvec3, 4> probes(const Camera& camera, const glm::dvec3& point) {
     const glm::dmat3 axes(camera_rotation(camera));
     const glm::dvec3 eye(camera.position);

@@ -22,7 +22,7 @@ namespace rasterwalk {
 enum class Convention : std::uint8_t {
     column_vectors, ///< R v in place of v R, with the same R
     transposed,     ///< R's transpose in its place
-    y_up,           ///< y of the world and of the camera runs up: their signs turn round
+    y_up,           ///< y of the world and of the camera runs up: their signs are flipped
     z_backward,     ///< z runs out of the picture: with y up, this makes the axes right-handed
     negative_f,     ///< −f for f
     rows_up,        ///< rows are counted from below

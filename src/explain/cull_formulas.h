@@ -42,8 +42,8 @@ struct CullAnswer {
     bool is_in_parts = false; ///< it takes some corners for a back, and others not
 };
 
-/// That of each way that is no mistake, for what clipping has left; none where nothing is left. Of
-/// fragments, which have their own normals, it tells what the corners say.
+/// The answer of each way that is no mistake, for what clipping has left; none if nothing is left.
+/// For fragments, which have their own normals, it is what the corners say.
 std::vector<CullAnswer> cull_answers(const Frame& frame, const ClipHistory& history);
 
 } // namespace rasterwalk

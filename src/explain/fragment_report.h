@@ -40,7 +40,7 @@ namespace rasterwalk {
 ///     flat.colour.red ... the reflectance, as shown; the colour where there is no light
 ///     texture.* surface.red ...     where the surface has a texture: what it took of it, and the
 ///                         colour that stands for its reflectance; see texture_report.h
-///     vertex_light.painted.red ...  likewise: the light of the vertices, times the texture; and
+///     vertex_light.painted.red ...  also there: the light of the vertices, times the texture; and
 ///                         triangle_light.painted.red ... under flat shading
 ///     blend.red ...       where the surface is half transparent: its share and that of the pixel
 ///     depth margin        value for the depth buffer, and how much nearer it is than the stored

@@ -7,7 +7,7 @@
 namespace rasterwalk {
 
 /// Appends, in this order and with these ids after the prefix: l.x l.y l.z (to the lamp), e.x ...
-/// and e2 (to the eye), v.x ... (the same at unit length), s2 and h.x ... (half-way), n_dot_h,
+/// and e2 (to the eye), v.x ... (the same at unit length), s2 and h.x ... (halfway), n_dot_h,
 /// power, S.red S.green S.blue. Where there is no highlight only the last three, which are 0.
 void append_highlight_formulas(const LitPoint& point, const Frame& frame,
                                std::vector<Formula>& formulas);

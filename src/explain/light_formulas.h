@@ -69,7 +69,7 @@ Formula along_axis_formula(const std::string& id, const std::string& name, const
 /// side (1, or -1: it is turned) and lit_n.x lit_n.y lit_n.z, which are the sources of the point's
 /// normal from then on. Where only one side is lit there is nothing to append.
 /// @param point   with the normal that is turned or not, which is replaced
-/// @param surface the normal by which the side is told: before a normal map bends it
+/// @param surface the normal that decides the side: before a normal map bends it
 void append_side_formulas(LitPoint& point, const SourcedVector& surface, const Frame& frame,
                           std::vector<Formula>& formulas);
 
