@@ -62,7 +62,7 @@ void add_compare_facts(std::vector<Fact>& table) {
     for (int edge = 0; edge < triangle_corners; ++edge) {
         table.push_back(
             {fmt::format("compare.e{}.samples", edge),
-             fmt::format("The same for {} of the triangle on show.", edge_name(edge)), natural(),
+             fmt::format("The same for {} of the triangle shown.", edge_name(edge)), natural(),
              [](const Facts& f, int e) { return number(f.different_samples(e)); }, edge});
     }
     table.push_back({"compare.vertices_elsewhere",

@@ -197,7 +197,7 @@ class Resolver {
         }
     }
 
-    /// A word that nobody compared with anything is a name that does not exist.
+    /// A word that is not compared with anything is a name that does not exist.
     void require_value(int index) const {
         if (is_leaf(index, Leaf::none)) {
             throw UsageError("'none' can only be compared with a name.");

@@ -14,14 +14,14 @@ namespace rasterwalk {
 void add_cursor_facts(std::vector<Fact>& table);
 /// What edge functions find out about the pixel that comes next.
 void add_test_facts(std::vector<Fact>& table);
-/// What is selected, and what is on show.
+/// What is selected, and what is shown.
 void add_session_facts(std::vector<Fact>& table);
 /// The whole frame in numbers.
 void add_frame_facts(std::vector<Fact>& table);
 /// What the model file holds that is open.
 void add_model_facts(std::vector<Fact>& table);
 
-// In triangle_facts.cpp, of the triangle on show:
+// In triangle_facts.cpp, of the triangle shown:
 /// Where it lies, and which side it shows.
 void add_side_facts(std::vector<Fact>& table);
 /// What clipping and culling do to it.
@@ -38,13 +38,13 @@ void add_vertex_facts(std::vector<Fact>& table);
 void add_light_facts(std::vector<Fact>& table);
 
 // In shadow_facts.cpp:
-/// What lies in shadow: the picked pixel, the part on show, the whole picture.
+/// What lies in shadow: the picked pixel, the part shown, the whole picture.
 void add_shadow_facts(std::vector<Fact>& table);
 
 // In fragment_facts.cpp:
 /// The picked pixel.
 void add_pixel_facts(std::vector<Fact>& table);
-/// The row table of the triangle on show.
+/// The row table of the triangle shown.
 void add_table_facts(std::vector<Fact>& table);
 
 // In compare_facts.cpp:

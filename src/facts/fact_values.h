@@ -1,6 +1,6 @@
 #pragma once
 
-// How facts and settings become values, and what is said of them beforehand.
+// How facts and settings become values, and what is known about them beforehand.
 
 #include <charconv>
 #include <concepts>

@@ -86,11 +86,11 @@ class Facts {
     const Results& results() const { return *results_; }
     /// The whole frame in numbers.
     const FrameStats& frame_stats() const;
-    /// What clipping and culling do to the triangle on show; null if there is none.
+    /// What clipping and culling do to the triangle shown; null if there is none.
     const ClipHistory* clip() const;
-    /// The polygon of the scene that the triangle on show belongs to; null if there is none.
+    /// The polygon of the scene that the triangle shown belongs to; null if there is none.
     const PolygonWays* outline() const;
-    /// The edge that the triangle on show shares with a neighbour, the nearest to the picked pixel;
+    /// The edge that the triangle shown shares with a neighbour, the nearest to the picked pixel;
     /// null if it shares none, or no fill rule is asked.
     const CountedEdge* shared_edge() const;
     /// Whether the edges of the frame arrive.
@@ -104,8 +104,8 @@ class Facts {
     const std::vector<int>& column_owners() const;
     /// Is there a second run, and does it cut the scene into the same triangles?
     bool has_same_triangles_in_b() const;
-    /// Edge samples on another pixel in run B, of the whole frame and of an edge of the triangle on
-    /// show; none without such a run, or without such an edge.
+    /// Edge samples on another pixel in run B, of the whole frame and of an edge of the triangle
+    /// shown; none without such a run, or without such an edge.
     std::optional<std::int64_t> different_samples() const;
     std::optional<std::int64_t> different_samples(int edge) const;
     /// What the line decides at the edge sample that comes next; none where none comes, or it
@@ -113,7 +113,7 @@ class Facts {
     std::optional<LineDecision> decision() const;
     /// What edge functions find out about the pixel that they ask next; none where they ask none.
     std::optional<PixelTest> pixel_test() const;
-    /// The finished row table of the triangle on show; null if it has none.
+    /// The finished row table of the triangle shown; null if it has none.
     const RowHistory* table() const;
     /// The selected row in that table; none if no row is selected, or it lies outside of it.
     std::optional<int> table_row() const;
@@ -125,7 +125,7 @@ class Facts {
     const FragmentReport* light() const;
     /// What it took of its texture; null if it shows none.
     const TextureReport* texture() const;
-    /// The selected vertex of the triangle on show; null if none is selected.
+    /// The selected vertex of the triangle shown; null if none is selected.
     const ShadedVertex* vertex() const;
 
   private:

@@ -216,7 +216,7 @@ void add_pixel_facts(std::vector<Fact>& table) {
 }
 
 void add_table_facts(std::vector<Fact>& table) {
-    table.push_back({"table.rows", "Rows of the row table of the triangle on show.", natural(),
+    table.push_back({"table.rows", "Rows of the row table of the triangle shown.", natural(),
                      [](const Facts& f, int) {
                          return f.table() != nullptr ? number(f.table()->rows.size()) : Value();
                      }});
@@ -239,7 +239,7 @@ void add_table_facts(std::vector<Fact>& table) {
     for (int edge = 0; edge < triangle_corners; ++edge) {
         table.push_back(
             {fmt::format("table.e{}.samples", edge),
-             fmt::format("How many samples {} of the triangle on show has.", edge_name(edge)),
+             fmt::format("How many samples {} of the triangle shown has.", edge_name(edge)),
              natural(), edge_samples, edge});
     }
 }

@@ -142,7 +142,7 @@ void add_test_facts(std::vector<Fact>& table) {
                          [](const Facts& f, int corner) {
                              const std::optional<PixelTest> test = f.pixel_test();
                              if (!test) return Value();
-                             // All that the float holds: a lesson tells its ninth digit.
+                             // All that the float holds: a lesson shows its ninth digit.
                              return number(double{test->weights[static_cast<std::size_t>(corner)]});
                          },
                          i});
@@ -162,7 +162,7 @@ void add_session_facts(std::vector<Fact>& table) {
                      [](const Facts& f, int) { return number(f.results().a.triangle); }});
     table.push_back({"row", "Selected row of the picture.", whole(-endless, endless),
                      [](const Facts& f, int) { return number(f.session().selection.row); }});
-    table.push_back({"vertex", "Selected vertex of the triangle on show, 0 to 2.", whole(0, 2),
+    table.push_back({"vertex", "Selected vertex of the triangle shown, 0 to 2.", whole(0, 2),
                      [](const Facts& f, int) { return number(f.session().selection.vertex); }});
     table.push_back({"tab", "Open tab of the inspector.", words(tab_names()),
                      [](const Facts& f, int) { return Value(f.session().tab); }});

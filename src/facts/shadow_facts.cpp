@@ -37,7 +37,7 @@ Value frame_count(const Facts& facts, int) {
     return number(facts.shadows().all.*member);
 }
 
-/// The same of the part of the scene to which the triangle on show belongs.
+/// The same for the part of the scene that the triangle shown belongs to.
 template <auto member>
 Value part_count(const Facts& facts, int) {
     const RunResults& run = facts.results().a;
@@ -110,8 +110,8 @@ void add_shadow_facts(std::vector<Fact>& table) {
                      "something in between.",
                      natural(), frame_count<&ShadowCount::leaks>});
     table.push_back({"part.pixels",
-                     "Pixels of the finished picture that show the part of the scene to which the "
-                     "triangle on show belongs.",
+                     "Pixels of the finished picture that show the part of the scene that the "
+                     "triangle shown belongs to.",
                      natural(), part_count<&ShadowCount::pixels>});
     table.push_back({"part.in_shadow",
                      "Those of them whose surface faces the lamp and is in "

@@ -12,7 +12,7 @@ namespace {
 
 const ValueRange outcode_bits = whole(0, (1 << clip_plane_count) - 1);
 
-/// Calls `read` with the frame of run A and the triangle on show; none without one.
+/// Calls `read` with the frame of run A and the triangle shown; none without one.
 template <class Read>
 Value of_shown_triangle(const Facts& facts, Read read) {
     const RunResults& run = facts.results().a;
@@ -29,7 +29,7 @@ constexpr auto rejection_names = [] {
 
 Value triangle_arrows(const Facts& facts, int is_cross) {
     return of_shown_triangle(facts, [&](const Frame& frame, int triangle) {
-        // Of a back that is culled nobody has asked whether all corners have a pixel.
+        // For a culled back it has not been checked yet whether all corners have a pixel.
         const auto has_pixel = [&](int v) { return frame.given_vertex(triangle, v).has_pixel; };
         const bool has_pixels =
             frame.is_drawn(triangle) || (frame.rejection(triangle) == Rejection::back_facing &&
@@ -79,14 +79,14 @@ Value vertex_place(const Facts& facts, int which) {
 } // namespace
 
 void add_side_facts(std::vector<Fact>& table) {
-    table.push_back({"triangle.rejection", "Why the triangle on show is not drawn, or none.",
+    table.push_back({"triangle.rejection", "Why the triangle shown is not drawn, or none.",
                      words(rejection_names), [](const Facts& f, int) {
                          return of_shown_triangle(f, [](const Frame& frame, int triangle) {
                              return Value(std::string(words(frame.rejection(triangle)).name));
                          });
                      }});
     table.push_back({"triangle.corners",
-                     "Corners of what is drawn of the triangle on show: 3 unless it is cut; 0 if "
+                     "Corners of what is drawn of the triangle shown: 3 unless it is cut; 0 if "
                      "nothing is drawn.",
                      natural(), [](const Facts& f, int) {
                          return of_shown_triangle(f, [](const Frame& frame, int triangle) {
@@ -97,7 +97,7 @@ void add_side_facts(std::vector<Fact>& table) {
                      }});
     table.push_back(
         {"triangle.away",
-         "dot(n, v0 - camera) of the triangle on show, or dot(n, forward) as far as the rays are "
+         "dot(n, v0 - camera) of the triangle shown, or dot(n, forward) as far as the rays are "
          "parallel, in world units; positive if it shows its back.",
          real(), [](const Facts& f, int) {
              return of_shown_triangle(f, [](const Frame& frame, int triangle) {
@@ -128,7 +128,7 @@ void add_side_facts(std::vector<Fact>& table) {
 }
 
 void add_clip_facts(std::vector<Fact>& table) {
-    add_clip_fact(table, "polygon.planes", "Planes that cut the triangle on show.",
+    add_clip_fact(table, "polygon.planes", "Planes that cut the triangle shown.",
                   whole(0, static_cast<int>(clip_plane_count)),
                   [](const ClipHistory& c) { return number(std::ssize(c.planes)); });
     add_clip_fact(table, "polygon.cuts", "Number of cuts of its edges, over all planes.", natural(),
@@ -148,7 +148,7 @@ void add_clip_facts(std::vector<Fact>& table) {
                   "Number of triangles it is drawn as, the fan of what is left.",
                   whole(0, most_polygon_corners - 2),
                   [](const ClipHistory& c) { return number(std::ssize(c.fan)); });
-    add_clip_fact(table, "polygon.culled", "1 if the triangle on show is culled.", yes_or_no(),
+    add_clip_fact(table, "polygon.culled", "1 if the triangle shown is culled.", yes_or_no(),
                   [](const ClipHistory& c) { return number(c.cull.is_back ? 1 : 0); });
 }
 
@@ -159,7 +159,7 @@ void add_outline_facts(std::vector<Fact>& table) {
                              return ways != nullptr ? decltype(read){}(*ways) : Value();
                          }});
     };
-    add("outline.corners", "Corners of the scene's polygon that the triangle on show belongs to.",
+    add("outline.corners", "Corners of the scene's polygon that the triangle shown belongs to.",
         natural(), [](const PolygonWays& w) { return number(w.corners); });
     add("outline.inside", "Pixels whose centres lie inside it, found by the list of active edges.",
         natural(), [](const PolygonWays& w) { return number(w.inside); });
@@ -185,7 +185,7 @@ void add_shared_edge_facts(std::vector<Fact>& table) {
         table.push_back({std::move(name), std::move(help), natural(), read, number});
     };
     add("shared.edge",
-        "Edge of the triangle on show that it shares with a neighbour, the nearest to the picked "
+        "Edge of the triangle shown that it shares with a neighbour, the nearest to the picked "
         "pixel. Only if coverage is not rows.",
         [](const Facts& f, int) {
             const CountedEdge* const counted = f.shared_edge();
@@ -225,7 +225,7 @@ void add_vertex_facts(std::vector<Fact>& table) {
         return vertex != nullptr && vertex->rejection == Rejection::none ? vertex : nullptr;
     };
     using WithPixel = decltype(with_pixel);
-    table.push_back({"vertex.column", "Column of the selected vertex of the triangle on show.",
+    table.push_back({"vertex.column", "Column of the selected vertex of the triangle shown.",
                      whole(-endless, endless), [](const Facts& f, int) {
                          const ShadedVertex* const vertex = WithPixel{}(f);
                          return vertex != nullptr ? number(vertex->pixel.column) : Value();
@@ -247,7 +247,7 @@ void add_vertex_facts(std::vector<Fact>& table) {
     table.push_back({"vertex.z", "Its z in camera space; negative behind the camera.", real(),
                      vertex_place, 5});
     table.push_back({"vertex.outcode",
-                     "Outcode of the selected vertex of the triangle on show: the sides of the "
+                     "Outcode of the selected vertex of the triangle shown: the sides of the "
                      "view that it lies beyond, by two pixels at least.",
                      outcode_bits, vertex_outcode});
     table.push_back({"vertex.z_ndc", "Its NDC z: 0 at the near plane, 1 at the far one.", real(),
