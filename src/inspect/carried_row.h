@@ -32,7 +32,7 @@ constexpr Quantity quantity_of(Value Varyings::*member, int component) {
     return quantity_of(varying_index(member), component);
 }
 
-/// What is said of a quantity.
+/// What is said about a quantity.
 struct QuantityInfo {
     Quantity quantity;
     VaryingComponent words;
@@ -76,11 +76,12 @@ struct CarriedRow {
     int row_count = 0;                             ///< rows of the whole table
     int count = 0;                                 ///< pixels from end to end; at least 1
     std::array<RowEnds, interpolation_count> ends; ///< as in the table; indexed by Interpolation
-    /// What weighs the fragments where edge functions find them; indexed by Interpolation.
+    /// What gives the fragments their weights where edge functions find them; indexed by
+    /// Interpolation.
     std::array<TestedPolygon, interpolation_count> tested;
     EndWriter left_by, right_by;
     LineWalk walk = LineWalk::accumulate;           ///< how the row is walked, for its formulas
-    std::array<Stages, interpolation_count> stages; ///< likewise
+    std::array<Stages, interpolation_count> stages; ///< also for its formulas
 
     const RowEnds& under(Interpolation way) const { return ends[static_cast<std::size_t>(way)]; }
     bool is_weighted() const { return !tested.front().triangles.empty(); }

@@ -115,7 +115,7 @@ std::string plane_name(int plane) {
 std::string clip_step_text(const ClipStep& step) {
     std::string text =
         fmt::format("corner {} is {}", step.from, step.is_from_inside ? "inside" : "outside");
-    // A stage may keep what lies outside; then it is told.
+    // A stage may keep what lies outside; the text says so then.
     text += step.keeps_from ? " and kept" : " and left out";
     if (!step.is_cut) return text;
     const glm::vec4& p = step.cut.position_clip;

@@ -57,7 +57,7 @@ void move_to(std::span<const ClipVertex> vertices, CornerPlace place,
     }
 }
 
-/// What is left by a function that does not tell what it did: its corners are all new.
+/// What is left by a function that does not report its steps: its corners are all new.
 std::vector<CutCorner> unexplained_corners(const ClipHistory& history) {
     std::vector<CutCorner> corners;
     for (const ClipVertex& vertex : history.polygon) {

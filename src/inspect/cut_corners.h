@@ -1,7 +1,7 @@
 #pragma once
 
 // The corners of a polygon on its way through clipping, each with where it comes from, so that
-// whoever shows them can name them and their edges.
+// they and their edges can be named where they are shown.
 
 #include <climits>
 #include <cstdint>
@@ -41,8 +41,8 @@ struct CutCorner {
 
 /// How far clipping has come.
 struct ClipProgress {
-    int planes = INT_MAX; ///< of those with work, so many are done
-    int steps = 0;        ///< of the one after them
+    int planes = INT_MAX; ///< how many of those with work are done
+    int steps = 0;        ///< of the next plane
 };
 
 /// How far clipping of the triangle has come if it is what was just done; otherwise none.

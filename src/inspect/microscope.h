@@ -53,7 +53,7 @@ struct MicroscopeSample {
     }
 };
 
-/// What there is to say of all samples of an edge.
+/// What there is to say about all samples of an edge.
 struct MicroscopeSummary {
     double largest_drift_x = 0.0, largest_drift_y = 0.0; ///< with their signs, pixels
     int largest_drift_x_at = 0, largest_drift_y_at = 0;  ///< the first samples that have them

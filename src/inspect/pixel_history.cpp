@@ -50,7 +50,7 @@ Projection projection_of(const Frame& frame) {
     return vertex_rules(frame.settings, frame.scene->space).projection;
 }
 
-/// Both ends of a row are one moment, whose cursor does not tell how far from the left end it is.
+/// Both ends of a row are one moment, whose cursor does not say how far from the left end it is.
 void find_columns_of_row_ends(const Frame& frame, PixelHistory& history) {
     PolygonRows rows;
     for (PixelEntry& entry : history.entries) {

@@ -55,8 +55,8 @@ struct Ticks {
 /// At most `most` ticks (and at least 2 are wished for). An empty or endless range has none.
 Ticks nice_ticks(const Interval& range, int most);
 
-/// A range a little larger, for an axis; one without width gets some. Numbers that are not finite
-/// are left out of account by whoever makes the range.
+/// A range a little larger, for an axis; one without width gets some. The caller leaves numbers
+/// that are not finite out of the range.
 Interval with_margin(const Interval& range, double share);
 
 } // namespace rasterwalk

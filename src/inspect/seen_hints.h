@@ -30,13 +30,13 @@ struct SeenPixels {
 /// Counts them in one pass over the owners and colours of a picture of this frame.
 SeenPixels count_seen(const Frame& frame, const Framebuffer& picture);
 
-/// In larger pictures, and of models of more triangles, no hint is looked for: to have another
-/// framebuffer or frame of that size beside the one on show is too much memory.
+/// No hint is looked for in larger pictures, or in models of more triangles: another framebuffer or
+/// frame of that size, besides the one shown, takes too much memory.
 inline constexpr std::size_t most_hinted_pixels = std::size_t{1} << 23;
 inline constexpr int most_hinted_triangles = 1'000'000;
 
-/// Something to say of a whole picture, and what helps. Of the same thing there may be two, with
-/// different helps.
+/// Something to say about a whole picture, and what helps. There may be two about the same thing,
+/// with different help.
 struct SeenHint {
     std::string seen;                  ///< "Most of what you see is backs, 90 of 100 pixels"
     std::string in_short;              ///< the same where there is little room: "Mostly backs"
@@ -47,10 +47,10 @@ struct SeenHint {
     friend bool operator==(const SeenHint&, const SeenHint&) = default;
 };
 
-/// Looks for what there is to say of the whole picture of a model: that most of what is seen is
-/// backs, that all of it is transparent, or black. It names only what it has tried and counted;
-/// that draws the picture again, up to five times. It finds nothing where no setting helps, nor in
-/// scenes that are no models, where it is meant.
+/// Looks for what there is to say about the whole picture of a model: that most of what is seen is
+/// backs, or that all of it is transparent or black. It names only what it has tried and counted,
+/// which takes drawing the picture again, up to five times. It finds nothing if no setting helps,
+/// nor in scenes that are not models, where such a picture is intended.
 class SeenHintsWork {
   public:
     /// @param picture the finished picture of the frame; both must live as long

@@ -15,7 +15,7 @@ struct ShadowCount {
     std::int64_t pixels = 0;    ///< on which something is seen
     std::int64_t facing = 0;    ///< of these: its surface faces the lamp
     std::int64_t in_shadow = 0; ///< of these: wholly or partly in shadow
-    // Held against rays:
+    // Checked against rays:
     std::int64_t acne = 0;  ///< in shadow though nothing stands between
     std::int64_t leaks = 0; ///< fully lit though something does
 

@@ -17,7 +17,7 @@
 
 namespace rasterwalk {
 
-/// The rules that are held against each other; others are mistakes made of them.
+/// The rules that are compared with each other; the others are faulty versions of them.
 inline constexpr std::array compared_fill_rules{FillRule::inclusive, FillRule::exclusive,
                                                 FillRule::top_left};
 

@@ -17,7 +17,7 @@
 
 namespace rasterwalk {
 
-/// One fragment of the triangle, and what the depth test said of it.
+/// One fragment of the triangle, and what the depth test said about it.
 struct FragmentFate {
     glm::ivec2 pixel{0, 0}; ///< column and row of the picture
     Cursor cursor;          ///< the moment in which it is drawn
@@ -48,7 +48,7 @@ class FateFinder {
         friend bool operator==(const Place&, const Place&) = default;
     };
     std::optional<Place> place_;      ///< of fates_
-    int triangle_ = -1;               ///< likewise
+    int triangle_ = -1;               ///< also of fates_
     std::vector<FragmentFate> fates_; ///< what was found last
     std::optional<Place> planes_place_;
     int drawn_ = 0; ///< triangles that are in the planes

@@ -24,7 +24,7 @@ struct TriangleReport {
     std::vector<ShadedVertex> vertices;    ///< of the scene, through the spaces
     ClipHistory clip;                      ///< between vertex shader and division
     std::vector<EdgeReport> edges;         ///< of what is drawn; empty for a triangle left out
-    RowHistory rows;                       ///< the row table, likewise
+    RowHistory rows;                       ///< the row table, empty in the same case
 };
 
 /// The report on a triangle of the frame, with its row table as far as it is made at `to`.

@@ -9,7 +9,7 @@
 
 namespace rasterwalk {
 
-/// What is asked of a triangle before it is drawn.
+/// What is checked of a triangle ahead of drawing it.
 struct TriangleSides {
     /// By outer_planes(), as reject_by_outcodes() has them; no planes in pixel space.
     TriangleCodes codes;

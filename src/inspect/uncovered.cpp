@@ -92,7 +92,7 @@ bool covers_pixel(const NearTriangle& near) {
     return !near.is_empty && near.rows_away == 0 && near.columns_away == 0;
 }
 
-/// Draws the triangles anew under every other rule, and enters those that bring one to the pixel.
+/// Draws the triangles again under every other rule, and enters those that bring one to the pixel.
 void try_other_rules(const Frame& frame, const glm::ivec2& pixel,
                      std::vector<NearTriangle>& found) {
     Scene scene;
