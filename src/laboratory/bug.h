@@ -1,7 +1,7 @@
 #pragma once
 
 // The mistakes that a rasterizer can make, each a named set of settings with what there is to say
-// of it. Data, read from lessons/bugs.toml.
+// about it. Data, read from lessons/bugs.toml.
 
 #include <string>
 #include <string_view>

@@ -1,8 +1,8 @@
 #pragma once
 
-// A result that a student brings, a picture or a printed row table, held against the reference: the
-// mistakes that may have made it are carried out, alone and two at once, and it is measured how
-// near each comes.
+// A result that a student brings, a picture or a printed row table, compared with the reference:
+// the mistakes that may have made it are carried out, alone and two at once, and each is measured
+// by how near it comes.
 
 #include <memory>
 #include <optional>
@@ -86,10 +86,10 @@ class DiagnosisWork {
 Diagnosis diagnose_picture(const Image& picture, const Scene& scene, const Settings& reference,
                            const std::vector<Bug>& bugs);
 
-/// What may be wrong with a printed row table. It is held against that of the polygon; without one
-/// against that of the lab's test polygon and of every triangle of the scene, whichever is nearest.
+/// What may be wrong with a printed row table. It is compared with the polygon's, or without one,
+/// with the nearest of those of the lab's test polygon and of every triangle of the scene.
 /// @param polygon vertices, pixels
-/// @param about   receives what it was held against: "the polygon (10,5) (5,10) (15,15)"
+/// @param about   receives what it was compared with: "the polygon (10,5) (5,10) (15,15)"
 Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<glm::ivec2>& polygon,
                         const Scene& scene, Settings reference, const std::vector<Bug>& bugs,
                         std::string& about);

@@ -69,7 +69,7 @@ std::vector<Hypothesis> hypotheses_of(PictureTrial& trial, const std::vector<Att
 }
 
 /// The reference where no mistake is likely: with rules and numbers of its own only if they explain
-/// most of what differs, or something would be said of the program that is not true.
+/// most of what differs, or else something untrue would be said about the program.
 const Attempt& convincing_base(PictureTrial& trial, const std::vector<Attempt>& tried,
                                const Attempt& best, const Settings& reference) {
     constexpr double convincing = 0.5;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Pictures held against each other, and the ways in which a right one may come out turned or moved.
+// Comparing pictures, and the ways in which a right one may come out turned or moved.
 
 #include <array>
 #include <cstdint>
@@ -39,7 +39,7 @@ struct ImageDistance {
     double other_surface = 0.0;
 };
 
-/// A picture held against another one of the same size, some rows at a time from the top.
+/// Compares a picture with another one of the same size, some rows at a time from the top.
 class ImageMeasure {
   public:
     /// Goes on to this row, which is not measured itself.
@@ -77,7 +77,7 @@ std::string place_words(const Differences& differences);
 
 enum class Orientation : std::uint8_t { upright, mirrored, upside_down, half_turn };
 
-/// What is said of an orientation.
+/// What is said about an orientation.
 struct OrientationInfo {
     Orientation orientation;
     const char *id, *name;

@@ -96,7 +96,7 @@ Settings ParameterFit::with(const Numbers& numbers) const {
     return settings;
 }
 
-/// The same in the size in which it is held against the picture.
+/// The same in the size in which it is compared with the picture.
 Settings ParameterFit::in_sight(const Numbers& numbers) const {
     Settings settings = with(numbers);
     settings.viewport = sight_.size;

@@ -24,9 +24,8 @@ enum class FitSubject : std::uint8_t {
 
 /// How much is spent on it.
 enum class FitEffort : std::uint8_t {
-    quick,  ///< of the lamp only, on a small picture: near enough to tell which mistake may be the
-            ///< one
-    closer, ///< as thorough, but only from numbers that are nearly right already
+    quick,    ///< of the lamp only, on a small picture: near enough to show which mistake it may be
+    closer,   ///< as thorough, but only from numbers that are nearly right already
     thorough, ///< on a larger one, and rounded as a person would have chosen them
 };
 
@@ -61,7 +60,7 @@ class ParameterFit {
 
     enum class Phase : std::uint8_t { scan, approach, slopes, step, rounding, done };
 
-    /// The picture as it is held against what is drawn, in a smaller size.
+    /// The picture as it is compared with what is drawn, in a smaller size.
     struct Sight {
         Viewport size{};
         int shrunk = 1;             ///< pixels of the picture for one of these, each way
@@ -126,7 +125,7 @@ class ParameterFit {
     bool is_white_ = false;   ///< the lamp's channels are equally strong
     bool is_larger_ = false;  ///< the sight, for the end of the search
     std::size_t rounded_ = 0; ///< numbers that are rounded, all together counting as one
-    Probe best_;              ///< of the sight that is held against
+    Probe best_;              ///< of the sight that is compared
 };
 
 } // namespace rasterwalk

@@ -1,7 +1,7 @@
 #pragma once
 
-// What can be said of a wrong picture without knowing the mistake: how far along the pipeline it is
-// right, which parts of the scene are, and which are not.
+// What can be said about a wrong picture without knowing the mistake: how far along the pipeline it
+// is right, which parts of the scene are, and which are not.
 
 #include <string>
 #include <vector>

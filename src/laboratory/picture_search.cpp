@@ -265,8 +265,8 @@ class Search {
         return result;
     }
 
-    /// The camera that fits best. Hues tell where it is, whatever the light; and half a pixel, by
-    /// which vertices are rounded otherwise, is a few hundredths of a unit.
+    /// The camera that fits best. Hues show where it is, whatever the light; and half a pixel, by
+    /// which the vertices are rounded differently, is a few hundredths of a unit.
     Attempt with_fitted_camera(const Attempt& start) {
         const Attempt first = fitted(start, FitSubject::camera, FitEffort::thorough);
         if (is_waiting() || first.right.camera == start.right.camera) return start;

@@ -27,7 +27,7 @@ Settings quiz_reference(const Session& session);
 /// Takes a guess. Returns whether it is right; a guess that was made before is not counted again.
 bool guess(Quiz& quiz, std::string_view bug);
 
-/// What can be said of a question, step by step: section, stage, symptom, where to look.
+/// What can be said about a question, step by step: section, stage, symptom, where to look.
 std::vector<std::string> quiz_hints(const QuizQuestion& question, const std::vector<Bug>& bugs);
 
 /// Gives the next hint of the first question that is not found yet. False if there is none.
