@@ -1,6 +1,6 @@
 #pragma once
 
-// A lesson: text that drives the program. The format is told in lessons/README.md.
+// A lesson: text that drives the program. The format is described in lessons/README.md.
 
 #include <cstdint>
 #include <optional>
@@ -36,7 +36,7 @@ struct LessonTask {
     std::optional<Expression> done;  ///< none if it could not be read
     std::vector<std::string> recipe; ///< link targets that solve it, from what the step shows
     std::string hint;                ///< Markdown; may be empty
-    std::string because;         ///< why it is solved, likewise, with {EXPRESSION}, see fill_in()
+    std::string because;         ///< why it is solved: Markdown with {EXPRESSION}, see fill_in()
     std::vector<NotYet> not_yet; ///< the first that holds is said
     std::string text;            ///< Markdown that the student reads, without the quote's `>`
     int step = 0;
@@ -75,7 +75,7 @@ struct LessonPrediction {
     std::vector<Misconception> misconceptions; ///< the first that fits is the one
 
     ViewState at;                  ///< in which the answer is found; the step's is in it already
-    std::optional<ViewState> then; ///< shown after the answer, likewise; none: nothing changes
+    std::optional<ViewState> then; ///< shown after the answer, complete too; none: nothing changes
     std::string because; ///< Markdown with {answer} and {EXPRESSION}, see fill_in(); may be empty
     std::string text;    ///< Markdown that the student reads, without the quote's `>`
     int step = 0;
@@ -114,8 +114,8 @@ struct LessonStep {
     ViewState state;     ///< complete: the lesson's and the step's own
     std::vector<LessonPart> parts;
     std::vector<LinkPlace> links;     ///< and pictures in its texts, tasks, hints and predictions
-    std::vector<TextPlace> formulas;  ///< TeX between dollar signs, likewise
-    std::vector<TextPlace> footnotes; ///< labels that are referred to, likewise
+    std::vector<TextPlace> formulas;  ///< TeX between dollar signs, in the same texts
+    std::vector<TextPlace> footnotes; ///< labels that are referred to there
     int line = 0;
 };
 

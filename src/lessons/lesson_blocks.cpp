@@ -209,7 +209,7 @@ LessonTask read_task(const toml::table& table, int line, FaultList& faults) {
             task.recipe.push_back(target);
         });
         if (links == 0) block.input().fail(n, "a recipe must have at least one link.");
-        // Half a recipe solves nothing; that need not be told as well.
+        // Half a recipe solves nothing; that need not be reported as well.
         if (task.recipe.size() < links) task.recipe.clear();
     };
     keys["hint"] = [&](const toml::node& n) { task.hint = block.text(n); };

@@ -13,7 +13,7 @@
 namespace rasterwalk {
 
 /// What the block `lesson` says: into the lesson, and what it shows.
-/// In all of these `line` is where the block begins: faults of the whole block are told there.
+/// In all of these `line` is where the block begins: faults of the whole block are reported there.
 ViewState read_lesson_block(const toml::table& table, int line, Lesson& lesson, FaultList& faults);
 
 LessonTask read_task(const toml::table& table, int line, FaultList& faults);

@@ -53,7 +53,7 @@ class Checker {
         }
     }
 
-    /// What one step hands on to the next is told once.
+    /// What one step hands on to the next is reported once.
     void add(int line, const std::string& sentence) {
         const Fault fault{line, sentence};
         if (std::find(faults_.begin(), faults_.end(), fault) == faults_.end()) {
@@ -218,7 +218,7 @@ class Checker {
                                           task.id));
             }
         }
-        if (task.recipe.empty()) return; // that was told
+        if (task.recipe.empty()) return; // already reported
         try {
             for (const std::string& target : task.recipe) {
                 const LessonLink link = parse_lesson_link(target);
@@ -343,7 +343,7 @@ class Checker {
         }
     }
 
-    /// Every number that is told after the answer must be there. False if it cannot be read.
+    /// Every number that is shown after the answer must be there. False if it cannot be read.
     bool check_because(const LessonPrediction& prediction) {
         if (prediction.because.empty()) return true;
         ViewState at = prediction.at;

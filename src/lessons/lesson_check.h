@@ -13,7 +13,7 @@
 
 namespace rasterwalk {
 
-/// Is called before each part of a lesson that is checked: "question 3 of 100". Empty: nobody asks.
+/// Is called before each part of a lesson that is checked: "question 3 of 100". May be empty.
 using CheckWatch = std::function<void(const std::string& part)>;
 
 /// Everything that is wrong with a lesson, in the order of its lines: what the reader found, and

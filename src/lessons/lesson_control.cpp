@@ -32,7 +32,7 @@ struct GivenNumber {
     int line = 0;
 };
 
-/// What the block says of the range.
+/// What the block says about the range.
 struct GivenRange {
     std::optional<GivenNumber> from, to, step;
     const toml::node* words = nullptr;
@@ -113,7 +113,7 @@ std::optional<ControlRange> word_range(const LessonControl& control, const TomlB
         range.words.push_back(static_cast<int>(found - choice.words.begin()));
     });
     const toml::array* const list = given.words->as_array();
-    // A word that is none was told already.
+    // A word that does not exist was reported already.
     if (list == nullptr || list->size() != range.words.size()) return std::nullopt;
     if (range.words.size() < 2) {
         block.faults().add(line_of(*given.words), "there must be at least two words to choose "
@@ -123,7 +123,7 @@ std::optional<ControlRange> word_range(const LessonControl& control, const TomlB
     return range;
 }
 
-/// Tells a key that belongs to settings of another kind. Returns true if there is none.
+/// Reports a key that belongs to settings of another kind. Returns true if there is none.
 bool has_no_key_of(const LessonControl& control, const TomlBlock& block,
                    std::initializer_list<std::string_view> keys, std::string_view kind) {
     for (const std::string_view key : keys) {

@@ -60,7 +60,7 @@ bool names_lesson(std::string_view target) {
                    .find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == target.npos;
 }
 
-/// What can be told from the argument alone.
+/// Checks what can be known from the argument alone.
 void check_argument(const LessonLink& link) {
     switch (link.kind) {
     case LinkKind::field:

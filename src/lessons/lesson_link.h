@@ -38,7 +38,7 @@ LessonLink parse_lesson_link(std::string_view target);
 /// Carries out what concerns the session; for `show`, `term` and `lesson` that is nothing. A
 /// followed cursor drops the selected triangle, so that the panels show the one that is being
 /// drawn. Throws UsageError with a sentence about what there is not; the session is then as before.
-/// @param frame what is on show: the moment must exist in it
+/// @param frame what is shown: the moment must exist in it
 void follow_lesson_link(Session& session, const Frame& frame, const LessonLink& link);
 
 } // namespace rasterwalk

@@ -90,7 +90,7 @@ const std::vector<Lesson>& LessonList::all() {
         try {
             read_folder(lessons_folder());
         } catch (const Error&) {
-            is_read_ = true; // no folder, no lessons; whoever needs them says so
+            is_read_ = true; // no folder, no lessons; code that needs them says so
         }
     }
     return lessons_;

@@ -60,7 +60,7 @@ bool is_lesson_file(std::string_view name);
 /// The number with which a lesson's id begins; 0 if it begins with none.
 int lesson_number(std::string_view id);
 
-/// The number that is missing between the lesson of this index and the one before it: that of a
+/// The number that is missing between the lesson of this index and its predecessor: that of a
 /// lesson that is to come. 0 if none is, or more than one.
 int number_to_come(const std::vector<Lesson>& lessons, std::size_t index);
 

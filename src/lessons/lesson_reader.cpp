@@ -406,7 +406,7 @@ class Reader {
     bool has_lesson_block_ = false;
     bool may_have_block_ = true; ///< the step has none yet, and no text
     bool told_steps_ = false, told_questions_ = false;
-    int told_controls_of_ = -1; ///< the step of which it was told that it has too many
+    int told_controls_of_ = -1; ///< the step already reported to have too many
     std::set<std::string> ids_;
 };
 

@@ -72,13 +72,13 @@ Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const 
 Judgement judge(const Lesson& lesson, const LessonPrediction& prediction, const GivenAnswer& answer,
                 const Session& session, LessonTrial& trial);
 
-/// An answer as it is told back to the student and kept in the progress: "12 pixels", "pixel (3,
+/// An answer as it is repeated to the student and kept in the progress: "12 pixels", "pixel (3,
 /// 4)", or the sentence that was chosen.
 /// @param typed of a number, what stood in the field
 std::string answer_words(const LessonPrediction& prediction, const GivenAnswer& answer,
                          std::string_view typed = {});
 
-/// The answer that was told back so; none if the prediction cannot be answered so any more.
+/// The answer behind these words; none if the prediction can no longer be answered that way.
 std::optional<GivenAnswer> answer_in_words(const LessonPrediction& prediction,
                                            std::string_view said);
 
@@ -86,8 +86,8 @@ std::optional<GivenAnswer> answer_in_words(const LessonPrediction& prediction,
 /// one.
 std::optional<double> read_answer(std::string_view text);
 
-/// A number as it is told to the student: whole as it is, others with `digits` after the point, or
-/// with five figures that matter if digits is -1.
+/// A number as the student sees it: a whole one as it is, others with `digits` after the point, or
+/// with five significant figures if digits is -1.
 std::string answer_text(double number, int digits = -1);
 
 /// Does a text that is filled in ask for any number? Throws as fill_in() does.

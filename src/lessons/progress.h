@@ -22,7 +22,7 @@ struct FirstAnswer {
 
 /// What the student has done of one lesson.
 struct LessonProgress {
-    std::set<int> steps;                        ///< that were on show
+    std::set<int> steps;                        ///< that were shown
     std::set<std::string> tasks;                ///< ids of those that were solved
     std::map<std::string, FirstAnswer> answers; ///< by the id of the prediction
     int last_step = 0;

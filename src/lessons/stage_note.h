@@ -11,7 +11,7 @@
 
 namespace rasterwalk {
 
-/// The page about what is on show: Markdown that begins with its title.
+/// The page about what is shown: Markdown that begins with its title.
 struct StageNote {
     std::string path;  ///< lessons/stages/NAME.md
     std::string text;  ///< the whole file; empty if it could not be read
@@ -22,9 +22,9 @@ struct StageNote {
 /// pixel space `bench` where it has the lab's examples, `pixels` where it has none.
 std::string note_name(const Session& session);
 
-/// The text of a note about what is on show: the number of each {EXPRESSION} in its place, as in
-/// fill_in(). A paragraph that lacks one of its numbers, as those of a pixel while none is picked,
-/// is left out. One with an expression that is not understood stays as it is written.
+/// The text of a note about what is shown: the number of each {EXPRESSION} in its place, as in
+/// fill_in(). A paragraph that lacks one of its numbers, such as those of a pixel while none is
+/// picked, is left out. One with an expression that is not understood stays as it is written.
 std::string note_about(std::string_view text, const FactReader& fact);
 
 /// Reads FOLDER/stages/NAME.md. Never throws: what goes wrong is the note's fault.

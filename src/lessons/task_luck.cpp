@@ -73,7 +73,7 @@ class Trier {
         });
     }
 
-    /// Does a try solve it? @param unanswered is told what was tried if nothing is said to it
+    /// Does a try solve it? @param unanswered receives what was tried if the task has no reply
     bool solves(Stop place, Dice& dice, std::string& unanswered) {
         trial_.session = opened_;
         std::string tried;

@@ -18,7 +18,7 @@ Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const ViewVolum
 
 /// B32: first the division, then the cut by the four sides of the picture. What is behind the
 /// camera is mirrored by then, and the varyings, which are not divided, are cut as if they were
-/// linear on the screen. Goes with is_in_front_unasked(): nobody asks for z any more.
+/// linear on the screen. Goes with is_in_front_unasked(): z is no longer checked.
 Clipped clip_after_division(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                             ClipSink* sink = nullptr);
 

@@ -11,8 +11,7 @@ inline glm::vec3 normal_as_interpolated(const glm::vec3& interpolated) {
     return interpolated;
 }
 
-/// B50: nobody asks on which side the lamp stands. Where n . l is below 0, n . h may still be above
-/// it.
+/// B50: no check which side the lamp is on. Where n . l is below 0, n . h may still be above it.
 constexpr bool shines_unasked(const LightTerms&) {
     return true;
 }

@@ -18,7 +18,7 @@ inline glm::vec3 arrow_undecoded(const glm::vec3& colour) {
     return colour;
 }
 
-/// B56: nobody asks whether the texture is mirrored.
+/// B56: no check whether the texture is mirrored.
 constexpr float handedness_unasked(const UvDirections&, const TangentFrame&) {
     return 1.0f;
 }

@@ -6,8 +6,8 @@
 
 namespace rasterwalk {
 
-/// B13, in the slot is_in_front: nobody asks whether a vertex lies in front of the camera; division
-/// by a negative z mirrors it. What is thrown too far out is still left out.
+/// B13, in the slot is_in_front: no check whether a vertex lies in front of the camera; division by
+/// a negative z mirrors it. What is thrown too far out is still left out.
 inline bool is_in_front_unasked(const glm::vec4& clip, const VertexRules& rules) {
     static_cast<void>(clip);
     static_cast<void>(rules);

@@ -109,8 +109,8 @@ Start start_of_scene(const ViewOptions& options, const std::optional<Bug>& bug,
     return start;
 }
 
-/// The lesson beside a saved view, whose step says which panels are shown, and to which tab the
-/// student can go back from their own. One that is not there any more keeps nobody from the view.
+/// The lesson saved with a view. Its step says which panels are shown, and to which tab the student
+/// can go back from their own. If it is no longer there, the view opens all the same.
 void take_lesson(const SavedView& saved, Start& start) {
     if (saved.lesson.empty()) return;
     Session& session = start.session;

@@ -37,11 +37,11 @@ struct ViewOptions {
 };
 
 /// The session that the options describe. It begins with the scene, the step of the lesson or the
-/// saved view; then take effect size, bug, presets, stage, assignments, in this order, so that what
-/// is more exact wins, and then all others. With a bug the correct run is run B unless `b` says
-/// otherwise. Throws Error: what a file says wrongly is an InputError with file:line. A lesson that
-/// is wrong elsewhere than in what this step shows opens, and session.notice says so; the same of a
-/// model with faults. Throws ReadingStopped if the watch wants no more of it.
+/// saved view; then size, bug, presets, stage and assignments take effect, in this order, so that
+/// the more exact ones win, and then all others. With a bug, the correct run is run B unless `b`
+/// says otherwise. Throws Error: a mistake in a file is an InputError with file:line. A lesson with
+/// faults that do not concern this step opens, and session.notice says so; so does a model with
+/// faults. Throws ReadingStopped if the watch stops it.
 Session open_view(const ViewOptions& given, const ReadingWatch& watch = {});
 
 /// The option of a field as it is written: "--compare-view".

@@ -31,7 +31,7 @@ bool begins_negative(std::string_view argument) {
            std::isdigit(static_cast<unsigned char>(argument[1])) != 0;
 }
 
-/// The option of a field of what is on show.
+/// The option of a field of the view.
 void add_field(CLI::App& command, ViewOptions& o, const ViewField& field) {
     const ViewOption& option = field.option;
     const auto take = [&o, &field](const std::vector<std::string>& words) {

@@ -230,7 +230,7 @@ bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& lo
     moment_key_ = std::nullopt;
     changed = around(changed, colour_anew(subject, look.style, begun));
     if (!base_is_done_) {
-        base_key_ = std::nullopt; // likewise
+        base_key_ = std::nullopt; // for the same reason
         draw_base(subject, look.style, work_at_once);
         base_key_ = base;
     }

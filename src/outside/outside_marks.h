@@ -57,7 +57,7 @@ enum class OutsidePointKind : std::uint8_t {
     mirrored, ///< where the division puts a vertex behind the camera; number: which vertex
     shaded,   ///< a point of a surface that the lamp lights, or would
     occluder, ///< where what stands between is met
-    axis,     ///< the tip of such an arrow, at which its name may stand; number: likewise
+    axis,     ///< the tip of such an arrow, at which its name may stand; number: see axis_number()
     origin,   ///< where the arrows of a space begin; number: of which BasisOf
 };
 
@@ -70,7 +70,7 @@ struct OutsidePoint {
 struct OutsideMarks {
     std::vector<glm::vec2> face;      ///< of the plane that cuts, convex, pixels; below all lines
     std::vector<OutsideLine> lines;   ///< the first are to be drawn first
-    std::vector<OutsidePoint> points; ///< likewise
+    std::vector<OutsidePoint> points; ///< in the same order
 };
 
 /// The triangle whose rays are drawn, and what is known of it.

@@ -26,7 +26,7 @@ struct PicturePlane {
     double distance = 1.0;        ///< from the eye, world units
     double mix = 0.0;             ///< 0: perspective, 1: orthographic
     glm::dvec2 scale{1.0};        ///< see PictureScale
-    glm::dvec2 shift{0.0};        ///< likewise
+    glm::dvec2 shift{0.0};        ///< see PictureScale
     glm::dvec2 middle{0.0};       ///< where x/w and y/w are 0, pixels from the picture's corner
     Viewport size;
 

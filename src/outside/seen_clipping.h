@@ -28,7 +28,7 @@ struct SeenPlane {
     std::vector<glm::dvec3> cuts{}; ///< where it cuts the triangle, in the world
 };
 
-/// The clipping of the triangle on show.
+/// The clipping of the triangle shown.
 struct SeenClipping {
     /// Near and far plane, world units in front of the camera; none where no plane cuts, and the
     /// depth does not go from the one to the other.

@@ -41,13 +41,13 @@ int block_size(const Image& picture, double samples);
 ShrunkenPicture shrunken(const Image& picture, const Framebuffer& framebuffer, int block,
                          float see_through);
 
-/// The same where the picture has changed since: only the blocks that these pixels lie in are made
-/// anew.
+/// The same where the picture has changed since: only the blocks that these pixels lie in are
+/// remade.
 /// @param pixels that have changed, inside of the picture
 void shrink_again(const Image& picture, const Framebuffer& framebuffer, float see_through,
                   const Rectangle& pixels, ShrunkenPicture& shown);
 
-/// The colour with the pixel before it; as the samples have it, see packed_colour().
+/// The colour with the pixel laid over it; as the samples have it, see packed_colour().
 std::uint32_t laid_over(const PanePixel& pixel, std::uint32_t colour);
 
 } // namespace rasterwalk
