@@ -15,7 +15,7 @@ namespace rasterwalk {
 /// One triangle of a frame, up to a moment. Forwards it is drawn on from where it stands.
 class LoneTriangle {
   public:
-    /// Goes toward everything that the pipeline draws of the triangle before the cursor, as far as
+    /// Goes toward everything that the pipeline draws of the triangle up to the cursor, as far as
     /// the limit allows.
     /// @param work   of this frame
     /// @param number of the frame: another one whenever it is another

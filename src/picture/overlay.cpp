@@ -214,7 +214,7 @@ const std::array<OverlayInfo, overlay_count>& overlay_list() {
         {Overlay::wireframe, "wireframe",
          "The true edges of all triangles: straight lines between the projected vertices."},
         {Overlay::alone, "one triangle alone",
-         "Fills the triangle on show as far as it is drawn, whatever is in front of it; of all "
+         "Fills the triangle shown as far as it is drawn, whatever is in front of it; of all "
          "other triangles, only the edges are shown. Not available while two runs are compared."},
         {Overlay::owner, "triangle owner",
          "Tints every triangle in its own colour and names the triangle under the pointer."},

@@ -24,7 +24,7 @@ namespace rasterwalk {
 
 enum class Overlay : std::uint8_t {
     wireframe,    ///< the edges of all triangles that are drawn, as lines
-    alone,        ///< only the triangle on show is filled; all others are lines
+    alone,        ///< only the triangle shown is filled; all others are lines
     owner,        ///< each triangle tinted in a colour of its own
     overdraw,     ///< how many fragments fell on the pixel
     drawn_twice,  ///< pixels on which two neighbours both drew; see PixelFacts
@@ -42,7 +42,7 @@ static_assert(words_match<Overlay>);
 
 inline constexpr int overlay_count = static_cast<int>(enum_words<Overlay>.size());
 
-/// What the interface says of an overlay.
+/// What the interface says about an overlay.
 struct OverlayInfo {
     Overlay overlay;
     std::string_view title;                   ///< on the switch and in the legend
@@ -98,13 +98,13 @@ struct OverlayTotals {
     double mean_error = 0.0;    ///< world units, over the pixels that are covered
 };
 
-/// The overlays on show, ready to be laid over the picture.
+/// The overlays shown, ready to be laid over the picture.
 struct OverlayPicture {
     OverlaySet shown;
     PixelFacts facts;
     OverlayTotals totals;
     std::vector<WireEdge> wires; ///< at most most_wires
-    LoneTriangle lone;           ///< on show, while it is to be alone
+    LoneTriangle lone;           ///< the triangle shown, while it is to be alone
     Image image; ///< all overlays that tint the picture; without pixels if there is none
 };
 
@@ -114,8 +114,8 @@ struct OverlayPicture {
 void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffer& framebuffer,
                       OverlaySet overlays, bool same_moment, OverlayPicture& picture);
 
-/// The picture as the ground of overlays: without colour, and darker, so that every tint can be
-/// told from what lies below it.
+/// The picture as the ground of overlays: without colour, and darker, so that every tint stands out
+/// from what lies below it.
 Image ground_of_overlays(const Image& picture);
 
 /// A colour laid over the picture.
@@ -124,7 +124,7 @@ struct Tint {
     float opacity = 0.0f; ///< 0..1
 };
 
-/// How an overlay colours a pixel. The pattern, where it has one, tells it from others without
+/// How an overlay colours a pixel. The pattern, if it has one, distinguishes it from others without
 /// colour.
 /// @param amount how much of it, 0..1; for depth 1 is failed and 0 passed; for the owner unused
 Tint overlay_tint(Overlay overlay, float amount, glm::ivec2 pixel, int triangle = 0);
@@ -135,7 +135,7 @@ std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPict
 /// The two ends of the overlay's scale, "0" and "0.52 world units"; both empty if it has none.
 std::array<std::string, 2> overlay_scale(Overlay overlay, const OverlayPicture& picture);
 
-/// What the overlay says of one pixel of the picture: "2 passed, 1 failed".
+/// What the overlay says about one pixel of the picture: "2 passed, 1 failed".
 /// @param reach how far from the pixel's middle an edge of the wireframe may run, pixels
 std::string overlay_value(Overlay overlay, const Frame& frame, const Framebuffer& framebuffer,
                           const OverlayPicture& picture, glm::ivec2 pixel, float reach = 3.0f);

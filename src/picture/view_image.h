@@ -27,7 +27,7 @@ static_assert(words_match<View>);
 
 inline constexpr int view_count = static_cast<int>(enum_words<View>.size());
 
-/// What the interface says of a view.
+/// What the interface says about a view.
 struct ViewInfo {
     View view;
     std::string_view title;                 ///< where it is chosen
@@ -47,7 +47,7 @@ struct DepthInterval {
     friend bool operator==(const DepthInterval&, const DepthInterval&) = default;
 };
 
-/// A range of depths on show, from its farther end to its nearer one; of ndc z the farther end is
+/// The range of depths shown, from its farther end to its nearer one; in NDC z the farther end is
 /// the larger value.
 struct DepthRange {
     float far = 0.0f;

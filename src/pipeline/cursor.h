@@ -17,7 +17,7 @@ namespace rasterwalk {
 /// What kind of work a moment is, in the order in which a triangle goes through them.
 enum class Phase : std::uint8_t { vertices, clip, cull, edges, tests, rows };
 
-/// What is said of a phase, and how its moments are written. A phase has pieces and a piece has
+/// What is said about a phase, and how its moments are written. A phase has pieces and a piece has
 /// steps; the moments are the steps, or the pieces where they have none.
 struct PhaseInfo {
     Phase phase;

@@ -73,7 +73,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
                Observer* observer) {
     const Settings& settings = frame.settings;
     const Rectangle scissor = scissor_rectangle(window, framebuffer);
-    // Whoever watches sees every varying; otherwise only those are walked that the shader reads.
+    // An observer sees every varying; without one, only those that the shader reads are walked.
     const VaryingSet carried = observer != nullptr ? VaryingSet::all() : carried_varyings(frame);
     Drawing d{.frame = frame,
               .stages = frame.stages,

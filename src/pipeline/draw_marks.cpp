@@ -14,7 +14,7 @@ bool is_in(const Rectangle& area, glm::ivec2 pixel) {
 }
 
 /// Points, edges and row ends are marks: one colour, no depth.
-/// @param told gives the fragment that an observer is told of
+/// @param told gives the fragment for an observer
 template <class Told>
 void put_mark(Drawing& d, const Cursor& cursor, glm::ivec2 place, const glm::vec3& colour,
               Told told) {

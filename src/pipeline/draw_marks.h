@@ -7,16 +7,17 @@
 
 namespace rasterwalk {
 
-/// Stage `points`: the three vertices of a triangle that is drawn, before it is clipped. In every
-/// stage an observer is told of them, of a triangle that is not drawn too.
+/// Stage `points`: the three vertices of a triangle that is drawn, before it is clipped. They are
+/// reported to an observer in every stage, also for a triangle that is not drawn.
 void show_vertices(Drawing& d, int triangle);
 
-/// Listens to the coverage of one triangle: shows the samples of its edges, and tells the observer.
+/// Listens to the coverage of one triangle: shows the samples of its edges, and reports them to the
+/// observer.
 class EdgeDrawing : public SampleSink {
   public:
     EdgeDrawing(Drawing& drawing, int triangle);
 
-    /// Is there anyone to tell, and does a sample lie in the window?
+    /// Are samples shown or observed, and does one lie in the window?
     bool is_wanted() const;
 
     void edge_sample(const EdgeSample& sample) override;

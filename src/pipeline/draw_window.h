@@ -10,7 +10,7 @@
 namespace rasterwalk {
 
 /// Which part of a frame is drawn: the moments from `from` up to, not including, `to`, and of them
-/// only what falls in the scissor. Limits what is written and who is told; never the numbers.
+/// only what falls in the scissor. Limits what is written and reported; never the numbers.
 struct DrawWindow {
     Cursor from = cursor_begin;
     Cursor to = cursor_end;

@@ -25,7 +25,7 @@ struct Drawing {
     bool culls_fragments; ///< each fragment is asked whether it shows a back
     bool shades_first;    ///< the pixel shader comes before the depth test
     bool draws_unset;     ///< rows that no edge sample has reached are drawn like the others
-    bool skips_hidden; ///< rows that are hidden altogether go without varyings: nobody reads them
+    bool skips_hidden; ///< rows that are completely hidden go without varyings: nothing reads them
     RowKernel row_kernel; ///< draws rows at a time; null: each fragment is drawn by itself
     Framebuffer& target;
     Observer* observer;

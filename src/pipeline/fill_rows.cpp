@@ -117,8 +117,8 @@ std::span<const LineSample> interpolate_row(Drawing& d, int index, const RowSpan
     return fragments;
 }
 
-/// Counts the fragments of a row if none of them is nearer than what its pixel shows; tells whether
-/// it did.
+/// Counts the fragments of a row if none of them is nearer than what its pixel shows; returns
+/// whether it did.
 bool pass_over_hidden(Drawing& d, std::span<const LineSample> fragments) {
     const Fragment& first = fragments.front().fragment;
     const std::size_t begin = d.target.at(first.column, first.row);

@@ -161,7 +161,7 @@ inline bool have_same_triangles(const Frame& a, const Frame& b) {
 }
 
 /// Clips a triangle once more, by the function that clipped it.
-/// @param sink    is told of each edge at each plane; of a triangle that no plane has cut, nothing
+/// @param sink    receives each edge at each plane; of a triangle that no plane has cut, nothing
 void tell_clipping(const Frame& frame, int triangle, ClipSink& sink);
 
 /// Culls a triangle once more, by the function that culled it.
@@ -169,7 +169,7 @@ void tell_clipping(const Frame& frame, int triangle, ClipSink& sink);
 CullTest cull_test(const Frame& frame, int triangle);
 
 /// The row table of a drawn triangle.
-/// @param sink    is told of each edge sample, or null
+/// @param sink    receives each edge sample; or null
 /// @param carried the varyings that are wanted; where only places count, none
 void compute_rows(const Frame& frame, int triangle, PolygonRows& rows, SampleSink* sink = nullptr,
                   VaryingSet carried = VaryingSet::all());

@@ -15,7 +15,7 @@ constexpr double vertex_preparation = 25;
 constexpr double triangle_preparation = 40;
 
 /// Takes the scene as it is, or what tessellation makes of it. That is kept as long as it is the
-/// same: while the camera moves nothing is cut anew.
+/// same: while the camera moves, nothing is cut again.
 void take_scene(const Scene& scene, int tessellation, Frame& frame) {
     const int parts = tessellation_of(scene, tessellation);
     const TessellatedScene* const known = frame.tessellated.get();

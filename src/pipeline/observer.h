@@ -27,7 +27,7 @@ inline constexpr auto enum_words<Fate> = word_list("written", "depth_failed", "b
                                                    "cut_out");
 static_assert(words_match<Fate>);
 
-/// Points and row ends that are put on the screen are told of as fragments.
+/// Points and row ends that are put on the screen are reported as fragments.
 inline Fragment mark_of(const ScreenVertex& v) {
     return {v.column, v.row, v.depth, v.inv_w, v.z, v.varyings};
 }
@@ -77,7 +77,7 @@ struct CullEvent {
     CullTest test;
 };
 
-/// Is told what draw() does. Watching never changes what is drawn.
+/// Receives what draw() does. Watching never changes what is drawn.
 class Observer {
   public:
     virtual ~Observer() = default;

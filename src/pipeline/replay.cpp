@@ -30,8 +30,8 @@ Rectangle whole_picture(const Frame& frame) {
     return {0, 0, frame.settings.viewport.width, frame.settings.viewport.height};
 }
 
-/// The same moment; at the beginning of a triangle as a cursor behind the triangle before, so that
-/// draw() leaves the row table of this one alone.
+/// The same moment; at the beginning of a triangle, as a cursor behind the previous triangle, so
+/// that draw() leaves the row table of this one alone.
 Cursor behind_triangles_before(const Cursor& cursor) {
     const bool is_begin = cursor.phase == Phase::vertices && cursor.index <= 0 && cursor.step <= 0;
     if (!is_begin || cursor.triangle <= 0 || cursor == cursor_end) return cursor;

@@ -26,8 +26,8 @@ class Replay {
     /// Starts over with this frame, which must live as long as the replay uses it.
     void begin(const Frame& frame);
 
-    /// The same with its work, which is estimated already; that gets the memory of the one before
-    /// in exchange.
+    /// The same with its work, which is estimated already; `work` gets the memory of the previous
+    /// frame's in exchange.
     void begin(const Frame& frame, FrameWork& work);
 
     /// The framebuffer with everything before `cursor` drawn; valid until the next call.
@@ -35,14 +35,14 @@ class Replay {
 
     /// Goes toward the cursor as far as the limit allows, and stays where it is if it is_held().
     /// The framebuffer has everything before drawn() drawn; valid until the next call.
-    /// As long as it is not clear it is cleared first, even if it is_held(): until then it has,
-    /// where it is not empty, pixels of the frame before.
+    /// As long as it is not clear, it is cleared first, even if it is_held(): until then it has,
+    /// where it is not empty, pixels of the previous frame.
     const Framebuffer& toward(const Cursor& cursor, const WorkLimit& limit);
     const Cursor& drawn() const { return cursor_; }
 
-    /// Is there nothing left in the framebuffer of the frame before?
+    /// Is there nothing left of the previous frame in the framebuffer?
     bool is_clear() const { return is_empty(uncleared_); }
-    /// Has the framebuffer everything before the cursor, and nothing else?
+    /// Does the framebuffer have everything before the cursor, and nothing else?
     bool is_at(const Cursor& cursor) const { return is_clear() && cursor_ == cursor; }
 
     /// Is there more left to draw up to the cursor than the limit allows to begin?
@@ -88,14 +88,14 @@ class Replay {
     Framebuffer framebuffer_;
     Cursor cursor_ = cursor_begin;
     Rectangle changed_;
-    Rectangle uncleared_; ///< pixels of the frame before lie in it
+    Rectangle uncleared_; ///< pixels of the previous frame lie in it
     Rectangle touched_;   ///< all pixels that are not empty lie in it, or in uncleared_
-    Rectangle begun_;     ///< what begin() has changed, until changed() tells it
-    int owners_ = 0;      ///< triangles that the owners of the frame before were among
+    Rectangle begun_;     ///< what begin() has changed, until changed() reports it
+    int owners_ = 0;      ///< triangles that the owners of the previous frame were among
     DrawTally tally_;
     Cursor tallied_ = cursor_begin;
     std::vector<Mark> marks_;        ///< in order of time
-    std::vector<Framebuffer> spare_; ///< copies of the frame before: their memory is used
+    std::vector<Framebuffer> spare_; ///< copies of the previous frame: their memory is used
     std::size_t budget_;
     bool has_gone_back_ = false;
 };

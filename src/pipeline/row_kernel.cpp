@@ -174,7 +174,7 @@ struct BlockColours {
     glm::vec3 at(std::size_t i) const { return {red[i], green[i], blue[i]}; }
 };
 
-/// What depth_test() says of each pixel; stores what has passed.
+/// What depth_test() says about each pixel; stores what has passed.
 /// @return how many have passed
 int test_depths(const Block<float>& depth, std::size_t count, const BlockPlanes& at,
                 Block<int>& passed) {

@@ -13,7 +13,7 @@ void tell_pixel_tests(const Drawing& d, int triangle) {
     for (const TestedTriangle& of : tested.triangles) {
         const Rectangle& box = of.box;
         const Rectangle shown = intersection(box, d.scissor);
-        // The row before the first that begins in the window may end in it.
+        // The row above the first that begins in the window may end in it.
         const int first = std::max(rows.first - 1, first_of_box + shown.top - box.top);
         const int last = std::min(rows.last, first_of_box + shown.bottom - box.top);
         for (int r = first; r < last; ++r) {

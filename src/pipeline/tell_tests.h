@@ -1,7 +1,7 @@
 #pragma once
 
-// The questions of edge functions as moments: coverage has solved them row by row; here they are
-// told pixel by pixel.
+// The tests of edge functions as moments: coverage has solved them row by row; here they are
+// reported pixel by pixel.
 
 #include <cstdint>
 
@@ -9,7 +9,7 @@
 
 namespace rasterwalk {
 
-/// Tells the observer of the tested pixels of a triangle that lie in the window and the scissor,
+/// Reports to the observer the tested pixels of a triangle that lie in the window and the scissor,
 /// row by row of the box. The drawing holds its row table.
 void tell_pixel_tests(const Drawing& d, int triangle);
 
