@@ -12,7 +12,7 @@ namespace rasterwalk {
 bool looks_like_normals(const Image& image);
 
 /// The normal map of a picture whose grey, the mean of red, green and blue, is a height. Slopes are
-/// differences between the texels on both sides; beyond a border the picture begins anew.
+/// differences between the texels on both sides; beyond a border the picture repeats.
 /// @param height texels by which white stands above black; below 0 it lies deeper
 Image normals_of_heights(const Image& heights, float height);
 

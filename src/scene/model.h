@@ -2,13 +2,13 @@
 
 // The model transformation Tm: from the space in which an object is made to the world.
 //
-// A house is drawn once, around its own origin; where it stands, how it is turned and how large it
-// is, is said by a list of steps. Each step is a matrix, and Tm is their product. With column
-// vectors the first step stands at the right, next to the point: Tm = step[n] ... step[1] step[0].
-// The order counts: what is turned and then moved stands elsewhere than what is moved and then
-// turned, for every step works about the origin of the world.
+// A house is drawn once, around its own origin; a list of steps says where it stands, how it is
+// turned and how large it is. Each step is a matrix, and Tm is their product. With column vectors
+// the first step is on the right, next to the point: Tm = step[n] ... step[1] step[0]. The order
+// matters: turning and then moving leads to a different place from moving and then turning, because
+// every step works about the origin of the world.
 //
-// A normal is no point. It stays across its surface only if it goes by the inverse transpose:
+// A normal is not a point. It stays perpendicular to its surface only under the inverse transpose:
 // n . t = 0 is nT t = 0, and (A n)T (M t) = nT AT M t is 0 for every t if AT M = 1. Where a
 // direction is scaled by s, the normal is scaled by 1/s.
 //
@@ -73,8 +73,8 @@ glm::dvec3 transform_point(const glm::dmat4& matrix, const glm::dvec3& point);
 /// A direction: with w = 0 it is not moved.
 glm::dvec3 transform_direction(const glm::dmat4& matrix, const glm::dvec3& direction);
 
-/// Does Tm turn what is left to what is right? Then corners go round the other way, and whoever
-/// puts the object in the world gives them in the other order, so that its fronts stay fronts.
+/// Does Tm turn left into right? Then the corners go round the other way, and where the object is
+/// put into the world they are given in reverse order, so that its fronts stay fronts.
 bool is_mirrored(const glm::dmat4& model);
 
 } // namespace rasterwalk

@@ -163,7 +163,7 @@ class ModelBuilder {
         return corner_normals(all, points_, options_.crease_angle);
     }
 
-    /// False if the face cannot be cut; that is told.
+    /// False if the face cannot be cut; that is reported.
     bool cut(const ObjFace& face) {
         places_.clear();
         for (int i = 0; i < face.corner_count; ++i) {

@@ -69,8 +69,8 @@ std::string image_name(const std::string& path) {
 
 } // namespace
 
-/// The index of an image that was read; -1 if it cannot be used. Why not is told once as a fault,
-/// however many materials name it.
+/// The index of an image that was read; -1 if it cannot be used. Why not is reported once as a
+/// fault, however many materials name it.
 int ObjImages::index_of(const ReadTexture& image, const ObjMaterial& of, std::string_view word,
                         int line) {
     if (image.trouble.empty() || !told_.insert(image.trouble).second) return image.index;

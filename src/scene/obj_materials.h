@@ -27,7 +27,7 @@ class ObjLibraries {
         : model_(model), materials_(materials), watched_(watched), reporter_(reporter),
           beside_({model}) {}
 
-    /// Reads what a statement names. What cannot be read is told as a fault. Throws ReadingStopped.
+    /// Reads what a statement names. What cannot be read becomes a fault. Throws ReadingStopped.
     /// @param names may have blanks in them, or may be several
     /// @param line  of the statement, from 1
     void read(std::string_view names, int line);
@@ -64,7 +64,7 @@ class ObjImages {
               WatchedSteps& watched, ObjReporter& reporter)
         : materials_(materials), reporter_(reporter), files_(textures, watched) {}
 
-    /// The images of a material; what cannot be read is told once. Throws ReadingStopped.
+    /// The images of a material; what cannot be read is reported once. Throws ReadingStopped.
     /// @param material an index, or -1: none
     ObjMaps of_material(int material);
 

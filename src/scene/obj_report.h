@@ -39,7 +39,7 @@ struct ObjCountInfo {
     std::int64_t ObjCounts::*count;
 };
 
-/// All of them, in the order in which they are told.
+/// All of them, in the order in which they are reported.
 inline constexpr std::array obj_count_list{
     ObjCountInfo{"lines", "lines of the model file", &ObjCounts::lines},
     ObjCountInfo{"positions", "points in space: v", &ObjCounts::positions},
@@ -62,8 +62,8 @@ inline constexpr std::array obj_count_list{
 static_assert(sizeof(ObjCounts) == obj_count_list.size() * sizeof(std::int64_t),
               "every count has its row");
 
-/// What there is to say of a statement, or of several that are alike: what is wrong and what is
-/// done instead, or what is right and easily overlooked.
+/// What there is to say about a statement, or about several that are alike: what is wrong and what
+/// is done instead, or what is right and easily overlooked.
 struct ObjFault {
     std::string path;       ///< of the model or of its materials, as messages show it
     int line = 0;           ///< of the first, from 1
@@ -101,9 +101,9 @@ enum class ObjFaultKind : std::uint8_t {
     normal,              ///< a statement vn
     normal_of_no_length, ///< which has no direction
     missing_texcoord,    ///< a face names one that is not there
-    missing_normal,      ///< likewise
+    missing_normal,      ///< the same
     strange_texcoord,    ///< a face has something else in its place
-    strange_normal,      ///< likewise
+    strange_normal,      ///< the same
     strange_corner,      ///< a corner names more than there is to name
 };
 template <>
@@ -128,8 +128,8 @@ class ObjReporter {
         if (has_room()) keep(path, line, say());
     }
 
-    /// Counts a fault of which a file may be full: of each kind the first is kept, and the others
-    /// are counted with it. Of one line a kind is told once.
+    /// Counts a fault that a file may be full of: the first of each kind is kept, and the others
+    /// are counted with it. Each kind is reported once per line.
     /// @param path the same for all of a kind
     template <class Say>
     void fault(ObjFaultKind kind, std::string_view path, int line, Say say) {
@@ -155,7 +155,7 @@ class ObjReporter {
     ObjReport& report() { return report_; }
 
   private:
-    /// What is known of a kind of fault that is told once.
+    /// What is known about a kind of fault that is reported once.
     struct Repeated {
         int index = -1;    ///< of the first in the list, or where it had no room
         int last_line = 0; ///< in which it was found

@@ -124,8 +124,8 @@ class StatementReader {
 
     /// Reads as many numbers as there is room for.
     /// @param kind of the faults
-    /// @return how many there are; nothing, and a fault is told, if a word is no number or there
-    /// are fewer than `fewest`
+    /// @return how many there are; nothing, and a fault, if a word is not a number or there are
+    /// fewer than `fewest`
     std::optional<int> read_numbers(ObjFaultKind kind, std::string_view what,
                                     std::string_view& rest, int fewest, std::span<double> numbers) {
         int count = 0;
@@ -220,8 +220,8 @@ class StatementReader {
         });
     }
 
-    /// Tells what is wrong with the index of a corner: each face without its point, but the others,
-    /// which cost no face, by kind.
+    /// Reports what is wrong with the index of a corner: each face without its point, but the
+    /// others, which cost no face, by kind.
     template <class Say>
     void index_fault(std::size_t kind, bool is_strange, Say say) {
         if (kind == 0) return fault(say);
@@ -234,7 +234,7 @@ class StatementReader {
     }
 
     /// A part of a corner: "7", "-1", or nothing.
-    /// @return the index from 0, -1 if there is none; nothing, and a fault is told, if it is wrong
+    /// @return the index from 0, -1 if there is none; nothing, and a fault, if it is wrong
     std::optional<int> read_index(std::string_view word, std::size_t kind, std::size_t count) {
         if (word.empty()) return -1;
         std::int64_t number = 0;
@@ -265,8 +265,8 @@ class StatementReader {
         return std::nullopt;
     }
 
-    /// A corner: a, a/b, a//c or a/b/c. Without a point there is none; what else is wrong is told,
-    /// and not named by the corner.
+    /// A corner: a, a/b, a//c or a/b/c. Without a point there is none; whatever else is wrong is
+    /// reported and left out of the corner.
     bool read_corner(std::string_view word) {
         const std::array counts_before{file_.positions.size(), file_.texcoords.size(),
                                        file_.normals.size()};

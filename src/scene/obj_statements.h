@@ -50,7 +50,7 @@ inline constexpr std::array indexed_kinds{
 
 struct ObjStatements {
     std::vector<glm::dvec3> positions; ///< not a number where one could not be read
-    std::vector<glm::vec2> texcoords;  ///< likewise
+    std::vector<glm::vec2> texcoords;  ///< the same
     std::vector<glm::vec3> normals;    ///< unit length; zero where one is not to be used
     std::vector<glm::vec3> colours;    ///< of positions, 0..1; empty: none has one
     std::vector<ObjCorner> corners;    ///< of all faces; may name what is not there

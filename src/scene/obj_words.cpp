@@ -114,7 +114,8 @@ std::optional<double> parse_model_number(std::string_view word) {
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (word.empty() || end != word.data() + word.size()) return std::nullopt;
     if (fault == std::errc::result_out_of_range) {
-        // What is too small is told by its exponent, or by having nothing before the point but 0.
+        // It is too small, not too large, if its exponent is negative, or if it has none and only
+        // zeros stand before its point.
         const std::size_t exponent = word.find_first_of("eE");
         const bool is_small = exponent != word.npos
                                   ? word.substr(exponent + 1).starts_with('-')

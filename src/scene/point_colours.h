@@ -41,8 +41,8 @@ class PointColours {
   private:
     std::vector<glm::vec4> given_; ///< behind a point; what is not given is not a number
     std::vector<std::uint32_t> polypaint_;
-    bool is_weight_first_ = true; ///< as far as all points tell: four numbers begin with 1
-    bool is_alpha_last_ = true;   ///< likewise: they end with 1
+    bool is_weight_first_ = true; ///< in all points so far, four numbers begin with 1
+    bool is_alpha_last_ = true;   ///< in all points so far, they end with 1
     double largest_ = 0.0;
     int line_of_bytes_ = 0;
 };

@@ -149,7 +149,7 @@ class MtlReader {
         material.bump_is_normal = key == "norm";
     }
 
-    /// Is a word of a statement a number with a decimal comma? That is told.
+    /// Is a word of a statement a number with a decimal comma? That is reported.
     bool tells_comma(std::string_view statement, std::string_view rest) {
         std::string_view word = take_number_word(rest);
         while (!word.empty() && !has_decimal_comma(word))
@@ -222,7 +222,7 @@ class MtlReader {
             });
         }
         if (!is_dissolve && material.has_dissolve) return;
-        // Some programs write Tr 1 and mean opaque; nobody means a model that cannot be seen.
+        // Some programs write Tr 1 and mean opaque; no model is meant to be invisible.
         if (!is_dissolve && *number == 1.0) {
             return fault([] {
                 return "'Tr' 1 would make it invisible, so the material is taken to be opaque.";
@@ -234,7 +234,7 @@ class MtlReader {
     }
 
     /// Takes the options from in front of an image's name.
-    /// @param used of them; of the others it is told that they are not
+    /// @param used of them; a fault says that the others are not
     void read_options(std::string_view& rest, const UsedOptions& used, MapOptions& options) {
         while (true) {
             std::string_view behind = rest;

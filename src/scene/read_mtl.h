@@ -41,7 +41,7 @@ struct ObjMaterial {
     friend bool operator==(const ObjMaterial&, const ObjMaterial&) = default;
 };
 
-/// Adds the materials of a text to a list. What is wrong in it is told as a fault, and left out.
+/// Adds the materials of a text to a list. What is wrong in it becomes a fault and is left out.
 /// Throws ReadingStopped.
 /// @param path       of the text, for messages and to find images beside it
 /// @param model_path of the model that names it: images may lie there, too

@@ -35,7 +35,7 @@ struct ObjPart {
     int triangle_count = 0; ///< at least 1
     int material = -1;      ///< index in ObjModel::materials; -1: none
     int texture = -1;       ///< index in ObjModel::textures; -1: none
-    int normal_map = -1;    ///< likewise
+    int normal_map = -1;    ///< also there
 
     friend bool operator==(const ObjPart&, const ObjPart&) = default;
 };

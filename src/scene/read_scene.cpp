@@ -30,7 +30,7 @@ constexpr double largest_entry = 1e12;
 
 constexpr std::string_view step_form = "{ rotate_y = 0.5 }.";
 
-/// Scales the points of a room of this edge into the cube -1..1; mirrored axes are turned round.
+/// Scales the points of a room of this edge into the cube -1..1; mirrored axes are flipped.
 struct SceneTransform {
     float edge;
     std::array<bool, 3> mirror{};

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a scene file says of surfaces: materials, and normals and colours of points.
+// What a scene file says about surfaces: materials, and normals and colours of points.
 
 #include <array>
 #include <functional>
@@ -40,7 +40,7 @@ struct SurfaceSections {
 };
 
 /// Reads `materials`, `normals` and `colours` of a scene. Throws InputError.
-/// @param mirror the axes that the scene's transform turns round, for normals as for points
+/// @param mirror the axes that the scene's transform flips, for normals as for points
 SurfaceSections read_surface_sections(const TomlInput& scene, SceneSpace space,
                                       const std::array<bool, 3>& mirror);
 

@@ -23,8 +23,8 @@ struct ReadingState {
     friend bool operator==(const ReadingState&, const ReadingState&) = default;
 };
 
-/// Is told now and then how far a reading is, some thousand times a second at most. False: stop.
-/// Empty: nobody asks.
+/// Called now and then with how far a reading is, some thousand times a second at most. False:
+/// stop. May be empty.
 using ReadingWatch = std::function<bool(const ReadingState&)>;
 
 /// Thrown where a watch stops a reading. No fault of the file, and so no Error.
@@ -69,7 +69,7 @@ class WatchedSteps {
 
   private:
     const ReadingWatch& watch_;
-    ReadingState state_; ///< that was told last
+    ReadingState state_; ///< the last one reported
     unsigned steps_ = 0;
 };
 

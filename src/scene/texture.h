@@ -27,7 +27,7 @@ namespace rasterwalk {
 /// A picture of texels, row by row from the top.
 struct TextureLevel {
     int width = 0;                 ///< texels, at least 1
-    int height = 0;                ///< likewise
+    int height = 0;                ///< the same
     std::vector<glm::vec3> texels; ///< red green blue, 0..1
     std::vector<float> alphas;     ///< of each, 0 (clear) to 1 (opaque); empty: all are opaque
 
@@ -53,7 +53,7 @@ struct TextureLevel {
 /// to its bottom, as rows do.
 struct Texture {
     std::string name; ///< of the file, as the scene says it
-    /// The picture itself, and each level half as wide and high as the one before, rounded down
+    /// The picture itself, and each level half as wide and high as the previous one, rounded down
     /// and at least 1; the last one has one texel. Never empty.
     std::vector<TextureLevel> levels;
 
