@@ -34,7 +34,7 @@ PlacedTriangle parse_placed_triangle(std::string_view text);
 /// triangle that cannot be moved.
 void place_triangle(Session& session, const PlacedTriangle& placed);
 
-/// The triangles of a bench scene whose vertices lie elsewhere than in `original`, the scene as it
+/// The triangles of a bench scene whose vertices differ from those in `original`, the scene as it
 /// stands in its file; none in any other scene.
 std::vector<PlacedTriangle> moved_triangles(const Scene& scene, const Scene& original);
 

@@ -24,7 +24,7 @@ const std::array<CellNumbersInfo, cell_numbers_count>& cell_numbers_list() {
     static constexpr std::array list{
         CellNumbersInfo{CellNumbers::none, "no numbers", "The cells show only their colour.", ""},
         CellNumbersInfo{CellNumbers::ends, "ends of rows",
-                        "The columns of each row's left and right end for the triangle on show: "
+                        "The columns of each row's left and right end for the triangle shown: "
                         "leftPixels[i].x and rightPixels[i].x.",
                         "column of an end of the row"},
         CellNumbersInfo{CellNumbers::depth, "{0}",
@@ -37,12 +37,12 @@ const std::array<CellNumbersInfo, cell_numbers_count>& cell_numbers_list() {
                         "How many fragments fell on the pixel, drawn or not.",
                         "fragments on the pixel"},
         CellNumbersInfo{CellNumbers::edge_values, "edge functions",
-                        "The three edge functions of the triangle on show at the pixel's centre; "
+                        "The three edge functions of the triangle shown at the pixel's centre; "
                         "if the pixel is outside, only those that keep it out.",
                         "edge functions; filled 0: inside, framed 0: outside"},
         CellNumbersInfo{
             CellNumbers::weights, "weights",
-            "The weights of the corners of the triangle on show at the pixel's centre; if the "
+            "The weights of the corners of the triangle shown at the pixel's centre; if the "
             "pixel is outside, only those below 0.",
             "weights of the corners v0, v1, v2"},
     };

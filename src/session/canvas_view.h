@@ -26,7 +26,7 @@ static_assert(words_match<CanvasShows>);
 
 inline constexpr int canvas_shows_count = static_cast<int>(enum_words<CanvasShows>.size());
 
-/// What the interface says of it.
+/// What the interface says about it.
 struct CanvasShowsInfo {
     CanvasShows shows;
     std::string_view title;                 ///< on the switch
@@ -41,11 +41,11 @@ const std::array<CanvasShowsInfo, canvas_shows_count>& canvas_shows_list();
 /// The number that stands in every cell of the picture, where the zoom gives room for it.
 enum class CellNumbers : std::uint8_t {
     none,
-    ends,        ///< the column of a row's left and right end, of the triangle on show
+    ends,        ///< the column of a row's left and right end, of the triangle shown
     depth,       ///< what the depth buffer holds
     owner,       ///< the triangle that the pixel shows
     overdraw,    ///< how many fragments fell on it
-    edge_values, ///< of edge functions, of the triangle on show
+    edge_values, ///< of edge functions, of the triangle shown
     weights,     ///< of its corners
 };
 template <>
@@ -60,16 +60,16 @@ constexpr bool is_of_tests(CellNumbers numbers) {
     return numbers == CellNumbers::edge_values || numbers == CellNumbers::weights;
 }
 
-/// What the interface says of them.
+/// What the interface says about them.
 struct CellNumbersInfo {
     CellNumbers numbers;
     std::string_view title; ///< where they are chosen; {0}: the depth's name, {1}: which is nearer
-    std::string_view help;  ///< one sentence; likewise
-    std::string_view key;   ///< what a number is, beside the cells; likewise
+    std::string_view help;  ///< one sentence; with the same fields
+    std::string_view key;   ///< what a number is, next to the cells; with the same fields
     std::string_view name = word_of(numbers); ///< for tests and lessons
 };
 
-/// What is said of the numbers in a frame.
+/// What is said about the numbers in a frame.
 struct CellNumbersWords {
     std::string title, help, key;
 };

@@ -24,8 +24,8 @@ double pixels_of(const Rectangle& r) {
     return static_cast<double>(r.right - r.left) * (r.bottom - r.top);
 }
 
-/// Of two pictures, the one that is compared and the one on show: where they differ; nothing if
-/// they are the same, the whole picture if that is not known.
+/// Where the compared picture differs from the one shown; nothing if they are the same, the whole
+/// picture if that is not known.
 Rectangle changed_since(std::uint64_t compared, const RunResults& run) {
     if (run.picture_number == compared) return {};
     const Viewport size = run.framebuffer->size;
@@ -33,7 +33,7 @@ Rectangle changed_since(std::uint64_t compared, const RunResults& run) {
     return is_known ? run.picture_changed : Rectangle{0, 0, size.width, size.height};
 }
 
-/// Begins again with the pictures on show; of large ones not with what is as it was.
+/// Begins again with the pictures shown; in large ones, only with what has changed.
 void begin(View view, bool is_little, const WorkLimit& limit, Results& results) {
     ComparisonResults& comparison = results.comparison;
     DifferenceProgress& progress = comparison.progress;

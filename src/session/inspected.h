@@ -13,12 +13,12 @@ namespace rasterwalk {
 
 /// The part of the results that answers where numbers come from.
 struct Inspected {
-    std::vector<VertexReport> vertices; ///< three, of the triangle on show; empty without one
+    std::vector<VertexReport> vertices; ///< three, of the triangle shown; empty without one
     std::optional<ClipHistory>
         clip; ///< of that triangle; none in a scene in pixels, without a camera
     std::optional<FragmentReport> fragment; ///< on the picked pixel, or just done at the cursor
-    std::optional<RowGraph> graph; ///< of the triangle on show: the selected row, or the row of the
-                                   ///< fragment on show, or the widest
+    std::optional<RowGraph> graph; ///< of the triangle shown: the selected row, or the row of the
+                                   ///< fragment shown, or the widest
 
     // For which of these it was worked out.
     std::optional<int> triangle;

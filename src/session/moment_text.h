@@ -8,7 +8,7 @@
 namespace rasterwalk {
 
 /// A moment in words, counted from 0: "triangles[20] of 30 (tall block) · edge 1 · line[13] of
-/// 104". A row is told by its place in the picture and in the table. The moment must exist in the
+/// 104". A row is named by its place in the picture and in the table. The moment must exist in the
 /// frame and not be the end.
 std::string describe_moment(const Frame& frame, const Cursor& cursor);
 

@@ -23,7 +23,7 @@ struct Preview {
     bool is_shown = false;
 
     std::shared_ptr<const Scene> scene; ///< of the picture
-    std::optional<Settings> settings;   ///< likewise; none: there is no picture
+    std::optional<Settings> settings;   ///< of the picture; none: there is no picture
 };
 
 /// Draws a preview, unless it shows this already.
@@ -35,9 +35,9 @@ void show_preview(const std::shared_ptr<const Scene>& scene, const Settings& set
 /// Notices when the hand moves: when what is asked for changes from update to update.
 class HandWatch {
   public:
-    /// To be called once in each update. The hand has come to rest when two updates have asked for
-    /// the same as the one before: a frame of the window in which it moves makes two, the first
-    /// with what was asked for in the frame before.
+    /// To be called once in each update. The hand has come to rest when two updates in a row have
+    /// asked for nothing new: a frame of the window in which it moves makes two, the first with
+    /// what was asked for in the previous frame.
     void watch(const Session& session);
 
     /// Did the hand move, as the last update saw it?

@@ -198,8 +198,8 @@ WorkLimit half_slices(WorkLimit limit) {
     return limit;
 }
 
-/// Can the fast engine stand in for the steps of this run? What lies beside the picture is still
-/// that of the frame on show: it must be of the same triangles and size.
+/// Can the fast engine stand in for the steps of this run? What is next to the picture still
+/// belongs to the frame shown: it must have the same triangles and size.
 bool may_preview(const Session& session, const Run& run, const RunResults& results) {
     return results.run && results.scene == session.scene &&
            results.run->settings.viewport == run.settings.viewport &&

@@ -57,12 +57,12 @@ struct GroundSource {
     friend bool operator==(const GroundSource&, const GroundSource&) = default;
 };
 
-/// What there is to say of the whole picture of A, and which settings would show more. Those of the
-/// picture before stay until it is known of this one.
+/// What there is to say about the whole picture of A, and which settings would show more. The hints
+/// about the previous picture stay until those about this one are known.
 struct PictureHints {
     std::vector<SeenHint> found;
     std::shared_ptr<const Scene> scene; ///< of the picture; null: none are wanted
-    bool are_due = false;               ///< `found` is of a picture before
+    bool are_due = false;               ///< `found` is about an earlier picture
     std::optional<SeenHintsWork> work;  ///< looks for them, once all else is done
 };
 
@@ -93,7 +93,7 @@ struct Results {
                                              ///< drawn; none: there is nothing to do
     PictureHints hints;
     FrameLength length; ///< of the frame of A
-    HandWatch hand;     ///< tells when previews are wanted
+    HandWatch hand;     ///< says when previews are wanted
     FastRun preview_engine{{.keeps_planes = false}};
     std::uint64_t numbers = 0; ///< the last one that a frame or a picture got
 };
@@ -101,10 +101,10 @@ struct Results {
 /// Brings the results up to date; does nothing where the session asks for what is already there.
 /// What is too much work for the limit is done in parts: each further call does one, as long as
 /// is_working(); what is more than the limit allows to begin is held. While a frame of many
-/// triangles is prepared all results are still those of the frame before. While the hand moves
-/// what takes the steps more than one update they wait, and previews are shown where the fast
-/// engine does not refuse; when it rests the steps begin, and the previews stay until their
-/// pictures are whole. Returns true if the picture of A changed.
+/// triangles is prepared, all results are still those of the previous frame. While the hand moves,
+/// steps that take more than one update wait, and previews are shown unless the fast engine
+/// refuses; when it rests, the steps begin, and the previews stay until the steps' pictures are
+/// complete. Returns true if the picture of A changed.
 bool update(const Session& session, Results& results, const WorkLimit& limit = frame_limit);
 
 /// The same with all the work at once.

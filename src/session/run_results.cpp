@@ -105,8 +105,8 @@ bool update_cursor(const Cursor& wanted, bool new_frame, RunResults& results) {
     return true;
 }
 
-/// Tells what is out of order in the whole frame. Row tables that have not been drawn are counted,
-/// unless that is too much work or they are still being drawn: then only of what has been drawn.
+/// Finds what is out of order in the whole frame. Row tables that have not been drawn are counted,
+/// unless that is too much work or they are still being drawn: then only what has been drawn is.
 void update_troubles(const WorkLimit& limit, RunResults& results) {
     DrawTally tally = results.replay.tally();
     const FrameWork& work = results.replay.work();
@@ -158,7 +158,7 @@ void paint_changes(View view, const WorkLimit& limit, RunResults& results) {
 }
 
 /// Draws as far as the limit allows, by the engine that draws the moment. Until the fast engine's
-/// planes are whole those of the steps are on show, with nothing drawn.
+/// planes are complete, those of the steps are shown, with nothing drawn.
 void draw_some(const WorkLimit& limit, RunResults& results) {
     Replay& replay = results.replay;
     const Framebuffer* const before = results.framebuffer;
@@ -197,7 +197,7 @@ void update_picture(View view, const std::optional<DepthInterval>& depths, const
 
 namespace {
 
-/// The lesson that tells why triangles are left out for a reason; 0: none does.
+/// The lesson that explains why triangles are left out for a reason; 0: none does.
 int lesson_of(Rejection rejection) {
     switch (rejection) {
     case Rejection::too_far_out:
@@ -275,7 +275,7 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
                          size.height, size.width),
              "[x][y] outside the depth buffer"});
     }
-    // Of the small triangles of a model some always have one, and nobody sees a difference.
+    // Some small triangles of a model always have one, and it makes no visible difference.
     if (tally.samples_outside > 0 && !frame.scene->model_report) {
         const std::string samples = counted(tally.samples_outside, "edge sample", "edge samples");
         troubles.push_back({fmt::format("{} outside the row table of {}; not written", samples,

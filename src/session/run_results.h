@@ -24,18 +24,18 @@ namespace rasterwalk {
 struct Trouble {
     std::string sentence;
     std::string in_short;    ///< the same where there is little room
-    bool is_of_rows = false; ///< it speaks of row tables, which not everyone has met yet
+    bool is_of_rows = false; ///< it is about row tables, which not everyone has met yet
     int triangle = -1;       ///< one that shows it; -1: none does
-    int lesson = 0;          ///< the number of the one that tells why it happens; 0: none does
+    int lesson = 0;          ///< the number of the one that explains why it happens; 0: none does
 
     friend bool operator==(const Trouble&, const Trouble&) = default;
 };
 
-/// The frame that will take the place of the one on show, prepared in parts if that is much work.
+/// The frame that will replace the one shown, prepared in parts if that is much work.
 struct NextFrame {
     std::shared_ptr<const Scene> scene;
     std::optional<Run> run; ///< none: nothing is begun
-    Frame frame;            ///< before anything is begun that of the run before: its memory is used
+    Frame frame;            ///< before anything is begun, the previous run's: its memory is used
     std::optional<FramePreparation> preparation;
     FrameWork work; ///< of the frame, when that is prepared
     bool is_done = false;
@@ -57,7 +57,7 @@ struct RunResults {
     Frame frame;                    ///< the scene, projected
     std::uint64_t frame_number = 0; ///< another one whenever `frame` is another
     Cursor cursor;              ///< the session's cursor, moved to a moment that exists in this run
-    std::optional<Cursor> done; ///< the moment before it: what was just drawn; none at the start
+    std::optional<Cursor> done; ///< the previous moment: what was just drawn; none at the start
     const Framebuffer* framebuffer = nullptr; ///< at the cursor, or as far as it is drawn
     Image picture;                            ///< the view of the framebuffer
     std::uint64_t picture_number = 0;         ///< another one whenever `picture` is another
@@ -70,7 +70,7 @@ struct RunResults {
                                  ///< a whole picture, or being drawn, or first
     RowHistory rows;             ///< row table of that triangle, as far as it is made at the cursor
     PolygonRows whole_rows;      ///< the same when it is whole; empty if the triangle is not drawn
-    Inspected inspected; ///< the vertices, the fragment and the row on show, with their formulas
+    Inspected inspected; ///< the vertices, the fragment and the row shown, with their formulas
     std::vector<Trouble> troubles; ///< see describe_troubles()
     bool has_all_troubles = false; ///< false: only of what has been drawn so far
     bool is_frame_late = false;    ///< the session asks for another frame, which is being prepared
@@ -115,7 +115,7 @@ struct RunChanges {
 /// @param tally what its row tables come to
 std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tally);
 
-/// Is this what is on show?
+/// Is this what is shown?
 bool is_on_show(const std::shared_ptr<const Scene>& scene, const Run& run,
                 const RunResults& results);
 
@@ -125,23 +125,23 @@ RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor
 /// What run A prescribes for run B, so that the same thing is seen of both.
 struct SharedView {
     const Frame* frame = nullptr;        ///< of run A: to it belong cursor and `triangle`
-    std::optional<int> triangle;         ///< on show
+    std::optional<int> triangle;         ///< the one shown
     std::optional<DepthInterval> depths; ///< that the depth view colours
 };
 
-/// Goes on preparing the frame that is asked for, if it is another one than that on show. Of the
-/// same scene and size it is prepared in parts where the limit asks for it, and what is begun is
-/// ended even if meanwhile another is asked for: while a camera turns without rest something is
-/// seen. Beside a preview it is not ended. To be called by update() alone.
-/// @param is_aside none of these results is on show yet, so even the first frame may be prepared in
+/// Goes on preparing the frame that is asked for, if it is not the one shown. If it has the same
+/// scene and size, it is prepared in parts where the limit asks for it, and what is begun is
+/// finished even if another is asked for meanwhile: so something is seen while a camera keeps
+/// turning. Next to a preview it is not finished. To be called by update() alone.
+/// @param is_aside none of these results is shown yet, so even the first frame may be prepared in
 ///                 parts
-/// @return is the frame ready to be shown, or on show?
+/// @return is the frame ready to be shown, or shown already?
 bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, bool is_aside,
                  const WorkLimit& limit, RunResults& results);
 
 /// Brings the results of one run up to date; does nothing where they are what is asked for already.
 /// To be called by update() alone, after prepare_run().
-/// @param takes_frame the frame that is ready comes on show; otherwise the one before stays
+/// @param takes_frame the frame that is ready is shown now; otherwise the previous one stays
 /// @param shared  for run B; null for run A, which decides for itself
 /// @param limit   how much it may draw
 /// @param numbers the last number given to a frame or a picture; counts on

@@ -36,7 +36,7 @@ static_assert(words_match<CompareView>);
 
 inline constexpr int compare_view_count = static_cast<int>(enum_words<CompareView>.size());
 
-/// What the interface says of a way to show them.
+/// What the interface says about a way to show them.
 struct CompareViewInfo {
     CompareView view;
     std::string_view title;                ///< on the switch

@@ -7,7 +7,7 @@
 
 namespace rasterwalk {
 
-/// The way from the fragment on show to the lamp, as the view from outside draws it: with what
+/// The way from the fragment shown to the lamp, as the view from outside draws it: with what
 /// stands between, or what the lamp saw there; none where nothing was asked.
 std::optional<SeenLampWay> lamp_way_outside(const Frame& frame,
                                             const std::optional<FragmentReport>& fragment);

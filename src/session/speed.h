@@ -31,8 +31,8 @@ struct Speed {
     friend bool operator==(const Speed&, const Speed&) = default;
 };
 
-/// A play by the frame takes at least so many steps a second: whoever sees eleven samples does not
-/// want to wait 15 seconds for them.
+/// A play by the frame takes at least this many steps a second: eleven samples are not worth a wait
+/// of 15 seconds.
 inline constexpr double slowest_frame_rate = 2.0;
 
 /// What is meant in a frame of so many steps: the speed itself, or `slowest_frame_rate` where it
@@ -46,7 +46,7 @@ double rate_of(const Speed& speed, double steps);
 std::string speed_text(const Speed& speed);
 
 /// The speeds on the dial for a frame of so many steps, from the slowest to the fastest, each about
-/// twice as fast as the one before: first steps a second, then the frame by time, last no limit.
+/// twice as fast as the previous one: first steps a second, then the frame by time, last no limit.
 std::vector<Speed> speed_dial(double steps);
 
 /// Where a speed stands on the dial, 0 to 1. One that is not on it stands where the nearest does.

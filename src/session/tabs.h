@@ -1,7 +1,7 @@
 #pragma once
 
-// The tabs of the inspector, the groups in which they stand, and who chose the one on show: the
-// lesson or the stage, until the student does.
+// The tabs of the inspector, the groups they are in, and who chose the one shown: the lesson or the
+// stage, until the student does.
 
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace rasterwalk {
 struct Session;
 struct Settings;
 
-/// What the tabs of the inspector speak of.
+/// What the tabs of the inspector are about.
 enum class TabGroup : std::uint8_t { triangle, pixel, runs };
 template <>
 inline constexpr auto enum_words<TabGroup> = word_list("triangle", "pixel", "runs");
@@ -34,18 +34,18 @@ struct TabInfo {
     std::string_view help; ///< one sentence
     TabGroup group = TabGroup::triangle;
     bool needs_camera = false;      ///< of no use to a scene in pixels, which has no view volume
-    bool needs_texture = false;     ///< likewise, to a scene without textures
+    bool needs_texture = false;     ///< of no use to a scene without textures
     std::string_view tests_title{}; ///< where edge functions test every pixel; empty: the same
-    std::string_view tests_help{};  ///< likewise
+    std::string_view tests_help{};  ///< there too; empty: the same
 };
 
-/// What the interface calls a tab and says of it.
+/// What the interface calls a tab and says about it.
 struct TabWords {
     std::string_view title, help;
 };
 
-/// The words of a tab under the settings of the run on show: where pixels are tested one by one,
-/// the tab of the rows is about what lies inside.
+/// The words of a tab under the settings of the run shown: where pixels are tested one by one, the
+/// tab of the rows is about what lies inside.
 TabWords tab_words(const TabInfo& tab, const Settings& settings);
 
 /// The tabs in their order, group by group.
@@ -60,7 +60,7 @@ inline constexpr std::string_view settings_tab = "settings";
 /// All names: those of the tabs, and the settings.
 std::span<const std::string_view> tab_names();
 
-/// Who chose the tab that is on show, and what else stands in the inspector.
+/// Who chose the tab that is shown, and what else the inspector holds.
 struct TabGuide {
     bool is_own = false;        ///< the student: lesson and stage leave it alone
     std::string of_step;        ///< the tab that the lesson's step shows; empty: it names none
@@ -72,16 +72,16 @@ struct TabGuide {
     std::optional<StripStep> stage;  ///< that was followed last
 };
 
-/// The tab where nobody has said which: the one that suits the stage, or, if the lesson's step
-/// hides that one, the first that it shows.
+/// The tab where none has been chosen: the one that suits the stage, or, if the lesson's step hides
+/// that one, the first that it shows.
 std::string_view usual_tab(const Session& session);
 
-/// The lesson's step, or whoever opens a view, shows this tab; empty: the usual one. Where no
-/// lesson is open, a tab that is named is the student's own.
+/// The lesson's step, or a view that is opened, shows this tab; empty: the usual one. If no lesson
+/// is open, a tab that is named is the student's own.
 void guide_to_tab(Session& session, std::string_view tab);
 /// A link leads to this tab, which is no choice of the student's.
 void lead_to_tab(Session& session, std::string_view tab);
-/// The student asks for this tab. The settings are laid over the tab on show.
+/// The student asks for this tab. The settings are laid over the tab shown.
 void choose_tab(Session& session, std::string_view tab);
 /// The lesson has gone on, and the tab is still the one that the student chose before; if the step
 /// shows the settings, below them.
@@ -95,17 +95,17 @@ void show_compare_tab(Session& session);
 void leave_compare_tab(Session& session);
 /// Closes the settings: the tab below them is back.
 void close_settings(Session& session);
-/// Where the stage has changed, its tab comes, unless the student or the lesson has chosen, or runs
-/// are on show, which belong to no stage: then it comes when the comparison ends. To be called once
-/// a frame.
+/// If the stage has changed, its tab comes, unless the student or the lesson has chosen, or runs
+/// are shown, which belong to no stage: then it comes when the comparison ends. To be called once a
+/// frame.
 void follow_stage(Session& session);
 
-/// The tab on show, or the one below the settings.
+/// The tab shown, or the one below the settings.
 std::string_view tab_below(const Session& session);
 /// The tab that a click on the group opens: the one shown last, or the first that is not hidden.
 std::string_view tab_of_group(const Session& session, TabGroup group);
-/// Does the inspector offer this tab? Only where the scene has use for it, and a lesson's step may
-/// hide it; though never the one on show.
+/// Does the inspector offer this tab? Only if the scene has use for it, and a lesson's step may
+/// hide it, but never the one shown.
 bool is_offered(const Session& session, const TabInfo& tab);
 /// Does the lesson's step hide any tab?
 bool hides_tabs(const Session& session);

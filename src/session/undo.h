@@ -33,7 +33,7 @@ struct Choices {
 /// Memory of the scenes that undo keeps besides the open one, bytes.
 inline constexpr std::size_t most_undo_bytes = std::size_t{256} << 20;
 
-/// The choices made one after the other. Nobody reports a change: note_choices() sees it.
+/// The choices made one after the other. Changes are not reported: note_choices() notices them.
 struct UndoStack {
     Choices now;
     std::vector<Choices> past;
