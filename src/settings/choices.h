@@ -502,7 +502,7 @@ template <>
 inline constexpr auto enum_words<ShadowRay> = word_list("to_lamp", "past_lamp");
 static_assert(words_match<ShadowRay>);
 
-/// How many texels of the map a point is held against.
+/// How many texels of the map a point is compared with.
 enum class ShadowFilter : std::uint8_t {
     nearest, ///< the one in which it lies
     four,    ///< the four around it: percentage closer filtering, PCF

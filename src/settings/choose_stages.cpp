@@ -240,7 +240,7 @@ void choose(BresenhamRule rule, Stages& stages) {
     }
 }
 
-/// Whoever does not interpolate has no use for another number of samples.
+/// Only Interpolate has a use for another number of samples.
 void choose(LineAlgorithm line, const Settings& settings, Stages& stages) {
     switch (line) {
     case LineAlgorithm::interpolate:

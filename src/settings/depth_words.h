@@ -1,6 +1,6 @@
 #pragma once
 
-// What the depth buffer holds, by name: whoever says it asks here.
+// What the depth buffer holds, by name. Every text that says so takes the name from here.
 
 #include <string_view>
 
@@ -8,7 +8,7 @@
 
 namespace rasterwalk {
 
-/// What is said of a depth.
+/// What is said about a depth.
 struct DepthWords {
     ClipDepth kind;
     std::string_view name;       ///< "1/z"

@@ -1,7 +1,7 @@
 #pragma once
 
-// Settings that contradict each other. Each alone is allowed, and which of them is meant to change
-// is not known: so they are told of, and something is drawn all the same.
+// Settings that contradict each other. Each alone is allowed, and it is not known which of them is
+// meant to change: so they are reported, and something is drawn all the same.
 
 #include <string>
 #include <vector>

@@ -114,8 +114,8 @@ bool is_word_of_whole(const Setting& part, std::string_view word);
 /// Is the setting a part, and has it the value that its whole says?
 bool is_said_by_whole(const Setting& part, const Settings& settings);
 
-/// Must a list of what is otherwise in b name this setting? Not if its whole is in the list and
-/// says it too. Setting what is listed, in the order of the table, makes b of a.
+/// Must a list of what is different in b name this setting? Not if its whole is in the list and
+/// says it too. Setting what is listed, in the order of the table, turns a into b.
 bool must_be_said(const Setting& setting, const Settings& a, const Settings& b);
 
 /// The setting that is meant by this one and a value: another one where the word has moved.

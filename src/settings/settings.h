@@ -23,10 +23,10 @@ struct Settings {
     VertexRounding vertex_rounding = VertexRounding::truncate;
     Coverage coverage = Coverage::rows;
     FillRule fill_rule = FillRule::inclusive;       ///< where coverage asks the centres of pixels
-    Snap snap = Snap::pixel;                        ///< likewise
-    PixelSample pixel_sample = PixelSample::centre; ///< likewise
+    Snap snap = Snap::pixel;                        ///< in the same case
+    PixelSample pixel_sample = PixelSample::centre; ///< in the same case
     BoxWalk box_walk = BoxWalk::all;                ///< of edge functions
-    WeightEdge weight_edge = WeightEdge::opposite;  ///< likewise
+    WeightEdge weight_edge = WeightEdge::opposite;  ///< of edge functions
     LineAlgorithm line = LineAlgorithm::interpolate;
     BresenhamRule bresenham_rule = BresenhamRule::right;
     Rounding line_rounding = Rounding::truncate; ///< of the samples of Interpolate along edges
@@ -133,7 +133,7 @@ Light light_rule(const Settings& settings);
 /// test asks for it, any other has 0.
 float depth_epsilon_rule(const Settings& settings);
 
-/// The part of the settings that each stage of the pipeline is told.
+/// The part of the settings that each stage of the pipeline needs.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);
 /// @param carried the varyings that are wanted; where only places count, none
 EdgeRules edge_rules(const Settings& settings, VaryingSet carried = VaryingSet::all());
