@@ -120,12 +120,12 @@ struct ClipStep {
     int kept_count() const { return (keeps_from ? 1 : 0) + (is_cut ? 1 : 0); }
 };
 
-/// Is told what clipping does to a polygon, while it does it. A plane on whose inner side the whole
-/// polygon lies has no work and is not told of.
+/// Receives what clipping does to a polygon, while it does it. A plane with the whole polygon on
+/// its inner side has no work and is not reported.
 class ClipSink {
   public:
     virtual ~ClipSink() = default;
-    /// The first `count` of these planes are those that cut. Not told where nothing cuts.
+    /// The first `count` of these planes are those that cut. Not called where nothing cuts.
     virtual void begin_planes(const ClipPlanes& planes, std::size_t count) {
         static_cast<void>(planes);
         static_cast<void>(count);
@@ -145,7 +145,7 @@ class ClipSink {
 
 /// One plane of Sutherland and Hodgman: what of the polygon lies on its inner side.
 /// @param result receives the corners; other memory than `corners`
-/// @param sink   is told of each edge, or null
+/// @param sink   receives each edge; or null
 void clip_by_plane(std::span<const ClipVertex> corners, const ClipPlanes& planes, ClipPlane plane,
                    std::vector<ClipVertex>& result, ClipSink* sink = nullptr);
 
@@ -160,7 +160,7 @@ struct Clipped {
 
 /// Every polygon stays as it is.
 /// @param corners at least three, in order; they are replaced by those of what is left
-/// @param sink    is told of each edge at each plane, or null
+/// @param sink    receives each edge at each plane; or null
 inline Clipped clip_nothing(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                             ClipSink* sink = nullptr) {
     static_cast<void>(corners);

@@ -115,7 +115,7 @@ inline bool keep_fragment(const Fragment& fragment, const SightRays& rays, const
 /// that points the way from the camera to the fragment's own place, as away_from_camera() has it.
 /// In world space.
 /// @param rays   of the frame
-/// @param stages the table whose function weighs the varyings
+/// @param stages the table whose function divides the varyings by their weight
 bool cull_by_fragment_normal(const Fragment& fragment, const SightRays& rays, const Stages& stages);
 
 /// Twice the area of the polygon on the screen in square pixels, times the w of three corners a

@@ -18,8 +18,8 @@
 //
 // Graphics cards hold ndc z instead, a straight line of 1/z from 0 at the near plane to 1 at the
 // far one: there smaller is nearer, and the buffer starts at 1. A float has most of its steps near
-// 0, ndc z most of its values near 1; so it is often turned round, 1 near and 0 far. In 24 or 16
-// bits the steps are even, and only the planes decide how long one is at some z.
+// 0, ndc z most of its values near 1; so it is often reversed, 1 near and 0 far. In 24 or 16 bits
+// the steps are even, and only the planes decide how long one is at some z.
 //
 // Source: the z-buffer is from Catmull, A Subdivision Algorithm for Computer Display of Curved
 // Surfaces, dissertation, University of Utah, 1974. That 1/z is linear on the screen: Blinn,
@@ -34,7 +34,7 @@
 
 namespace rasterwalk {
 
-/// What the depth test says of a fragment.
+/// What the depth test says about a fragment.
 struct DepthResult {
     float depth = 0.0f;  ///< the fragment's value for the depth buffer
     bool passed = false; ///< the fragment is to be drawn over what is stored

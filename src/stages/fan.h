@@ -47,8 +47,8 @@ void for_each_fan_triangle(std::span<const GridPoint> points, Use use) {
         triangle.area = double_area(triangle.points[0], triangle.points[1], triangle.points[2]);
         return triangle;
     };
-    // Where the first corners lie on a line, the outline goes on to the last of them; likewise at
-    // the end.
+    // Where the first corners lie on a line, the outline goes on to the last of them; at the end
+    // it is the same.
     int first_with_area = 2, last_with_area = count - 1;
     while (first_with_area < count && triangle_to(first_with_area).area == 0)
         ++first_with_area;

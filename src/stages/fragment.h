@@ -10,7 +10,7 @@ struct Fragment {
     int column = 0;
     int row = 0;
     float depth = 0.0f; ///< for the depth buffer, interpolated, see ClipDepth; in the lab 1/z
-    float inv_w = 0.0f; ///< 1/w of clip space, by which varyings are weighed; in the lab 1/z
+    float inv_w = 0.0f; ///< 1/w of clip space, the weight of the varyings; in the lab 1/z
     float z = 0.0f;     ///< z in camera space, interpolated as if linear: right at vertices only
     Varyings varyings;
 

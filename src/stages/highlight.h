@@ -4,13 +4,13 @@
 //
 // In:  the light's terms at a point, the normal, the way to the eye, and how the surface shines.
 // Out: the light of the highlight, red green blue, with every term on the way.
-// Picture: h points half-way between lamp and eye. If the surface were tilted so that its normal
-//          is h, the lamp would stand in it as in a mirror; the farther n is from h, the less of it
-//          is seen. The exponent says how fast that goes.
+// Picture: h points halfway between lamp and eye. If the surface were tilted so that its normal is
+//          h, you would see the lamp in it as in a mirror; the farther n is from h, the less of it
+//          you see. The exponent says how fast that goes.
 //
 // The classic mistakes: no test of n . l, so that a back shines through; h not made unit length, so
 // that the exponent works on a number up to 2; an interpolated normal that is too short, of which a
-// high exponent leaves next to nothing half-way between the vertices.
+// high exponent leaves next to nothing halfway between the vertices.
 //
 // Source: J. F. Blinn, "Models of Light Reflection for Computer Synthesized Pictures", SIGGRAPH
 // 1977, after B. T. Phong, "Illumination for Computer Generated Pictures", Communications of the

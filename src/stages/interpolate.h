@@ -71,11 +71,11 @@ struct LinePart {
     int first = 0; ///< the first sample that is wanted, 0 <= first
     Rounding rounding = Rounding::truncate;
     VaryingSet carried = VaryingSet::all(); ///< the other varyings of the samples are left alone
-    bool has_places = true;                 ///< false: nobody asks where the samples lie
+    bool has_places = true;                 ///< false: where the samples lie is not needed
 };
 
-/// `count` samples in a buffer that grows and never shrinks: to make them anew for each line takes
-/// longer than to fill them. They hold whatever the line before has left there.
+/// `count` samples in a buffer that grows and never shrinks: making new ones for each line takes
+/// longer than filling them. They hold whatever the previous line has left there.
 std::span<LineSample> samples_of(std::vector<LineSample>& buffer, int count);
 
 /// (b - a) / (count - 1) for the place and for every value that is carried.

@@ -35,8 +35,8 @@ inline glm::vec3 light_normal(const glm::vec3& normal, const Camera&) {
     return normal;
 }
 
-/// A normal that was interpolated, made unit length again: half-way between two unit vectors that
-/// stand at an angle it is shorter than 1. One without length stays so.
+/// A normal that was interpolated, made unit length again: halfway between two unit vectors that
+/// are at an angle it is shorter than 1. A normal of length 0 stays so.
 inline glm::vec3 unit_normal(const glm::vec3& interpolated) {
     const float length = std::sqrt(glm::dot(interpolated, interpolated));
     return length > 0.0f ? interpolated / length : glm::vec3(0.0f);

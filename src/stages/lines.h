@@ -4,8 +4,8 @@
 //
 // In:  the two pixels of an edge, and the values there.
 // Out: one sample for each step along the longer axis, both ends included.
-// Picture: somebody who walks from one pixel to the next. Each step goes straight on along the
-//          longer axis, or diagonally; a single number, the decision variable, says which.
+// Picture: you walk from one pixel to the next. Each step goes straight on along the longer axis,
+//          or diagonally; a single number, the decision variable, says which.
 //
 // Interpolate adds a fraction to a float and cuts it. Bresenham asks only whether the line passes
 // above or below the middle between the two next pixels, and keeps the answer up to date by adding
@@ -70,7 +70,7 @@ LineFrame line_frame(const LineEnd& a, const LineEnd& b);
 /// The lab's way, `line=interpolate`: Interpolate with as many samples as `part` says. It decides
 /// nothing, and leaves `decisions` alone.
 /// @param result    part.count samples
-/// @param decisions as many, or none if nobody asks; likewise below
+/// @param decisions as many, or none if they are not needed; the same below
 void line_by_interpolate(const LineEnd& a, const LineEnd& b, const LinePart& part,
                          const Stages& stages, std::span<LineSample> result,
                          std::span<LineDecision> decisions);
@@ -95,7 +95,7 @@ void line_by_midpoint(const LineEnd& a, const LineEnd& b, const LinePart& part,
 
 /// The digital differential analyser, DDA: a pixel along the longer axis with each step, and one
 /// float addition of the slope along the shorter, rounded to the nearest, halves upward. It adds up
-/// errors as Interpolate does, but they matter only half-way between two pixels, and the end of
+/// errors as Interpolate does, but they matter only halfway between two pixels, and the end of
 /// an edge is far from there: where both ends have coordinates of at most 2048 it arrives.
 void line_by_dda(const LineEnd& a, const LineEnd& b, const LinePart& part, const Stages& stages,
                  std::span<LineSample> result, std::span<LineDecision> decisions);

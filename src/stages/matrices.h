@@ -31,7 +31,7 @@
 // translation in the bottom row, where it spoils w and moves nothing; w = 1 for a normal.
 //
 // Vectors are columns here, M p, as in most books and in glm. With rows, as in the lab, every
-// matrix is transposed and the order of the product turns round.
+// matrix is transposed and the order of the product is reversed.
 //
 // Source: Akenine-Moeller, Haines, Hoffman, Real-Time Rendering, 4th edition, chapter 4,
 // transforms; Hughes and others, Computer Graphics: Principles and Practice, 3rd edition, chapter
@@ -65,8 +65,8 @@ glm::dmat4 projection_matrix(const VertexRules& rules);
 /// Under perspective f/(f - n) (1 - n/z): half of the range is used up at twice the near plane.
 double ndc_depth(double z, const VertexRules& rules);
 
-/// Ts, from ndc to the window in pixels: x_window = x_ndc W/2 + W/2 with the lab's whole W/2, y
-/// likewise since both run down.
+/// Ts, from NDC to the window in pixels: x_window = x_ndc W/2 + W/2 with the lab's whole W/2, and
+/// the same for y, because both run down.
 glm::dmat4 viewport_matrix(const VertexRules& rules);
 
 /// In the slot vertex_shader: the same as vertex_shader(), through Tv, Tp and the scale of Ts.

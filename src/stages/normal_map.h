@@ -63,7 +63,7 @@ UvDirections uv_directions(const std::array<Vertex, triangle_corners>& corners);
 /// The axes of a surface in the world, by which its normal map is read.
 struct TangentFrame {
     glm::vec3 tangent{0.0f};   ///< where u grows; unit length, or 0: there is no such direction
-    glm::vec3 bitangent{0.0f}; ///< where v gets smaller; likewise
+    glm::vec3 bitangent{0.0f}; ///< where v gets smaller; the same
     glm::vec3 normal{0.0f};    ///< of the surface
 };
 

@@ -4,8 +4,8 @@
 //
 // In:  a fragment with its interpolated varyings, the surface it belongs to, the lamp.
 // Out: a colour, red green blue; not clamped.
-// Picture: flat colour, or the light that the vertices brought along, or the light worked out anew
-//          from the fragment's own place in the room.
+// Picture: flat colour, or the light that the vertices brought along, or new light worked out from
+//          the fragment's own place in the room.
 //
 // With perspective-correct interpolation the varyings arrive as q/z, and q = (q/z) / (1/z) undoes
 // it here. The classic mistake is to interpolate q itself: then every wall has a kink along its
@@ -108,7 +108,7 @@ inline glm::vec3 textured(const glm::vec3& colour, const Fragment& fragment, con
 }
 
 /// The lab's PixelShader, without the depth test.
-/// @param stages the table whose functions light the fragment and weigh its varyings
+/// @param stages the table whose functions light the fragment and give its varyings their weight
 glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const PixelRules& rules,
                        const Stages& stages);
 

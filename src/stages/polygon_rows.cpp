@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What is told of a sample; it is not made anew for each, since varyings take long to copy.
+/// Fills in what a sink gets of a sample. It is reused for each, since varyings take long to copy.
 void note(const LineSample& sample, bool has_varyings, EdgeSample& told) {
     told.x = sample.x;
     told.y = sample.y;

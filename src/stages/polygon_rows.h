@@ -5,15 +5,15 @@
 //
 // In:  the projected vertices of a polygon.
 // Out: two arrays with one entry a row: leftPixels and rightPixels of the lab.
-// Picture: every edge walks its samples; each sample tells its row "I am at column x", and the row
-//          keeps the smallest column it has heard as its left end and the largest as its right end.
+// Picture: every edge walks its samples; each sample says to its row "I am at column x", and the
+//          row keeps the smallest column it has heard as its left end and the largest as its right.
 //
 // Before the first sample a row is empty in a curious way: its left end stands at +INT_MAX and its
 // right end at -INT_MAX, so that any sample is an improvement. The classic mistakes are start
 // values that are not extreme, a table with one row too few, rows that take the column of a sample
 // and not its other values, and to trust that each sample falls in one of the table's rows: with
-// accumulated floats a few per cent of edges leave it, and a program without a guard writes to row
-// -1. To put such a sample in the nearest row hides the mistake and spoils that row.
+// accumulated floats a few percent of edges leave it, and a program without a guard writes to row
+// -1. Putting such a sample in the nearest row hides the mistake and spoils that row.
 //
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // section 3.6, filling polygons span by span.
@@ -46,8 +46,8 @@ struct PolygonRows {
     int outside = 0;              ///< samples that fell above or below the table; never written
     std::int64_t looked_at = 0;   ///< rows that were asked on the samples' way to their own
     std::vector<LineSample> line; ///< room for the samples of an edge; kept to save allocations
-    std::vector<LineDecision> decisions; ///< likewise, and only where someone is told
-    std::vector<GridPoint> points;       ///< likewise, for the snapped corners
+    std::vector<LineDecision> decisions; ///< room too, used only if there is a sink
+    std::vector<GridPoint> points;       ///< room for the snapped corners
     TestedPolygon tested; ///< where edge functions made the rows; else without triangles
 
     int size() const { return static_cast<int>(left.size()); }
@@ -73,7 +73,7 @@ struct EdgeSample {
     RowWrite write;           ///< what it did
 };
 
-/// Is told what compute_polygon_rows does, while it does it.
+/// Receives what compute_polygon_rows does, while it does it.
 class SampleSink {
   public:
     virtual ~SampleSink() = default;
@@ -124,7 +124,7 @@ RowWrite add_edge_sample(const Fragment& sample, VaryingSet carried, const Stage
 /// vertex i + 1, the last back to the first. `rows` is reused to save allocations.
 /// @param vertices at least one
 /// @param stages   the table whose functions walk the edges and find the rows
-/// @param sink     is told of every sample, or null
+/// @param sink     receives every sample; or null
 void compute_polygon_rows(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
                           PolygonRows& rows, SampleSink* sink);
 

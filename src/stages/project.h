@@ -70,7 +70,7 @@ struct ScreenPlace {
 ScreenPlace snap_to_pixel(const glm::vec2& projected, glm::ivec2 middle, const VertexRules& rules);
 
 /// Perspective division, viewport transform and snap to a whole pixel, by the functions of the
-/// table, which weighs the varyings too.
+/// table, which also gives the varyings their weight.
 /// @param spaces receives the place before rounding, or null
 ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, const Stages& stages,
                         VertexSpaces* spaces);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Why a triangle is not drawn: every reason, and every word that is said of it.
+// Why a triangle is not drawn: every reason, and every word that is said about it.
 
 #include <array>
 #include <cstdint>

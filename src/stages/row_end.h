@@ -8,14 +8,14 @@ namespace rasterwalk {
 struct RowEnd {
     int column = 0;
     float depth = 0.0f; ///< for the depth buffer, see ClipDepth; in the lab 1/z
-    float inv_w = 0.0f; ///< 1/w of clip space, by which varyings are weighed; in the lab 1/z
+    float inv_w = 0.0f; ///< 1/w of clip space, the weight of the varyings; in the lab 1/z
     float z = 0.0f;     ///< z in camera space, interpolated as if linear: right at vertices only
     Varyings varyings;
 
     friend bool operator==(const RowEnd&, const RowEnd&) = default;
 };
 
-/// Puts a sample of an edge at the end of a row, or where it is told of.
+/// Puts a sample of an edge at the end of a row, or into what a sink gets of it.
 /// @param values       of the sample
 /// @param has_varyings false: none are carried, and what is there of them stays as it was
 template <class Values, class End>

@@ -14,7 +14,7 @@
 // other words; the other rules move an end by one where a centre lies exactly on it. The pixels are
 // those of edge_functions.h; the work goes with what is covered, not with the box.
 //
-// A polygon of more corners is taken as a fan of triangles about its first corner; fan.h tells what
+// A polygon of more corners is taken as a fan of triangles about its first corner; fan.h says what
 // becomes of a dent that the snap makes.
 //
 // The classic mistakes are to begin at the corner instead of the first centre below it, so that

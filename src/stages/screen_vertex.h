@@ -15,7 +15,7 @@ struct ScreenVertex {
     int column = 0; ///< the whole pixel that it is snapped to
     int row = 0;
     float depth = 0.0f; ///< for the depth buffer, see ClipDepth; in the lab 1/z
-    float inv_w = 0.0f; ///< 1/w of clip space, by which varyings are weighed; in the lab 1/z
+    float inv_w = 0.0f; ///< 1/w of clip space, the weight of the varyings; in the lab 1/z
     float z = 0.0f;     ///< z in camera space
     Varyings varyings;  ///< divided by z already, where they are carried so
 

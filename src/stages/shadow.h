@@ -9,8 +9,8 @@
 //          farther away than that lies in shadow.
 //
 // A float is not the point that is meant but one close by, above the surface or below. So a ray
-// begins a little above the surface, by `offset`; and a map is asked with a `bias`, a distance
-// that does not count yet, because all points that fall in one texel are held against one depth.
+// begins a little above the surface, by `offset`; and a map is asked with a `bias`, a distance too
+// small to count, because all points that fall in one texel are compared with one depth.
 //
 // The classic mistakes: no bias, and a surface shades itself in stripes (acne); too much of it, and
 // shadows come loose from what casts them (peter panning); a ray that goes on beyond the lamp.
@@ -90,7 +90,7 @@ struct ShadowTexel {
     bool is_lit = true;
 };
 
-/// Most texels that one point is held against.
+/// The most texels that one point is compared with.
 inline constexpr int most_shadow_texels = 4;
 
 /// Every number on the way to the share of light.
@@ -143,7 +143,7 @@ int shadow_face_of(const glm::vec3& from_lamp);
 /// @param seen right, down, forward; forward above 0
 glm::vec2 shadow_place(const glm::vec3& seen, int resolution);
 
-/// Which texels a place is held against: writes them to `texels`.
+/// Which texels a place is compared with: writes them to `texels`.
 /// @return how many
 using ShadowTexels = std::array<glm::ivec2, most_shadow_texels>;
 /// The one in which it lies.

@@ -59,7 +59,7 @@ GridPoint snap_to_centre(const ScreenVertex& vertex);
 /// To the nearest 16th of a pixel, halves to the right and downward.
 GridPoint snap_to_sixteenth(const ScreenVertex& vertex);
 
-/// To the nearest 256th of a pixel, likewise.
+/// To the nearest 256th of a pixel, in the same way.
 GridPoint snap_to_subpixel(const ScreenVertex& vertex);
 
 /// Where the corners of a polygon stand, by the slot `snap`.

@@ -28,14 +28,14 @@ struct StripStep {
 inline constexpr StripStep StripStep::vertex_light{Stage::shade, Shading::gouraud};
 inline constexpr StripStep StripStep::pixel_light{Stage::shade, Shading::phong};
 
-/// How a step of the strip is joined to the one before it.
+/// How a step of the strip is joined to the previous one.
 enum class StripJoin : std::uint8_t {
     begins_group, ///< another part of the work begins
     follows,      ///< it goes on from there
     alternative,  ///< it takes that one's place
 };
 
-/// What the interface says of a step of the strip.
+/// What the interface says about a step of the strip.
 struct StageInfo {
     StripStep step;
     StripJoin join = StripJoin::begins_group;

@@ -57,7 +57,7 @@ static_assert(words_match<TextureFilter>);
 enum class TextureWrap : std::uint8_t {
     repeat, ///< the texture again
     clamp,  ///< the texels of its border
-    mirror, ///< the texture again, every second time turned round
+    mirror, ///< the texture again, every second time flipped
 };
 template <>
 inline constexpr auto enum_words<TextureWrap> = word_list("repeat", "clamp", "mirror");
@@ -140,7 +140,7 @@ glm::vec3 sample_trilinear(const Texture& texture, const TexturePlace& place, co
 /// the same weights.
 float sample_alpha(const Texture& texture, const TexturePlace& place, const Stages& stages);
 
-/// The level nearest to one between levels; half-way the larger picture, as OpenGL takes it.
+/// The level nearest to one between levels; halfway, it is the larger picture, as in OpenGL.
 int nearest_level(float level);
 
 } // namespace rasterwalk

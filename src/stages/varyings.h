@@ -115,7 +115,7 @@ constexpr void each_in(VaryingSet set, Varyings& into, const Varyings& a, const 
     });
 }
 
-/// What is said of one component of a varying.
+/// What is said about one component of a varying.
 struct VaryingComponent {
     std::string_view id;           ///< "z_world"
     std::string_view name;         ///< "z world"

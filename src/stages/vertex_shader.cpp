@@ -16,7 +16,7 @@ bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// A vertex before the camera.
+/// A vertex as the camera sees it.
 struct SeenVertex {
     CameraPlace place;
     glm::vec4 clip;
