@@ -41,7 +41,7 @@ class PartFinder final : public MarkdownListener {
     struct Open {
         std::string target;
         std::optional<std::size_t> target_at; ///< in the page
-        std::optional<std::size_t> words_at;  ///< likewise
+        std::optional<std::size_t> words_at;  ///< also in the page
         std::string words;
     };
 
@@ -58,16 +58,16 @@ class PartFinder final : public MarkdownListener {
     std::string_view page_;
     int deepest_;
     MarkdownParts found_;
-    std::vector<bool> is_drawn_; ///< of each line: letters of it were told
+    std::vector<bool> is_drawn_; ///< of each line: letters of it were reported
     std::size_t counted_ = 0;    ///< up to here lines were counted
     int line_ = 0;               ///< of that place
-    std::size_t end_ = 0;        ///< of what was told last
+    std::size_t end_ = 0;        ///< of what was reported last
     int containers_ = 0;         ///< quotes, lists and items that are open
     int spans_ = 0;              ///< emphasis and links that are open
     int brackets_ = 0;           ///< in this block, that are open and no links
-    bool is_too_deep_ = false;   ///< the next letters tell the line
-    int columns_ = 0;            ///< of a table, until letters of it tell the line
-    int nested_line_ = -1;       ///< where nesting was told last
+    bool is_too_deep_ = false;   ///< the next letters show the line
+    int columns_ = 0;            ///< of a table, until letters of it show the line
+    int nested_line_ = -1;       ///< where nesting was reported last
     std::size_t target_bytes_ = 0;
     std::vector<Open> open_;
     std::string formula_;
@@ -179,7 +179,7 @@ bool PartFinder::leave_span(MD_SPANTYPE type) {
 }
 
 void PartFinder::end_link(PartKind kind) {
-    if (open_.empty()) return; // md4c 0.4.8 can tell an end without its beginning
+    if (open_.empty()) return; // md4c 0.4.8 can report an end without its beginning
     const Open link = std::move(open_.back());
     open_.pop_back();
     if (!open_.empty()) open_.back().words += link.words;
@@ -267,7 +267,7 @@ void PartFinder::tell_nesting(int line) {
     add(PartKind::nesting, {}, line);
 }
 
-/// A line that begins like a definition, and of which nothing was told, was one.
+/// A line that begins like a definition, and of which nothing was reported, was one.
 void PartFinder::find_definitions() {
     std::string_view rest = page_;
     for (std::size_t line = 0; line < is_drawn_.size(); ++line) {

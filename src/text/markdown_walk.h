@@ -1,6 +1,6 @@
 #pragma once
 
-// The parser of Markdown, md4c, with the dialect and the limits of every page. Whoever reads
+// The parser of Markdown, md4c, with the dialect and the limits of every page. All code that reads
 // Markdown listens to this walk: what is drawn and what is checked are one parse.
 
 #include <cstddef>
@@ -30,7 +30,8 @@ std::string size_fault(std::string_view text);
 /// Why the parser must not see this text: it would be busy for too long. Empty: it may.
 std::string walk_fault(std::string_view text);
 
-/// Is told what a page holds, in the order of reading. Each answers false to end the walk.
+/// Receives what a page holds, in the order of reading. Each function returns false to end the
+/// walk.
 class MarkdownListener {
   public:
     virtual ~MarkdownListener() = default;

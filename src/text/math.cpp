@@ -109,7 +109,7 @@ class Reader {
     }
 
     std::string_view whole_, rest_;
-    std::vector<std::string>* faults_; ///< null: nobody asks
+    std::vector<std::string>* faults_; ///< null: they are not collected
     bool is_too_deep_ = false;
 };
 

@@ -13,7 +13,7 @@ namespace rasterwalk {
 struct SavedView {
     std::string path;    ///< of the file; the scene and the lesson are found from its folder
     std::string scene;   ///< file beside it or in a folder below, or one of the program's own
-    std::string texture; ///< likewise, an image that is laid on the scene; empty: none
+    std::string texture; ///< an image, found there too, that is laid on the scene; empty: none
     std::string lesson;  ///< id, or a file (.md) beside it; empty: none
     int step = 0;        ///< of the lesson
     std::string

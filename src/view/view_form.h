@@ -48,7 +48,7 @@ std::string toml_list(const std::vector<std::string>& entries);
 /// Settings, name=value, one by one; each must be one.
 std::vector<std::string> read_assignments(const TomlBlock& block, const toml::node& node);
 
-/// What `to` sets otherwise than `from`.
+/// What `to` sets differently from `from`.
 std::vector<std::string> assignments_between(const Settings& from, const Settings& to);
 
 /// With this word an option unsays what stands there.

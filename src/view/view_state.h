@@ -1,6 +1,6 @@
 #pragma once
 
-// What is on show, as a lesson, a saved view or a command line says it.
+// What is shown, as a lesson, a saved view or a command line says it.
 
 #include <map>
 #include <optional>
@@ -64,14 +64,14 @@ ViewState combined(const ViewState& base, const ViewState& over);
 /// @param folder of the lesson: scenes are looked for there, and in lessons_folder() after that
 std::vector<Fault> show_state(Session& session, const ViewState& state, const std::string& folder);
 
-/// The same on the scene and the settings that the session has already, whatever the state says of
-/// them.
+/// The same on the scene and the settings that the session has already, whatever the state says
+/// about them.
 std::vector<Fault> show_on_scene(Session& session, const ViewState& state);
 
 /// What the session shows, as the state that brings a fresh session on the same scene there. The
 /// scene itself is left out, because it is a path; so is a selection that lies outside the picture.
 /// The cursor is the moment at or after the session's that exists.
-/// @param original the scene as it stands in its file: vertices that lie elsewhere are told
+/// @param original the scene as it stands in its file: vertices that have moved go into the state
 ViewState state_of(const Session& session, const Scene& original);
 
 /// The session's scene as it stands in its file; the session's own where nothing in it can be

@@ -1,8 +1,8 @@
 #pragma once
 
-// All that can be on show, one row a thing. The keys of a lesson's blocks and of a saved view, the
-// links of lessons, the options of the command line and the line that Ctrl+C copies follow from
-// this table. Something new that can be on show is a member of Session, in Choices if undo takes it
+// All that can be shown, one row for each thing. The keys of a lesson's blocks and of a saved view,
+// the links of lessons, the options of the command line and the line that Ctrl+C copies follow from
+// this table. Something new that can be shown is a member of Session, in Choices if undo takes it
 // back, a member of ViewState, and a row here.
 
 #include <cstdint>
@@ -20,11 +20,11 @@
 
 namespace rasterwalk {
 
-/// Which part of what is on show a field belongs to. `--help` lists the options part by part.
+/// Which part of the view a field belongs to. `--help` lists the options part by part.
 enum class ViewPart : std::uint8_t {
-    drawn,     ///< what is drawn: the same whoever looks at it
+    drawn,     ///< what is drawn, however it is looked at
     plane,     ///< which plane of the picture is seen
-    panel,     ///< what is seen beside and over it
+    panel,     ///< what is seen next to it and over it
     selection, ///< what is picked
     canvas,    ///< which place of the picture, how large
     runs,      ///< the second run
@@ -62,7 +62,7 @@ struct ViewChange {
     const ViewState& to;
 };
 
-/// One thing that can be on show.
+/// One thing that can be shown.
 struct ViewField {
     std::string_view key; ///< in the blocks of a lesson and in a saved view
     ViewPart part = ViewPart::drawn;
@@ -99,12 +99,12 @@ std::span<const ViewField* const> view_table_drawn_first();
 /// The field of this key, which must exist.
 const ViewField& view_field(std::string_view key);
 
-/// The keys of what is on show, reading into `state` and noting their lines. Both arguments must
+/// The keys of what is shown, reading into `state` and noting their lines. Both arguments must
 /// outlive the keys.
 TomlKeys view_keys(const TomlBlock& block, ViewState& state);
 
-/// What a table of TOML says is on show.
-/// @param line where the table begins: faults of the whole table are told there
+/// What a table of TOML says is shown.
+/// @param line where the table begins: faults of the whole table are reported there
 /// @param what how messages name the table
 ViewState read_view_state(const toml::table& table, int line, FaultList& faults,
                           const char* what = "the block");
