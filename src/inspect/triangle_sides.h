@@ -9,7 +9,7 @@
 
 namespace rasterwalk {
 
-/// What is checked of a triangle ahead of drawing it.
+/// What is worked out about a triangle up front, before it is drawn.
 struct TriangleSides {
     /// By outer_planes(), as reject_by_outcodes() has them; no planes in pixel space.
     TriangleCodes codes;

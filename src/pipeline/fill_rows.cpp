@@ -20,7 +20,7 @@ glm::vec3 shade(Drawing& d, const Fragment& fragment, const Surface& surface) {
     return d.stages.pixel_shader(fragment, surface, d.pixels, d.stages);
 }
 
-/// Has the fragment's pixel a place in the depth buffer? Counts those tested without.
+/// Does the fragment's pixel have a place in the depth buffer? Counts those tested without one.
 bool has_cell(Drawing& d, const Fragment& fragment) {
     const bool has_one = d.all_have_cells || has_depth_cell(d.stages, fragment.column, fragment.row,
                                                             d.frame.settings.viewport);

@@ -27,7 +27,7 @@ namespace rasterwalk {
 /// A picture of texels, row by row from the top.
 struct TextureLevel {
     int width = 0;                 ///< texels, at least 1
-    int height = 0;                ///< the same
+    int height = 0;                ///< also at least 1
     std::vector<glm::vec3> texels; ///< red green blue, 0..1
     std::vector<float> alphas;     ///< of each, 0 (clear) to 1 (opaque); empty: all are opaque
 

@@ -78,7 +78,7 @@ class TextureFiles {
     std::vector<SharedTexture>& textures_;
     const WatchedSteps& watched_;
     std::map<Recipe, ReadTexture> known_;     ///< by the paths without links
-    std::map<std::string, ReadImage> images_; ///< the same
+    std::map<std::string, ReadImage> images_; ///< by paths too
     BesideBytes bytes_{most_image_bytes, "all images"};
     std::size_t texels_ = 0; ///< of all files that were unpacked, and of further textures of them
 };

@@ -102,7 +102,7 @@ struct Results {
 /// What is too much work for the limit is done in parts: each further call does one, as long as
 /// is_working(); what is more than the limit allows to begin is held. While a frame of many
 /// triangles is prepared, all results are still those of the previous frame. While the hand moves,
-/// steps that take more than one update wait, and previews are shown unless the fast engine
+/// the steps wait if they need more than one update, and previews are shown unless the fast engine
 /// refuses; when it rests, the steps begin, and the previews stay until the steps' pictures are
 /// complete. Returns true if the picture of A changed.
 bool update(const Session& session, Results& results, const WorkLimit& limit = frame_limit);

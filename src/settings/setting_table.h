@@ -105,13 +105,13 @@ bool is_of_use(const Setting& setting, const Scene& scene, const Settings& setti
 /// still be read back as the same bits. Empty if its parts have no word in common.
 std::string value_text(const Setting& setting, const Settings& settings);
 
-/// Has the setting the same value in both?
+/// Does the setting have the same value in both?
 bool has_same_value(const Setting& setting, const Settings& a, const Settings& b);
 
 /// Is the setting a part, and has its whole this word too?
 bool is_word_of_whole(const Setting& part, std::string_view word);
 
-/// Is the setting a part, and has it the value that its whole says?
+/// Is the setting a part, and does it have the value that its whole says?
 bool is_said_by_whole(const Setting& part, const Settings& settings);
 
 /// Must a list of what is different in b name this setting? Not if its whole is in the list and

@@ -11,7 +11,7 @@
 // Before the first sample a row is empty in a curious way: its left end stands at +INT_MAX and its
 // right end at -INT_MAX, so that any sample is an improvement. The classic mistakes are start
 // values that are not extreme, a table with one row too few, rows that take the column of a sample
-// and not its other values, and to trust that each sample falls in one of the table's rows: with
+// and not its other values, and trusting that each sample falls in one of the table's rows: with
 // accumulated floats a few percent of edges leave it, and a program without a guard writes to row
 // -1. Putting such a sample in the nearest row hides the mistake and spoils that row.
 //
