@@ -46,8 +46,8 @@ std::string chord_text(const Chord& chord);
 /// held. Does nothing while text is typed or a sheet for files is up.
 void handle_keys(Ui& ui);
 
-/// Puts a scene that was read in place of what is on show; the lesson, which speaks of another, is
-/// closed. Of a model with faults session.notice names the first.
+/// Puts a scene that was read in place of what is shown; the lesson, which is about another, is
+/// closed. If a model has faults, session.notice names the first.
 void show_opened_scene(Ui& ui, Scene scene);
 
 } // namespace rasterwalk

@@ -153,7 +153,7 @@ std::vector<std::string> run_forms(const Session& session, bool of_b) {
     const std::vector<RunDifference> differences = run_differences(session);
     if (hides_settings(session) || differences.size() != 1) return forms;
     const Setting& setting = *find_setting(differences.front().setting);
-    // A number or a mere "on" does not say of what.
+    // A number or a mere "on" does not say what it is about.
     const std::string value = said_value(setting, of_b ? session.b->settings : session.a.settings);
     if (std::holds_alternative<ChoiceSetting>(setting.kind) && value != "on" && value != "off")
         forms.push_back(value);

@@ -110,7 +110,7 @@ void leave_what_is_gone(Ui& ui) {
     }
 }
 
-/// To the next of these widgets, or the one before; from the last to the first.
+/// Moves to the next of these widgets, or the previous one; from the last to the first.
 void move_on(Ui& ui, const Stops& stops, int distance) {
     if (stops.empty()) return;
     const auto here = std::find(stops.begin(), stops.end(), stop_with_keyboard(ui));
@@ -119,7 +119,7 @@ void move_on(Ui& ui, const Stops& stops, int distance) {
     show_at(ui, stops[static_cast<std::size_t>((from + distance + count) % count)]->first);
 }
 
-/// To the first widget of the next part, or of the one before.
+/// Moves to the first widget of the next part, or of the previous one.
 void move_to_part(Ui& ui, const Stops& stops, int distance) {
     if (stops.empty()) return;
     Stops firsts;

@@ -26,7 +26,7 @@ std::string size_words(Viewport size) {
     return std::to_string(size.width) + " x " + std::to_string(size.height);
 }
 
-/// What a picture is held against: another size than that of the scene is said.
+/// What a picture is compared with; says so if the size is not that of the scene.
 std::string picture_words(const LabReference& against, Viewport size) {
     const std::string what =
         "the picture of " + against.scene->name +
@@ -48,11 +48,11 @@ void keep_pictures(LabLook& lab, const DiagnosisWork& work) {
     ++pictures.number;
 }
 
-/// What a result is held against now.
+/// What a result is compared with now.
 LabReference chosen_reference(const Session& session, bool what_is_set) {
     LabReference reference{what_is_set, session.scene, with_handout_rules(session.a.settings)};
     if (what_is_set) return reference;
-    // Of what a lesson has left behind nothing counts.
+    // Nothing that a lesson has left behind counts.
     Scene room = read_scene_file(lessons_folder() + "/" + std::string(usual_scene));
     if (!(*session.scene == room)) reference.scene = std::make_shared<const Scene>(std::move(room));
     reference.settings = default_settings(*reference.scene);
@@ -194,7 +194,7 @@ void finish_quiz(Ui& ui) {
 
 namespace {
 
-/// Asks for the file to be checked: the frame before says that it may take a while.
+/// Asks for the file to be checked, after a frame that says that it may take a while.
 void ask_for_check(Ui& ui, const std::string& path, bool against_set) {
     LabLook& lab = ui.lab;
     give_up_diagnosis(ui);
@@ -259,7 +259,7 @@ void give_up_diagnosis(Ui& ui) {
     lab.is_given_up = lab.answer && is_diagnosing(ui);
     lab.frames_to_result = 0;
     lab.check = std::nullopt;
-    // When the file changes, it is held against the same as before.
+    // When the file changes, it is compared with the same reference as before.
     if (lab.answer) lab.reference = lab.answer->subject.against;
 }
 

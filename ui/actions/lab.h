@@ -21,7 +21,7 @@ const std::vector<Bug>& lab_bugs(Ui& ui);
 void turn_on(Ui& ui, const Bug& bug, bool on_its_scene);
 
 /// Shows the candidate as run A and compares it with the reference, on the scene and with the
-/// settings that the student's result was held against. Refused while a quiz goes on.
+/// settings that the student's result was compared with. Refused while a quiz goes on.
 void show_candidate(Ui& ui, const Bug& bug, const Candidate& candidate);
 
 /// Begins a quiz by LabLook::seed on the scene that is open; says so if the scene shows no mistake.
@@ -30,13 +30,13 @@ void begin_quiz(Ui& ui);
 /// Ends the quiz, counts its points if it was over, and brings back what was set before.
 void finish_quiz(Ui& ui);
 
-/// Holds a picture (not a JPG) or a text of printed rows against the lab's room as the handout
+/// Compares a picture (not a JPG) or a text of printed rows with the lab's room as the handout
 /// draws it, and opens the laboratory with what may be wrong with it: from the next frame but one
 /// on, see carry_on_diagnosis(). From then on the file is watched.
 void diagnose_file(Ui& ui, const std::string& path);
 
-/// Holds the watched file against what is set, or against the handout's picture again. The next
-/// file is held against that anyway.
+/// Compares the watched file with what is set, or with the handout's picture again. The next file
+/// is compared with that picture anyway.
 void hold_result_against(Ui& ui, bool what_is_set);
 
 /// Reads the file that is waiting, or continues checking the picture, for at most longest_search.

@@ -8,9 +8,9 @@ struct Ui;
 /// nothing of what is set, so that leaving it brings everything back.
 void toggle_lecture(Ui& ui);
 
-/// The next thing and the one before: a step of the lesson that is open, or where it is a strip a
-/// card of the step; in a lecture without one, a piece of work of the size chosen beside the play
-/// button.
+/// Go to the next and to the previous thing: a step of the lesson that is open, or where it is a
+/// strip a card of the step; in a lecture without a lesson, a piece of work of the size chosen
+/// beside the play button.
 void walk_on(Ui& ui);
 void walk_back(Ui& ui);
 

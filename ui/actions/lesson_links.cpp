@@ -69,7 +69,7 @@ std::string door_to_tab(const Ui& ui, const std::string& tab) {
     return is_in_line ? "tab." + tab : std::string("group.").append(word_of(wanted->group));
 }
 
-/// Is what the widget stands in on show? Tabs themselves may be behind a door.
+/// Is the widget's tab shown? Tabs themselves may be behind a door.
 bool is_tab_on_show(const Ui& ui, const std::string& widget, const std::string& tab) {
     if (widget == "tab." + tab) return false;
     if (tab == settings_tab) return is_settings_open(ui);
@@ -178,8 +178,8 @@ void frame_pointed(Ui& ui) {
     if (const Stop* const stop = first_stop_in(ui, *found)) give_focus(ui, stop->first);
 }
 
-/// Follows it on the frame of what is on show. Another link of this same frame of the window may
-/// have set what the results do not have yet.
+/// Follows it on the frame of what is shown. Another link in this same frame of the window may have
+/// set what the results do not have yet.
 void follow_on_frame(Ui& ui, const LessonLink& link) {
     const RunResults& a = ui.results.a;
     if (a.scene == ui.session.scene && a.run == ui.session.a) {

@@ -17,7 +17,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Forgets what belongs to the step that was on show.
+/// Forgets what belongs to the step that was shown.
 void forget_step(LessonView& view) {
     view.pages.clear();
     view.open_hints.clear();
@@ -131,7 +131,7 @@ void open_neighbour_step(Ui& ui, int distance) {
 
 namespace {
 
-/// In a lecture: the question on show that nobody has answered; null if there is none.
+/// In a lecture: the question shown, if it has not been answered; null if there is none.
 const LessonPrediction* open_question(Ui& ui, const Lesson& lesson) {
     const LessonStrip& strip = ui.lesson.strip;
     const auto card = static_cast<std::size_t>(strip.card);
@@ -170,7 +170,7 @@ bool turn_card(Ui& ui, int distance) {
     if (view.drawer_is_open) return false;
     const Lesson* const lesson = open_lesson_of(ui);
     if (distance > 0 && lesson != nullptr) {
-        // Whoever lectures has asked the audience, and has no other key.
+        // The lecturer has asked the audience, and has no other key.
         if (const LessonPrediction* const question = open_question(ui, *lesson)) {
             reveal_answer(ui, *lesson, *question);
             return true;

@@ -20,21 +20,21 @@ void take_up_lesson(Ui& ui);
 /// Closes the lesson, and the tab that it opened, because something else is shown now.
 void close_lesson(Ui& ui);
 
-/// Opens the lesson with which the student goes on, where they left it.
+/// Opens the lesson that the student goes on with, where they left it.
 void open_lesson_to_go_on(Ui& ui);
 
-/// Opens the step that lies so many steps after the one on show; 0 sets it up again. Does nothing
-/// without a lesson or beyond its ends.
+/// Opens the step that is so many steps after the current one; 0 sets that one up again. Does
+/// nothing without a lesson or beyond its ends.
 void open_neighbour_step(Ui& ui, int distance);
 
-/// One card on (1) or back (-1) in the strip; where its whole text stands open, a page of that. In
+/// One card on (1) or back (-1) in the strip; where its whole text is open, a page of that. In
 /// a column, on to a question or a task that is open and scrolled away. In a lecture the answer to
 /// a question comes before the next card.
 /// @return false where there is none: the step is at its end, or at its beginning
 bool turn_card(Ui& ui, int distance);
 
-/// What turn_card() does; where it does nothing, the neighbour step: its
-/// beginning, and in the strip or its whole text the end of the one before.
+/// Do what turn_card() does; where it does nothing, they open the neighbour step: at its beginning,
+/// or for the previous step, in the strip or its whole text, at its end.
 void read_on(Ui& ui);
 void read_back(Ui& ui);
 
@@ -45,17 +45,17 @@ bool lesson_was_edited(const Ui& ui);
 /// the next frame.
 const Lesson* open_lesson_of(Ui& ui);
 
-/// Notes in the progress which tasks of the step on show are solved now, and what is said to a try
+/// Notes in the progress which tasks of the current step are solved now, and what is said to a try
 /// that missed. To be called when nothing moves: what a slider passes on its way solves nothing.
 void tick_off_tasks(Ui& ui);
 
 /// Answers a prediction: judges it and notes the first answer in the progress. A first one that is
 /// wrong may be followed by a second; after that the state is shown that belongs to the reveal.
-/// @param said the answer as it is told back to the student, see answer_words()
+/// @param said the answer as it is repeated to the student, see answer_words()
 void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
                        const GivenAnswer& answer, std::string said);
 
-/// Has it been answered, and is the program's own answer on show?
+/// Has it been answered, and is the program's own answer shown?
 bool is_revealed(const Ui& ui, const Lesson& lesson, const LessonPrediction& prediction);
 
 /// Shows the program's own answer, without a second try or without any.
@@ -64,10 +64,10 @@ void reveal_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& predict
 /// Asks once more what has been answered: what the answer showed is taken off the screen.
 void ask_again(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction);
 
-/// Shows the answer that the progress has of a prediction, judged anew, as if it had just been
+/// Shows the answer to a prediction that the progress has, judged again, as if it had just been
 /// given; the picture stays as it is. Does nothing the second time, so that it can be answered
-/// again. To judge one may mean to draw a frame: no more than one is judged in each frame of the
-/// window.
+/// again. Judging an answer may mean drawing a frame, so no more than one is judged in each frame
+/// of the window.
 /// @return false if it waits for the next frame
 bool take_up_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction);
 

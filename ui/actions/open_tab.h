@@ -14,13 +14,13 @@ void open_tab(Ui& ui, std::string_view name);
 /// The same because a link leads there: it is no choice of the student's.
 void open_tab_by_link(Ui& ui, std::string_view name);
 
-/// A comparison has begun: its tab comes, or lies below the settings where those are on show.
+/// A comparison has begun: opens its tab, which lies below the settings if those are shown.
 void open_compare_tab(Ui& ui);
 
 /// Does the inspector offer this tab? In a lecture only what the lesson's step shows.
 bool offers_tab(const Ui& ui, const TabInfo& tab);
 
-/// Are the settings on show, over whatever the inspector shows?
+/// Are the settings shown, over whatever the inspector shows?
 bool is_settings_open(const Ui& ui);
 
 /// Closes the settings: what lay below them is back.

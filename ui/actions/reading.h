@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Opens a scene, a model, a lesson or a saved view in place of what is on show: at once, if it can
+/// Opens a scene, a model, a lesson or a saved view in place of what is shown: at once, if it can
 /// be read that soon (see BesideReading), or when it has been read. Throws Error where it is found
 /// at once that it cannot be read; everything is then as it was.
 void read_and_open(Ui& ui, const std::string& path);

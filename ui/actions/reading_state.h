@@ -17,7 +17,7 @@ struct BesideReading {
     std::unique_ptr<FileReading> now;   ///< null: nothing is read
     std::shared_ptr<const Scene> shown; ///< when it began
     std::string lesson;                 ///< that was open then
-    /// What was stopped, until its thread has taken note of it: the window waits for nobody.
+    /// What was stopped, until its thread has taken note of it: the window does not wait.
     std::vector<std::unique_ptr<FileReading>> stopped;
 };
 

@@ -26,7 +26,7 @@ constexpr float largest_bare_part = 0.52f;
 /// The height of a line that is read from afar, of its letters.
 constexpr float large_line = 1.12f;
 
-/// The widest texts of the table of the triangle on show, as they will be when it is whole.
+/// The widest texts of the table of the triangle shown, as they will be when it is complete.
 struct Widest {
     float number = 0.0f, writer = 0.0f, entry = 0.0f;
 };
@@ -67,7 +67,7 @@ Widest widest_texts(const Ui& ui, const TableForm& form) {
     return widest;
 }
 
-/// Is 1/z the same at all vertices of the triangle on show? Then it says nothing of its rows.
+/// Is 1/z the same at all vertices of the triangle shown? Then it says nothing about its rows.
 bool has_one_depth(const Ui& ui) {
     const PolygonCorners vertices = ui.results.a.frame.triangle_vertices(*ui.results.a.triangle);
     return std::all_of(vertices.begin(), vertices.end(), [&](const ScreenVertex& vertex) {

@@ -10,7 +10,7 @@ namespace rasterwalk {
 struct Ui;
 
 /// Where the texts of the row table beside the picture stand, screen pixels from its left edge. The
-/// canvas asks before it places the picture, and so does whoever enlarges a triangle.
+/// canvas asks before it places the picture, and so does what enlarges a triangle.
 struct RowTableLayout {
     /// The columns of one end; texts are flush right.
     struct End {

@@ -13,7 +13,7 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Shows a session that was opened from a file in place of the one on show. What the student did
+/// Shows a session that was opened from a file in place of the current one. What the student did
 /// before can be undone, and Back leads to it; a quiz ends.
 void show_view(Ui& ui, Session&& opened);
 
