@@ -22,7 +22,7 @@ void draw_scene_list(Ui& ui);
 /// the right end the switches that matter and the scene. As much as fits on one line.
 void draw_stage_strip(Ui& ui, const Layout& layout);
 
-/// The stages in their narrowest form, whichever of them is on show, screen pixels.
+/// The width of the stages in their narrowest form, whichever is shown, screen pixels.
 float least_strip_width(const Ui& ui);
 
 /// Time: first, back, play, step, last; size of a step; speed; the time lines; where it stands.
@@ -34,8 +34,8 @@ float transport_height(const Ui& ui, float width);
 /// What is under the pointer, what is out of order, which rules and which file.
 void draw_status_line(Ui& ui, const Area& area);
 
-/// In a lecture, and where every line counts, the status line only comes to say something; the
-/// last line of the transport tells of the pixel under the pointer.
+/// In a lecture, and where every line counts, the status line only appears to say something; the
+/// last line of the transport describes the pixel under the pointer.
 bool spares_status_line(const Ui& ui);
 
 /// Room at both ends of a bar, screen pixels.

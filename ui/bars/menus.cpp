@@ -125,7 +125,7 @@ void draw_lesson_item(Ui& ui, std::size_t i, std::string& wanted) {
 }
 
 void draw_lesson_menu(Ui& ui) {
-    // The copy outlives the list, which opening a lesson may read anew.
+    // The copy outlives the list, which opening a lesson may read again.
     std::string wanted;
     ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
     const std::vector<Lesson>& lessons = ui.lesson.lessons.all();

@@ -17,11 +17,11 @@ namespace rasterwalk {
 
 namespace {
 
-/// How much the strip says; each form needs less room than the one before. The last is the
+/// How much the strip says; each form needs less room than the previous one. The last is the
 /// narrowest and always fits where the layout does.
 struct Form {
     float padding;       ///< around the name of a stage, design pixels
-    bool has_few_stages; ///< only the one on show and its neighbours, and a list of all
+    bool has_few_stages; ///< only the one shown and its neighbours, and a list of all
     bool is_short;       ///< the switches are abbreviated
     bool has_scene_word; ///< "scene" before its name
     float scene_width;   ///< of the name at most, design pixels; 0: the menu alone has the scenes
@@ -55,7 +55,7 @@ StageRow usable_stages(const Ui& ui) {
     const StripStep here = step_of(ui.session.a.settings);
     StageRow stages;
     for (const StageInfo& info : stage_list()) {
-        // One that the scene cannot use is said while it is on show all the same.
+        // A stage that the scene cannot use is listed all the same while it is the current one.
         if (is_of_use(info, *ui.session.scene) || info.step == here) stages.push_back(&info);
     }
     return stages;
@@ -82,7 +82,7 @@ StageRow shown_stages(const Ui& ui, const Form& form) {
     return few;
 }
 
-/// Between a stage and the one before it, screen pixels.
+/// Between a stage and the previous one, screen pixels.
 float gap_before(const Ui& ui, const StageInfo& info) {
     const float u = ui.options.text_scale;
     switch (info.join) {
@@ -261,7 +261,7 @@ void draw_chevron(const Ui& ui, ImVec2 middle) {
                                             1.3f * ui.options.text_scale);
 }
 
-/// How a stage is joined to the one before it.
+/// Draws how a stage is joined to the previous one.
 void draw_join(const Ui& ui, StripJoin join, float middle, const Band& band) {
     const float y = band.top + 0.5f * band.height;
     if (join == StripJoin::follows) draw_chevron(ui, {middle, y});

@@ -31,7 +31,7 @@ struct StatusTrouble {
     std::string text;         ///< empty: there is none
     std::string in_short;     ///< the same where there is little room; or empty
     int triangle = -1;        ///< that shows it; -1: none does
-    std::vector<int> lessons; ///< numbers of those that tell why it happens
+    std::vector<int> lessons; ///< numbers of those that explain why it happens
 };
 
 /// "; lesson 12 explains why it happens": a clause, or nothing.
@@ -52,7 +52,7 @@ StatusTrouble trouble_of(const Ui& ui) {
     if (is_working(ui.results)) return {work_words(ui.results), {}, -1, {}};
     // What a message says may be the answer.
     if (hides_settings(ui.session)) return {};
-    // Of row tables nothing is told before there are any, nor in a lesson that comes before them.
+    // Row tables are not mentioned before there are any, nor in a lesson that comes before them.
     const bool knows_rows = ui.results.a.frame.settings.stage >= Stage::rows &&
                             is_offered(ui.session, *find_tab("rows"));
     StatusTrouble all;
@@ -67,7 +67,7 @@ StatusTrouble trouble_of(const Ui& ui) {
     }
     if (all.text.empty()) return all;
     std::sort(all.lessons.begin(), all.lessons.end());
-    // The panels tell of one triangle, and of it what is done so far.
+    // The panels, by contrast, show one triangle, and only what is done of it so far.
     all.text = (ui.results.a.has_all_troubles ? "whole frame: " : "so far: ") + all.text;
     return all;
 }

@@ -155,7 +155,7 @@ std::vector<Piece> pieces_in_window(const TimeLines& s) {
     return pieces;
 }
 
-/// The longest of what can be said of a piece that fits.
+/// The longest label of a piece that fits.
 std::string fitting_label(const Piece& piece, float room) {
     const auto fits = [&](const std::string& text) {
         return ImGui::CalcTextSize(text.c_str()).x <= room;
