@@ -36,7 +36,7 @@ namespace {
 
 /// Around picture and outside where both are shown, design pixels.
 constexpr float pane_margin = 40.0f;
-constexpr float least_outside = 440.0f; ///< width of the outside view, likewise
+constexpr float least_outside = 440.0f; ///< width of the outside view, design pixels
 
 /// Around everything in the canvas, design pixels.
 constexpr glm::vec2 canvas_padding{12.0f, 10.0f};

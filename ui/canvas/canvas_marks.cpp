@@ -63,7 +63,7 @@ void draw_point_rings(const Marks& m) {
     }
 }
 
-/// A line in a colour that is to be told from every picture.
+/// A line in a colour, cased so that it can be seen on every picture.
 void draw_cased_line(const Marks& m, ImVec2 a, ImVec2 b, ImU32 colour) {
     m.list->AddLine(a, b, dark_casing, 3.6f * m.u);
     m.list->AddLine(a, b, colour, 1.6f * m.u);
@@ -280,7 +280,7 @@ std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, Im
     const Marks m{ui, run, list, low, high, ui.options.text_scale, run.place.scale};
     const Frame& frame = run.frame;
     std::vector<VertexLabel> labels;
-    // All that is marked lies where the frame before has it.
+    // Whatever would be marked is where the previous frame has it.
     const bool is_old = ui.results.a.preview.is_shown && ui.results.a.is_frame_late;
     if (!is_old) draw_tested_pixels(m);
     if (m.is_large()) draw_grid(m);

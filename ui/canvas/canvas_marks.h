@@ -18,15 +18,15 @@ struct Ui;
 /// One of the two runs, as far as it is marked on its picture, and where that lies.
 struct ShownRun {
     const Frame& frame;
-    const RowHistory& rows;        ///< of the triangle on show
-    const PolygonRows& whole_rows; ///< likewise
+    const RowHistory& rows;        ///< of the triangle shown
+    const PolygonRows& whole_rows; ///< of the same triangle
     const Cursor& cursor;
     const std::optional<Cursor>& done;
     PicturePlace place;
-    const ClipHistory* clip = nullptr; ///< of the triangle on show, or null
+    const ClipHistory* clip = nullptr; ///< of the triangle shown, or null
 };
 
-/// The runs of the interface; there must be a run B to ask for it.
+/// The runs of the interface; run_b() needs a run B.
 ShownRun run_a(const Ui& ui);
 ShownRun run_b(const Ui& ui, const PicturePlace& place);
 

@@ -37,7 +37,7 @@ enum class LargeFrameWish : std::uint8_t {
     stop,
 };
 
-/// That wish, and what it was said of.
+/// That wish, and the frame that it is about.
 struct LargeFrame {
     LargeFrameWish wish = LargeFrameWish::none;
     std::shared_ptr<const Scene> scene;
@@ -55,7 +55,7 @@ struct CanvasState {
     PictureTexture picture; ///< shows Results::picture
     PictureTexture overlay; ///< shows Results::overlay
     PicturePlace place;     ///< of the picture in this frame
-    DrawnPart drawn;        ///< looked for anew when the frame is another
+    DrawnPart drawn;        ///< looked for again when the frame changes
     PictureTexture outside; ///< shows the drawing of the scene from outside
     std::shared_ptr<OutsideDrawing> outside_drawing; ///< none before it was shown first
     bool shows_legend = true; ///< of the overlays; or else only their swatches
@@ -63,7 +63,7 @@ struct CanvasState {
     std::optional<glm::ivec2> hovered_pixel; ///< of the picture, under the pointer
     std::optional<int> hovered_row; ///< of the picture, under the pointer in the table beside it
     std::optional<RowTablePlace> row_table; ///< beside the picture in this frame; none: not shown
-    FateFinder fates;                       ///< of the triangle on show
+    FateFinder fates;                       ///< of the triangle shown
     float frame_top = 0.0f,
           frame_bottom = 0.0f; ///< of the picture's part of the canvas, screen pixels
     int dragged_vertex = -1;   ///< of the bench triangle; -1: none
@@ -88,7 +88,7 @@ struct CompareLook {
     OfferPictures offers;                   ///< before anything is compared
     std::optional<PicturePlace> place_of_b; ///< of its picture, while both are large
     bool has_small = true;                  ///< there is, or would be, room for the small pictures
-    float blink_seconds = 0.0f;             ///< since A was last shown anew
+    float blink_seconds = 0.0f;             ///< since A's last turn began
     bool blink_is_held = false;
 };
 

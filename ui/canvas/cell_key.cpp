@@ -71,7 +71,7 @@ float draw_test_colours(const Ui& ui, ImDrawList* list, ImVec2 at) {
     return x;
 }
 
-/// What the colours say, for whoever cannot see them.
+/// What the colours say, for readers who cannot see them.
 constexpr const char* test_colours_text =
     "Tested pixels: blue inside, orange outside. The frame is the box that is tested; the band "
     "along each edge is on its inner side.";

@@ -52,8 +52,8 @@ float fate_step(const Ui& ui) {
     return text_width(ui.fonts.small, passed_sign) + 2.0f * ui.options.text_scale;
 }
 
-/// The fates of the triangle on show in a part of the picture, and all of the picked pixel, as far
-/// as they are drawn at the cursor; row by row.
+/// The fates of the shown triangle's fragments in a part of the picture, and of all fragments of
+/// the picked pixel, as far as they are drawn at the cursor; row by row.
 std::vector<CellFate> shown_fates(Ui& ui, const Rectangle& part) {
     const RunResults& a = ui.results.a;
     std::vector<CellFate> fates;
@@ -88,7 +88,7 @@ std::vector<CellFate> shown_fates(Ui& ui, const Rectangle& part) {
     return fates;
 }
 
-/// The ends of the row of the triangle on show that this row of the picture is.
+/// The ends of the shown triangle's row in this row of the picture.
 struct Ends {
     int left, right;
     int left_edge, right_edge; ///< that wrote them
@@ -135,7 +135,7 @@ struct Cells {
     Marks marks;
     Pane seen; ///< of the canvas, without the numbers of columns and rows
     const std::vector<VertexLabel>& labels;       ///< on the picture: nothing is drawn under them
-    std::vector<std::pair<ImVec2, ImVec2>> lines; ///< the edges of the triangle on show
+    std::vector<std::pair<ImVec2, ImVec2>> lines; ///< the edges of the triangle shown
 
     ImVec2 corner(int column, int row) const {
         return marks.at(static_cast<float>(column) - 0.5f, static_cast<float>(row) - 0.5f);
@@ -199,7 +199,7 @@ void draw_number(const Cells& cells, glm::ivec2 pixel) {
                     text.c_str());
 }
 
-/// What edge functions say of a pixel, where nothing else stands.
+/// What edge functions say about a pixel, where nothing else is written.
 void draw_tests(const Cells& cells, glm::ivec2 pixel) {
     const Marks& m = cells.marks;
     const ImVec2 low = cells.corner(pixel.x, pixel.y);

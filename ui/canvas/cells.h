@@ -11,8 +11,8 @@
 
 namespace rasterwalk {
 
-/// What stands in the cells of the picture where they are large: whether each fragment of the
-/// triangle on show, and of the picked pixel, passed the depth test, and a number if one is chosen.
+/// What is written in the cells of the picture where they are large: whether each fragment of the
+/// triangle shown, and of the picked pixel, passed the depth test, and a number if one is chosen.
 /// Costs what is visible.
 /// @param seen   the part of the canvas in which the picture can be seen
 /// @param labels that stand on it: nothing is drawn under them

@@ -40,7 +40,7 @@ bool lies_over(const Ui& ui, bool of_b, const TitlePlace& title) {
     return place.origin.y < title.top + title_height * ui.options.text_scale;
 }
 
-/// What can be said of a run, from the longest form to the shortest: the letter alone.
+/// What can be said about a run, from the longest form to the shortest: the letter alone.
 std::vector<std::string> title_forms(const Ui& ui, bool of_b) {
     std::vector<std::string> forms = run_forms(ui.session, of_b);
     forms.emplace_back();
@@ -124,7 +124,7 @@ void draw_two_titles(Ui& ui, ImDrawList* list, const TitlePlace& a, const TitleP
     ImGui::PopFont();
     const std::size_t letter_of_a = title_forms(ui, false).size() - 1;
     const std::size_t letter_of_b = title_forms(ui, true).size() - 1;
-    // What one has no room for is not said of the other: it would be read as a difference.
+    // What one has no room for is not said about the other: it would be read as a difference.
     const std::size_t form = std::max(form_a.value_or(letter_of_a), form_b.value_or(letter_of_b));
     const bool is_letter = form >= std::min(letter_of_a, letter_of_b);
     if (form_a) draw_title(ui, list, false, a, is_letter ? letter_of_a : form);

@@ -35,7 +35,7 @@ struct Variant {
     CompareView view;
     std::string_view title;         ///< "A"
     std::string_view short_title;   ///< where there is little room
-    std::vector<std::string> words; ///< what is otherwise in it, from the longest form to the
+    std::vector<std::string> words; ///< what is different in it, from the longest form to the
                                     ///< shortest
     const Image* image;
     std::uint64_t number; ///< of the image

@@ -13,8 +13,8 @@ float variants_height(const Ui& ui, ImVec2 room);
 /// Has a canvas of this height, of the large picture and the row, room for the row?
 bool has_room_for_variants(const Ui& ui, float height);
 
-/// The row itself: run A, run B and their difference, each with what is said of it. A click shows
-/// it large.
+/// The row itself: run A, run B and their difference, each with what is said about it. A click
+/// shows it large.
 void draw_variants(Ui& ui, const Pane& row);
 
 } // namespace rasterwalk

@@ -98,8 +98,8 @@ class Ruler {
     VisibleCells cells;
     ImFont* font;
     float size;
-    float strip_bottom = 0.0f; ///< of the strip over the picture; 0: it needs none
-    float strip_right = 0.0f;  ///< likewise
+    float strip_bottom = 0.0f; ///< of the strip of column numbers on the picture; 0: it needs none
+    float strip_right = 0.0f;  ///< of the strip of row numbers; 0: it needs none
 };
 
 } // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// What there is to say of the picture of a model, with the setting that shows more of it.
+// What there is to say about the picture of a model, with the setting that shows more of it.
 
 namespace rasterwalk {
 

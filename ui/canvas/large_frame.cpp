@@ -22,7 +22,7 @@ std::optional<Settings> settings_of_b(const Session& session) {
     return session.b ? std::optional(session.b->settings) : std::nullopt;
 }
 
-/// The wish for what is asked for now; said of anything else it holds no longer.
+/// The wish for the current frame; a wish for a different one no longer counts.
 LargeFrameWish wish_of(const Ui& ui) {
     const LargeFrame& said = ui.canvas.large_frame;
     const Session& session = ui.session;

@@ -9,7 +9,8 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Of more fragments than this it is told. At some 20 nanoseconds each they take a second.
+/// A frame with more fragments than this is announced. At some 20 nanoseconds each they take a
+/// second.
 inline constexpr double many_fragments = 50'000'000.0;
 
 /// How much one update may draw: frame_limit, and of a frame with more than many_fragments in the

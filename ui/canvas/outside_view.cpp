@@ -178,7 +178,7 @@ std::string fitting_coming_words(const Ui& ui, const Pane& pane) {
     return has_room ? words : std::string();
 }
 
-/// What clipping does to the triangle on show.
+/// What clipping does to the triangle shown.
 SeenClipping seen_clipping(const Ui& ui) {
     const RunResults& a = ui.results.a;
     if (!a.inspected.clip) return {};

@@ -51,7 +51,7 @@ void write(const Table& t, ImFont* font, const std::string& text, float right, f
                     packed(colour), text.c_str());
 }
 
-/// What values are weighed by.
+/// What values are weighted by.
 std::string weight_word(const Table& t) {
     return std::string(weight_name(t.ui.results.a.frame));
 }
@@ -226,7 +226,7 @@ struct RowsReach {
     float left, right;
 };
 
-/// What the rows of the triangle on show take of the canvas; none if no row is in view.
+/// How much of the canvas the rows of the triangle shown take; none if no row is in view.
 std::optional<RowsReach> reach_of_rows(const Ui& ui, const Pane& canvas) {
     const PicturePlace& place = ui.canvas.place;
     const PolygonRows& rows = ui.results.a.whole_rows;

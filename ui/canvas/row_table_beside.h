@@ -22,7 +22,7 @@ struct RowTableBeside {
 std::optional<RowTableBeside>
 place_row_table(const Ui& ui, const std::vector<RowTableLayout>& layouts, const Pane& canvas);
 
-/// leftPixels and rightPixels of the triangle on show, each line as high as the row of the picture
+/// leftPixels and rightPixels of the triangle shown, each line as high as the row of the picture
 /// that it describes, and beside it. A click on a line selects the row, one on an end that is
 /// written leads to its sample. Costs what is visible.
 /// @return is the pointer over it?

@@ -33,7 +33,7 @@ constexpr float band_width = 5.0f;
 /// Letters of a number that fits a cell: a sign and three digits.
 constexpr std::size_t fitting_letters = 4;
 
-/// The polygon of the triangle on show; null if the run does not test its pixels.
+/// The polygon of the triangle shown; null if the run does not test its pixels.
 const TestedPolygon* tested_polygon(const Marks& m) {
     const std::optional<int>& triangle = m.ui.results.a.triangle;
     const Frame& frame = m.run.frame;
@@ -41,7 +41,7 @@ const TestedPolygon* tested_polygon(const Marks& m) {
     return &m.run.rows.rows.tested;
 }
 
-/// Is the piece of work that was just done a test of the triangle on show?
+/// Is the piece of work that was just done a test of the triangle shown?
 bool is_at_test(const ShownRun& run, const std::optional<int>& triangle) {
     return run.done && run.cursor != cursor_end && run.done->phase == Phase::tests &&
            run.done->triangle == triangle;

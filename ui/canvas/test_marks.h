@@ -11,9 +11,9 @@ namespace rasterwalk {
 struct Marks;
 struct Ui;
 
-/// What edge functions have done on the picture up to the moment, of the triangle on show: while
-/// they test it, and where their numbers stand in the cells, the pixels that they have found inside
-/// and outside are tinted. Costs what is visible.
+/// What edge functions have done on the picture up to the moment for the triangle shown: while they
+/// test it, and where their numbers are in the cells, the pixels that they have found inside and
+/// outside are tinted. Costs what is visible.
 void draw_tested_pixels(const Marks& m);
 
 /// The box whose pixels are tested, and along each edge a band on its inner side.

@@ -23,7 +23,7 @@ constexpr int direction_count = 32;
 struct Surroundings {
     const Marks& m;
     std::vector<ImVec2> vertices; ///< in order, joined by the edges
-    const PolygonRows& rows;      ///< of the triangle on show
+    const PolygonRows& rows;      ///< of the triangle shown
     ImVec2 low, high;             ///< between which names are not cut off
     ImVec2 middle;                ///< of the triangle
 };

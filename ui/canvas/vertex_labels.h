@@ -17,10 +17,10 @@ struct VertexLabel {
     ImVec2 text;      ///< upper left corner of the letters
 };
 
-/// The names of the vertices of the triangle on show that are in view: outside of the triangle,
-/// beside the pixels of its rows and the lines of its edges, and cut off by nothing. All of them
-/// are short where one has no room, or would cover what stands in the cells; one that has no room
-/// even so is left out.
+/// The names of the vertices of the triangle shown that are in view: outside the triangle, beside
+/// the pixels of its rows and the lines of its edges, and cut off by nothing. All of them are short
+/// if one has no room, or would cover what is written in the cells; one that has no room even so is
+/// left out.
 std::vector<VertexLabel> vertex_labels(const Marks& m);
 
 } // namespace rasterwalk
