@@ -53,7 +53,7 @@ class Hand {
     void press(int key, Held held = {});
     /// Holds a key down for a number of frames.
     void hold(int key, int count, Held held = {});
-    /// Types into what has the keyboard.
+    /// Types into the field that has the keyboard.
     void type_text(std::string_view text);
     /// Replaces the content of an input field and ends it with Enter. A number that is dragged is
     /// turned into a field first.

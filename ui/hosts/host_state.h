@@ -24,7 +24,7 @@ class TextureHost {
 /// What passes between the interface and its host.
 struct HostState {
     TextureHost* textures = nullptr;
-    bool fonts_changed = false; ///< the host makes the font texture anew and sets this back
+    bool fonts_changed = false; ///< the host makes the font texture again and resets this
     bool wants_quit = false;
     bool wants_picture = false; ///< F12: the host saves a picture of the window
     /// Address of the page in a browser, on which links are opened, without '#' and what follows

@@ -22,7 +22,7 @@ void take_up(Ui& ui, bool is_plain);
 double seconds_to_next_frame(const Ui& ui, int frames_due);
 
 /// What one frame's time counts as, so that nothing leaps after a longer one, seconds.
-/// @param passed since the frame before
+/// @param passed since the previous frame
 /// @param meant_sleep that was meant to lie between the two
 float frame_step(float passed, float meant_sleep);
 

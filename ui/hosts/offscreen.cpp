@@ -143,7 +143,7 @@ Image draw_offscreen(Session session, const OffscreenOptions& options) {
         carry_out(action, hand);
         settle();
     }
-    // Only who asks for it gets a tooltip.
+    // There is a tooltip only if the last action asks for it.
     const bool is_resting =
         !options.actions.empty() && options.actions.back().kind == HandAction::Kind::hover;
     if (!is_resting) hand.leave();

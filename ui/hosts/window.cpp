@@ -230,7 +230,7 @@ void run(Window& window) {
         // What waits comes in the next frame, and needs as many after it.
         if (!is_input_waiting()) --window.frames_due;
         last_frame = glfwGetTime();
-        // Minimized, the program rests as a whole: nobody sees what the walk would go past.
+        // Minimized, the whole program rests: what the walk would go past could not be seen.
         bool is_drawn = false;
         guarded(window.ui, [&] { is_drawn = draw_frame(window); });
         if (!is_drawn) glfwWaitEventsTimeout(idle_wait);

@@ -279,7 +279,7 @@ void known_gl_integer(GLenum name, GLint* value) {
 }
 }
 
-// What page.js calls. It has to be told when a frame is due; it calls for one after each event.
+// What page.js calls. It has to learn when a frame is due; it calls for one after each event.
 
 extern "C" {
 
@@ -413,7 +413,7 @@ EMSCRIPTEN_KEEPALIVE void web_context(bool is_lost) {
     page.frames_due = frames_after_event;
 }
 
-/// For tests: the picture on show, as PNG into a file.
+/// For tests: writes the picture shown into a file, as PNG.
 EMSCRIPTEN_KEEPALIVE void web_picture(const char* path) {
     using namespace rasterwalk;
     const Session& session = the_page->ui.session;
