@@ -144,7 +144,7 @@ void draw_clip_verdict(const ClipPage& page) {
                 "camera into one in front of it, mirrored through the eye.");
 }
 
-/// What is explained while nobody has asked: what was just done, or the first cut, or else what
+/// What is explained until the student asks: what was just done, or the first cut, or else what
 /// culling looks at.
 std::string usual_number(const ClipHistory& history, const std::optional<ClipProgress>& progress) {
     const auto id_of = [](const ClipStep& step) {
@@ -240,7 +240,7 @@ class ClipParts {
         if (page_.ui.inspector.has_card || is_drawn_ || !page_.number.starts_with(prefix)) return;
         is_drawn_ = true;
         draw_clip_card(page_);
-        // The click has been in the frame before: there the formula stood elsewhere.
+        // The click was in the previous frame, where the formula stood elsewhere.
         if (page_.ui.inspector.formula_frame + 1 == ImGui::GetFrameCount()) scroll_here(1.0f);
     }
 

@@ -29,7 +29,7 @@ void put_right(const ClipPage& page, std::string_view text, const ImVec4& colour
 /// A coordinate in clip space as its column shows it.
 std::string clip_number(float value, int coordinate);
 
-/// A number of a table that can be asked where it came from.
+/// A number of a table; the student can ask where it came from.
 void draw_asked(const ClipPage& page, const std::string& name, const std::string& id,
                 const std::string& text, const ImVec4& colour, const std::string& help);
 
@@ -45,7 +45,7 @@ bool begin_clip_table(const ClipPage& page, const std::string& name,
                       const std::vector<float>& widths);
 void end_clip_table();
 
-/// What its tooltip says of it: who made it.
+/// What the tooltip of a corner says: what made it.
 std::string corner_help(const CutCorner& corner);
 
 /// The name of a corner in its own column.

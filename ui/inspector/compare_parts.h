@@ -14,7 +14,7 @@ struct Ui;
 std::string tooltip_of_pair(const Session& session, const ComparePair& pair, bool is_on_show);
 
 /// The pairs as small pictures of what each would make of the picture, each with its name and what
-/// is otherwise; only the names where the scene is too large to be drawn at once.
+/// is different; only the names if the scene is too large to be drawn at once.
 void draw_offers(Ui& ui);
 
 /// The same as a line of buttons.

@@ -163,7 +163,7 @@ SmallPicture small_of(const CoveragePictures& shown, std::size_t i, std::string 
     return small;
 }
 
-/// The outline of the triangle on show in the colours of its edges, that of its neighbour quietly.
+/// The outline of the triangle shown in the colours of its edges, that of its neighbour dim.
 std::vector<SmallLine> lines_of_edge(const EdgePicture& edge, Theme theme) {
     std::vector<SmallLine> lines;
     // The triangle's own lie over those of its neighbour.

@@ -12,7 +12,7 @@ struct Ui;
 
 // The parts of the fragment's panel; see fragment_panel.cpp. There must be a fragment.
 
-/// The report on the fragment on show.
+/// The report on the fragment shown.
 const FragmentReport& report_of(const Ui& ui);
 
 /// Remembers which number is asked about, or goes to where it comes from.
@@ -26,7 +26,7 @@ void draw_fragment_line(Ui& ui, const std::string& id, std::string_view label = 
 /// clicked is the one asked about.
 void draw_fragment_values(Ui& ui);
 
-/// Is the light of the vertices on show, in force or as the other lighting?
+/// Is the light of the vertices shown, as the lighting in force or as the other one?
 bool shows_vertex_light(const Ui& ui);
 
 /// The light term by term, of the lighting in force or the other one.

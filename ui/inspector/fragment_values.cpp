@@ -73,7 +73,7 @@ struct ValueColumn {
     }
 };
 
-/// What is said of the column that is not the right one.
+/// What is said about the column that is not the right one.
 struct WrongWay {
     std::vector<std::string> titles;
     const char *help, *off_help;

@@ -36,7 +36,7 @@ constexpr float narrow_page = 345.0f;
 /// Below this height of the inspector the groups keep their subjects to themselves, design pixels.
 constexpr float low_inspector = 520.0f;
 
-/// The tab on show; one of another name, as from a file of a later version, is the first.
+/// The tab shown; the first if the name is unknown, as from a file of a later version.
 const TabInfo& shown_tab(const Session& session) {
     const std::span<const TabInfo> tabs = tab_list();
     const auto found = std::find_if(tabs.begin(), tabs.end(), [&](const TabInfo& tab) {

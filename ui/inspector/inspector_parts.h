@@ -14,7 +14,7 @@ struct Ui;
 struct InspectorLook {
     bool has_two_lines = false; ///< the buttons of the groups say their subjects
     bool is_covered = false;    ///< by the settings or the lesson's whole text
-    TabGroup group{};           ///< on show, or below them
+    TabGroup group{};           ///< shown, or below what covers it
 };
 
 /// Screen pixels.
@@ -24,7 +24,7 @@ float group_row_height(const Ui& ui, bool has_two_lines);
 /// shown last.
 void draw_group_buttons(Ui& ui, const InspectorLook& look, const Area& area);
 
-/// The tabs of the group on show, and who chose the one that is. Returns where the page begins.
+/// The tabs of the group shown, and who chose the current one. Returns where the page begins.
 float draw_tab_line(Ui& ui, const InspectorLook& look);
 
 /// All groups and tabs in one list, where every line of the window counts. Returns where the page

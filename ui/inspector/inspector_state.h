@@ -26,9 +26,9 @@ struct MicroscopeView {
     int edge = 0;                    ///< of the triangle that the inspector shows
     std::optional<Cursor> picked_at; ///< where the cursor stood when the edge was picked by hand
     bool shows_x = false;            ///< x instead of y
-    /// The triangle and edge for which x or y was last chosen; another edge chooses anew.
+    /// The triangle and edge for which x or y was last chosen; for another edge it is chosen again.
     std::pair<int, int> axis_chosen_for{-1, -1};
-    EdgeMicroscope shown; ///< of that edge; worked out anew when another is shown
+    EdgeMicroscope shown; ///< of that edge; worked out again when another is shown
 };
 
 /// What is asked about in the Clip tab, for one triangle.
@@ -36,11 +36,11 @@ struct ClipLook {
     int triangle = -1;
     std::optional<Cursor> picked_at; ///< where the cursor stood when it was last looked at
     std::string number;              ///< id of a formula, see clip_report.h; empty: the usual one
-    std::array<bool, clip_plane_count> is_turned{}; ///< opened or closed otherwise than usual
+    std::array<bool, clip_plane_count> is_turned{}; ///< opened or closed, unlike usual
     std::optional<ClipPlane> plane; ///< that is looked at, on the canvas too; none: the usual one
 };
 
-/// What the row table has on show.
+/// What the row table shows.
 struct RowsPlace {
     int triangle = -1;
     std::optional<int> row; ///< that is selected
@@ -64,7 +64,7 @@ struct CoverageImage {
 struct CoveragePictures {
     // For which of these the next three were found.
     std::uint64_t frame_number = 0;   ///< of the frame, see RunResults
-    int triangle = -1;                ///< on show
+    int triangle = -1;                ///< that is shown
     std::optional<glm::ivec2> picked; ///< pixel
     Theme theme{};
     std::optional<SharedEdge> shared;
@@ -82,7 +82,7 @@ struct CoveragePictures {
 struct InspectView {
     std::string vertex_number = "pixel.column";   ///< id of a formula, see vertex_report.h
     std::string fragment_number = "zinv";         ///< id of a formula, see fragment_report.h
-    std::string texture_number = "texture.level"; ///< likewise, in the Texture tab
+    std::string texture_number = "texture.level"; ///< also an id, in the Texture tab
     bool shows_other_light = false;               ///< per vertex where it is per pixel, and back
     std::string graph_quantity = "z";             ///< id of a quantity, see carried_row.h
     std::string test_number; ///< id of a formula, see test_formulas.h; empty: none

@@ -60,7 +60,7 @@ void draw_pictures(Ui& ui, const LabAnswer& answer) {
                                                                    : "Orange: only rounding."});
 }
 
-/// How much differs and where, and what else can be said of it.
+/// How much differs and where, and what else can be said about it.
 void draw_findings(Ui& ui, const LabAnswer& answer) {
     const Diagnosis& diagnosis = answer.diagnosis;
     draw_sentence(
@@ -93,7 +93,7 @@ void draw_remedy(Ui& ui, const Diagnosis& diagnosis) {
     answer_links(ui, document_of(*ui.lab.remedy), events);
 }
 
-/// What the result was held against, and the other choice. Returns true if that is asked for.
+/// What the result was compared with, and the other choice. Returns true if that is asked for.
 bool draw_reference(Ui& ui, const LabAnswer& answer) {
     const bool is_set = answer.subject.against.is_set;
     const bool is_unsure =

@@ -22,7 +22,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// All that there is to say of a mistake.
+/// All that there is to say about a mistake.
 std::string page_of(Ui& ui, const Bug& bug) {
     return as_markdown(bug.sentence) + "\n\n**Symptom.** " + as_markdown(bug.symptom) + "\n\n" +
            remedy_of(ui, bug);

@@ -13,15 +13,15 @@ struct LabAnswer;
 
 // The parts of the bug laboratory; see lab_panel.cpp.
 
-/// What there is to say of a mistake, as Markdown: how to find it in a program, the cure, and the
-/// lesson that explains it.
+/// What there is to say about a mistake, as Markdown: how to find it in a program, the cure, and
+/// the lesson that explains it.
 std::string remedy_of(Ui& ui, const Bug& bug);
 
-/// The line just drawn, of the mistake whose card is on show, stays in sight.
+/// Keeps the line just drawn in sight, that of the mistake whose card is shown.
 /// @param below what is to be seen below the line, screen pixels
 void keep_in_sight(Ui& ui, const Bug& chosen, float below);
 
-/// Of a card that opens below a line: its title and buttons, screen pixels.
+/// The height of title and buttons of a card that opens below a line, screen pixels.
 float height_of_card_head();
 
 /// The quiz: which mistake is it?
@@ -33,8 +33,8 @@ struct PictureCaption {
     std::string words; ///< may be empty
 };
 
-/// The picture that was diagnosed, and that of the program's own with its caption: beside each
-/// other, or one below the other where there is little room.
+/// The picture that was diagnosed, and the program's own with its caption: side by side, or one
+/// below the other where there is little room.
 void draw_lab_pictures(Ui& ui, const PictureCaption& beside);
 
 /// How the card of a diagnosis begins.

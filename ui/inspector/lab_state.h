@@ -28,7 +28,7 @@ enum class LabMode : std::uint8_t {
     result, ///< a result of the student's own, and what may be wrong with it
 };
 
-/// The student's picture, and the one that it is held against.
+/// The student's picture, and the one that it is compared with.
 struct LabPictures {
     Image own;
     Image right;
@@ -36,14 +36,14 @@ struct LabPictures {
     std::array<PictureTexture, 2> small; ///< as they are shown
 };
 
-/// What a result is held against.
+/// What a result is compared with.
 struct LabReference {
     bool is_set = false; ///< what is set when it is asked for; else what the handout draws
     std::shared_ptr<const Scene> scene;
     Settings settings;
 };
 
-/// A file of the student's own, and what it is held against.
+/// A file of the student's own, and what it is compared with.
 struct LabSubject {
     std::size_t bytes = 0;   ///< a hash of those of the file
     bool is_picture = false; ///< else rows
@@ -90,7 +90,7 @@ struct LabLook {
     std::optional<LabCheck> check; ///< as long as it goes on
     /// Of the watched file, maybe as it was before; stays until there is another.
     std::optional<LabAnswer> answer;
-    std::shared_ptr<MarkdownPage> remedy; ///< what is said of the likely mistakes
+    std::shared_ptr<MarkdownPage> remedy; ///< what is said about the likely mistakes
     LabPictures pictures;                 ///< of a picture that was diagnosed
 };
 

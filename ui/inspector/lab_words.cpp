@@ -19,7 +19,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Numbers as the command line writes them, "0.1,-2", each with the digits that can be told.
+/// Numbers as the command line writes them, "0.1,-2", each in its significant digits.
 std::string numbers_in_words(std::string_view text) {
     constexpr int digits = 4;
     std::string words;
@@ -99,7 +99,7 @@ const Bug* bug_of_id(Ui& ui, const std::string& id) {
     return found == bugs.end() ? nullptr : &*found;
 }
 
-/// What there is to say of one of the likely mistakes; empty: it is none of the laboratory's.
+/// What there is to say about one of the likely mistakes; empty: the laboratory does not have it.
 /// @param is_named it is not the only one
 std::string remedy_of_suspect(Ui& ui, const Suspect& suspect, bool is_named) {
     std::string text;

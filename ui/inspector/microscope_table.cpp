@@ -40,7 +40,7 @@ std::string coordinate_words(const char* axis, const char* pixel, const Microsco
     return text;
 }
 
-/// All that there is to say of a sample.
+/// All that there is to say about a sample.
 std::string sample_words(const Ui& ui, const MicroscopeSample& sample) {
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     std::string text = sample_name(ui.inspector.microscope.edge, sample.sample) + "\n" +

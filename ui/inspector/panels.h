@@ -15,7 +15,7 @@ struct Ui;
 void draw_inspector(Ui& ui, const Area& area);
 /// Which triangle the inspector shows, with buttons to its neighbours. There must be one.
 void draw_triangle_title(Ui& ui);
-/// Begins a panel about what is drawn of the triangle on show, by its title. False if nothing is;
+/// Begins a panel about what is drawn of the triangle shown, with its title. False if nothing is;
 /// the panel says why.
 /// @param what "rows"
 bool begin_triangle_panel(Ui& ui, const char* what);

@@ -45,14 +45,14 @@ void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const End
     if (writer.is_set() && is_clicked_on_row()) go_to_sample(ui, writer.edge, writer.sample);
 }
 
-/// Before the sign that tells how often an end was replaced, design pixels.
+/// Before the sign that shows how often an end was replaced, design pixels.
 constexpr float sign_gap = 4.0f;
 
 float width_of_sign(const Ui& ui) {
     return text_width(ui.fonts.small, "↻0");
 }
 
-/// The width of the longest name of a sample of the triangle on show.
+/// The width of the longest name of a sample of the triangle shown.
 float widest_writer(const Ui& ui) {
     const std::vector<int>& counts = ui.results.a.rows.edge_samples;
     const auto most = std::max_element(counts.begin(), counts.end());
@@ -184,7 +184,7 @@ void draw_row_line(Ui& ui, int index) {
     keep_item_whole(ui);
     ImGui::PopID();
     const RowWrite write = just_written(ui, row);
-    // Coverage that walks no edges has ends that nobody wrote.
+    // Coverage that walks no edges has ends that no sample wrote.
     const auto has_values = [&](const EndWriter& writer) {
         return writer.is_set() || (history.sample_count == 0 && !history.rows.is_empty_row(index));
     };

@@ -13,17 +13,17 @@ struct Ui;
 inline constexpr int all_row_columns = 6;
 inline constexpr int row_columns_without_writers = 4;
 
-/// Has the table that is drawn now the numbers of pixels? Without room they make way for who wrote
-/// the ends: they can be counted from these.
+/// Does the table that is drawn now have the numbers of pixels? Without room they make way for who
+/// wrote the ends: the pixels can be counted from these.
 bool has_counts();
 
-/// Do samples write the ends of the rows, so that there is somebody to name?
+/// Do samples write the ends of the rows, so that there is one to name?
 bool has_writers(const Ui& ui);
 
-/// What a cell needs that tells who wrote an end and how often it was replaced, screen pixels.
+/// The width of a cell that says who wrote an end and how often it was replaced, screen pixels.
 float width_of_writer(const Ui& ui);
 
-/// A row of the table of the triangle on show.
+/// A row of the table of the triangle shown.
 /// @param index in the table, from 0
 void draw_row_line(Ui& ui, int index);
 

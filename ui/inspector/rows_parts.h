@@ -11,7 +11,7 @@ struct Ui;
 
 // The parts of the row table's panel; see rows_panel.cpp.
 
-/// The row table of the triangle on show, as far as it is made at the cursor.
+/// The row table of the triangle shown, as far as it is made at the cursor.
 /// @param height screen pixels
 void draw_row_table(Ui& ui, float height);
 
@@ -23,12 +23,12 @@ void draw_row_table_in_page(Ui& ui);
 /// scroll together with what is drawn below them.
 void draw_row_table_with(Ui& ui, const std::function<void()>& below);
 
-/// The tested pixel of the triangle on show that is explained: the one of the moment, or else the
+/// The tested pixel of the triangle shown that is explained: the one of the moment, or else the
 /// picked one if it has been tested by then.
 std::optional<PixelTest> shown_test(const Ui& ui);
 
 /// That pixel: each edge with the value of its function and what it asks for, the weights of the
-/// corners, and how the number came to be that was clicked.
+/// corners, and how the number that was clicked came to be.
 void draw_pixel_test(Ui& ui, const PixelTest& test);
 
 /// Is there anything to show in small pictures? Only where coverage asks the centres of pixels: an

@@ -55,7 +55,7 @@ SheetColumns sheet_columns(const Ui& ui) {
     return {std::min(0.46f * width, 215.0f * u), reset, width};
 }
 
-/// What is said of settings that do nothing.
+/// What is said about settings that do nothing.
 std::string idle_text(const std::string& reason) {
     return "no effect " + reason;
 }
@@ -162,7 +162,7 @@ void draw_idle_reason(Ui& ui, const Setting& first, const std::string& reason) {
         "The grey settings below can be chosen, but for now they change nothing in the picture.");
 }
 
-/// The beginning of what a preset says of itself: all that has room beside its button.
+/// The beginning of what a preset says about itself: all that has room beside its button.
 std::string_view brief(std::string_view about) {
     return about.substr(0, about.find_first_of(":."));
 }

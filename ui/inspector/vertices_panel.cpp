@@ -142,7 +142,7 @@ void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex, bool has_s
     const float row = ImGui::GetCursorScreenPos().y - style.ItemSpacing.y -
                       2.0f * style.CellPadding.y - ui.fonts.text->FontSize;
     draw_formula_card(ui, vertex);
-    // The click has been in the frame before: there the formula stood elsewhere.
+    // The click was in the previous frame, where the formula stood elsewhere.
     const int frame = ImGui::GetFrameCount();
     if (ui.inspector.formula_frame + 1 == frame) bring_into_sight(row);
     if (above < all.size() && begin_vertex_table(ui, "vertices below", width)) {

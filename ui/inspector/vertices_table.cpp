@@ -119,8 +119,8 @@ int digits_of(const Ui& ui, const VertexLine& line, float column) {
                : line.digits - 1;
 }
 
-/// Has the line's space the same numbers as the one before it, at all three vertices? So it is
-/// where the camera stands at the origin, or looks along z.
+/// Does the line's space have the same numbers as the previous one, at all three vertices? It does
+/// if the camera is at the origin, or looks along z.
 bool repeats_space_before(const Ui& ui, const VertexLine& line) {
     const std::string_view id = line.id;
     const std::string space(id.substr(0, id.find('.')));
@@ -137,9 +137,9 @@ bool repeats_space_before(const Ui& ui, const VertexLine& line) {
     return true;
 }
 
-/// Is a line of the table shown? Where lines are few, a space that repeats the one before it is
-/// not. A lesson that hides tabs keeps to what it speaks of: before light
-/// is a subject there is none, and as long as the camera is not turned, it is not "rotated".
+/// Is a line of the table shown? Where lines are few, a space that repeats the previous one is
+/// not. A lesson that hides tabs keeps to its subject: before light is one, it has no lines, and as
+/// long as the camera is not turned, neither has "rotated".
 bool is_shown(const Ui& ui, const VertexLine& line) {
     const bool keeps_short = hides_tabs(ui.session);
     if (line.is_highlight && ui.results.a.frame.settings.light.model == LightModel::lambert)
