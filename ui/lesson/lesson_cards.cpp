@@ -27,7 +27,7 @@ struct PartWord {
     const char* help = "";
 };
 
-/// What is long in a part: its text, or the reason for an answer that is on show.
+/// What is long in a part: its text, or the reason for an answer that is shown.
 std::string words_to_cut(Ui& ui, const Lesson& lesson, const LessonPart& part) {
     if (part.kind == LessonPart::Kind::text) return part.text;
     if (part.kind != LessonPart::Kind::prediction) return {};
@@ -106,7 +106,7 @@ int card_at(const LessonStrip& strip, const LessonPlace& place) {
     return card;
 }
 
-/// Which of how many cards of its part is on show: " 2/3"; empty where a part is one card.
+/// Which of how many cards of its part is shown: " 2/3"; empty where a part is one card.
 std::string place_of_card(const LessonStrip& strip, int part) {
     const auto is_of_part = [&](const LessonCard& card) { return card.part == part; };
     const auto count = std::count_if(strip.cards.begin(), strip.cards.end(), is_of_part);

@@ -8,20 +8,20 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Cuts the step on show into its cards, unless they are cut for this room already.
+/// Cuts the current step into its cards, unless they are already cut for this room.
 /// @param width of a line, screen pixels
 /// @param height that a card can have at most, screen pixels
 void cut_cards(Ui& ui, const Lesson& lesson, const LessonStep& step, float width, float height);
 
-/// What a step has, as words that can be pressed: text, question, task. The one on show is
-/// underlined. As many as have room; none where the step is one card.
-/// @param shown index of the part on show, -1: none
+/// Draws what a step has, as words that can be pressed: text, question, task. The one shown is
+/// underlined. As many as have room; none if the step is one card.
+/// @param shown index of the part shown, -1: none
 /// @return the part that was pressed, or -1
 int draw_part_words(Ui& ui, const Lesson& lesson, const LessonStep& step, int shown,
                     const Area& area);
 float part_words_width(Ui& ui, const Lesson& lesson, const LessonStep& step, int shown);
 
-/// The first card of a part, or of the one after it where it has none of its own.
+/// The first card of a part, or of the next part if it has none of its own.
 int card_of_part(const LessonStrip& strip, int part);
 
 } // namespace rasterwalk

@@ -31,7 +31,7 @@ void draw_edge(const Ui& ui, float width) {
                                               packed(palette(ui.options.theme).line));
 }
 
-/// The three pages side by side: small words, the one on show underlined.
+/// The three pages side by side: small words, the one shown underlined.
 void draw_switch(Ui& ui, const Lesson* lesson, float width) {
     struct Choice {
         const char* widget;

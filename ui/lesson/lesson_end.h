@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Is the step on show the lesson's last?
+/// Is the current step the lesson's last?
 bool is_last_step(const Ui& ui, const Lesson& lesson);
 
 /// What stands at the end of a lesson, as Markdown: what was predicted right and what was done,

@@ -87,8 +87,8 @@ std::string minutes_text(const Lesson& lesson) {
     return std::to_string(lesson.minutes) + " min";
 }
 
-/// Have all titles room on one line beside the minutes? Where one has not, none has minutes: they
-/// are told with what the lesson is about.
+/// Do all titles have room on one line beside the minutes? If one does not, none has minutes: they
+/// are given with what the lesson is about.
 bool has_room_for_minutes(const Ui& ui, const std::vector<Lesson>& lessons, float width) {
     return std::all_of(lessons.begin(), lessons.end(), [&](const Lesson& lesson) {
         return text_width(ui.fonts.text, lesson.title) <=
@@ -113,7 +113,7 @@ void draw_lessons(Ui& ui, float width) {
     const Palette& p = palette(ui.options.theme);
     ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
     const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
-    // Where lines are few a lesson has one, and the rest is told beside the pointer.
+    // Where lines are few, a lesson has one, and its tooltip says the rest.
     const bool is_short = ui.lesson.is_strip;
     const bool has_minutes = !is_short || has_room_for_minutes(ui, lessons, width);
     for (std::size_t i = 0; i < lessons.size(); ++i) {
@@ -169,7 +169,7 @@ void draw_hits(Ui& ui, float width) {
         found = {ui.lesson.search, ui.lesson.lessons.number(),
                  search_lessons(lessons, ui.session.glossary, ui.lesson.search)};
     }
-    // The copy outlives a lesson's opening, which may search anew.
+    // The copy outlives a lesson's opening, which may search again.
     const std::vector<SearchHit> hits = found.hits;
     if (hits.empty()) {
         text_in(p.dim, "Nothing was found.");

@@ -9,7 +9,7 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// The step on show of the lesson that is open: text, tasks and predictions.
+/// The current step of the lesson that is open: text, tasks and predictions.
 void draw_step_text(Ui& ui, const Lesson& lesson, float width);
 
 /// A bar a step, and the way to its neighbours; from the last step on to the next lesson.
@@ -23,7 +23,7 @@ void turn_to_step(Ui& ui, const Lesson& lesson, int wanted);
 /// Goes on or back in the lesson as the buttons say; after its last step, to the next lesson.
 void turn_in_lesson(Ui& ui, const Lesson& lesson, int direction);
 
-/// The step on show. Valid as long as the lesson is.
+/// The current step. Valid as long as the lesson is.
 const LessonStep& step_on_show(const Ui& ui, const Lesson& lesson);
 
 /// "step 3 of 7"; of the opening "lesson 4".

@@ -173,7 +173,7 @@ std::string verdict(const LessonPrediction& prediction, const PredictionView& vi
                     bool is_second_try, bool is_second) {
     const Judgement& judged = *view.judged;
     if (!judged.fault.empty()) return judged.fault;
-    // In a lecture nobody need have answered.
+    // In a lecture, there need be no answer.
     if (view.said.empty()) {
         const bool is_one_of_many = prediction.kind == LessonPrediction::Kind::pixel;
         return (is_one_of_many ? "One of them is " : "The program says: ") +

@@ -26,7 +26,7 @@ struct PredictionView {
     std::string typed;               ///< the number, as it stands in the field
     bool is_no_number = false;       ///< what stood there when it was answered
     std::optional<Judgement> judged; ///< of the answer given last; none before the first
-    std::string said;                ///< that answer, as it is told back
+    std::string said;                ///< that answer, as it is repeated to the student
     std::shared_ptr<MarkdownPage> because;
     bool is_in_picture = false; ///< what the answer shows was set up since the step was opened
     bool takes_keys = false;    ///< the field of a number has the keyboard from the next frame on
@@ -34,7 +34,7 @@ struct PredictionView {
     bool is_taken_up = false; ///< an answer that was kept is shown; from now on the student decides
 };
 
-/// What is said to a task of the step on show: Markdown.
+/// What is said about a task of the current step: Markdown.
 struct TaskWords {
     std::string text;       ///< what the last try misses, or why it is solved; may be empty
     bool is_reason = false; ///< why it is solved
@@ -61,14 +61,14 @@ struct LessonPlace {
 
 /// What the strip of the lesson keeps from one frame to the next.
 struct LessonStrip {
-    std::vector<LessonCard> cards; ///< of the step on show, in reading order; empty: not cut yet
+    std::vector<LessonCard> cards; ///< of the current step, in reading order; empty: not cut yet
     float cards_width = 0.0f;      ///< for which they were cut, screen pixels
     float cards_text_size = 0.0f;  ///< and of which font, screen pixels
     float cards_height = 0.0f;     ///< and for what room for a table, screen pixels
-    bool is_recut = false;         ///< they are cut anew: what they say is another
+    bool is_recut = false;         ///< they are cut again: what they say has changed
     std::uint64_t cards_of = 0;    ///< number of the lessons when they were cut, see LessonList
-    int card = 0;                  ///< the one on show
-    LessonPlace place;             ///< where the card on show begins
+    int card = 0;                  ///< the one shown
+    LessonPlace place;             ///< where the card shown begins
     std::optional<LessonPlace> read_to; ///< what the cards are to go on with, once they are cut
     int scrolled_card = 0;              ///< the one to which the scroll position belongs
     bool is_beside = false;             ///< the canvas, and narrower than the window
@@ -84,7 +84,7 @@ struct LessonStrip {
     } fitting;
 };
 
-/// What moves a widget that a step points at out of sight although nobody scrolled it away.
+/// What moves a widget that a step points at out of sight without its being scrolled away.
 struct PointedPlace {
     std::string widget;                ///< that one, or what is to be clicked first
     int card = 0;                      ///< of the strip
@@ -104,23 +104,23 @@ struct LessonView {
     KeptFile progress_file;
     LessonScores scores;
     FactCache facts; ///< that the conditions of the tasks ask for
-    std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the step on show, by name
+    std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the current step, by name
     std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
     std::set<std::string> open_hints;                           ///< ids of tasks
     std::map<std::string, TaskWords> task_words;                ///< by the id of the task
     std::string fresh;         ///< widget of words that have just come; empty: none
     int frames_to_fresh = 0;   ///< until they are scrolled into sight
-    std::string shown;         ///< which page is on show; the scroll position belongs to it
+    std::string shown;         ///< which page is shown; the scroll position belongs to it
     float scroll_share = 0.0f; ///< how far it is scrolled, 0 to 1
     unsigned place = 0;        ///< in which window of ImGui it stands
     std::optional<LessonPlace> place_to_show; ///< in the whole text: it is scrolled there
     /// Part of the column's text: a question or a task that is open, and out of sight.
     std::optional<int> open_below;
     std::optional<float> known_scroll; ///< of the whole text; another one is the student's doing
-    bool wants_end = false;       ///< of the step on show: its last card, the end of its whole text
+    bool wants_end = false;       ///< of the current step: its last card, the end of its whole text
     float pages_to_scroll = 0.0f; ///< what a key asks for: 1 is a page on
     bool has_more_above = false, has_more_below = false; ///< text that is scrolled away
-    /// What the window showed whole in the frame before, screen pixels from the text's beginning,
+    /// What the window showed whole in the previous frame, screen pixels from the text's beginning,
     /// and whether it had to leave out a line below.
     float shown_from = 0.0f, shown_to = 0.0f;
     bool is_cut_below = false;
@@ -128,7 +128,7 @@ struct LessonView {
     std::string search;                ///< what the list of lessons is searched for
     LessonSearch found;                ///< what it has found
     bool is_strip = false;             ///< above the canvas, for want of room for a column
-    bool drawer_is_open = false;       ///< where it is a strip: the whole text stands instead
+    bool drawer_is_open = false;       ///< where it is a strip: the whole text takes its place
     bool drawer_of_other_mode = false; ///< it is open when the lecture mode is left or entered
     LessonStrip strip;
     std::string meant;         ///< widget that a link points at; empty: none

@@ -18,7 +18,7 @@ struct PageFooter {
     std::vector<Page> pages;
     int current = 0;
     std::string beyond;           ///< what comes after the last page; empty: nothing
-    bool has_more_before = false; ///< in a strip: parts of the page that are not on show
+    bool has_more_before = false; ///< in a strip: parts of the page that are not shown
     bool has_more_after = false;
     /// In a column: what is open, and scrolled away.
     enum class Open : std::uint8_t { nothing, question, task };

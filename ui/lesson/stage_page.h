@@ -9,12 +9,12 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// The page about the stage on show, from lessons/stages, and below it the way to its neighbours.
+/// The page about the current stage, from lessons/stages, and below it the way to its neighbours.
 std::string stage_page_name(Ui& ui); ///< by which its scroll position is known
 void draw_stage_text(Ui& ui, float width);
 void draw_stage_footer(Ui& ui, float width);
 
-/// The text of a stage's note, with the numbers of what is on show.
+/// The text of a stage's note, with the numbers of what is shown.
 std::string note_on_show(const Ui& ui, const StageNote& note);
 
 /// What the footer walks through, and what it does with the stage that is wanted.

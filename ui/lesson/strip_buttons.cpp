@@ -53,7 +53,7 @@ void scroll_by_key(LessonView& view) {
     // What is higher than the window moves on by the line, at least.
     float to = is_on ? std::max(view.shown_to, at + line)
                      : std::min(view.shown_from - ImGui::GetWindowHeight(), at - line);
-    // Nobody stops for less than a line, if no line is left out for it.
+    // The text does not stop less than a line below its top, if no line is left out for it.
     if (!is_on && to < line) to = 0.0f;
     ImGui::SetScrollY(std::clamp(to, 0.0f, last));
 }

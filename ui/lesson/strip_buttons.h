@@ -12,7 +12,7 @@ struct Ui;
 
 /// The way on and back and, below them, the way to the whole text and back to the strip: at the
 /// same place in both. Returns 1 for on, -1 for back, 0 if neither was pressed.
-/// @param lesson on show; null: the page about a stage
+/// @param lesson that is shown; null: the page about a stage
 /// @param corner at the upper right, screen pixels
 int draw_strip_buttons(Ui& ui, const Lesson* lesson, PageFooter pages, ImVec2 corner);
 
