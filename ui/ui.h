@@ -46,7 +46,7 @@ struct Ui {
     KeptFile options_file;
     HostState host;
     Fonts fonts;
-    bool style_is_stale = true; ///< theme or text size changed: style and fonts are to be made anew
+    bool style_is_stale = true; ///< theme or text size changed: style and fonts must be made again
     std::unordered_map<std::string, WidgetPlace> widgets; ///< drawn in this frame, by name
     Focus focus;
     std::vector<WholeLines> whole_lines;    ///< the last is the innermost

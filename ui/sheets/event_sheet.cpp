@@ -23,14 +23,14 @@ const SheetLook events_look{.sheet = Sheet::events,
                             .size = {740.0f, 480.0f},
                             .is_aside = true};
 
-/// Of the triangle on show, the moment that was done last; -1 if none of it is done.
+/// The moment of the triangle shown that was done last; -1 if none of them is done.
 int last_done(const Ui& ui, int triangle) {
     const RunResults& run = ui.results.a;
     if (!run.done || run.done->triangle != triangle) return -1;
     return Timeline(run.frame).ordinal(*run.done);
 }
 
-/// Lists the triangle on show, if another is listed or other words are searched for.
+/// Lists the triangle shown, if another is listed or other words are searched for.
 void renew_list(const Ui& ui, const std::string& search, EventSheet& sheet) {
     const int triangle = ui.results.a.triangle.value_or(-1);
     const bool is_same_triangle =

@@ -19,7 +19,7 @@ void draw_file_sheet(Ui& ui, ImVec2 window);
 /// while none is read. What lies below can be used meanwhile.
 void draw_reading_bar(Ui& ui, ImVec2 window);
 
-/// What the triangle on show does, moment by moment, as text.
+/// What the triangle shown does, moment by moment, as text.
 void draw_event_sheet(Ui& ui, ImVec2 window);
 
 /// As many moments it lists at once; of more, those around the cursor.

@@ -2,11 +2,11 @@
 
 namespace rasterwalk {
 
-/// Where everything stands on the start page, screen pixels.
+/// Where everything is on the start page, screen pixels.
 struct StartLayout {
     float left, width; ///< of all that is shown
     float gap;         ///< between two cards
-    bool is_small;     ///< a card is a line or two, and stands below the one before
+    bool is_small;     ///< a card is a line or two, and is below the previous one
 };
 
 } // namespace rasterwalk

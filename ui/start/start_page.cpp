@@ -94,7 +94,7 @@ void draw_stages(Ui& ui, const StartLayout& page) {
     ImGui::Dummy({page.width, 0.0f});
 }
 
-/// Left out where it has no room and nothing is to be told.
+/// Left out if it has no room and there is no notice.
 void draw_last_line(Ui& ui, const StartLayout& page, float bottom) {
     const float line_end = ImGui::GetCursorScreenPos().y + ui.fonts.small->FontSize;
     if (line_end > bottom && ui.session.notice.empty()) return;

@@ -29,7 +29,7 @@ std::string input_tooltip(const FormulaInput& input) {
     return text + place;
 }
 
-/// The functions in a formula, behind what is said of it.
+/// What is said about a formula, and after it the functions in the formula.
 std::string with_function_help(std::string text, const Formula& formula) {
     const std::string functions = function_help(formula.expression);
     return functions.empty() ? text : text.append("\n").append(functions);
@@ -223,7 +223,7 @@ void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
     const float page_height = ImGui::GetCursorPosY();
     ImGui::EndChild();
     // A card for which there is no room scrolls by itself: neither of the two is ever out of sight.
-    // Its height is that of the frame before: what does not fit yet must not make the panel scroll.
+    // Its height is from the previous frame: what does not fit yet must not make the panel scroll.
     const float card_room = std::max(room - left - spacing, 1.0f);
     const bool scrolls = card_height > card_room + 1.0f && card_room > ImGui::GetTextLineHeight();
     ImGui::BeginChild(card_id, {0, std::max(scrolls ? card_room : card_height, 1.0f)}, false,

@@ -13,7 +13,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The keys of which ImGui has a name in every version.
+/// The keys that ImGui has names for in every version.
 constexpr std::pair<int, ImGuiKey> named_keys[] = {
     {key::left, ImGuiKey_LeftArrow},      {key::right, ImGuiKey_RightArrow},
     {key::up, ImGuiKey_UpArrow},          {key::down, ImGuiKey_DownArrow},
@@ -204,7 +204,7 @@ bool is_any_key_pressed() {
 void open_keys() {}
 
 void keep_tab() {
-    // Whoever asks for a key that nobody owns, as ImGui does for Tab, does not get it.
+    // A request for a key without an owner, as ImGui makes for Tab, no longer gets it.
     ImGui::SetKeyOwner(ImGuiKey_Tab, ImHashStr("rasterwalk"));
 }
 

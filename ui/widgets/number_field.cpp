@@ -45,7 +45,7 @@ bool draw_while_typed(const Draw& draw) {
     return is_changed;
 }
 
-/// ImGui writes hyphens: unless somebody types, its text is left out for one with minus signs.
+/// ImGui writes hyphens: except while you type, its text gives way to one with minus signs.
 /// @param draw the field
 /// @param shown its text, asked for when the field is drawn
 /// @param place of the text within the field: 0 left, 1 right
@@ -65,7 +65,7 @@ bool draw_field(const char* id, const Draw& draw, const Shown& shown,
     return is_changed;
 }
 
-/// How many digits behind the point tell the stops of a slider apart.
+/// How many digits after the point tell the stops of a slider apart.
 int digits_of(const ControlRange& range) {
     constexpr int most_digits = 7;
     for (int digits = 0; digits < most_digits; ++digits) {

@@ -31,7 +31,7 @@ struct PictureTexture {
     Image resampled;          ///< what it holds, where it was resampled
 };
 
-/// A sign on a pixel of a small picture, so that its colour is not all that tells it from others.
+/// A sign on a pixel of a small picture, so that not only its colour sets it apart from others.
 enum class SmallSign : std::uint8_t { dot, hollow, stroke };
 struct SmallMark {
     int column = 0, row = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What both row tables say of the ends of a row: that of the Rows tab, and that beside the picture.
+// What both row tables, in the Rows tab and beside the picture, say about the ends of a row.
 
 #include <optional>
 #include <string>
@@ -24,16 +24,16 @@ std::string writer_tooltip(const EndWriter& writer);
 /// "↻: an earlier sample stood here and was replaced, 2 times so far."
 std::string replaced_tooltip(const EndWriter& writer);
 
-/// The same for any kind of end: one that nobody has written says so, and one that was found
-/// without samples.
+/// The same for any kind of end: one that has not been written says so, and so does one that was
+/// found without samples.
 std::string end_tooltip(const Ui& ui, const RowEnd& end, const EndWriter& writer);
 
-/// To the moment just after a sample of the triangle on show was entered, so that its cell is the
-/// one that lights up.
+/// Goes to the moment just after a sample of the triangle shown was entered, so that its cell is
+/// the one that lights up.
 void go_to_sample(Ui& ui, int edge, int sample);
 
-/// The row of the picture at which the work on the triangle on show stands: that of the fragment,
-/// the sample or the tested pixel just done; none where the moment belongs to another triangle.
+/// The row of the picture that the work on the triangle shown has reached: that of the fragment,
+/// the sample or the tested pixel just done; none if the moment belongs to another triangle.
 std::optional<int> row_at_work(const Ui& ui);
 
 /// Which ends of this row of the picture the moment has just written.

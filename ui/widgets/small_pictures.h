@@ -44,7 +44,7 @@ struct SmallLine {
     ImU32 colour = 0;
 };
 
-/// A small picture, and what is said of it.
+/// A small picture, and what is said about it.
 struct SmallPicture {
     std::string name;  ///< of the widget
     std::string title; ///< above it, or beside it

@@ -39,7 +39,7 @@ void begin_whole_lines(Ui& ui, float room) {
     ImDrawList* const list = window->DrawList;
     if (list->CmdBuffer.back().ElemCount > 0) list->AddDrawCmd();
     if (list->CmdBuffer.Size > 1) {
-        // An empty command would be merged with the one before it.
+        // An empty command would be merged with the previous one.
         list->PrimReserve(6, 4);
         list->PrimRect(window->ClipRect.Min, window->ClipRect.Min, 0);
     }

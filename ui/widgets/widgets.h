@@ -21,8 +21,8 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip = {});
 /// large, beside the pointer.
 void draw_tooltip(const Ui& ui, std::string_view text);
 
-/// Notes the number that the widget of this name shows, for whoever asks for it by name. The widget
-/// must have been named in this frame.
+/// Notes the number that the widget of this name shows, so that it can be asked for by name. The
+/// widget must have been named in this frame.
 void note_text(Ui& ui, std::string_view name, std::string_view text);
 
 /// The signs of pass and fail, beside their colours.
