@@ -169,7 +169,7 @@ TEST_CASE("A picture whose data the decoder gives no reason for is refused in a 
     const std::string path = folder.write("x.png", png(2, 2, 8, "\x78\x01\x07"));
     const std::string damaged = path + ": the picture cannot be read: its data is damaged.";
     CHECK(complaint_about(path) == damaged);
-    // Nor is the reason that of the picture before.
+    // Nor is the reason left over from the previous picture.
     CHECK(complaint_about(folder.write("y.png", png(2, 2, 8, many_zeros(1)))) ==
           folder.file("y.png") + ": the picture cannot be read: not enough pixels.");
     CHECK(complaint_about(path) == damaged);

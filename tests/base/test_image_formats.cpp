@@ -1,4 +1,4 @@
-// Pictures of each format that is read, written here byte by byte, and what is said of the others.
+// Pictures in each format read, written here byte by byte, and what is said about the others.
 
 #include <array>
 #include <cmath>

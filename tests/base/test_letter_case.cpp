@@ -12,14 +12,14 @@ TEST_CASE("Capitals of ASCII become small letters, and every other byte stays") 
     CHECK_FALSE(contains_in_any_case("row", "rows"));
 }
 
-TEST_CASE("A picture is told by the ending of its name, in capitals or not") {
+TEST_CASE("A picture is recognized by its file extension, in capitals or not") {
     for (const char* const name : {"a.png", "A.PNG", "b.Jpeg", "c.tga", "d.ppm", ".pgm"})
         CHECK(has_image_ending(name));
     for (const char* const name : {"png", "a.png.txt", "a.tif", "", "a.jpgx"})
         CHECK_FALSE(has_image_ending(name));
 }
 
-TEST_CASE("A picture that keeps every pixel is told by the ending of its name") {
+TEST_CASE("A format that keeps every pixel is recognized by the file extension") {
     for (const char* const name : {"a.png", "A.PNG", "c.tga", "e.Bmp", "d.ppm", ".pgm"})
         CHECK(has_exact_image_ending(name));
     for (const char* const name : {"b.jpg", "b.Jpeg", "a.png.jpg", "a.tif", "", "png"})

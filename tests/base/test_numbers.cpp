@@ -67,7 +67,7 @@ TEST_CASE("Numbers are written as people write them") {
     CHECK(number_text(1e-10f) == "1e-10");
 }
 
-TEST_CASE("One of a thing is told by its word for one") {
+TEST_CASE("A count of one takes the singular") {
     CHECK(counted(0, "sample", "samples") == "0 samples");
     CHECK(counted(1, "sample", "samples") == "1 sample");
     CHECK(counted(2, "vertex", "vertices") == "2 vertices");

@@ -59,7 +59,7 @@ std::string many(std::string_view text, int count) {
 
 } // namespace
 
-TEST_CASE("Tokens are all of the expression, blanks and what nobody knows with them") {
+TEST_CASE("Tokens add up to the whole expression, including blanks and unknown characters") {
     const std::string text = "not  1/z²<= a.b2·(1.5e3 § -)";
     std::string joined;
     std::string kinds;

@@ -7,7 +7,7 @@
 #include "ui/app/app.h"
 #include "ui/ui.h"
 
-/// Textures are numbers, and nobody shows what is drawn.
+/// Textures are just numbers, and what is drawn is never shown.
 class NoTextures : public rasterwalk::TextureHost {
   public:
     ImTextureID upload(ImTextureID old, const rasterwalk::Image&) override {

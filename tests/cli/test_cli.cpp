@@ -196,7 +196,7 @@ TEST_CASE("An output that cannot be written to is noticed") {
     CHECK(err.str() == "rasterwalk: the output could not be written.\n");
 }
 
-TEST_CASE("Triangles that are left out are told on standard error, and the rest is drawn") {
+TEST_CASE("Triangles that are left out are reported on standard error, and the rest are drawn") {
     const CliRun result = run({"stats", "--json", "--set", "camera.position=0,0,0"});
     CHECK(result.exit_code == 0);
     CHECK(result.err ==
@@ -212,7 +212,7 @@ TEST_CASE("Of many triangles that are left out it is said as of many") {
           "rasterwalk: 10 triangles are left out: they turn their backs to the camera.\n");
 }
 
-TEST_CASE("Settings that contradict each other are told on standard error") {
+TEST_CASE("Settings that contradict each other are reported on standard error") {
     const CliRun planes = run({"stats", "--set", "near=3", "--set", "far=1"});
     CHECK(planes.exit_code == 0);
     CHECK(planes.err == "rasterwalk: the far plane, at 1, is not behind the near plane, at 3, so "

@@ -18,7 +18,7 @@ CliRun compare(std::vector<std::string> more) {
 
 } // namespace
 
-TEST_CASE("Two runs that are the same are told to be the same, exit code 0") {
+TEST_CASE("Two runs that are the same are reported as the same, exit code 0") {
     const CliRun result = compare({"--a", "interpolation=affine", "--b", "interpolation=affine"});
     CHECK(result.exit_code == 0);
     CHECK(result.err.empty());

@@ -18,7 +18,7 @@ CliRun render(const std::string& path, std::vector<std::string> more) {
 
 } // namespace
 
-TEST_CASE("diagnose says of the reference that there is no difference, exit code 0") {
+TEST_CASE("diagnose finds no difference in the reference itself, exit code 0") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("mine.png");
     REQUIRE(render(path, {}).exit_code == 0);
@@ -73,7 +73,7 @@ TEST_CASE("diagnose stops after its seconds and says so") {
                ContainsSubstring("\"complete\" : false"));
 }
 
-TEST_CASE("A picture in the place of a scene is told what it is for, exit code 2") {
+TEST_CASE("A picture given as a scene gets a message that says where it belongs, exit code 2") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("mine.png");
     REQUIRE(render(path, {}).exit_code == 0);

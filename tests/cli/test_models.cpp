@@ -21,7 +21,7 @@ const std::string wrong_face = ":7: 'f' names the point 9, but there are 4; the 
 
 } // namespace
 
-TEST_CASE("stats counts what a model file holds, and tells what is left out") {
+TEST_CASE("stats counts what a model file holds, and reports what is left out") {
     const TemporaryFolder folder;
     const std::string path = folder.write("m.obj", model_text);
     const CliRun text = run({"stats", path});
@@ -41,7 +41,7 @@ TEST_CASE("stats counts what a model file holds, and tells what is left out") {
     CHECK(run({"stats"}).out.find("model.") == std::string::npos);
 }
 
-TEST_CASE("render and stats tell what is right in a model and easily overlooked") {
+TEST_CASE("render and stats point out what is correct in a model but easily overlooked") {
     const TemporaryFolder folder;
     folder.write("m.mtl", "newmtl a\nKd 0 0 0\nd 0\n");
     const std::string path =
@@ -60,7 +60,7 @@ TEST_CASE("render and stats tell what is right in a model and easily overlooked"
           nlohmann::json::array({clear, black}));
 }
 
-TEST_CASE("A model with faults opens, and the first is told beside it") {
+TEST_CASE("A model with faults opens, and the first fault is shown with it") {
     const TemporaryFolder folder;
     ViewOptions options;
     options.file = folder.write("m.obj", model_text);

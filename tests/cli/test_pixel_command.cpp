@@ -24,7 +24,7 @@ std::size_t count_of(const std::string& part, const std::string& text) {
 
 } // namespace
 
-TEST_CASE("pixel tells the history of a pixel of the room, line by line") {
+TEST_CASE("pixel prints the history of a pixel of the room, line by line") {
     const CliRun result = run({"pixel", "240,300"});
     CHECK(result.exit_code == 0);
     CHECK(result.err.empty());
@@ -63,7 +63,7 @@ TEST_CASE("pixel --json gives every number of the history") {
     CHECK(count_of("\"stays\":true", json) == 1);
 }
 
-TEST_CASE("pixel --to tells what is drawn up to a moment and what is still to come") {
+TEST_CASE("pixel --to shows what is drawn up to a moment and what is still to come") {
     const CliRun text = run({"pixel", "240,300", "--to", "t21"});
     CHECK(text.exit_code == 0);
     CHECK(count_of("not drawn yet", text.out) == 2);
@@ -146,7 +146,7 @@ TEST_CASE("pixel says which of its tests have been done at the moment") {
                                          .out) == 0);
 }
 
-TEST_CASE("pixel tells which texels a pixel took, with weights, footprint and level") {
+TEST_CASE("pixel lists the texels that a pixel took, with weights, footprint and level") {
     const std::string scene = lessons_folder() + "/scenes/receding-wall.toml";
     const std::vector<std::string> asked{"pixel",   "100,70",
                                          "--scene", scene,

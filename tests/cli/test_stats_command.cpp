@@ -24,7 +24,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-/// What is told of the frame, counted without the stages that reject, clip and cull.
+/// What stats prints about the frame, counted without the stages that reject, clip and cull.
 struct Counts {
     int rejected = 0, clipped = 0, clip_triangles = 0, culled = 0;
     std::int64_t fragments_outside = 0;
@@ -101,7 +101,7 @@ Counts count_again(const Scene& scene, const Settings& settings) {
     return counts;
 }
 
-/// A clock that takes as long as it is told from one look at it to the next, milliseconds.
+/// A clock that moves on by a given step each time it is read, milliseconds.
 Clock steady_clock(double step) {
     return [now = 0.0, step]() mutable { return now += step; };
 }

@@ -41,7 +41,7 @@ std::string list_of(const std::string& json, const std::string& key) {
 
 } // namespace
 
-TEST_CASE("triangle tells the bench triangle's vertices, edges and rows in words") {
+TEST_CASE("triangle prints the bench triangle's vertices, edges and rows in words") {
     const CliRun result = run({"triangle", "0", "--scene", bench_file});
     CHECK(result.exit_code == 0);
     CHECK(result.err.empty());
@@ -272,7 +272,7 @@ TEST_CASE("A line that decides has its decisions in the JSON, another has none")
                                         "\"step\":\"diagonal\""));
 }
 
-TEST_CASE("triangle tells what a row table and a fan make of the polygon it belongs to") {
+TEST_CASE("triangle shows what a row table and a fan make of the polygon it belongs to") {
     const std::string dented = lessons_folder() + "/scenes/dented.toml";
     const std::vector<std::string> rules{"--set", "coverage=edge_functions", "--set",
                                          "fill_rule=top_left"};
@@ -294,7 +294,7 @@ TEST_CASE("triangle tells what a row table and a fan make of the polygon it belo
     CHECK_THAT(run({"triangle", "0", "--scene", bench_file}).out, !ContainsSubstring("Polygon"));
 }
 
-TEST_CASE("triangle tells what each fill rule makes of the edges that a neighbour shares") {
+TEST_CASE("triangle shows what each fill rule makes of the edges that a neighbour shares") {
     const std::string square = lessons_folder() + "/scenes/shared-edge.toml";
     CHECK_THAT(run({"triangle", "0", "--scene", square, "--set", "coverage=scan_conversion"}).out,
                ContainsSubstring("\nShared edges\n"

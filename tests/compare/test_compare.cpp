@@ -162,7 +162,7 @@ TEST_CASE("A slice of a comparison ends where only row tables are made") {
     CHECK(work.triangles_done() == 1);
 }
 
-TEST_CASE("A comparison in parts finds what one at once does, in the memory of the one before") {
+TEST_CASE("A comparison in parts agrees with one done at once, and reuses the previous memory") {
     const Scene scene = test::lab_room();
     Settings settings = default_settings(scene);
     settings.viewport = {90, 70};

@@ -74,7 +74,7 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
         for (int i = 0; i < 4; ++i)
             work.push_back(bits(event.step.cut.position_clip[i]));
     }
-    // Who is asked and shows the front goes on as if nobody had asked.
+    // A triangle that is tested and shows its front goes on as if it had not been tested.
     for (const CullEvent& event : recorder.culls) {
         if (event.test.is_back) all[event.cursor].work = {1U};
     }
@@ -311,7 +311,7 @@ TEST_CASE("Wild cameras, lamps and lenses are compared without harm") {
     }
 }
 
-TEST_CASE("From any moment to the next divergence and to the one before") {
+TEST_CASE("From any moment to the next divergence and to the previous one") {
     const Scene scene = small_scene();
     Random random(7);
     for (const Variant& variant : rule_variants()) {
@@ -335,7 +335,7 @@ TEST_CASE("From any moment to the next divergence and to the one before") {
     }
 }
 
-TEST_CASE("At a moment it is told whether the runs differ there") {
+TEST_CASE("At any moment you can ask whether the runs differ there") {
     const Scene scene = small_scene();
     for (const Variant& variant : some_of(rule_variants(), 4)) {
         for (const StripStep& stage : {StripStep{Stage::points}, StripStep{Stage::edges},
@@ -391,7 +391,7 @@ TEST_CASE("A frame compared up to a moment") {
     CHECK(compare_runs(a, b, cursor_begin).is_same());
 }
 
-TEST_CASE("A difference no larger than rounding errors is told from a real one") {
+TEST_CASE("A difference no larger than rounding errors is distinguished from a real one") {
     // Edges along the axes and the diagonal are walked without error; 1/z in the rows is not.
     const Scene scene = pixel_scene({{{{0, 0, 1}, {30, 0, 3}, {0, 30, 7}}}}, {32, 32});
     const Variant& handout = rule_variants().front();
@@ -428,7 +428,7 @@ std::string cause(const Scene& scene, const StripStep& stage, const std::string&
 
 } // namespace
 
-TEST_CASE("The cause is told in words and numbers") {
+TEST_CASE("The cause is given in words and numbers") {
     const Scene steep = pixel_scene({{{{0, 2, 1}, {3, 1, 1}, {6, 2, 1}}}}, {10, 6});
     CHECK(cause(steep, {Stage::fill}, "line_walk=exact") ==
           "t0/e0/s3: edge 0, line[3] of 4. A: y = 0.9999999 is cut to 0, above the first row 1. "

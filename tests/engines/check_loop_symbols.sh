@@ -9,7 +9,7 @@ own='namespace rasterwalk::fast { struct Loops { int n; }; static const Loops lo
     const Loops& scalar_loops() { return loops; } }'
 faults=0
 
-# expect CODE WORDS SOURCE: what the test says of an object of this source.
+# expect CODE WORDS SOURCE: what the test says about an object built from this source.
 expect() {
     local object=$folder/fast_loops_scalar.cpp.o said code
     "$compiler" -std=c++20 -O0 -x c++ -c -o "$object" - <<<"$3" || exit 2

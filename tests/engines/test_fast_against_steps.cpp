@@ -171,7 +171,7 @@ bool check_against_steps(const Scene& scene, const Settings& settings) {
     return true;
 }
 
-/// In these, surfaces lie in one plane, so that nothing but rounding tells which is nearer.
+/// In these, surfaces lie in one plane, so that rounding alone decides which is nearer.
 bool has_equal_depths(const Scene& scene) {
     const std::string file = std::filesystem::path(scene.path).stem().string();
     return file == "z-fighting";

@@ -1,5 +1,5 @@
-// Scenes and settings that nobody would give in earnest: the fast engine ends, stays in its memory,
-// and draws black or something sane.
+// Scenes and settings that you would never choose in earnest: the fast engine finishes, stays
+// within its memory, and draws black or something sane.
 
 #include <algorithm>
 #include <array>

@@ -112,7 +112,7 @@ TEST_CASE("The fast engine's picture is the same bits with one thread, two and t
         for (const SimdLevel level : simd_levels()) {
             FastEngine two(scene, {.level = level, .threads = 2});
             FastEngine three(scene, {.level = level, .threads = 3});
-            // From the second picture on bands are as high as the one before lets them be.
+            // From the second picture on, the previous picture decides how tall the bands are.
             for (int round = 0; round < rounds(5, 2); ++round) {
                 for (const FastShot& shot : shots_of(scene)) {
                     CAPTURE(scene.name, word_of(level), shot.name, round);

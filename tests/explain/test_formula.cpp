@@ -61,7 +61,7 @@ TEST_CASE("Accumulate adds its step as often as it says, with every rounding err
     CHECK(evaluate(formula("accumulate(0, a, 1000)", {input("a", 0.1f)})) == sum);
 }
 
-TEST_CASE("What a function in a formula does is told where it stands") {
+TEST_CASE("What a function in a formula does is explained where it is used") {
     using Catch::Matchers::ContainsSubstring;
     CHECK_THAT(
         function_help("accumulate(left, (right − left) / (n − 1), i)"),

@@ -54,7 +54,7 @@ TEST_CASE("A mistaken line has the rule that it follows") {
         "l = -5, s = -2; d starts at 2 s − l = 1");
 }
 
-TEST_CASE("Each decision is told with its sign, its step and its sum") {
+TEST_CASE("Each decision is shown with its sign, its step and its sum") {
     const EdgeMicroscope edge = gentle_edge(with_line(LineAlgorithm::bresenham));
     CHECK(decision_words(edge, LineAlgorithm::bresenham, 0) ==
           "d = -1 < 0: straight, then d = -1 + 4 = 3");

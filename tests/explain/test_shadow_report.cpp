@@ -57,7 +57,7 @@ float shown_by(const FragmentReport& report, const std::string& id) {
 TEST_CASE("Every number on the way to a shadow has a formula that gives it again") {
     struct Case {
         std::initializer_list<const char*> settings;
-        const char* id; ///< that is told where something is asked
+        const char* id; ///< of a formula that is there if the shadow is asked
     };
     for (const Case& one :
          {Case{{"shadows=rays"}, "pixel_light.shadow.from.x"},
@@ -117,7 +117,7 @@ TEST_CASE("Every number on the way to a shadow has a formula that gives it again
     }
 }
 
-TEST_CASE("The report of a vertex tells its shadow too") {
+TEST_CASE("The report of a vertex shows its shadow too") {
     const Frame frame = small_frame({"shadows=rays", "stage=vertex_light", "tessellation=4"});
     int dark = 0;
     for (int t = 0; t < frame.triangle_count(); t += 7) {
@@ -129,7 +129,7 @@ TEST_CASE("The report of a vertex tells its shadow too") {
     CHECK(dark > 3);
 }
 
-TEST_CASE("Without shadows nothing is said of them") {
+TEST_CASE("Without shadows nothing is said about them") {
     const Frame frame = small_frame({});
     const std::optional<Cursor> cursor = fragment_on_pixel(frame, {20, 36}, cursor_end);
     REQUIRE(cursor);

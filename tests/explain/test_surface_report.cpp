@@ -50,7 +50,7 @@ std::vector<FragmentEvent> some_fragments(const Frame& frame) {
     return {*brightest, all[all.size() / 3], all[2 * all.size() / 3]};
 }
 
-/// Where the light in force is told, by its prefix and channel.
+/// The id of the light in force, by its prefix and channel.
 std::string id_of_light(const Frame& frame, const FragmentReport& report, int channel) {
     constexpr std::array<const char*, 3> names{"red", "green", "blue"};
     const std::string name = names[static_cast<std::size_t>(channel)];
@@ -70,7 +70,7 @@ std::string id_of_light(const Frame& frame, const FragmentReport& report, int ch
 
 } // namespace
 
-TEST_CASE("Every term of a shining, bent, coloured surface is told with its formula") {
+TEST_CASE("Every term of a shiny, bent, coloured surface is shown with its formula") {
     const Scene scene = coloured_cylinder();
     int told = 0, shining = 0;
     for (const char* shading : {"stage=fill", "shading=flat", "shading=gouraud", "shading=phong"}) {
@@ -108,7 +108,7 @@ TEST_CASE("Every term of a shining, bent, coloured surface is told with its form
 }
 
 TEST_CASE(
-    "Where both sides are lit, a back tells how its normal is turned, and a front that it stays") {
+    "Where both sides are lit, a back shows that its normal is flipped, a front that it is not") {
     const Scene scene = coloured_cylinder();
     int turned = 0, kept = 0;
     for (const char* shading : {"shading=flat", "shading=gouraud", "shading=phong"}) {
@@ -141,7 +141,7 @@ TEST_CASE(
     CHECK(kept > 5);
 }
 
-TEST_CASE("A vertex tells its highlight, and light per vertex brings it along") {
+TEST_CASE("A vertex shows its highlight, and light per vertex carries it along") {
     const Scene scene = coloured_cylinder();
     Settings settings = default_settings(scene);
     set_from_text(settings, "shading=gouraud");
@@ -163,7 +163,7 @@ TEST_CASE("A vertex tells its highlight, and light per vertex brings it along") 
 }
 
 TEST_CASE(
-    "Half-way between normals 60 degrees apart 0.866 is left, and of that to the 50th 0.00075") {
+    "Halfway between normals 60 degrees apart 0.866 is left, and of that to the 50th 0.00075") {
     // Two corners with normals 30 degrees to either side; lamp and eye straight in front.
     const Scene scene = parse_scene(R"(
 name = "Two normals"

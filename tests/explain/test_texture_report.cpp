@@ -117,7 +117,7 @@ TEST_CASE("Every number of a textured fragment follows from its formula to the b
 }
 
 TEST_CASE(
-    "Whatever the shading, a painted surface of many colours tells the colour that is drawn") {
+    "Whatever the shading, a painted surface of many colours reports the colour that is drawn") {
     const Scene plain = test::receding_wall(test::many_colours(5, 4), 2.3f);
     Scene scene = plain;
     scene.mesh = {};

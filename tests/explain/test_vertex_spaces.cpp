@@ -98,7 +98,7 @@ TEST_CASE("Every vertex stands in each space where the drawing has it") {
     }
 }
 
-TEST_CASE("What clip space says of a box is what its matrix does, for every projection") {
+TEST_CASE("What clip space says about a box is what its matrix does, for every projection") {
     const Scene scene = turned_block();
     struct Case {
         const char *projection, *beginning, *end;

@@ -1,4 +1,4 @@
-// Facts held against what was drawn, under every value of every setting: whatever function stands
+// Facts checked against what was drawn, under every value of every setting: whatever function is
 // in a slot of the table of stages, a fact says what that function has done.
 
 #include <algorithm>
@@ -179,7 +179,7 @@ TEST_CASE("Under every setting the facts of pixels and vertices are what was dra
     CHECK(10 * seen.large_errors > seen.errors);
 }
 
-TEST_CASE("With the light turned round the light error is still that of the two pictures") {
+TEST_CASE("With the light reversed the light error is still that of the two pictures") {
     Asked asked("lab-room");
     Settings settings = default_settings(*asked.session.scene);
     settings.light_rules.direction = LightDirection::from_light;
@@ -256,7 +256,7 @@ TEST_CASE("t at the near plane is where the function that clips puts the corner"
         float out = given[(first + 1) % given.size()].position_clip.w;
         if (!is_in(first)) std::swap(in, out);
         const auto cut = static_cast<double>(in) + *t * static_cast<double>(out - in);
-        // clip_all() may go on to cut at the sides; then the corner is told, not drawn.
+        // clip_all() may go on to cut at the sides; then the corner is reported, not drawn.
         const test::Recorder recorder = record(asked.frame());
         const bool is_told = std::any_of(
             recorder.clip_steps.begin(), recorder.clip_steps.end(), [&](const ClipEvent& event) {

@@ -37,7 +37,7 @@ struct Asked {
 
 } // namespace
 
-TEST_CASE("Names of facts are told once and have a sentence") {
+TEST_CASE("Names of facts are listed once and have a sentence") {
     std::set<std::string> names;
     for (const std::string& name : all_names()) {
         INFO(name);
@@ -104,7 +104,7 @@ TEST_CASE("The sides of a box are facts while there is one") {
     CHECK(room.number("view_box.top") == 2.0);
 }
 
-TEST_CASE("The weights of a pixel are told with all that their floats hold") {
+TEST_CASE("The weights of a pixel are given to the full precision of their floats") {
     Asked triangle;
     triangle.session = open_session(lessons_folder() + "/scenes/one-triangle.toml");
     triangle.session.a.settings.coverage = Coverage::edge_functions;
@@ -131,7 +131,7 @@ TEST_CASE("The frame's facts are the golden numbers of the room") {
     CHECK(room.number("frame.triangles") + room.number("frame.left_out") == 30);
 }
 
-TEST_CASE("Clipping and culling of the triangle on show are facts, and so are their moments") {
+TEST_CASE("Clipping and culling of the triangle shown are facts, and so are their moments") {
     Asked room;
     room.session.selection.triangle = 0;
     CHECK(room.number("polygon.planes") == 0);
@@ -264,7 +264,7 @@ TEST_CASE("The light's facts are the terms of the fragment that stays") {
           static_cast<double>(std::max({apart.x, apart.y, apart.z})));
 }
 
-TEST_CASE("The table's facts are of the finished table of the triangle on show") {
+TEST_CASE("The table's facts are of the finished table of the triangle shown") {
     Asked bench;
     bench.session = open_session(lessons_folder() + "/scenes/one-triangle.toml");
     bench.session.cursor = cursor_begin;
@@ -316,7 +316,7 @@ TEST_CASE(
     CHECK(hexagon.number("shared.holes_exclusive") == 15); // of 17 pixels the ends are no holes
 }
 
-TEST_CASE("The cursor's facts tell what comes next") {
+TEST_CASE("The cursor's facts say what comes next") {
     Asked room;
     room.session.cursor = {4, Phase::edges, 1, 7};
     CHECK(room.number("cursor.triangle") == 4);
@@ -363,7 +363,7 @@ TEST_CASE("By matrices no vertex is elsewhere and no pixel differs; turned, they
     CHECK(room.number("compare.vertices_elsewhere") <= 90);
 }
 
-TEST_CASE("Ndc z is told of a vertex and of a pixel, under either projection") {
+TEST_CASE("NDC z is given for a vertex and for a pixel, under either projection") {
     Asked room;
     room.session.selection.triangle = 0;
     room.session.selection.vertex = 0;
@@ -417,7 +417,7 @@ TEST_CASE("Where a picked pixel lies in its texture, and which texels it takes, 
     wall.session.selection.pixel = glm::ivec2(100, 70);
     Settings& settings = wall.session.a.settings;
     settings.coverage = Coverage::edge_functions;
-    // Half-way on the screen from depth 2 to 4; a row is 10 above the middle of the picture.
+    // Halfway on the screen from depth 2 to 4; a row is 10 above the middle of the picture.
     const double z = 8.0 / 3.0, height = 1.2;
     CHECK(wall.number("pixel.u") == Approx(1.0 / 3.0).margin(1e-6));
     CHECK(wall.number("pixel.v") == Approx(0.5 - 10.0 / 200.0 * z / height).margin(1e-6));
