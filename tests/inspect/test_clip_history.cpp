@@ -1,5 +1,5 @@
-// The way of a triangle through clip and cull, as it is told, against clipping a second way: in
-// barycentric coordinates and in double.
+// The path of a triangle through clip and cull, as it is reported, against clipping by a second
+// method: in barycentric coordinates and in double.
 
 #include "inspect/clip_history.h"
 
@@ -294,7 +294,7 @@ TEST_CASE("The polygon of the history is what the frame draws, and culling what 
     CHECK(cut > 50);
 }
 
-TEST_CASE("Culling tells the numbers by which it decides") {
+TEST_CASE("Culling reports the numbers by which it decides") {
     Scene scene = cut_scene();
     // Looks along +z: the first corner's normal points to the camera, the others' away from it.
     const std::array<glm::vec3, 3> places{glm::vec3(0, 0, 1), {0.2f, 0, 1}, {0, 0.2f, 1}};

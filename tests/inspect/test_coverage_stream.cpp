@@ -204,10 +204,10 @@ std::vector<ScreenVertex> five_corners() {
 
 } // namespace
 
-TEST_CASE("However the pixels are found, all that is shown tells the same story") {
+TEST_CASE("However the pixels are found, everything shown agrees") {
     for_each_covered_frame([](const Frame& frame) {
         const Told told = told_of(frame);
-        CHECK(draw_frame(frame) == told.picture); // also when nobody watches
+        CHECK(draw_frame(frame) == told.picture); // also without an observer
         CHECK(told.events.samples.empty());
         CHECK(told.events.tests.empty() != tests_pixels(frame.stages));
         for (int t = 0; t < frame.triangle_count(); ++t) {
@@ -216,7 +216,7 @@ TEST_CASE("However the pixels are found, all that is shown tells the same story"
         const std::vector<Cursor> expected = all_moments(frame);
         const std::vector<Cursor> heard = told_moments(told.events, frame.settings.stage);
         std::vector<Cursor> moments = expected;
-        // A row without fragments is no moment that is told.
+        // A row without fragments is not reported as a moment.
         if (frame.settings.stage == Stage::rows)
             std::erase_if(moments, [](const Cursor& at) { return at.phase == Phase::rows; });
         CHECK(first_odd_one(heard, moments) == "none");
@@ -429,7 +429,7 @@ TEST_CASE("What is known of each pixel at a moment is what the tests before it h
     CHECK(moments > 30);
 }
 
-TEST_CASE("Of the tests those in the scissor are told, in order") {
+TEST_CASE("Only the tests inside the scissor are reported, in order") {
     const Scene scene = pixel_scene({{{{-20, -30, 1}, {40, 5, 1}, {5, 50, 1}}}}, {16, 12});
     const Frame frame = prepare_frame(
         scene, settings_of(scene, {Stage::fill},

@@ -101,7 +101,7 @@ TEST_CASE("Step by step the polygon becomes what the plane leaves") {
     }
 }
 
-TEST_CASE("The moment just done tells how far clipping has come") {
+TEST_CASE("The moment just done shows how far clipping has come") {
     const Scene room = lab_room();
     const Frame frame = prepare_frame(room, near_clipped_room(room));
     const ClipHistory history = clip_history(frame, 1);

@@ -23,8 +23,8 @@ Frame room_with(LineAlgorithm line) {
     return prepare_frame(*session.scene, settings);
 }
 
-/// Samples of an edge that lie elsewhere than in the float walk, if each takes its nearest pixel
-/// and at a tie the one further from the start.
+/// Samples of an edge that land on a different pixel from the float walk's, if each takes its
+/// nearest pixel and at a tie the one further from the start.
 int different_by_fractions(const ScreenVertex& a, const ScreenVertex& b) {
     const int dx = b.column - a.column, dy = b.row - a.row;
     const int n = std::max(std::abs(dx), std::abs(dy));
@@ -52,7 +52,7 @@ TEST_CASE("Of the room's 90 edges, Interpolate misses 24 ends and no other line 
     CHECK(count_edge_ends(room_with(LineAlgorithm::dda)) == EdgeEnds{90, 0});
 }
 
-TEST_CASE("Samples that Bresenham puts elsewhere than Interpolate, edge by edge") {
+TEST_CASE("Samples that Bresenham puts on different pixels from Interpolate, edge by edge") {
     const Frame a = room_with(LineAlgorithm::interpolate), b = room_with(LineAlgorithm::bresenham);
     std::int64_t sum = 0;
     for (int t = 0; t < a.triangle_count(); ++t) {

@@ -1,6 +1,6 @@
-// In each slot of the table another function, one after the other: the picture, the row tables, the
-// histories, the microscope, the statistics, the timeline and what an observer is told must tell
-// the same story, and another one than before.
+// Each slot of the table gets another function, one slot after the other: the picture, the row
+// tables, the histories, the microscope, the statistics, the timeline and what an observer gets
+// must all agree, and differ from what they said before.
 
 #include <algorithm>
 #include <map>
@@ -310,7 +310,7 @@ void check_tables(const Frame& frame, const Story& story, int triangle) {
     CHECK(report.rows.sample_count == static_cast<int>(told.size()));
     REQUIRE(report.rows.last);
     CHECK(same_place(*report.rows.last, told.back()));
-    // What is drawn of each row of the table is what the observer was told.
+    // What is drawn of each row of the table is what the observer got.
     const Rectangle area = drawn_area(frame);
     const std::map<int, std::vector<int>> rows = told_rows(story, triangle);
     const PolygonRows& table = report.rows.rows;
@@ -374,7 +374,7 @@ void check_moments(const Frame& frame, const Story& story) {
     CHECK(cursor == cursor_end);
 }
 
-/// History, report and list of moments tell of clipping and culling what the observer was told.
+/// History, report and list of moments show the clipping and culling that the observer got.
 void check_clipping(const Frame& frame, const Story& story, int triangle) {
     std::vector<std::string> told, of_history, of_report;
     for (const ClipEvent& event : story.told.clip_steps) {
@@ -476,7 +476,7 @@ Settings settings_of_story(const Scene& scene) {
 
 } // namespace
 
-TEST_CASE("With another function in any slot all that is shown tells the same, new story") {
+TEST_CASE("With another function in any slot everything shown agrees, and is new") {
     const Scene pixels = small_scene(), world = small_world();
     for (const Replacement& replacement : replacements()) {
         CAPTURE(replacement.slot);
@@ -490,7 +490,7 @@ TEST_CASE("With another function in any slot all that is shown tells the same, n
                                          !(story.depth_image.rgba == usual.depth_image.rgba) ||
                                          story.tally.samples_outside != usual.tally.samples_outside;
         CHECK(tells_something_new);
-        CHECK(draw_frame(frame) == story.picture); // also when nobody watches
+        CHECK(draw_frame(frame) == story.picture); // also without an observer
         for (int t = 0; t < frame.triangle_count(); ++t) {
             if (frame.has_moments(t)) check_clipping(frame, story, t);
             if (!frame.is_drawn(t)) continue;

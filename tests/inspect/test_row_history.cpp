@@ -55,7 +55,7 @@ std::string describe(const Triangle3& t, const WalkRules& rules) {
     return text.str();
 }
 
-/// What the sample that a writer names leaves, walked to anew.
+/// What the sample that a writer names leaves, found by walking to it again.
 RowEnd end_of(const Triangle3& t, const WalkRules& rules, const EndWriter& by) {
     const auto edge = static_cast<std::size_t>(by.edge);
     LineWalker walker = walk_edge(t[edge], t[(edge + 1) % t.size()], rules);
@@ -128,7 +128,7 @@ TEST_CASE("The table that is built with its history equals the one built in one 
     }
 }
 
-TEST_CASE("Whoever is said to have written an end is the sample that stands there") {
+TEST_CASE("The sample that is said to have written an end is the one stored there") {
     std::mt19937 random(2);
     const std::vector<WalkRules> rules = all_rules();
     for (int i = 0; i < 2000; ++i) {
@@ -186,7 +186,7 @@ TEST_CASE("The first samples of a table, one more at a time, lead to the whole t
     CHECK(row_history(triangle, {}, 1000).left_by == whole.left_by);
 }
 
-TEST_CASE("A row tells which edges wrote its ends and how often they were replaced") {
+TEST_CASE("A row shows which edges wrote its ends and how often they were replaced") {
     const Triangle3 triangle{at(10, 5), at(5, 10), at(15, 15)};
     const RowHistory history = row_history(triangle, {});
     // Row 10 is reached by the end of edge 0, the start of edge 1, which is no smaller, then by

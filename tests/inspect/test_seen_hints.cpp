@@ -72,7 +72,7 @@ TEST_CASE("Backs and black pixels are counted over the picture") {
     }
 }
 
-TEST_CASE("A box whose fronts point inward is told to be seen from behind, and no other") {
+TEST_CASE("A box whose fronts point inward is reported as seen from behind, and no other") {
     using namespace seen_hints_of_models;
     const std::vector<SeenHint> hints = hints_of(box(true), {});
     REQUIRE(hints.size() == 2);
@@ -95,7 +95,7 @@ TEST_CASE("A box whose fronts point inward is told to be seen from behind, and n
     CHECK(hints_of(test::lesson_scene("lab-room"), {"light.indirect=0", "light.power=0"}).empty());
 }
 
-TEST_CASE("What is black all over is told the setting that lights most of it, or none") {
+TEST_CASE("For what is black all over the hint names the setting that lights most of it, or none") {
     using namespace seen_hints_of_models;
     const std::vector<SeenHint> back = hints_of(sheet(true), {"light.indirect=0"});
     REQUIRE(back.size() == 1);
@@ -117,7 +117,7 @@ TEST_CASE("What is black all over is told the setting that lights most of it, or
     CHECK(image[0].settings == std::vector<std::string>{"texture=off"});
 }
 
-TEST_CASE("What is wholly transparent is told the settings that draw it opaque") {
+TEST_CASE("For what is wholly transparent the hint names the settings that draw it opaque") {
     using namespace seen_hints_of_models;
     const std::vector<std::string> no_blending{"blend=off"}, no_alpha{"texture_alpha=off"};
     for (const char* const d : {"d 0\n", "d 0.001\n", "Tr 0.9999\n"}) {

@@ -84,8 +84,7 @@ TEST_CASE("What is counted in shadow is what is darker in the picture, part by p
     CHECK(dark > 400);
 }
 
-TEST_CASE(
-    "Facts of shadows are those of the picked pixel, of the part on show and of the picture") {
+TEST_CASE("Facts of shadows are those of the picked pixel, of the part shown and of the picture") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     session.a.settings = small_room(*session.scene, {"shadows=rays"});
     session.selection.pixel = glm::ivec2(64, 72); // on the floor, beside the red block

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int pair_field = 10; ///< pixels, along each side
 
-/// What the picture says of a pixel, in a word.
+/// What the picture says about a pixel, in a word.
 constexpr std::array edge_pixel_words{"nobody", "triangle", "neighbour", "twice", "hole"};
 
 Frame frame_covered(const Scene& scene, Coverage coverage, FillRule rule = FillRule::inclusive) {

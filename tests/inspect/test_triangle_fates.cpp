@@ -21,8 +21,8 @@ Frame depth_frame(const Scene& scene) {
     return prepare_frame(scene, settings);
 }
 
-/// What the histories of the part's pixels say of the triangle otherwise than the fates; empty if
-/// nothing.
+/// The first disagreement between the histories of the part's pixels and the triangle's fates;
+/// empty if there is none.
 std::string first_fault(const Frame& frame, int triangle, const Rectangle& part,
                         const std::vector<FragmentFate>& fates) {
     std::size_t known = 0;

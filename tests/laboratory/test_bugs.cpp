@@ -1,4 +1,4 @@
-// The bug laboratory: every mistake shows the symptom that is said of it, on the scene that comes
+// The bug laboratory: every mistake shows the symptom described for it, on the scene that comes
 // with it, and nothing else.
 
 #include "laboratory/bug.h"
@@ -183,7 +183,7 @@ TEST_CASE("Both runs of a bug differ in what it sets and in nothing else") {
         INFO(bug.id);
         Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
         set_rounding(session.a.settings,
-                     Rounding::round); // forgotten: bugs are told from the lab's rules
+                     Rounding::round); // forgotten: bugs start from the lab's rules
         session.cursor = cursor_begin;
         apply_bug(bug, session);
         REQUIRE(session.b);
@@ -321,7 +321,7 @@ TEST_CASE("B6: a triangle left of the picture leaves a line of pixels in column 
     CHECK(phantoms == 13); // twelve rows of the left triangle, one of that half in the picture
 }
 
-TEST_CASE("B7: rows that nobody has set are counted, and nothing of them is drawn") {
+TEST_CASE("B7: rows that were never set are counted, and nothing of them is drawn") {
     const Runs runs("B7");
     CHECK(runs.wrong_stats.unset_rows == 5);
     CHECK(runs.correct_stats.unset_rows == 0);
@@ -363,7 +363,8 @@ TEST_CASE("B9: every row of every triangle lacks its last fragment, and no other
         const bool is_last = cursor.step + 1 == row_span({}, table, cursor.index).count;
         last += is_last ? 1 : 0;
         const FragmentEvent* found = fragment_at(wrong, cursor);
-        if ((found != nullptr) == is_last) FAIL(to_text(cursor) << " should be otherwise");
+        if ((found != nullptr) == is_last)
+            FAIL(to_text(cursor) << " should be the other way round");
         if (found && !same_bits(found->fragment, event.fragment))
             FAIL(to_text(cursor) << " has other numbers");
     }

@@ -1,5 +1,5 @@
-// The mistakes on the way from the world to the pixel: what is said of each is worked out here from
-// the vertices of the scene, in double.
+// The mistakes on the way from the world to the pixel: what is said about each is worked out here
+// from the vertices of the scene, in double.
 
 #include <algorithm>
 #include <cmath>

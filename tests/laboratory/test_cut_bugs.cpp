@@ -1,4 +1,4 @@
-// The mistakes in culling and clipping, held against the triangles of the scene.
+// The mistakes in culling and clipping, checked against the triangles of the scene.
 
 #include <cmath>
 

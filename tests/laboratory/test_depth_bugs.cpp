@@ -159,7 +159,8 @@ TEST_CASE("B89: 1/z changes by as much as it should, the other way, and blocks l
     const BugRuns runs("B89");
     float begun = 0.0f, most = 0.0f, block = 0.0f;
     for_each_pair(runs, [&](const FragmentEvent& wrong, const FragmentEvent& right) {
-        // Columns 0 lie in the picture in this room: each row is told from its left end on.
+        // In this room column 0 is always in the picture, so each row is reported from its left
+        // end.
         if (right.cursor.step == 0) begun = right.fragment.depth;
         const float wanted = begun - (right.fragment.depth - begun);
         if (right.cursor.step > 0 && std::abs(wrong.fragment.depth - wanted) > 1e-4f)

@@ -68,7 +68,7 @@ TEST_CASE("The reference itself has no difference") {
     CHECK(diagnosis.candidates.empty());
 }
 
-TEST_CASE("The picture of every single bug is told, from three camera positions") {
+TEST_CASE("The picture of every single bug is recognized, from three camera positions") {
     const Scene scene = lab_room();
     const std::vector<Bug> bugs = read_bugs();
     int tried = 0, shown = 0, first = 0;
@@ -128,7 +128,7 @@ TEST_CASE("The picture of every single bug is told, from three camera positions"
     CHECK(10 * first >= 9 * shown);
 }
 
-TEST_CASE("A bug is told from a view with another lamp, at another stage") {
+TEST_CASE("A bug is recognized in a view with another lamp, at another stage") {
     const Scene scene = lab_room();
     const std::vector<Bug> bugs = read_bugs();
     Settings reference = small(scene);
@@ -150,7 +150,7 @@ TEST_CASE("A bug is told from a view with another lamp, at another stage") {
     CHECK(diagnosis.candidates.front().remark == "with stage=depth");
 }
 
-TEST_CASE("What is no bug is told too") {
+TEST_CASE("What is not a bug is named too") {
     const Scene scene = lab_room();
     const std::vector<Bug> bugs = read_bugs();
     const Settings reference = small(scene);
@@ -250,7 +250,7 @@ TEST_CASE("Beside the true cause nothing is named that explains nothing more") {
     }
 }
 
-TEST_CASE("Mistakes of matrices are told, and nobody else is accused of them") {
+TEST_CASE("Mistakes of matrices are recognized, and no other mistake is taken for them") {
     const Scene scene = lab_room();
     const std::vector<Bug> bugs = read_bugs();
     Settings reference = small(scene);
@@ -283,7 +283,8 @@ TEST_CASE("Mistakes of matrices are told, and nobody else is accused of them") {
     CHECK(diagnose_picture(picture_of(scene, wrong), scene, matrices, bugs).is_same());
 }
 
-TEST_CASE("A picture that was clipped or culled in another way is told by that, mistaken or not") {
+TEST_CASE(
+    "A picture that was clipped or culled differently is recognized as such, mistaken or not") {
     // In the corridor triangles reach behind the camera; behind the room all its walls show backs.
     const Scene corridor = read_scene(lessons_folder() + "/scenes/corridor.toml");
     const Scene room = lab_room();

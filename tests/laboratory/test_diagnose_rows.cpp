@@ -52,7 +52,7 @@ TEST_CASE("Printed rows are read in the lab's form, with blanks and other lines 
     CHECK(rows == std::vector<PrintedRow>{{{10, 5}, {10, 5}}, {{-9, 6}, {10, 6}}});
 }
 
-TEST_CASE("What is no row is told with its line") {
+TEST_CASE("What is not a row is reported with its line") {
     CHECK_THROWS_WITH(parse_printed_rows("Start: (1,2). End: (1,2).\nStart: 1,2\n", "rows.txt"),
                       Catch::Matchers::StartsWith("rows.txt:2: a row must look like"));
     CHECK_THROWS_WITH(parse_printed_rows("Start: (1,2). End: (99999999999,2).", "rows.txt"),
@@ -75,7 +75,7 @@ TEST_CASE("The right table has no difference, and its polygon is found") {
     CHECK(diagnose(table_text(shallow, handout), shallow_points).is_same());
 }
 
-TEST_CASE("The table of every bug is told, if the bug changes it") {
+TEST_CASE("The table of every bug is recognized if the bug changes it") {
     const Settings handout;
     int changed = 0;
     for (const Bug& bug : read_bugs()) {
@@ -93,7 +93,7 @@ TEST_CASE("The table of every bug is told, if the bug changes it") {
     CHECK(changed >= 3);
 }
 
-TEST_CASE("What is wrong with a table without a bug is told") {
+TEST_CASE("What is wrong with a table is named even without a bug") {
     const Diagnosis diagnosis = diagnose("Start: (10,5). End: (9,5).\n"
                                          "Start: (9,6). End: (9,6).\n"
                                          "Start: (8,7). End: (10,7).\n"

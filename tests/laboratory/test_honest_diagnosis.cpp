@@ -71,13 +71,13 @@ Outcome outcome(const BroughtPicture& picture, const Diagnosis& diagnosis) {
                                                : diagnosis.candidates.front().ids();
     const bool is_all_named =
         std::all_of(picture.mistakes.begin(), picture.mistakes.end(), [&](const KnownMistake& m) {
-            // From the picture alone it cannot be told from another lamp.
+            // From the picture alone it cannot be distinguished from another lamp.
             return m.is_lamp || is_named(m, first);
         });
     return is_all_named ? Outcome::ok : Outcome::missed;
 }
 
-/// The settings that the laboratory compares with: its own, with the camera if that is told.
+/// The settings that the laboratory compares with: its own, with the camera if that is given.
 Settings reference_of(const BroughtPicture& picture, const Scene& scene, const Image& image) {
     Settings reference = fitted_to(default_settings(scene), image, SceneSpace::world);
     if (picture.is_camera_told) {

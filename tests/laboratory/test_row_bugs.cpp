@@ -192,7 +192,7 @@ TEST_CASE("B95: every triangle lacks its lowest row, and its samples fall outsid
     CHECK(rows.size() == 1);
 }
 
-TEST_CASE("B93: what lies outside the table widens its nearest row, and is told no more") {
+TEST_CASE("B93: what lies outside the table widens its nearest row, and is no longer reported") {
     const BugRuns runs("B93");
     const Frame& frame = runs.right.frame;
     require_tables(runs, [&](const SampleEvent& event) -> std::optional<int> {

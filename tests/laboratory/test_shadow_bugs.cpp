@@ -1,4 +1,4 @@
-// The mistakes of shadows, each on the lab's room, with what is said of its symptom.
+// The mistakes of shadows, each in the lab's room, with what is said about its symptom.
 
 #include "laboratory/bug.h"
 

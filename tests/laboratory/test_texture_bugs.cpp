@@ -151,7 +151,7 @@ TEST_CASE("B67: below 0 a texel is read from the row above, and before the first
     }
 }
 
-TEST_CASE("B67: the texel that a pixel took is told as it was read") {
+TEST_CASE("B67: the texel that a pixel took is reported as it was read") {
     const TexturedRuns runs("B67");
     const Frame frame = prepare_frame(*runs.session.scene, runs.session.a.settings);
     const auto report = texture_report(frame, Cursor{0, Phase::rows, 64, 20});
