@@ -1,4 +1,4 @@
-// An answer as it is told back, and the answer in it.
+// An answer as it is repeated back, and the answer in it.
 
 #include "lessons/lesson_run.h"
 #include "tests/support/catch.h"
@@ -19,7 +19,7 @@ LessonPrediction prediction_of(Kind kind, const std::string& unit = {}) {
 
 } // namespace
 
-TEST_CASE("Every answer is found again in the words in which it was told back") {
+TEST_CASE("Every answer is found again in the words in which it was repeated back") {
     for (const std::string unit : {"", "pixels", "12"}) {
         const LessonPrediction number = prediction_of(Kind::number, unit);
         for (const std::string typed : {"12", "-0.5", "1/3", "0,5", "500*2"}) {

@@ -1,5 +1,5 @@
-// The lessons in tests/lessons/broken are broken on purpose, in every way that there is. What is to
-// be said of them stands beside them, in expected.txt.
+// The lessons in tests/lessons/broken are broken on purpose, in every way that there is. What must
+// be said about them is next to them, in expected.txt.
 
 #include <algorithm>
 #include <filesystem>
@@ -49,7 +49,7 @@ void compare(const Lines& told, const Lines& expected) {
     }
     for (const std::string& line : expected) {
         if (std::find(told.begin(), told.end(), line) == told.end()) {
-            UNSCOPED_INFO("is not told:     " << line);
+            UNSCOPED_INFO("is not reported: " << line);
         }
     }
     CHECK(told == expected);

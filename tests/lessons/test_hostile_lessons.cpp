@@ -80,7 +80,7 @@ TEST_CASE("What is no file of text is no lesson") {
         fs::create_directory(path);
         refused(path, {0, "the file cannot be read: Is a directory."});
     }
-    SECTION("a pipe into which nobody writes") {
+    SECTION("a pipe that is never written to") {
         REQUIRE(mkfifo(path.c_str(), 0600) == 0);
         CHECK_FALSE(is_readable(
             refused(path, {1, "the block 'lesson' is missing at the top of the file."})));

@@ -141,7 +141,7 @@ PREDICTIONS_TEST("Lesson 8: the depth of the back wall, and of the middle of the
     // z itself, z in the room, the middle of the room, and the camera's z with the wrong sign.
     for (const double wrong : {4.001, 1.0, 1.0 / 3.001, 1.0 / 2.001})
         CHECK_FALSE(asked.accepts("back-wall", wrong));
-    // The gate runs from z = 2.5 to z = 30; half-way on the screen is the mean of 1/z.
+    // The gate runs from z = 2.5 to z = 30; halfway on the screen is the mean of 1/z.
     CHECK(asked.number("middle-of-the-gate") ==
           Approx(2.0 / (1.0 / 2.5 + 1.0 / 30.0)).margin(0.02));
     CHECK_FALSE(asked.accepts("middle-of-the-gate", (2.5 + 30.0) / 2));
@@ -253,7 +253,7 @@ PREDICTIONS_TEST("Lesson 9: the handout's lamp hardly shows", "09-light-per-vert
                                       drawn_room({"stage=vertex_light", "light.power=0"}));
     CHECK(off.largest < 0.1);
     CHECK(off.largest > 0.05);
-    // What is said of the other choices: the lamp's share at one unit, and the same with 14.
+    // What is said about the other choices: the lamp's share at one unit, and the same with 14.
     CHECK(0.75 * 1.1 / (4.0 * pi) < 0.1);
     CHECK(off.largest * 14.0 / 1.1 > 0.6);
     CHECK(asked.choice("the-lab-lamp") == 0);
@@ -328,7 +328,7 @@ PREDICTIONS_TEST(
     CHECK(count.failed == 35432);
 }
 
-PREDICTIONS_TEST("Lesson 11: half-way on the screen", "11-perspective", "half-way",
+PREDICTIONS_TEST("Lesson 11: halfway on the screen", "11-perspective", "half-way",
                  "colour-half-way") {
     const Asked asked("11-perspective");
     const double near = 2.001, far = 4.001;
@@ -388,7 +388,7 @@ PREDICTIONS_TEST("Lesson 11: the affine place from far away", "11-perspective", 
     const RayCaster rays(room, camera, room.light);
     const glm::dvec2 place(160.0 - 250.0, 12.0 - 250.0);
     const glm::dvec3 truth = rays.on_plane(6, place).position_world;
-    CHECK(std::abs(truth.z) < 0.05); // half-way between the near and the far edge
+    CHECK(std::abs(truth.z) < 0.05); // halfway between the near and the far edge
     // The triangle (-1,-1,-1) (1,-1,-1) (-1,-1,1) as it is seen, blended over the picture.
     const double near = 4750.0 / 19.001, far = 4750.0 / 21.001;
     const double back = (place.y + near) / (near - far);

@@ -168,7 +168,7 @@ TEST_CASE("Lesson 15: what its tasks ask for is what its hints say") {
     }
 }
 
-TEST_CASE("Lesson 15: glm's lookAt, as it is told, becomes the camera's matrix") {
+TEST_CASE("Lesson 15: glm's lookAt, as the lesson has it, becomes the camera's matrix") {
     // Rows right, up and back, for up = (0, -1, 0); the second and third row change sign.
     const glm::dvec3 eye(0.5, -0.8, -3.0), forward(std::sin(0.3), 0.0, std::cos(0.3));
     const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, -1, 0)));

@@ -276,7 +276,7 @@ PREDICTIONS_TEST("Lesson 21: edge functions by determinants and a moved point", 
     lesson.require_choice("fragments", 2);
 }
 
-TEST_CASE("Lesson 21: what it says of the room in figures") {
+TEST_CASE("Lesson 21: what it says about the room in figures") {
     const RoomOnScreen room({"stage=depth"});
     const RoomCount lab = count_room(room.frame, room_rows(room.frame));
     CHECK(lab.twice == 5321);

@@ -60,9 +60,9 @@ PREDICTIONS_TEST("Lesson 20: lines in whole numbers", "20-bresenham", "which-sid
     REQUIRE(2.0 > 2.0 * 3.0 / 5.0); // y points down: the point is below the line
     CHECK(program_choice("which-side") == 2);
 
-    CHECK(f_of(1, 0.5) == -0.5); // as the lesson tells: straight, to (1, 0)
+    CHECK(f_of(1, 0.5) == -0.5); // as the lesson says: straight, to (1, 0)
     CHECK(program_number("second-middle") == f_of(2, 0.5));
-    CHECK(f_of(2, 1.5) == -3.5); // the wrong answers that are told
+    CHECK(f_of(2, 1.5) == -3.5); // the wrong answers with a reply
     CHECK(f_of(2, 1) == -1.0);
     CHECK(f_of(2, 0) == 4.0);
     for (const double wrong : {-3.5, -0.5, -1.0, 4.0})

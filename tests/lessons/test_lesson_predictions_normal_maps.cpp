@@ -95,7 +95,7 @@ PREDICTIONS_TEST("Lesson 29: the flat blue of bytes, and colours used as arrows"
     lesson.require_number("undecoded", degrees_between({128.0 / 255.0, 128.0 / 255.0, 1.0}, out),
                           1e-3, 45.0);
     CHECK(degrees_between({0.5, 0.5, 1.0}, out) == Approx(35.26).margin(0.01));
-    const double one_way = degrees_between({0.5, 0.0, 1.0}, out); // as who forgets the other way
+    const double one_way = degrees_between({0.5, 0.0, 1.0}, out); // if you forget y
     CHECK(one_way == Approx(26.57).margin(0.01));
     CHECK_FALSE(lesson.answered("undecoded", {one_way}).is_right);
 }

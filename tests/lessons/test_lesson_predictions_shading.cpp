@@ -224,7 +224,7 @@ PREDICTIONS_TEST("Lesson 27: the light of the drum in double, at pixels and over
     require_said(file, "About 0.11");
     lesson.require_choice("middle-of-a-side", 2);
 
-    // Neighbouring sides stand 30 degrees apart, and a corner half-way between them.
+    // Neighbouring sides are 30 degrees apart, and a corner is halfway between them.
     const glm::dvec3 side = glm::normalize(
         glm::cross(drum.place(22, 2) - drum.place(22, 0), drum.place(22, 1) - drum.place(22, 0)));
     const glm::dvec3 next = glm::normalize(

@@ -21,7 +21,7 @@ PREDICTIONS_TEST("Lesson 23: places in a texture from depths and corners", "23-t
     const Questions lesson("23-textures");
     const std::string file = "23-textures.md";
     // The wall reaches from depth 2 to 4, u from 0 to 1: a point at depth z has u = (z − 2) / 2,
-    // and on the screen stands at x = f (1.2 z − 3.2) / z from the middle, which is 0 half-way.
+    // and on the screen is at x = f (1.2 z − 3.2) / z from the middle, which is 0 halfway.
     const double z = 3.2 / 1.2;
     lesson.require_number("half-way", (z - 2.0) / 2.0, 0.005, 0.5);
     for (const double wrong : {0.125, 0.375, 0.667}) // u/z, 1/z, and from the other end

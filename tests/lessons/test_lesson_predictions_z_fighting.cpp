@@ -130,7 +130,7 @@ PREDICTIONS_TEST("Lesson 25: crumbs with and without an epsilon", "25-z-fighting
 
 PREDICTIONS_TEST("Lesson 25: the steps of sixteen bits, and reversed z", "25-z-fighting",
                  "double-near", "reversed") {
-    // How far z goes on while ndc z grows by a step, from the formula turned round.
+    // How far z advances while NDC z grows by one step, from the inverted formula.
     const auto step_at_four = [](double near) {
         const double far = 100.0, ndc = far / (far - near) * (1.0 - near / 4.0);
         const auto z_of = [&](double depth) { return near / (1.0 - depth * (far - near) / far); };

@@ -98,7 +98,7 @@ TEST_CASE("A wrong first answer counts once the program has shown its own") {
     CHECK(score_of(progress, lesson).right == 0);
     // Another window that has kept the second try open takes over that it is not.
     CHECK_FALSE(merged(before, progress, before).has_second_try("01-a", id));
-    // But one that was opened there anew stays open where this window has changed nothing.
+    // But one that was opened again there stays open where this window has changed nothing.
     CHECK(merged(progress, progress, before).has_second_try("01-a", id));
     Progress theirs = before;
     theirs.note_step("02-b", 1);

@@ -1,4 +1,4 @@
-// What a wrong answer is told, and in which order choices are offered.
+// What a wrong answer gets as a reply, and in which order choices are offered.
 
 #include <algorithm>
 #include <map>
@@ -35,7 +35,7 @@ Judgement judged(const Lesson& lesson, const GivenAnswer& answer) {
 
 } // namespace
 
-TEST_CASE("A wrong number is told what its misconception gets wrong") {
+TEST_CASE("A wrong number gets a reply that says what its misconception gets wrong") {
     const Lesson lesson = lesson_of_question(
         "kind = \"number\"\n"
         "answer = \"triangle.count\"\n"
@@ -56,7 +56,7 @@ TEST_CASE("A wrong number is told what its misconception gets wrong") {
     CHECK(judged(lesson, {30.0}).because == "30\\. It is so.");
 }
 
-TEST_CASE("A wrong choice and a wrong pixel are told what is wrong about them") {
+TEST_CASE("A wrong choice and a wrong pixel get a reply that says what is wrong about them") {
     const Lesson choice =
         lesson_of_question("kind = \"choice\"\n"
                            "choices = [\"few\", \"30\", \"many\"]\n"

@@ -190,7 +190,7 @@ TEST_CASE("A link that only points at a widget leaves the session alone") {
     CHECK(session.a.settings == before);
 }
 
-TEST_CASE("A note says the numbers of what is on show, and nothing of what is not there") {
+TEST_CASE("A note gives the numbers of what is shown, and nothing about what is not there") {
     const FactReader fact = [](std::string_view name) -> Value {
         if (name == "pixel.zinv") return 2.5;
         return {};

@@ -43,7 +43,7 @@ TEST_CASE("The share of random tries that solve a task is that of its answers") 
     CHECK(quarter.tries == 200);
     CHECK(quarter.passed == Approx(50).margin(20));
     CHECK(quarter.ends_pass);
-    // A hundred stops between 450 and 550 are told nothing.
+    // A hundred stops between 450 and 550 get no reply.
     CHECK(quarter.unanswered == Approx(100).margin(25));
     CHECK(quarter.unanswered_by.starts_with("camera.focal_length="));
     CHECK(is_luck(quarter));

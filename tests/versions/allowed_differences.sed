@@ -63,7 +63,7 @@ s/^err: rasterwalk: sample ([0-9]+) of edge ([0-9]+) at \(/err: rasterwalk: edge
 }
 s/(Triangle of the moment|Sample of that edge|Selected triangle|Triangle that the inspector shows), from 0(: line\[\.\.\.\])?/\1/
 
-# One of a thing is told by its word for one.
+# A count of one takes the singular.
 s/\bhas only 1 rows\b/has only 1 row/
 
 # Lessons are checked by the parse that draws them: a line of single dashes does not make a table, and of a formula over
