@@ -347,7 +347,7 @@ Scene room_with_large_triangles() {
 
 } // namespace
 
-TEST_CASE("After any walk the view from outside is, bit by bit, as if drawn anew") {
+TEST_CASE("After any walk the view from outside is, bit for bit, as if drawn from scratch") {
     Random random(66);
     const Scene scene = room_with_large_triangles();
     const int triangles = scene.triangle_count();
@@ -394,12 +394,12 @@ TEST_CASE("After any walk the view from outside is, bit by bit, as if drawn anew
     }
 }
 
-TEST_CASE("A triangle that is begun later does not begin the view anew") {
+TEST_CASE("A triangle that is begun later does not restart the view") {
     Moment moment(lab_room(), cursor_begin);
     OutsideDrawing drawing;
     const OutsideLook look = look_at(-0.75f, -0.4f, {320, 240});
     draw_all(drawing, moment, look);
-    // So little work a call that a view begun anew would not be done by one.
+    // So little work per call that a restarted view would not be done after one.
     moment.go_to({17, Phase::vertices, 0, 0});
     CHECK(drawing.update(moment.subject(), look, 1));
     CHECK_FALSE(drawing.is_working());

@@ -283,7 +283,7 @@ TEST_CASE("Near and far plane are seen and named where the depth goes from one t
     const std::vector<int> both{near, near, near, near, far, far, far, far};
     CHECK(ends_of("projection=orthographic", "far=7") == both);
     CHECK(ends_of("depth_format=ndc_32", "far=7") == both);
-    // Far beyond the room; and where nobody asks how far away either is.
+    // Far beyond the room; and where neither plane's distance matters.
     CHECK(ends_of("depth_format=reversed_16", "far=100") == std::vector<int>(4, near));
     CHECK(ends_of("depth_format=inv_z", "far=7").empty());
 }

@@ -33,7 +33,7 @@ TEST_CASE("The overdraw view has the colours of its legend, and counts as many p
         CHECK(overdraw_colour(n, counts.most) != overdraw_colour(n + 1, counts.most));
 }
 
-TEST_CASE("Of numbers of fragments beyond the list only the largest is told") {
+TEST_CASE("Of fragment counts beyond the list only the largest is named") {
     Framebuffer picture;
     clear(picture, {3, 2});
     CHECK(overdraw_counts(picture).most == 0);

@@ -86,7 +86,7 @@ TEST_CASE("The totals of the room are its golden numbers") {
     }
     CHECK(passed + failed == 328789);
     CHECK(failed == totals.failed_fragments);
-    // The sum over split quads that the handout speaks of: between one and two per cent.
+    // The sum over split quads that the handout mentions: between one and two percent.
     CHECK(totals.drawn_twice > 3288);
     CHECK(totals.drawn_twice < 6576);
     CHECK(totals.largest_error == Approx(0.5).margin(0.1));
@@ -192,7 +192,7 @@ TEST_CASE("Overlays leave the picture and the framebuffer as they are") {
     CHECK(plain.overlay.image.rgba.empty());
 }
 
-TEST_CASE("Facts are worked out once a moment, and anew when the moment is another") {
+TEST_CASE("Facts are worked out once per moment, and again when the moment changes") {
     Session session = room_session();
     session.overlays.set(Overlay::affine_error, true);
     Results results;
@@ -220,7 +220,7 @@ TEST_CASE("Facts are worked out once a moment, and anew when the moment is anoth
     CHECK(results.overlay_number == number + 3);
 }
 
-TEST_CASE("Each overlay says of a pixel what is so") {
+TEST_CASE("What each overlay says about a pixel is true") {
     Session session = room_session();
     session.a.settings.light.power = glm::vec3(60.0f);
     session.overlays = all_overlays();
@@ -381,7 +381,7 @@ TEST_CASE("A triangle alone is drawn in parts, forwards from where it stands") {
     }
 }
 
-TEST_CASE("Overlays are told apart without colour: no two patterns are the same") {
+TEST_CASE("Overlays can be distinguished without colour because no two patterns are the same") {
     std::vector<std::vector<float>> patterns;
     for (const Overlay overlay :
          {Overlay::depth, Overlay::over_one, Overlay::drawn_twice, Overlay::uncovered}) {

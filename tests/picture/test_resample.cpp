@@ -109,7 +109,7 @@ TEST_CASE("A scene in pixels is drawn small, and shows the same") {
     CHECK(thumbnail(scene, settings, 2000) == whole);
 }
 
-TEST_CASE("A part that is resampled anew is the same as in the whole") {
+TEST_CASE("A part that is resampled again is the same as in the whole") {
     std::mt19937 random(7);
     const auto below = [&](int end) {
         return static_cast<int>(random() % static_cast<unsigned>(end));

@@ -5,7 +5,7 @@
 //
 // NAME is a picture's file name without folder and ".png"; without names all are meant. FILE stands
 // for shots.txt and the lessons. FOLDER holds the pictures that this version of Dear ImGui draws
-// otherwise than the first version, whose are all others. Exit codes: 0 all are as expected, 1 a
+// differently from the first version, which drew all others. Exit codes: 0 all are as expected, 1 a
 // picture differs, is missing or could not be taken, 2 wrong usage, 4 could not read or write. The
 // last line names those that failed.
 

@@ -49,7 +49,7 @@ Settings somewhere_on(const Walk& walk, Random& random) {
     return settings;
 }
 
-/// How many pixels were held against rays.
+/// How many pixels were compared with rays.
 struct PixelCount {
     std::int64_t compared = 0, wrong = 0;
     std::string first_wrong;

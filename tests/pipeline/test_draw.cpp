@@ -108,7 +108,7 @@ TEST_CASE("A scissor of one pixel tells of that pixel what the whole frame does"
                                       a.fate == b.fate && same_bits(a.depth, b.depth) &&
                                       same_bits(a.stored, b.stored) &&
                                       same_bits(a.before, b.before) && same_bits(a.after, b.after);
-                    if (!same) FAIL("fragment " + to_text(b.cursor) + " is told otherwise");
+                    if (!same) FAIL("fragment " + to_text(b.cursor) + " is reported differently");
                 }
             }
         }

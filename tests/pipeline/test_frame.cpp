@@ -9,7 +9,7 @@
 using namespace rasterwalk;
 using namespace rasterwalk::test;
 
-TEST_CASE("A frame holds what the vertex shader says of each vertex, three for each triangle") {
+TEST_CASE("A frame holds what the vertex shader returns for each vertex, three for each triangle") {
     const Scene room = lab_room();
     Settings settings = default_settings(room);
     set_step(settings, StripStep::vertex_light);

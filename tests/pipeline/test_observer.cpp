@@ -17,7 +17,7 @@
 using namespace rasterwalk;
 using namespace rasterwalk::test;
 
-TEST_CASE("An observer is told every moment in order, and changes no bit") {
+TEST_CASE("An observer gets every moment in order, and changes no bit") {
     const auto check = [](const Frame& frame) {
         Recorder recorder(true);
         Framebuffer watched;
@@ -119,7 +119,7 @@ TEST_CASE("The vertices of a cut triangle are its own three, and its edges join 
     }
 }
 
-TEST_CASE("The planes follow from the fragments that an observer is told") {
+TEST_CASE("The planes follow from the fragments that an observer gets") {
     const Scene scene = small_scene();
     for_each_frame(scene, [&](const Frame& frame) {
         Recorder recorder;
@@ -148,7 +148,7 @@ TEST_CASE("The planes follow from the fragments that an observer is told") {
     });
 }
 
-TEST_CASE("A window tells an observer of its own samples only, with what each does to the table") {
+TEST_CASE("A window reports its own samples only, with what each does to the table") {
     const Scene scene = small_scene();
     Random random(31);
     for_each_frame(scene, [&](const Frame& frame) {
@@ -174,7 +174,7 @@ TEST_CASE("A window tells an observer of its own samples only, with what each do
                     a.cursor == b.cursor && same_bits(a.sample.fragment, b.sample.fragment) &&
                     same_bits(a.sample.x, b.sample.x) && same_bits(a.sample.y, b.sample.y) &&
                     a.sample.write == b.sample.write;
-                if (!same) FAIL("sample " + to_text(b.cursor) + " is told otherwise");
+                if (!same) FAIL("sample " + to_text(b.cursor) + " is reported differently");
             }
         }
     });
@@ -263,11 +263,11 @@ TEST_CASE("10,000 random row tables replayed sample by sample are the ones made 
             }
             for (; event != recorder.samples.end() && event->cursor.triangle == t; ++event) {
                 if (replayed.enter(event->sample.fragment, rows) == event->sample.write) continue;
-                FAIL("another end is written than is told at " + to_text(event->cursor));
+                FAIL("the end written is not the one reported at " + to_text(event->cursor));
             }
             const int row = replayed.first_difference(rows);
             if (row >= 0) FAIL("triangle " << t << " differs in row " << row << " of its table");
-            if (replayed.outside != rows.outside) FAIL("triangle " << t << " counts otherwise");
+            if (replayed.outside != rows.outside) FAIL("triangle " << t << " counts differently");
             outside += replayed.outside;
         }
         CHECK(event == recorder.samples.end());

@@ -244,7 +244,7 @@ TEST_CASE("A frame drawn in parts comes to the same picture, and no part is much
     }
 }
 
-TEST_CASE("A frame is drawn to its end however small the parts, from within any row too") {
+TEST_CASE("A frame is drawn to its end however small the parts, even from the middle of a row") {
     const Scene scene = pixel_scene({{{{0, 0, 1}, {6, 0, 1}, {0, 6, 1}}},
                                      {{{0, 0, 1}, {127, 0, 1}, {0, 127, 1}}},
                                      {{{9, 9, 1}, {12, 9, 1}, {9, 12, 1}}}},
@@ -298,8 +298,7 @@ TEST_CASE("The tally has every fragment and every row table once, whichever way 
     }
 }
 
-TEST_CASE(
-    "Over the frame before another one is drawn as if over nothing, however small the parts") {
+TEST_CASE("A frame is drawn over the previous one as if over nothing, however small the parts") {
     Random random(45);
     const Scene scene = crowded_scene(60);
     Replay replay;

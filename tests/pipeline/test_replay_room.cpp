@@ -71,7 +71,7 @@ TEST_CASE("A frame of much work lays copies on the first way, and none of them c
     walk_at_random(frame, replay, 4);
 }
 
-TEST_CASE("A frame of little work lays no copies as long as nobody goes back") {
+TEST_CASE("A frame of little work makes no copies as long as you do not go back") {
     const Scene scene = lab_room();
     const Frame frame = prepare_frame(scene, default_settings(scene));
     Replay replay;

@@ -406,7 +406,7 @@ TEST_CASE("With a fine map and a fitting bias rays and map agree nearly everywhe
     CHECK(different < 60);
 }
 
-TEST_CASE("The map is kept while only the camera moves, and drawn anew for another lamp or scene") {
+TEST_CASE("The map is kept while only the camera moves, and redrawn for another lamp or scene") {
     Settings settings = small_room({"shadows=map", "shadow_resolution=16"});
     Frame frame = prepare_frame(room(), settings);
     const auto map = frame.occluders.map;

@@ -209,7 +209,7 @@ TEST_CASE("The fast engine refuses textures with alpha until their alpha is swit
     CHECK(fast_engine_refuses(scene, settings).find(alpha) == std::string::npos);
 }
 
-TEST_CASE("Two runs part where one lets a fragment through, and the alpha is told") {
+TEST_CASE("Two runs diverge where one lets a fragment through, and the alpha is given") {
     const Scene scene = scene_with_holes();
     Settings settings = default_settings(scene);
     settings.stage = Stage::depth;

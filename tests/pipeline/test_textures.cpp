@@ -119,7 +119,7 @@ TEST_CASE("Every filter and wrap paints each pixel as a second implementation in
     CHECK(levels.size() >= 3);
 }
 
-TEST_CASE("Half-way across a wall that recedes from depth 2 to 4 u is 1/3, and affine says 1/2") {
+TEST_CASE("Halfway across a wall that recedes from depth 2 to 4 u is 1/3, and affine says 1/2") {
     const Scene scene = receding_wall(many_colours(8, 8));
     for (const std::string_view coverage :
          {"rows", "edge_functions", "scan_conversion", "active_edges"}) {

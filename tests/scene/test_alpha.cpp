@@ -77,7 +77,7 @@ TEST_CASE("d of a material is its alpha, and Tr what is missing to 1") {
     CHECK(halo.report.skipped[0].statement == "-halo");
 }
 
-TEST_CASE("Wrong and doubtful alphas of a material are told with their line") {
+TEST_CASE("Wrong and doubtful alphas of a material are reported with their line") {
     using namespace alpha_in_files;
     for (const char* line : {"d 1.5\n", "d -0.1\n", "d\n", "Tr x\n", "d -halo\n", "Tr -halo 0.5\n",
                              "d nan\n", "Tr 1\n"}) {

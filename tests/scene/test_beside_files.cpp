@@ -68,7 +68,7 @@ TEST_CASE("A file is found beside, below and next to the folder of the one that 
     }
 }
 
-TEST_CASE("What is found under another name than the one that was given is told") {
+TEST_CASE("A file found under a different name from the one given is reported") {
     const Archive archive;
     BesideFiles files({archive.model()});
     CHECK(files.find("../textures/wood.png").remark.empty());

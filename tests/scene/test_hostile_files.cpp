@@ -1,5 +1,5 @@
 // Files beside a model or scene that are damaged, named many times, or more than can be read: each
-// is tried once, what is wrong with it is told once, and reading can be stopped at any of them.
+// is tried once, what is wrong with it is reported once, and reading can be stopped at any of them.
 
 #include <filesystem>
 #include <string>
@@ -158,7 +158,7 @@ TEST_CASE("Reading can be stopped at materials and at images") {
     }
 }
 
-TEST_CASE("A scene tells how far its reading is, and can be stopped") {
+TEST_CASE("Reading a scene reports its progress, and can be stopped") {
     constexpr int count = 5000;
     std::string text = "name = \"s\"\n[points.p]\nA = [0, 0, 1]\nB = [1, 0, 1]\nC = [0, 1, 1]\n"
                        "[[part]]\nname = \"q\"\npoints = \"p\"\ntriangles = [\n";

@@ -45,7 +45,7 @@ double six_volumes(const Mesh& mesh) {
 
 } // namespace
 
-// With RASTERWALK_REWRITE_MODELS set they are written anew.
+// With RASTERWALK_REWRITE_MODELS set they are written again.
 TEST_CASE("The models' files are what their generator writes, and there are no others") {
     const bool rewrites = std::getenv("RASTERWALK_REWRITE_MODELS") != nullptr;
     std::size_t count = 0;

@@ -237,7 +237,7 @@ TEST_CASE("A vertex is shaded once, however many triangles meet in it") {
     }
 }
 
-TEST_CASE("A picture does not tell whether vertices are shared") {
+TEST_CASE("A picture does not show whether vertices are shared") {
     const Scene joined = made_scene(600);
     Scene separate = joined;
     separate.mesh = {};

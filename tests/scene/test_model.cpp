@@ -277,7 +277,7 @@ TEST_CASE("A camera of a scene that has no direction is refused with its file an
           "s.toml:14: the camera's up points along its view, or nowhere.");
     CHECK(refusal("target = [0, 0, 9]\nposition = [0, 0, 1]\nup = [0, 0, 0]\n") ==
           "s.toml:14: the camera's up points along its view, or nowhere.");
-    // Straight down, and nobody has said what is up then.
+    // Straight down, and no up is given.
     CHECK(refusal("position = [0, -3, 0]\ntarget = [0, 2, 0]\n") ==
           "s.toml:13: the camera's up points along its view, or nowhere.");
     CHECK(refusal("position = [0, -3, 0]\ntarget = [0, 2, 0]\nup = [0, 0, 1]\n") == "accepted");

@@ -1,4 +1,4 @@
-// Models of which nothing would be seen, or nothing but black: what is drawn, and what is told.
+// Models of which nothing would be seen, or nothing but black: what is drawn, and what is said.
 
 #include <string>
 #include <vector>
@@ -69,7 +69,7 @@ TEST_CASE("Kd 0 counts as 1 where an image is named, and is black where none is"
 }
 
 TEST_CASE(
-    "A model that is black all over is told above the picture, and one that is in parts not") {
+    "A model that is black all over gets a notice above the picture, one black in parts does not") {
     using namespace unseen_models;
     const Folder folder;
     const auto notice = [&](const std::string& materials) {
@@ -81,7 +81,7 @@ TEST_CASE(
     CHECK(notice("newmtl a\nKd 0 0 0\nKs 1 1 1\nnewmtl b\nKd 0\nKs 1\n").empty());
 }
 
-TEST_CASE("A material that is wholly transparent is told with its line") {
+TEST_CASE("A material that is wholly transparent is reported with its line") {
     using namespace unseen_models;
     const Folder folder;
     for (const std::string d : {"d 0\n", "d 0.0\n", "d 0.001\n", "Tr 0.9999\n", "d 0\nTr 0\n"}) {
@@ -98,7 +98,7 @@ TEST_CASE("A material that is wholly transparent is told with its line") {
         scene_of_model(folder.model_with("newmtl a\nKd 1 1 1\nd 0\nnewmtl b\nKd 1 1 1\n"));
     CHECK(model_notice(half).empty());
     CHECK(half.model_report->notes.size() == 1);
-    // Tr 1 is taken to be opaque, and that is told.
+    // Tr 1 is taken to be opaque, and that is reported.
     const ObjModel opaque = folder.model_with("newmtl a\nTr 1\nnewmtl b\nTr 1\n");
     CHECK(opaque.report.faults.size() == 2);
     CHECK(opaque.materials[0].alpha == 1.0f);

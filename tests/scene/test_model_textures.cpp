@@ -1,4 +1,4 @@
-// Images of a model's materials: which are found, what is told of the others, and whether each
+// Images of a model's materials: which are found, what is said about the others, and whether each
 // pixel has the texel that a ray finds, with v up as in the model's own axes.
 
 #include <algorithm>
@@ -106,7 +106,7 @@ TEST_CASE("Each material paints its faces with its own image, v up, where a ray 
 }
 
 TEST_CASE(
-    "An image that cannot be used is told with file and line, and its faces keep their colour") {
+    "An image that cannot be used is reported with file and line; its faces keep their colour") {
     const test::TemporaryFolder folder;
     write_png(many_colours(64, 64), folder.file("whole.png"));
     const std::string whole = test::bytes_of(folder.file("whole.png"));
@@ -239,7 +239,7 @@ TEST_CASE("norm is a map of normals; bump is one of heights, or of normals if it
     CHECK(map_of(0) == make_texture("", arrows).base());
     CHECK(map_of(2) == map_of(0));
     CHECK(normal_map_of(scene, 3) == nullptr);
-    // Half of 2/64 texels, and of a picture that begins anew on both sides: flat everywhere.
+    // Half of 2/64 texels, and of a picture that repeats on both sides: flat everywhere.
     CHECK(map_of(1).at(0, 0) == glm::vec3(128, 128, 255) / 255.0f);
     CHECK(map_of(4).at(0, 0) == glm::vec3(128, 128, 255) / 255.0f);
     CHECK(has_normal_map(scene));

@@ -1,5 +1,6 @@
-// The reader held against tinyobjloader, on files on which that is right: without faults, with
-// polygons that are not cut, so that faces, corners and numbers can be compared one by one.
+// The reader compared with tinyobjloader, on files that the library reads correctly: without
+// faults, with polygons that are not cut, so that faces, corners and numbers can be compared one by
+// one.
 
 #include <cmath>
 #include <sstream>

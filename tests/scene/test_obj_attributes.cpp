@@ -33,7 +33,7 @@ std::string faces_with(const std::string& behind) {
 } // namespace wrong_attributes
 } // namespace
 
-TEST_CASE("A normal or texture coordinate that is wrong costs no face, and is told once") {
+TEST_CASE("A normal or texture coordinate that is wrong costs no face, and is reported once") {
     using namespace wrong_attributes;
     const std::string without = " the face is drawn without texture coordinates.";
     const std::string computed = " the normal is computed.";
@@ -78,7 +78,7 @@ TEST_CASE("A normal or texture coordinate that is wrong costs no face, and is to
     }
 }
 
-TEST_CASE("Both attributes may be wrong in one face, and each is told") {
+TEST_CASE("Both attributes may be wrong in one face, and each is reported") {
     using namespace wrong_attributes;
     const ObjModel model = parse_obj(points + faces_with("/7/8"), "m.obj");
     CHECK(model.mesh == parse_obj(points + faces, "m.obj").mesh);

@@ -77,7 +77,7 @@ TEST_CASE("That colours are taken to run to 255 is noted with the line that show
     CHECK(parse_obj(triangle_with({"0 0 1", "1 0 0", "0 0 0"}), "m.obj").report.notes.empty());
 }
 
-TEST_CASE("What is no colour behind a point leaves it white, and is told") {
+TEST_CASE("What is not a colour after a point leaves it white, and is reported") {
     using namespace coloured_points;
     const ObjModel model = parse_obj(triangle_with({"1 0 0", "1 x 0", "nan 0 0"}), "m.obj");
     CHECK(colours_of(model) == Colours{{1, 0, 0}, {1, 1, 1}, {1, 1, 1}});

@@ -1,4 +1,4 @@
-// Polygons cut into triangles, held against what any right cut has: the polygon's area, and each
+// Polygons cut into triangles, checked for what any right cut has: the polygon's area, and each
 // point of a grid in one triangle if it lies in the polygon, in none if it lies outside.
 
 #include "scene/polygon_cutter.h"

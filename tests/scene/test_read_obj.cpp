@@ -1,4 +1,4 @@
-// Model files in the dialects in which they are found, and what is told of what is wrong in them.
+// Model files in the dialects in which they are found, and what is said about their faults.
 
 #include "scene/read_obj.h"
 
@@ -123,7 +123,7 @@ TEST_CASE("Names of parts that no terminal can show are made visible") {
     CHECK(parse_obj(one_face, "folder/m.obj").parts.at(0).name == "m");
 }
 
-TEST_CASE("What is wrong in a model is told with its line, and the rest is read") {
+TEST_CASE("What is wrong in a model is reported with its line, and the rest is read") {
     struct Case {
         std::string line, fault;
     };
@@ -265,7 +265,7 @@ TEST_CASE("More faults than are kept are counted") {
           "counted from 1, but 'f' names 0; the face is left out. 204 more faults after that.");
 }
 
-TEST_CASE("A model that is inside out is told with the cure, and no other is") {
+TEST_CASE("A model that is inside out is reported with the cure, and no other is") {
     const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
     const auto notice_of = [&](const std::string& faces) {
         ObjModel model = parse_obj(points + faces, "m.obj");
@@ -296,7 +296,7 @@ TEST_CASE("Only so many files of materials are looked for, and the same one only
           "m.obj:70: more than 64 material files are named; this one is left out.");
 }
 
-TEST_CASE("More kinds of statement than are told apart are one kind") {
+TEST_CASE("Kinds of statement beyond those that are distinguished count as one kind") {
     std::string text = one_face;
     for (std::size_t i = 0; i < most_skipped_kinds + 5; ++i)
         text += "word" + std::to_string(i) + "\n";
@@ -422,7 +422,7 @@ TEST_CASE("Scale and offset of an image move the corners of its faces in the tex
     CHECK(corners_by("-o 1 1 -s 2") == Places{{1.5f, 1.5f}, {3, 1}, {1, 4}});
     CHECK(corners_by("-s 0 0") == Places{{0, 0}, {0, 0}, {0, 0}});
     CHECK(corners_by("-s") == Places{{0.25f, 0.5f}, {1, 0}, {0, 3}}); // the name is no number
-    CHECK(corners_by("-s 2 1,5 1") == Places{{0.5f, 0.5f}, {2, 0}, {0, 3}}); // that is told
+    CHECK(corners_by("-s 2 1,5 1") == Places{{0.5f, 0.5f}, {2, 0}, {0, 3}}); // that is reported
     CHECK(corners_by("-s 1 1e9")[2].y == static_cast<float>(largest_model_coordinate)); // not 3e9
 }
 
@@ -479,7 +479,7 @@ TEST_CASE("A long name of a material is cut in both files, and an exponent at it
     CHECK(model.mesh.corner(0, 0).shine == Shine{glm::vec3(1.0f), largest_exponent});
 }
 
-TEST_CASE("What is wrong in a file of materials is told with its own line") {
+TEST_CASE("What is wrong in a file of materials is reported with its own line") {
     struct Case {
         std::string line, fault;
     };
@@ -537,7 +537,7 @@ TEST_CASE("Missing normals are the faces', or smoothed where faces lean little")
         CHECK(is_near(normal(angle, 0, 1), up));
         CHECK(is_near(normal(angle, 2, 0), slope));
     }
-    // Both have a right angle at the edge: the normal lies half-way.
+    // Both have a right angle at the edge, so the normal is halfway.
     CHECK(is_near(normal(1.1f, 0, 0), up));
     CHECK(is_near(normal(1.1f, 0, 1), glm::normalize(up + slope)));
     CHECK(is_near(normal(1.1f, 2, 0), glm::normalize(up + slope)));
@@ -554,7 +554,7 @@ TEST_CASE("A model is known by its ending") {
     CHECK_FALSE(is_model_file("-"));
 }
 
-TEST_CASE("A reading tells how far it is, and stops where its watch says so") {
+TEST_CASE("Reading reports its progress, and stops where its watch says so") {
     constexpr int count = 3000; // points, and a triangle after each but the first two
     std::string text;
     for (int i = 0; i < count; ++i) {
@@ -568,7 +568,7 @@ TEST_CASE("A reading tells how far it is, and stops where its watch says so") {
     });
     CHECK(model.mesh == parse_obj(text, "m.obj").mesh);
     REQUIRE(model.mesh.triangle_count() == count - 2);
-    // A step is a statement or a face: so often it is told, and once more for each part.
+    // A step is a statement or a face. Progress is reported for those, and once more for each part.
     const std::size_t steps = count + 2 * (count - 2);
     CHECK(told.size() == steps / WatchedSteps::steps_between + 2);
     const auto first_made = std::find_if(told.begin(), told.end(), [](const ReadingState& state) {
