@@ -172,7 +172,7 @@ TEST_CASE("Other views have no depth view beside them") {
     CHECK_FALSE(results.depth);
 }
 
-TEST_CASE("A stored depth tells how far in front of the camera its vertex lies") {
+TEST_CASE("A stored depth shows how far in front of the camera its vertex is") {
     Session session = depth_session();
     const Scene room = read_scene(lessons_folder() + "/scenes/lab-room.toml");
     struct Choice {

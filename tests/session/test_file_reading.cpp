@@ -41,7 +41,7 @@ TEST_CASE("A reading that was stopped gives no scene, even if it was done before
     CHECK_THROWS_AS(late.take(), ReadingStopped);
 }
 
-TEST_CASE("A reading that nobody waits for ends by itself") {
+TEST_CASE("A reading that nothing waits for ends by itself") {
     const std::string path = lessons_folder() + "/models/knot.obj";
     const FileReading left(path, scene_at(path));
     CHECK_FALSE(left.path().empty());
@@ -61,7 +61,7 @@ TEST_CASE("A reading is waited for no longer than it is given, and stops at the 
     CHECK(slow.is_done(std::chrono::hours(1)));
 }
 
-TEST_CASE("What is wrong with a file is told where it is taken") {
+TEST_CASE("What is wrong with a file is reported where the result is taken") {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("junk.obj", "v 0 0\n");
     FileReading junk(path, scene_at(path));

@@ -1,4 +1,4 @@
-// A frame of many triangles is prepared over several updates; until then the one before is on show.
+// A frame of many triangles is prepared over several updates; until then the old one stays shown.
 
 #include "session/results.h"
 #include "support/made_scene.h"
@@ -22,7 +22,7 @@ Session session_of_many() {
 
 } // namespace
 
-TEST_CASE("While a frame is prepared the one before is on show, whole") {
+TEST_CASE("While a frame is prepared the previous one is shown in full") {
     Session session = session_of_many();
     Results results;
     finish(session, results);
@@ -49,7 +49,7 @@ TEST_CASE("While a frame is prepared the one before is on show, whole") {
     CHECK(results.a.troubles == expected.a.troubles);
 }
 
-TEST_CASE("A frame that is no longer wanted leaves the one on show alone") {
+TEST_CASE("A frame that is no longer wanted leaves the frame on screen alone") {
     Session session = session_of_many();
     Results results;
     finish(session, results);
@@ -148,7 +148,7 @@ TEST_CASE("What fell on the picked pixel is looked for when the picture is drawn
     int without = 0;
     do {
         update(session, results, least);
-        // What is told of the pixel is told of the frame on show, or not at all.
+        // What is said about the pixel is about the frame on screen, or nothing is said.
         REQUIRE(results.history.has_value() != results.history_work.has_value());
         if (results.history_work) {
             REQUIRE(is_working(results));
@@ -161,7 +161,7 @@ TEST_CASE("What fell on the picked pixel is looked for when the picture is drawn
     finish(session, expected);
     REQUIRE(results.history->entries.size() == expected.history->entries.size());
     CHECK(results.history->winner == expected.history->winner);
-    // Another pixel begins anew, none ends it.
+    // Another pixel restarts the history; no pixel ends it.
     session.selection.pixel = {251, 250};
     update(session, results, least);
     REQUIRE(results.history_work);

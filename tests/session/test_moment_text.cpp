@@ -41,7 +41,7 @@ std::string told_moment(const std::string& words, int triangles) {
     return text + "r" + match[9].str() + "/c" + (match[11].matched ? match[11].str() : "0");
 }
 
-/// Every moment of the frame at this granularity, told in words and read back.
+/// Every moment of the frame at this granularity, put into words and read back.
 void tell_all(const std::string& scene, StripStep step, Granularity granularity) {
     const Scene read = read_scene_file(lessons_folder() + "/scenes/" + scene);
     Settings settings = default_settings(read);
@@ -54,7 +54,8 @@ void tell_all(const std::string& scene, StripStep step, Granularity granularity)
         const std::string words = describe_moment(frame, at);
         const std::string told = told_moment(words, frame.triangle_count());
         ++moments;
-        if (told != to_text(at)) FAIL(to_text(at) << " is told as '" << words << "': " << told);
+        if (told != to_text(at))
+            FAIL(to_text(at) << " is described as '" << words << "': " << told);
         last = words;
     }
     CHECK(moments > frame.triangle_count());
@@ -64,7 +65,7 @@ void tell_all(const std::string& scene, StripStep step, Granularity granularity)
 
 } // namespace
 
-TEST_CASE("Every moment of the bench and the room is told counted from 0, as its text is") {
+TEST_CASE("Every moment of the bench and the room is counted from 0, in words as in its text") {
     for (const StageInfo& info : test::some_of(stage_list(), 4)) {
         INFO(info.name);
         tell_all("one-triangle.toml", info.step, Granularity::moment);
@@ -98,7 +99,7 @@ TEST_CASE("A moment of clip or cull in words") {
     CHECK(moment_name({0, Phase::clip, 3, 1}) == "triangles[0], right plane, edge 1");
     CHECK(moment_name({0, Phase::clip, 99, 99}) == "triangles[0], plane 99, edge 99");
     CHECK(moment_name({0, Phase::cull, 0, 0}) == "triangles[0], front or back");
-    // Every moment of the frame can be told, of what is taken away too.
+    // Every moment of the frame can be described, even of what is taken away.
     const Timeline timeline(frame);
     int clip = 0, cull = 0;
     for (Cursor at = timeline.first(); at != cursor_end;

@@ -103,7 +103,7 @@ TEST_CASE("A large picture turns as the fast engine's, and at rest becomes that 
     CHECK(a.picture == view_image(expected, View::colour));
 }
 
-TEST_CASE("Steps that were begun are begun anew when the hand moves again") {
+TEST_CASE("Steps that were begun are restarted when the hand moves again") {
     Session session = large_session();
     Results results;
     finish(session, results);
@@ -115,12 +115,12 @@ TEST_CASE("Steps that were begun are begun anew when the hand moves again") {
     update(session, results, so_little);
     CHECK(results.a.preview.is_shown);
     while (results.a.is_frame_late) {
-        // What nobody asks for is not shown.
+        // What is no longer asked for is not shown.
         REQUIRE_FALSE(results.a.run == begun);
         update(session, results, so_little);
     }
     CHECK(results.a.run == session.a);
-    // Back to what is on show: there is nothing to wait for.
+    // Back to what is on screen, so there is nothing to wait for.
     finish(session, results);
     turn_all(session);
     update(session, results, so_little);
@@ -224,7 +224,7 @@ TEST_CASE("engine=fast draws the whole picture, and the steps all moments before
     CHECK(a.picture == view_image(turned, View::colour));
 }
 
-TEST_CASE("What the fast engine refuses the steps draw, and it is told why") {
+TEST_CASE("What the fast engine refuses the steps draw, and the reason is given") {
     Session session = large_session();
     set_from_text(session.a.settings, "engine=fast");
     set_from_text(session.a.settings, "shading=flat");

@@ -119,7 +119,7 @@ TEST_CASE("Run B is drawn up to the same cursor as run A") {
     CHECK(results.comparison.difference_limit >= results.comparison.pixels.largest);
 }
 
-TEST_CASE("A picture of which only a part was made anew is the picture made whole") {
+TEST_CASE("A picture of which only a part was redrawn is the same as one drawn in full") {
     Random random(81);
     Session session = room_session();
     Results results;
@@ -148,7 +148,7 @@ TEST_CASE("A picture of which only a part was made anew is the picture made whol
         const RunResults& a = results.a;
         require_painted(a, session.view);
         if (a.picture_number == number || a.picture_before != number) continue;
-        // What it says of the picture before is so.
+        // What it says about the previous picture is true.
         ++partly;
         for (int row = 0; row < 100; ++row) {
             for (int column = 0; column < 120; ++column) {
@@ -183,7 +183,7 @@ TEST_CASE("B is worked out again only if something changed") {
     CHECK(results.b->picture_number > last);
 }
 
-TEST_CASE("It is told whether the runs differ in what comes next") {
+TEST_CASE("The results say whether the runs differ in what comes next") {
     Session session = room_session();
     compare_with(session, with(session.a.settings, "rounding=floor"));
     Results results;
@@ -386,7 +386,7 @@ TEST_CASE("Overlays wait for the picture that they mark") {
     CHECK(results.overlay.image == expected.overlay.image);
 }
 
-TEST_CASE("What is out of order is told of the whole frame, wherever the cursor stands") {
+TEST_CASE("What is out of order is reported for the whole frame, wherever the cursor is") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     Results end;
     update(session, end);

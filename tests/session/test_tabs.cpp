@@ -36,7 +36,7 @@ const char* const steps_of_tabs = R"(<!-- lesson
 title = "Tabs"
 section = "Drawing points"
 minutes = 1
-about = "Which tab is on show."
+about = "Which tab is shown."
 program = "none"
 scene = "scenes/lab-room.toml"
 set = ["stage=fill"]
@@ -167,7 +167,7 @@ TEST_CASE("A group opens the tab of it that was shown last") {
     CHECK(tab_of_group(session, TabGroup::runs) == "compare");
 }
 
-TEST_CASE("A lesson's step chooses the tab until the student does; another lesson chooses anew") {
+TEST_CASE("A lesson's step chooses the tab until the student does; another lesson chooses again") {
     const Lesson lesson = lesson_of_tabs();
     Session session = session_of_room();
     REQUIRE(open_step(session, lesson, 1).empty());
@@ -211,7 +211,7 @@ TEST_CASE("A link of a lesson leads to a tab that stays the lesson's") {
     CHECK(session.tab_guide.of_step == "history");
 }
 
-TEST_CASE("A step shows only the panels that it names, and never hides the one on show") {
+TEST_CASE("A step shows only the panels that it names, and never hides the one on screen") {
     const Lesson lesson = lesson_of_tabs();
     Session session = session_of_room();
     const std::string all = offered(session);
@@ -263,7 +263,7 @@ TEST_CASE("A tab that a view names is the student's; one that it does not name i
     CHECK_FALSE(session.tab_guide.is_own);
 }
 
-TEST_CASE("The strip tells what the picture of a step contains, and what a scene can use") {
+TEST_CASE("The strip shows what the picture of a step contains, and what a scene can use") {
     const auto computed = [](const char* name) {
         std::string names;
         for (int i = 0; i < stage_count; ++i) {

@@ -493,7 +493,7 @@ TEST_CASE("rounding says the rounding of vertices and of lines, as long as it is
 
 namespace {
 
-/// The names that a list of what is otherwise in b has.
+/// The names in a list of what is different in b.
 std::string differing(const Settings& a, const Settings& b) {
     std::string names;
     for (const Setting& setting : setting_table()) {

@@ -168,7 +168,7 @@ TEST_CASE("Every depth test acts with every format, the right way round") {
                 const float stored = held_at(before, rules), held = held_at(z, rules);
                 const DepthResult over = stages.depth_test(fragment, stored, rules);
                 CHECK(over.depth == held);
-                // Where they are as near for the buffer, nobody passes but without a test.
+                // Where the buffer holds both as equally near, only a missing test lets z pass.
                 const bool is_nearer_by_z = z < before && held != stored;
                 const bool is_farther_by_z = z > before && held != stored;
                 const bool expected = word == "off"        ? true

@@ -31,7 +31,8 @@ LightTerms light_from(const glm::vec3& lamp, const glm::vec3& normal) {
 
 } // namespace
 
-TEST_CASE("A highlight on paper: lamp and eye at right angles, the normal half-way and beside it") {
+TEST_CASE(
+    "A highlight on paper: lamp and eye at right angles, the normal halfway and beside that") {
     // l = x, v = y: h leans by 45 degrees. The lamp is 2 away: area 16 pi.
     constexpr float pi = 3.14159265f;
     const glm::vec3 lamp{2, 0, 0}, eye{0, 5, 0}, middle{std::sqrt(0.5f), std::sqrt(0.5f), 0};
@@ -53,7 +54,8 @@ TEST_CASE("A highlight on paper: lamp and eye at right angles, the normal half-w
     CHECK(beside.reflected.g == Approx(1.0 / 16.0));
 }
 
-TEST_CASE("A back has no highlight, unless nobody asks; h too long is much brighter") {
+TEST_CASE(
+    "A back has no highlight, unless its side is not checked; an h too long is much brighter") {
     // The lamp 100 degrees from the normal, the eye on the normal's side: n . h is above 0.
     const glm::vec3 normal{0, 0, -1}, eye{0, 0, -3};
     const float angle = 100.0f * 3.14159265f / 180.0f;
@@ -113,7 +115,7 @@ TEST_CASE("Where there is no direction there is no highlight, and never a number
         const HighlightPoint far_eye{normal, {0, 0, -far}, {glm::vec3(1.0f), 5.0f}};
         CHECK_FALSE(std::isnan(highlight(front, far_eye, glm::vec3(1.0f)).reflected.r));
     }
-    // Lamp and eye on opposite sides: no half-way.
+    // Lamp and eye on opposite sides have no direction halfway between them.
     CHECK(half_way({1, 0, 0}, {-1, 0, 0}) == glm::vec3(0.0f));
     CHECK(unit_normal(glm::vec3(0.0f)) == glm::vec3(0.0f));
     CHECK(glm::length(unit_normal({0.1f, 0.2f, -0.4f})) == Approx(1.0));

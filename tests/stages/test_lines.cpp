@@ -304,7 +304,7 @@ TEST_CASE("Each word of line stands for its function, and only Interpolate asks 
     CHECK(choose_stages(settings).line == line_by_midpoint);
 }
 
-TEST_CASE("B38 and B39 are right where nobody notices, and never leave the box of the edge") {
+TEST_CASE("B38 and B39 are right where you do not notice, and never leave the box of the edge") {
     for (int dx = -20; dx <= 20; ++dx) {
         for (int dy = -20; dy <= 20; ++dy) {
             const ScreenVertex a = at(2, 1), b = at(2 + dx, 1 + dy);

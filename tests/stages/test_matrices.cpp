@@ -30,8 +30,8 @@ Settings by_matrices(Settings settings) {
     return settings;
 }
 
-/// A place in the picture before it is cut, from the middle, in long double and without a matrix:
-/// by the angles of the camera, turned one after the other.
+/// A position on screen that is not yet cut to whole pixels, from the middle, in long double and
+/// without a matrix: by the angles of the camera, turned one after the other.
 struct ExactPlace {
     long double x, y, z;
 };

@@ -189,8 +189,7 @@ TEST_CASE("A height map rises to the right and up as its normals lean to the lef
     const Image leaning = normals_of_heights(up, 8.5f);
     CHECK(at(leaning, 1, 3, 0) == 128);
     CHECK(at(leaning, 1, 3, 1) == 37);
-    // Beyond the border the picture begins anew: 0 to the right of 210, from 180 down by 90 a
-    // texel.
+    // Beyond the border the picture repeats: 0 to the right of 210, from 180 down by 90 a texel.
     CHECK(at(normals, 7, 0, 0) > 218);
     CHECK_FALSE(looks_like_normals(right));
     CHECK_FALSE(looks_like_normals(up));

@@ -80,7 +80,7 @@ TEST_CASE("A row that no sample has reached holds the extreme starting values an
     }
 }
 
-TEST_CASE("A table is begun anew however it was used before") {
+TEST_CASE("A table starts afresh however it was used before") {
     PolygonRows rows;
     compute_polygon_rows(std::vector{at(0, 2), at(3, 1), at(3, 1)}, WalkRules{}, rows);
     CHECK(rows.outside == 1);

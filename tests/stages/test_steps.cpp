@@ -1,4 +1,4 @@
-// Each step of the pipeline takes what the step before it leaves, and nothing else.
+// Each step of the pipeline takes what the previous step leaves, and nothing else.
 
 #include <type_traits>
 
@@ -33,7 +33,7 @@ static_assert(takes<decltype(span_end), RowEnd>);
 static_assert(!takes<decltype(span_end), Fragment>);
 static_assert(!takes<decltype(span_end), ScreenVertex>);
 
-// A line goes between ends that somebody has made from vertices or row ends.
+// A line goes between ends that were made from vertices or row ends.
 static_assert(takes<decltype(interpolate), LineEnd, LineEnd, LineStep, LinePart, Line>);
 static_assert(!takes<decltype(interpolate), ScreenVertex, ScreenVertex, LineStep, LinePart, Line>);
 static_assert(!takes<decltype(interpolate), RowEnd, RowEnd, LineStep, LinePart, Line>);

@@ -19,7 +19,7 @@ struct OracleClip {
     bool is_cut = false;
     bool is_gone = false;
     /// How near a corner comes to a plane, and how flat an edge meets one, as a part of the size of
-    /// the numbers: what is nearly 0 may be told otherwise in float.
+    /// the numbers: what is nearly 0 may turn out differently in float.
     double least = INFINITY;
 };
 

@@ -17,7 +17,7 @@ inline Frame room_frame(const Scene& room, Random& random, Clip clip) {
     return prepare_frame(room, settings);
 }
 
-/// The room from within: the camera at z = -0.5, which cuts walls at the near plane.
+/// The room from the inside: the camera at z = -0.5, which cuts walls at the near plane.
 inline Settings near_clipped_room(const Scene& room) {
     Settings settings = default_settings(room);
     settings.clip = Clip::near;

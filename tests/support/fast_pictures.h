@@ -1,6 +1,6 @@
 #pragma once
 
-// Pictures of the fast engine, and how they are held against those of the steps.
+// Pictures of the fast engine, and how they are compared with those of the steps.
 
 #include <cstddef>
 #include <string>
@@ -33,8 +33,8 @@ struct FastDifference {
     std::string words() const;
 };
 /// @param steps a whole picture
-/// @param met   what cast_rays() says of its pixels: those near an outline are not compared; none:
-///              all are
+/// @param met   what cast_rays() says about its pixels: those near an outline are not compared; if
+///              empty, all are
 FastDifference difference(const FastPicture& fast, const Framebuffer& steps,
                           const std::vector<int>& met = {});
 

@@ -10,7 +10,7 @@ namespace rasterwalk::test {
 
 /// Fails unless every formula gives the number that it shows from the numbers that it shows, and
 /// every input has the number of the formula that it comes from. All NaN count as the same.
-/// @param where said of a failure
+/// @param where begins the message of a failure
 void check_formulas(const Frame& frame, const std::vector<Formula>& formulas,
                     const std::string& where);
 

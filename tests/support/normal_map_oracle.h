@@ -58,8 +58,8 @@ inline glm::dmat3 oracle_axes(const Scene& scene, int triangle, const glm::dvec3
         places[static_cast<std::size_t>(v)] = glm::dvec3(scene.corner(triangle, v).position);
         uvs[static_cast<std::size_t>(v)] = glm::dvec2(scene.corner(triangle, v).texcoord);
     }
-    // Columns: how u and v change along both sides; the inverse tells how much of each side makes
-    // u, or v, grow by 1 alone.
+    // Columns: how u and v change along both sides; the inverse gives how much of each side makes
+    // u alone, or v alone, grow by 1.
     const glm::dmat2 changes(uvs[1] - uvs[0], uvs[2] - uvs[0]);
     const glm::dmat2 shares = glm::inverse(changes);
     const auto direction = [&](int axis) {

@@ -14,7 +14,7 @@ namespace rasterwalk::test {
 
 namespace {
 
-/// A triangle before the camera's eye: x to the right, y down, z forward.
+/// A triangle in front of the camera's eye: x to the right, y down, z forward.
 struct SeenTriangle {
     int number = -1;      ///< in the scene
     glm::dmat3 sides;     ///< of the pyramid that eye and triangle make; inward

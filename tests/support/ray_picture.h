@@ -15,13 +15,13 @@ struct SeenDepths {
     double near = 0.0, far = 0.0; ///< 0 < near < far
 };
 
-/// What is said of a pixel in place of a triangle.
+/// What a pixel gets instead of a triangle.
 inline constexpr int ray_meets_nothing = -1, ray_near_outline = -2;
 
 /// Casts the rays. The camera may stand anywhere.
 /// @param margin pixels whose centres lie no farther from an outline of any triangle, hidden ones
-///               too, are not told: ray_near_outline. Where a triangle is cut by one of the two
-///               depths, its outline runs along the cut
+///               too, get ray_near_outline. Where a triangle is cut by one of the two depths, its
+///               outline runs along the cut
 /// @return for each pixel, row by row, the triangle that is met first
 std::vector<int> cast_rays(const Scene& scene, const Camera& camera, Viewport size,
                            SeenDepths depths, double margin);

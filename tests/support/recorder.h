@@ -7,8 +7,8 @@
 
 namespace rasterwalk::test {
 
-/// Keeps everything that an observer is told, in order; edge samples and tested pixels only where
-/// they are asked for.
+/// Keeps everything that an observer gets, in order; edge samples and tested pixels only where they
+/// are asked for.
 struct Recorder : Observer {
     explicit Recorder(bool samples_too = false) : with_samples(samples_too) {}
 
@@ -38,8 +38,8 @@ struct Recorder : Observer {
     bool wants_edge_samples() const override { return with_samples; }
 };
 
-/// The moments that a recorder was told, sorted; one told twice stands there twice.
-/// @param stage of the frame; before fragments are drawn, what is told of them are marks of other
+/// The moments that a recorder got, sorted; one reported twice is there twice.
+/// @param stage of the frame; before fragments are drawn, the ones reported are marks of other
 ///              moments
 inline std::vector<Cursor> told_moments(const Recorder& told, Stage stage) {
     std::vector<Cursor> moments;

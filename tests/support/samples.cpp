@@ -83,7 +83,7 @@ const std::vector<Variant>& rule_variants() {
             if (choice == nullptr || setting.name == "stage" || !setting.part_of.empty()) continue;
             // The scenes of these tests have no textures; tests/pipeline/test_textures.cpp has.
             if (setting.needs_texture || setting.needs_alpha) continue;
-            // Another engine is no rule of the steps: tests/engines holds it against them.
+            // Another engine is no rule of the steps: tests/engines compares it with them.
             if (setting.name == "engine") continue;
             // Six more pictures each time: tests/pipeline/test_shadows.cpp tries them.
             if (setting.group == "Shadow") continue;

@@ -87,7 +87,7 @@ TEST_CASE("Many small differences are found by their mean") {
     CHECK(compare_images(actual, expected, {3, 2.0, 0}).is_within_tolerance);
 }
 
-TEST_CASE("The worst pixels come first, and are told with both colours and their place") {
+TEST_CASE("The worst pixels come first, and are listed with both colours and their place") {
     const Image expected = plain_image(100, 50, 10);
     Image actual = expected;
     for (int column = 0; column < 20; ++column)

@@ -1,8 +1,8 @@
 #pragma once
 
-// Textures once more, in double precision and written otherwise than the program does it: mip
-// levels by differences of running sums, texels by a tent over all of their centres, the place in
-// the texture by solving for the plane of the triangle.
+// Textures once more, in double precision and written differently from the program: mip levels by
+// differences of running sums, texels by a tent over all of their centres, the place in the texture
+// by solving for the plane of the triangle.
 
 #include <algorithm>
 #include <array>
@@ -109,7 +109,7 @@ inline glm::dvec3 oracle_bilinear(const OracleLevel& level, const glm::dvec2& uv
     return sum;
 }
 
-/// A colour, and whether it hangs on the last bits: on the border of a texel, or half-way between
+/// A colour, and whether it depends on the last bits: on the border of a texel, or halfway between
 /// two levels.
 struct OracleColour {
     glm::dvec3 colour{0.0};

@@ -91,7 +91,7 @@ TEST_CASE("What stands in code or behind a backslash is no part") {
               .empty());
 }
 
-TEST_CASE("What is drawn as it is written, or not at all, is told") {
+TEST_CASE("What is drawn as it is written, or not at all, is reported") {
     CHECK(parts_of("a <!-- b --> <https://example.org/> <a b> [c](d e) [f] (g h)\n") ==
           "0 comment\n0 address <https://example.org/>\n0 split_target d e\n");
     CHECK(parts_of("[a]\n\n[a]: b\n> [c]: d\n") == "0 link b (a)\n2 definition\n3 definition\n");
@@ -134,7 +134,7 @@ TEST_CASE("Random marks give the links that are drawn, on lines of the text") {
             text += marks[static_cast<std::size_t>(
                 random.integer(0, static_cast<int>(std::size(marks)) - 1))];
         INFO(text);
-        // Notes are drawn elsewhere than they stand.
+        // Notes are not drawn where they are written.
         std::string without_notes = text;
         take_footnotes(without_notes);
         if (without_notes != text) continue;

@@ -50,7 +50,7 @@ ClipVertex hot_vertex_shader(const Vertex& vertex, const glm::mat3& rotation,
     return clip;
 }
 
-/// What was interpolated reaches the pixel shader, though nobody watches.
+/// What was interpolated reaches the pixel shader, even without an observer.
 glm::vec3 heat_shader(const Fragment& fragment, const Surface&, const PixelRules&,
                       const Stages& stages) {
     return {recover_varyings(fragment, stages).heat, 0.0f};

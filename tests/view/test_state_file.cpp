@@ -200,7 +200,7 @@ TEST_CASE("A view is not saved in a quiz, nor without a scene file") {
     CHECK_THROWS_AS(view_text(made, "/tmp/x.walk.toml"), UsageError);
 }
 
-TEST_CASE("What is wrong in a saved view is told with its line") {
+TEST_CASE("What is wrong in a saved view is reported with its line") {
     const TemporaryFolder folder;
     const auto says = [&](const std::string& text, const std::string& sentence) {
         INFO(text);

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The commands of the browser's build, under Node, say and draw what the native ones do.
 #   tests/web/commands.sh COMMANDS_JS NATIVE [HASHES_JS NATIVE_HASHES]
-# COMMANDS_JS is build/web/rasterwalk-commands.js. With the other two the hashes of tests/same_bits are held against each
-# other as well. What is different is printed: the command, both exit codes, and the first lines that differ.
+# COMMANDS_JS is build/web/rasterwalk-commands.js. With the other two the hashes of tests/same_bits are compared with
+# each other as well. What is different is printed: the command, both exit codes, and the first lines that differ.
 set -u
 commands=$(realpath "${1:?COMMANDS_JS is missing}")
 native=$(realpath "${2:?NATIVE is missing}")
@@ -97,7 +97,7 @@ for lesson in lessons/[0-9]*.md; do
 done
 for broken in tests/lessons/broken/*; do both check "$PWD/$broken"; done
 
-# ---- Faults, and what somebody may mean badly
+# ---- Faults, and what may be meant maliciously
 printf '[camera\nposition = 3' >"$folder/broken.toml"
 printf 'v 1 2\nf 1 2 9\nf a b c\n' >"$folder/broken.obj"
 printf 'v 0 0 0\nv 1e39 0 1\nv nan 1 inf\nv 1e-46 0x10 1.5.2\nf 1 2 3\nf -1 -2 -3\n' >"$folder/numbers.obj"
