@@ -7,7 +7,7 @@
 
 namespace rasterwalk {
 
-/// Takes pictures and shows them to nobody.
+/// Takes pictures and shows none of them.
 struct KeptTextures : TextureHost {
     ImTextureID upload(ImTextureID old, const Image& image) override;
     Image last;      ///< what was uploaded last

@@ -150,7 +150,7 @@ std::vector<ScreenText> screen_text(float widest_gap) {
         const ImDrawList& drawn = *data->CmdLists[list];
         const std::vector<ImVec4> seen = seen_of_corners(drawn);
         Reader reader(drawn._OwnerName != nullptr ? drawn._OwnerName : "", widest_gap, lines);
-        // A letter is a rectangle: two of its four corners tell which.
+        // A letter is a rectangle, and two of its four corners are enough to identify it.
         for (int i = 0; i + 3 < drawn.VtxBuffer.Size;) {
             const ImDrawVert &low = drawn.VtxBuffer[i], &high = drawn.VtxBuffer[i + 2];
             const auto found = letters.find({low.uv.x, low.uv.y});

@@ -173,7 +173,7 @@ TEST_CASE("At the end it is tried once more, without waiting") {
     CHECK(read_progress(place + "/progress.toml").is_step_seen("01-pinhole-camera", 2));
 }
 
-TEST_CASE("Files that nest too deeply keep nobody from the window, and stay as they are") {
+TEST_CASE("Files that nest too deeply do not keep the window from opening, and stay as they are") {
     const test::TemporaryFolder folder;
     std::string deep;
     for (int i = 0; i < 30'000; ++i)

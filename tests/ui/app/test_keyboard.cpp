@@ -384,7 +384,7 @@ TEST_CASE("What is too long is scrolled by keys: the sheet of keys, and a lesson
     CHECK(scroll_of() > unread);
 }
 
-TEST_CASE("Shift and F1 explain what has the frame") {
+TEST_CASE("Shift and F1 explain the widget with the frame") {
     Driver driver;
     driver.hand.leave();
     driver.ui.focus.name = "walk.play";

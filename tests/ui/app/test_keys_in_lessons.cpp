@@ -1,4 +1,4 @@
-// A lesson read and answered by keys alone: who types, who reads on, and who follows a link.
+// A lesson read and answered by keys alone: to type, to read on, and to follow a link.
 
 #include <string>
 #include <utility>
@@ -105,7 +105,7 @@ TEST_CASE("A number that can be dragged is typed over as it has the frame") {
     CHECK(driver.ui.focus.name == "setting.camera.focal_length");
 }
 
-TEST_CASE("Who reads on gives the arrows back to the camera, and Tab brings the frame back") {
+TEST_CASE("Reading on gives the arrows back to the camera, and Tab brings the frame back") {
     for (const ImVec2 window : {ImVec2{1600, 1000}, ImVec2{1024, 640}}) {
         INFO(window.x);
         Driver driver("lab-room.toml", window);
@@ -173,7 +173,7 @@ TEST_CASE("A key that turns no page leaves the frame where it is") {
     CHECK(driver.ui.focus.name == "walk.play");
 }
 
-TEST_CASE("Whoever leaves the sheet for files that the start page opened chooses a file again") {
+TEST_CASE("Leaving the file sheet that the start page opened puts the frame on choosing a file") {
     for (const ImVec2 window : {ImVec2{1600, 1000}, ImVec2{1024, 640}, ImVec2{800, 600}}) {
         INFO(window.x);
         Driver driver("lab-room.toml", window);
@@ -250,7 +250,7 @@ TEST_CASE("Without a frame the keys that scroll move the lesson's text") {
     CHECK(scroll_of("lesson") > 0.0f);
     driver.hand.press(key::up, {.ctrl = true});
     CHECK(scroll_of("lesson") == 0.0f);
-    // What has the frame has these keys.
+    // The widget with the frame gets these keys.
     REQUIRE(driver.tab_to("walk.play"));
     const float left = scroll_of("lesson");
     driver.hand.press(key::up, {.ctrl = true});

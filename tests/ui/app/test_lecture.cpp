@@ -107,7 +107,7 @@ TEST_CASE("In a lecture the picture has half of the window, from bar to bar") {
     CHECK_FALSE(rows.ui.lesson.strip.is_beside);
 }
 
-TEST_CASE("In a lecture without a lesson Page down draws the next piece of the size on show") {
+TEST_CASE("In a lecture without a lesson Page down draws the next piece of the chosen size") {
     Driver driver("one-triangle.toml", {1024, 640});
     driver.hand.press(key::page_down);
     CHECK_FALSE(driver.ui.session.notice.empty()); // there is no lesson to walk

@@ -22,7 +22,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What is on show, and in which scene.
+/// What is shown, and in which scene.
 struct Shown {
     const char* name;
     const char* scene;
@@ -51,7 +51,7 @@ const std::vector<Shown>& all_shown() {
         {"rows", "lab-room.toml", "rows", [](Driver& d) { d.ui.session.selection.triangle = 22; }},
         {"rows of the last", "lab-room.toml", "rows",
          [](Driver& d) { d.ui.session.a.settings.stage = Stage::rows; }},
-        {"rows half-way", "one-triangle.toml", "rows",
+        {"rows halfway", "one-triangle.toml", "rows",
          [](Driver& d) { d.ui.session.cursor = *parse_cursor("t0/e1/s5"); }},
         {"rows outside", "sample-outside.toml", "rows", {}},
         {"inside, a pixel", "shared-edge.toml", "rows",

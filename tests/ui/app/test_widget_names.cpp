@@ -303,7 +303,7 @@ class Tour {
         look(driver);
     }
 
-    /// Whoever chose the tab, and what a lesson hides.
+    /// A tab chosen by the student or by a lesson, and what a lesson hides.
     void groups() {
         Driver driver;
         for (std::size_t i = 0; i < tab_group_count; ++i) {
@@ -370,7 +370,7 @@ TEST_CASE("Every widget of the window is listed for the lessons, and the list na
     CHECK(extra == Names{});
 }
 
-TEST_CASE("The list of widgets is written anew: what is gone goes, what is new comes") {
+TEST_CASE("The list of widgets is rewritten: what is gone goes, what is new comes") {
     const std::string text = "# Rows\nrows.#\nold.#\n- lab.*\n\nstage.{stage}\n";
     const Names seen{"rows.7", "stage.depth", "lab.B3", "new.12.left", "new.3.left", "walk"};
     CHECK(rewritten(text, seen) == "# Rows\nrows.#\n- lab.*\n\nstage.{stage}\nnew.#.left\nwalk\n");

@@ -128,7 +128,7 @@ TEST_CASE("Alternatives touch in the strip; what follows or begins a group stand
     }
 }
 
-TEST_CASE("The strip leaves out what the scene cannot use, but never what is on show") {
+TEST_CASE("The strip leaves out what the scene cannot use, but never what is shown") {
     Driver driver("one-triangle.toml");
     const auto is_there = [&](const char* name) { return driver.ui.widgets.count(name) > 0; };
     CHECK(is_there("stage.fill"));

@@ -17,7 +17,7 @@
 using namespace rasterwalk;
 using Catch::Matchers::ContainsSubstring;
 
-TEST_CASE("Of row tables nothing is told before they are a subject") {
+TEST_CASE("Nothing is said about row tables before they are a subject") {
     Driver driver;
     const auto tells = [&] {
         driver.hand.rest();
@@ -35,13 +35,13 @@ TEST_CASE("Of row tables nothing is told before they are a subject") {
     CHECK_FALSE(tells());
     driver.ui.session.tab_guide.shows_all = true;
     CHECK(tells());
-    // That triangles are left out is told in every lesson.
+    // That triangles are left out is said in every lesson.
     driver.ui.session.tab_guide.shows_all = false;
     driver.ui.session.a.settings.camera.position.z = -0.5f;
     CHECK(tells());
 }
 
-TEST_CASE("The status line names the lesson that tells of the trouble there is, or none") {
+TEST_CASE("The status line names the lesson that explains the trouble there is, or none") {
     Driver driver;
     const auto says = [&] {
         driver.hand.rest();
@@ -92,7 +92,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Where there is no status line the pixel under the pointer is told all the same") {
+TEST_CASE("Where there is no status line the pixel under the pointer is shown all the same") {
     struct Case {
         ImVec2 window;
         float text;
@@ -159,7 +159,7 @@ TEST_CASE("What is too much work for one frame of the window goes on in the next
     CHECK(frames > 3);
     CHECK(work_words(driver.ui.results).empty());
     CHECK_FALSE(is_animating(driver.ui));
-    // A step of the camera begins anew, once what it needs is prepared.
+    // A step of the camera starts again, once what it needs is prepared.
     driver.ui.session.a.settings.camera.yaw += 0.01f;
     driver.hand.frames(1);
     REQUIRE(a.is_frame_late);

@@ -80,7 +80,7 @@ TEST_CASE("Enlarging keeps what is under the pointer, and ends at its bounds") {
     CHECK(window.width == 1.0);
 }
 
-TEST_CASE("A window does not leave its frame, and another frame begins anew") {
+TEST_CASE("A window stays within its frame, and starts over in another frame") {
     TimeWindow window = window_at_three();
     pan_window(window, -100.0);
     CHECK(window.begin == 0.0);

@@ -84,7 +84,7 @@ void look_close(Driver& driver, float zoom, glm::vec2 centre) {
     driver.hand.leave();
 }
 
-/// The number that belongs in a cell, from the framebuffer of a frame drawn anew; empty: none.
+/// The number that belongs in a cell, from the framebuffer of a redrawn frame; empty: none.
 std::string expected_number(const Framebuffer& picture, CellNumbers numbers, glm::ivec2 pixel) {
     const std::size_t at = picture.at(pixel.x, pixel.y);
     if (numbers == CellNumbers::owner)
@@ -194,7 +194,7 @@ TEST_CASE("Below the zoom that gives room there are no numbers, and none too sma
     }
 }
 
-TEST_CASE("The signs in the cells say what the depth test said of the triangle's fragments") {
+TEST_CASE("The signs in the cells show the depth test's verdict on the triangle's fragments") {
     Driver driver;
     driver.hand.click("stage.depth");
     const Frame& frame = driver.ui.results.a.frame;

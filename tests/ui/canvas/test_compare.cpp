@@ -78,7 +78,7 @@ TEST_CASE("In a low canvas no title lies over a picture, and each picture has on
     }
 }
 
-TEST_CASE("A comparison brings the tab that explains it, and the one before is back at its end") {
+TEST_CASE("A comparison brings the tab that explains it, and the previous tab is back at its end") {
     Driver driver(lit_room(200));
     const auto tab = [&] { return driver.ui.session.tab; };
     REQUIRE(tab() == "fragment");

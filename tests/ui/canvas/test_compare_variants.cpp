@@ -113,7 +113,7 @@ TEST_CASE("A click on a small picture shows it large, and only that one is outli
         CHECK(driver.ui.widgets.count(name) == 0);
 }
 
-TEST_CASE("The small pictures say what is otherwise in them, and how much differs") {
+TEST_CASE("The small pictures say what is different in them, and by how much") {
     Driver driver(lit_room_of({500, 500}));
     driver.hand.click("switch.compare");
     CHECK(shown_text(driver, "compare.small.run_a") == "between the vertices: perspective");

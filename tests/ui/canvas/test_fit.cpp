@@ -69,7 +69,7 @@ TEST_CASE("Fit fills the canvas in every window, view and way to compare") {
 
 namespace {
 
-/// Are all pixels of the triangle on show seen, and lie neither under the row table nor under the
+/// Can all pixels of the triangle shown be seen, and are none under the row table or under the
 /// numbers?
 bool is_triangle_seen(const Driver& driver) {
     const WidgetPlace& canvas = driver.ui.widgets.at("canvas");

@@ -22,7 +22,7 @@ bool has(const Driver& driver, const char* name) {
 
 } // namespace
 
-TEST_CASE("Fragments beside the picture are told of, and clipped at a click") {
+TEST_CASE("Fragments beside the picture are reported, and clipped at a click") {
     Driver driver;
     driver.hand.frames(2);
     CHECK(told_of(driver).empty());
@@ -66,7 +66,7 @@ TEST_CASE("A frame of very many fragments in the picture waits, is drawn in part
     CHECK(told_of(driver).find("stopped") != std::string::npos);
     CHECK_FALSE(is_animating(driver.ui));
 
-    // Another frame is asked for anew.
+    // Another frame is asked for again.
     driver.hand.click("canvas.draw_it");
     CHECK_FALSE(run.is_held);
     driver.ui.session.a.settings.camera.position.z = -0.001f;

@@ -37,7 +37,7 @@ TEST_CASE("Every overlay is switched on and off by its name, and undone") {
     }
 }
 
-TEST_CASE("Overlays are one texture beside that of the picture, made anew only when they change") {
+TEST_CASE("Overlays are one texture beside that of the picture, remade only when they change") {
     Driver driver;
     driver.ui.session.canvas.zoom = 1.0f; // shown as it is
     driver.hand.frames();
@@ -97,7 +97,7 @@ TEST_CASE("The legends stand below the picture, however small the window and lar
 }
 
 TEST_CASE(
-    "The legend hides nothing of what the lesson talks about, and says of which pixel it is") {
+    "The legend hides nothing that the lesson talks about, and says which pixel it is about") {
     for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1024, 640)}) {
         Driver driver("lab-room.toml", window, 1.5f);
         open_lesson(driver.ui, "11-perspective", 1);

@@ -109,7 +109,7 @@ TEST_CASE("The diagram of the Clip tab has w upward and the plane's coordinate t
     }
 }
 
-TEST_CASE("A corner of the diagram tells its coordinates, and a click explains its distance") {
+TEST_CASE("A corner of the diagram shows its coordinates, and a click explains its distance") {
     CutWall wall(0);
     Driver& driver = wall.driver;
     driver.hand.click("clip.diagram.corner.0");

@@ -19,7 +19,7 @@ bool is_there(const Driver& driver, const std::string& name) {
     return driver.ui.widgets.count(name) > 0;
 }
 
-/// The tabs that can be clicked, whichever group is on show.
+/// The tabs that can be clicked, whichever group is shown.
 int count_of_tabs(Driver& driver) {
     driver.hand.leave();
     int count = 0;

@@ -161,8 +161,7 @@ TEST_CASE("Three fill rules at a shared edge in small pictures; a click draws wi
     CHECK(shown_text(driver, "inside.rule.exclusive") == "exclusive: 0 twice, 7 holes");
     CHECK(shown_text(driver, "inside.rule.top_left") == "top left: 0 twice, 0 holes");
     CHECK(words_of_part("inspector").find("edge 0, shared with triangles[0]") != std::string::npos);
-    // The pixel on the diagonal: drawn by both, by none, and by the upper half, which is not on
-    // show.
+    // The pixel on the diagonal: drawn by both, by none, and by the upper half, which is not shown.
     const PixelOf upper{10, 3}, lower{4, 7}, on_edge{7, 5};
     CHECK(colour_at(driver, 0, on_edge) != colour_at(driver, 0, upper));
     CHECK(colour_at(driver, 0, on_edge) != colour_at(driver, 0, lower));
@@ -181,7 +180,7 @@ TEST_CASE("Three fill rules at a shared edge in small pictures; a click draws wi
     }
 }
 
-TEST_CASE("Small pictures are made anew only when what they show is another") {
+TEST_CASE("Small pictures are remade only when what they show changes") {
     Driver driver("shared-edge.toml");
     show_covered(driver, 1);
     const std::uint64_t number = driver.ui.inspector.coverage.number;

@@ -148,7 +148,7 @@ TEST_CASE("All that can be chosen of a quiz stands before it is begun") {
     }
 }
 
-TEST_CASE("While a quiz hides the settings nothing can set them, and nothing tells them") {
+TEST_CASE("While a quiz hides the settings nothing can set them, and nothing gives them away") {
     Driver driver(lit_room(200));
     driver.open("lab");
     driver.hand.click("lab.mode.quiz");

@@ -52,8 +52,8 @@ int marked_pixels(const Image& image) {
     return count;
 }
 
-/// The mistake on show makes as many pixels wrong as the diagnosis says. What differs by one step
-/// of 255 is not wrong: only the comparison counts it.
+/// The mistake shown makes as many pixels wrong as the diagnosis says. What differs by one step of
+/// 255 is not wrong: only the comparison counts it.
 void check_counts_of_shown(const Driver& driver, std::int64_t wrong) {
     REQUIRE(driver.ui.session.b);
     const Image a = drawn_by(driver, driver.ui.session.a.settings);
@@ -163,7 +163,7 @@ TEST_CASE("A diagnosis shows the student's picture beside where it differs from 
     CHECK(shown_text(driver, "lab.rules") ==
           "Your program draws with “Lamp power: 14”, which is just as right.");
     CHECK(marked_pixels(shown(1)) == driver.ui.lab.answer->diagnosis.different);
-    // Even one pixel is seen, and its place is told.
+    // Even one pixel is noticed, and its place is given.
     Image scratched = right;
     std::fill_n(scratched.rgba.begin() + 4 * (side / 2 * side + side / 2), 3, std::uint8_t{255});
     check_image(driver, scratched);
@@ -195,7 +195,7 @@ TEST_CASE("One card names the mistake, its place, its cure and its lesson, to wh
     CHECK(bug.lesson == "06-filling");
 }
 
-TEST_CASE("A lesson leaves nothing behind in what a picture is held against") {
+TEST_CASE("A lesson leaves nothing behind in what a picture is compared with") {
     test::TemporaryFolder folder;
     const std::string path = folder.file("mine.png");
     std::int64_t fresh = 0;
@@ -225,7 +225,7 @@ TEST_CASE("A lesson leaves nothing behind in what a picture is held against") {
     driver.hand.click("lab.show.0");
     driver.hand.rest();
     check_counts_of_shown(driver, fresh);
-    // A picture from another place is held against what is set, when that is asked for.
+    // A picture from another place is compared with what is set, when that is asked for.
     driver.hand.press('C');
     driver.ui.session.a.settings.camera.yaw = 0.2f;
     driver.hand.click("lab.other_reference");
@@ -282,7 +282,7 @@ TEST_CASE("What is wrong with a picture is in sight at once, and scrolled by key
 }
 
 TEST_CASE(
-    "A mistake is shown as it was held against the picture: same lamp, same size, same room") {
+    "A mistake is shown as it was compared with the picture: same lamp, same size, same room") {
     Driver driver;
     const Settings reference = pixel_light(driver);
     driver.ui.session.a.settings = reference;
@@ -291,7 +291,7 @@ TEST_CASE(
     wrong.interpolation = Interpolation::affine;
     check_picture(driver, wrong);
     REQUIRE(driver.ui.lab.answer);
-    // Whatever is opened in between, and how ever it is lit.
+    // Whatever is opened in between, and however it is lit.
     driver.hand.click("menu.Scene");
     driver.hand.click("scene.one-triangle");
     driver.open("lab");
@@ -360,7 +360,7 @@ TEST_CASE("What stands below an answer does not jump from one frame to the next"
     }
 }
 
-TEST_CASE("Below what is said of a picture the way to another one stays whole") {
+TEST_CASE("Below what is said about a picture the controls for choosing another stay whole") {
     for (const ImVec2 window : {ImVec2{1600, 1000}, ImVec2{1280, 800}}) {
         INFO(window.x << " x " << window.y);
         Driver driver("lab-room.toml", window);

@@ -53,7 +53,7 @@ TEST_CASE("A picture that is saved again is checked again, and the answer stays 
     // The same once more is no news.
     save_again(driver, folder, "mine.png", mine);
     CHECK_FALSE(is_diagnosing(driver.ui));
-    // With the mistake on show, the file is still held against what was set.
+    // With the mistake shown, the file is still compared with what was set.
     driver.hand.click("lab.show.0");
     driver.hand.rest();
     const float top = driver.ui.widgets.at("lab.diagnosis").top_left.y;
@@ -72,7 +72,7 @@ TEST_CASE("A picture that is saved again is checked again, and the answer stays 
     CHECK(driver.ui.lab.answer->diagnosis.is_same());
     CHECK(shown_text(driver, "lab.diagnosis") ==
           "Your picture matches the reference, pixel for pixel.");
-    // Given up, the check leaves the answer, and says of when it is.
+    // If it is given up, the check leaves the answer, and says when that answer is from.
     save_again(driver, folder, "mine.png", mine);
     REQUIRE(is_diagnosing(driver.ui));
     give_up_diagnosis(driver.ui);
@@ -82,7 +82,7 @@ TEST_CASE("A picture that is saved again is checked again, and the answer stays 
                Catch::Matchers::StartsWith("The check was stopped"));
 }
 
-TEST_CASE("A file is not looked at while its answer is not on show") {
+TEST_CASE("A file is not looked at while its answer is not on screen") {
     const test::TemporaryFolder folder;
     Driver driver;
     const std::string path = folder.write("rows.txt", std::string(test::handout_rows));

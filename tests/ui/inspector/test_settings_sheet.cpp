@@ -124,7 +124,7 @@ TEST_CASE("The wireframe is drawn by each of the four lines, as soon as it is ch
     Driver driver("one-triangle.toml");
     driver.hand.click("stage.edges");
     driver.hand.click("tab.settings");
-    // From (5,10) to (15,15) and from there to (10,5) every other sample lies half-way between two
+    // From (5,10) to (15,15) and from there to (10,5) every other sample lies halfway between two
     // pixels. Bresenham takes the further one, midpoint the nearer one, as seen from the start; DDA
     // rounds up, and the lab cuts down.
     struct Line {

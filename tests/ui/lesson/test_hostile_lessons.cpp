@@ -43,7 +43,7 @@ std::string file_name(std::size_t number) {
 
 } // namespace
 
-TEST_CASE("Of every hostile lesson the column tells the fault, and the open lesson stays") {
+TEST_CASE("The column shows the fault of every hostile lesson, and the open lesson stays") {
     HostileClassroom room;
     const std::vector<test::HostileLesson> all = test::hostile_lessons();
     REQUIRE(all.size() < 90);
@@ -110,7 +110,7 @@ TEST_CASE("Tiring texts are drawn, or refused") {
     }
 }
 
-TEST_CASE("A folder in the place of a lesson is told in the status line") {
+TEST_CASE("A folder in the place of a lesson is reported in the status line") {
     HostileClassroom room;
     std::filesystem::create_directory(room.folder.file("02-folder.md"));
     room.open_good();

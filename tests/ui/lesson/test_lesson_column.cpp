@@ -291,7 +291,7 @@ TEST_CASE("Every widget that a lesson points at is in the window at that step, o
             const std::string& shown = driver.ui.lesson.pointed_at;
             return driver.ui.widgets.count(shown) > 0 && (shown == widget || !is_wide);
         };
-        // A copy: to open a lesson may read it anew.
+        // A copy, because opening a lesson may read it again.
         std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
         REQUIRE(lessons.size() >= 13);
         // At little effort each window takes other lessons, so that each is seen in one of them.
@@ -495,7 +495,7 @@ TEST_CASE("What a lesson is about is broken between words, never within a number
         INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
         Driver driver("lab-room.toml", window.size, window.text_scale);
         driver.hand.press('L');
-        // Where there is room for a line each only, it is told beside the pointer.
+        // Where there is room for only one line each, it is shown beside the pointer.
         if (driver.ui.lesson.is_strip) {
             driver.hand.hover("lesson.item.01-pinhole-camera");
             driver.hand.rest();

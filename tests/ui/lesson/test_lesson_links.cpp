@@ -137,7 +137,7 @@ TEST_CASE("The pointer on a link points without opening the tab; away from it, i
     CHECK(ui.lesson.pointed_at.empty());
 }
 
-TEST_CASE("A widget that is not on the screen is told") {
+TEST_CASE("A widget that is not on the screen is reported") {
     Driver driver;
     point_at_widget(driver.ui, "depth.histogram", true);
     driver.hand.frames(6);

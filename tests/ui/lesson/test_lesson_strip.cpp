@@ -36,7 +36,7 @@ int step_of_prediction(Driver& driver, const char* lesson, const char* id) {
     return find_prediction(*found, id)->step;
 }
 
-/// Turns the cards of the step on show until a prediction is asked.
+/// Turns the cards of the current step until a prediction is asked.
 void turn_to_prediction(Driver& driver, const std::string& id) {
     const std::string name = "lesson.prediction." + id;
     driver.hand.leave();
@@ -46,12 +46,12 @@ void turn_to_prediction(Driver& driver, const std::string& id) {
     }
 }
 
-/// The cards of the step on show.
+/// The cards of the current step.
 const std::vector<LessonCard>& cards(const Driver& driver) {
     return driver.ui.lesson.strip.cards;
 }
 
-/// How much of the card on show is scrolled away, screen pixels.
+/// How much of the current card is scrolled away, screen pixels.
 float hidden_of_card() {
     for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows) {
         const std::string_view name = window->Name;
@@ -62,7 +62,7 @@ float hidden_of_card() {
     return 0.0f;
 }
 
-/// The last card of the text with which the step on show begins.
+/// The last card of the text with which the current step begins.
 int last_card_of_text(const Driver& driver) {
     int last = 0;
     while (cards(driver)[static_cast<std::size_t>(last + 1)].part == 0)
@@ -503,7 +503,7 @@ TEST_CASE("A window of another width leaves the strip where it was in its text")
     CHECK(cards(driver)[card].text.find(text.substr(0, 20)) != std::string::npos);
 }
 
-TEST_CASE("Page up in the whole text goes to the end of the step before, and in a column to its "
+TEST_CASE("Page up in the whole text goes to the end of the previous step, and in a column to its "
           "beginning") {
     Driver driver("lab-room.toml", {1024, 640});
     const LessonView& lesson = driver.ui.lesson;

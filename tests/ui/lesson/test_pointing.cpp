@@ -35,7 +35,7 @@ TEST_CASE("A step outlines what it points at, whatever is pressed, until it is u
         const std::string widget = *lesson.steps[static_cast<std::size_t>(step)].state.point_at;
         open_lesson(driver.ui, lesson.id, step - 1);
         driver.hand.rest();
-        // As a person does, for several frames each. Cards of the step before, or a task of it
+        // As a person does, for several frames each. Cards of the previous step, or a task of it
         // below the fold, come first.
         for (int i = 0; i < 8 && driver.ui.session.step < step; ++i)
             driver.hand.hold(key::page_down, 5);
@@ -172,7 +172,7 @@ TEST_CASE("A setting behind the gear is outlined when the gear is clicked, in ev
     }
 }
 
-TEST_CASE("A click elsewhere than on the way to what is pointed at ends the pointing") {
+TEST_CASE("A click anywhere but on the way to what is pointed at ends the pointing") {
     Driver driver("lab-room.toml", {800, 600});
     point_at_widget(driver.ui, "setting.camera.focal_length", true);
     driver.hand.rest();

@@ -23,7 +23,7 @@ program = "nothing"
 scene = "scenes/lab-room.toml"
 set = ["stage=edges"]
 tab = "vertices"
-sources = ["Somebody, *Something*, 1990"]
+sources = ["An Author, *A Title*, 1990"]
 -->
 # Questions
 
@@ -37,7 +37,7 @@ kind = "number"
 answer = "triangle.count"
 unit = "triangles"
 then = { tab = "rows", set = ["stage=depth"] }
-because = "There are {answer}. Five walls have two each. Two blocks have ten each. None has a bottom. Nobody would see it. So it is left out. That saves four triangles, and the time to draw them. It saves no pixel."
+because = "There are {answer}. Five walls have two each. Two blocks have ten each. None has a bottom. You would not see it. So it is left out. That saves four triangles, and the time to draw them. It saves no pixel."
 misconceptions = [{ answer = "15", says = "Those are the rectangles." }]
 -->
 > **Prediction.** How many triangles?
@@ -50,7 +50,7 @@ right = ["triangle.count == 1", "triangle.count == 30", "triangle.count == 2"]
 because = "It is green."
 misconceptions = [{ answer = "red", says = "That is the block." }, { answer = "blue", says = "That is the other block." }]
 -->
-> **Prediction.** Which colour has the floor?
+> **Prediction.** What colour is the floor?
 
 ## Turned
 
@@ -113,7 +113,8 @@ constexpr const char* count = "lesson.prediction.count";
 
 } // namespace
 
-TEST_CASE("A wrong first answer is told what is wrong, and asked once more before the answer") {
+TEST_CASE(
+    "A wrong first answer gets a reply, and the question is asked once more before the answer") {
     for (const SmallWindow& window :
          {SmallWindow{{1600, 1000}, 1.0f}, SmallWindow{{1024, 640}, 1.5f}}) {
         INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
@@ -177,7 +178,7 @@ TEST_CASE("Two wrong answers, or the wish to see it, show the answer") {
     CHECK_FALSE(q.kept("colour").has_second_try);
 }
 
-TEST_CASE("A wrong answer that nobody foresaw has a second try all the same") {
+TEST_CASE("A wrong answer that was not foreseen has a second try all the same") {
     Questions q(1);
     q.answer("7");
     CHECK_FALSE(q.said(std::string(count) + ".says").empty());
@@ -266,7 +267,7 @@ TEST_CASE("The last step says what was done, where to go next, and on what the l
     const std::string end = q.said("lesson.end");
     CHECK(end.find("1 of 2 predictions right on the first try, 1 of 2 tasks done.") != end.npos);
     CHECK(end.find("Next: lesson 2, [Questions](02-after.md).") != end.npos);
-    CHECK(end.find("Somebody, *Something*, 1990") != end.npos);
+    CHECK(end.find("An Author, *A Title*, 1990") != end.npos);
     q.driver.hand.click("lesson.end.link.0");
     CHECK(q.ui.session.lesson == "02-after");
     // Not on any other step.
@@ -396,7 +397,7 @@ TEST_CASE("After a wrong number the field is ready for another, and no digit goe
     }
 }
 
-TEST_CASE("In a lecture Page down shows the answer to a question that nobody has given") {
+TEST_CASE("In a lecture Page down shows the answer that has not been given to a question") {
     Questions q(1, {1280, 800});
     q.driver.hand.press(key::f5);
     q.driver.hand.leave();

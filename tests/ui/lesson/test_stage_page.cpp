@@ -74,7 +74,7 @@ float top_of(const Driver& driver, const std::string& widget) {
     return driver.ui.widgets.at(widget).top_left.y;
 }
 
-/// Follows every link of the page on show by a click, each from the same start.
+/// Follows every link of the current page by a click, each from the same start.
 void follow_all(const Session& start, ImVec2 window) {
     Driver driver(start, window);
     const bool is_strip = driver.ui.widgets.count("lesson.whole") > 0;

@@ -83,7 +83,7 @@ StripLetters strip_letters() {
     return letters;
 }
 
-/// Pages through the card on show and looks at what is seen of it.
+/// Pages through the current card and looks at what is seen of it.
 void check_card(Driver& driver) {
     const LessonStrip& strip = driver.ui.lesson.strip;
     const int card = strip.card, step = driver.ui.session.step;

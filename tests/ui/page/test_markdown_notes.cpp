@@ -42,7 +42,7 @@ TEST_CASE("What stands in code is no reference") {
     CHECK(text.find("```\n[^a]\n[^b]: not a note\n```\n") != std::string::npos);
 }
 
-TEST_CASE("A note that is not there, or that nobody asks for, makes no link") {
+TEST_CASE("A note that is not there, or that nothing refers to, makes no link") {
     Notes notes;
     CHECK(taken("One.[^a] Two.[^c]\n\n[^a]: A.\n[^b]: B.\n", &notes) ==
           "One.[¹](note:1) Two.[^c]\n\n\n---\n\n1. A.\n");

@@ -225,7 +225,7 @@ TEST_CASE("A root has its line over all that stands under it") {
     CHECK(set.box.shapes[0].low.y <= set.piece("a").at.y + 4.0f);
 }
 
-TEST_CASE("Whatever is set stays within the box that is told") {
+TEST_CASE("Whatever is set stays within the box that is returned") {
     const Driver driver;
     test::Random random(5);
     const char* pieces[] = {"a",        "12",     "{",       "}",        "^",           "_",

@@ -15,7 +15,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A picture whose pixels tell where they are.
+/// A picture whose pixels say where they are.
 Image numbered(int width, int height) {
     Image image{width, height, {}};
     for (int y = 0; y < height; ++y) {
@@ -179,7 +179,7 @@ TEST_CASE("A lesson of one's own shows the pictures beside it") {
     CHECK(driver.ui.pictures->pictures[name].texture != ImTextureID{});
 }
 
-TEST_CASE("A picture is drawn as wide as the page, and made anew only when that changes") {
+TEST_CASE("A picture is drawn as wide as the page, and remade only when that changes") {
     Driver driver;
     Ui& ui = driver.ui;
     ui.pictures = std::make_shared<PictureShelf>();

@@ -53,7 +53,7 @@ TEST_CASE("The list shows what is searched for, and copies what it shows") {
     CHECK_FALSE(driver.hand.is_visible("events.search"));
 }
 
-TEST_CASE("The list follows the triangle on show, and its window fits into the smallest") {
+TEST_CASE("The list follows the triangle shown, and its window fits into the smallest") {
     Driver driver("lab-room.toml", {320, 200});
     driver.hand.press(key::home);
     open_events(driver);

@@ -98,7 +98,7 @@ TEST_CASE("A click on the second card shows the room without a lesson") {
     CHECK_FALSE(is_open(driver));
     CHECK(driver.ui.session.lesson.empty());
     CHECK(driver.ui.options.way == Way::stages);
-    // Whoever walks begins at the beginning, in a light in which the last stages can be seen.
+    // The walk begins at the beginning, in a light in which the last stages can be seen.
     CHECK(driver.ui.session.a.settings.stage == Stage::points);
     CHECK(driver.ui.session.tab == "vertices");
     driver.hand.click("stage.pixel_light");
@@ -120,7 +120,7 @@ TEST_CASE("From the start page it is three clicks to what is wrong with a pictur
     CHECK((driver.hand.is_visible("lab.diagnosis") || driver.hand.is_visible("lab.result.fault")));
 }
 
-TEST_CASE("Who wants no file yet reads what can be checked") {
+TEST_CASE("If you choose no file yet, you read what can be checked") {
     Driver driver;
     begin(driver);
     driver.hand.click("start.picture");
