@@ -265,7 +265,7 @@ TEST_CASE("Mistakes of matrices are recognized, and no other mistake is taken fo
         CHECK(diagnosis.candidates.size() == 1);
         CHECK(place_of(diagnosis, id) == 0);
     }
-    // Light that goes wrong otherwise, and a camera that turns otherwise.
+    // Light that goes wrong in another way, and a camera that turns differently.
     reference.camera.yaw = 0.2f;
     for (const char* id : {"B20a", "B24"}) {
         const Diagnosis diagnosis = diagnose_picture(

@@ -511,7 +511,7 @@ Settings with(std::initializer_list<const char*> assignments) {
 
 } // namespace
 
-TEST_CASE("What differs is said once, by the whole where it has a word and else by its parts") {
+TEST_CASE("What differs is said once, as a whole if there is a word for it, otherwise in parts") {
     const Settings usual;
     CHECK(differing(usual, with({"rounding=floor"})) == "rounding ");
     CHECK(differing(usual, with({"vertex_rounding=truncate_sum"})) == "vertex_rounding ");

@@ -1,8 +1,8 @@
 #pragma once
 
-// What a whole picture shows, by a ray through the centre of every pixel, in double precision. As
-// ray_caster.h it shares no code with the stages: the view volume's ends are asked of each ray, and
-// only the outlines are worked out on the screen.
+// What a whole picture shows, by a ray through the centre of every pixel, in double precision. Like
+// ray_caster.h it shares no code with the stages: each ray is checked against the ends of the view
+// volume, and only the outlines are worked out on the screen.
 
 #include <vector>
 

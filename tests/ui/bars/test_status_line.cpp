@@ -17,7 +17,7 @@
 using namespace rasterwalk;
 using Catch::Matchers::ContainsSubstring;
 
-TEST_CASE("Nothing is said about row tables before they are a subject") {
+TEST_CASE("Nothing is said about row tables before they come up") {
     Driver driver;
     const auto tells = [&] {
         driver.hand.rest();
