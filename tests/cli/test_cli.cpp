@@ -204,7 +204,7 @@ TEST_CASE("Triangles that are left out are reported on standard error, and the r
     CHECK_THAT(without_blanks(result.out), ContainsSubstring("\"behind_camera\":23"));
 }
 
-TEST_CASE("Of many triangles that are left out it is said as of many") {
+TEST_CASE("Several triangles that are left out are reported in the plural") {
     const CliRun all = run({"stats", "--set", "camera.position=0,0,9", "--set", "clip=all"});
     CHECK(all.err == "rasterwalk: 30 triangles are left out: clipping leaves nothing of them.\n");
     const CliRun backs = run({"stats", "--set", "cull=face_normal"});
