@@ -27,7 +27,7 @@ void add_folder(const fs::path& folder, std::vector<std::string>& files) {
         if (fs::is_symlink(entry, ignored) || name.starts_with('.') || name == "build") continue;
         if (fs::is_directory(entry, ignored)) {
             add_folder(entry, files);
-        } else if (prose_kind(name)) {
+        } else if (prose_kind(name) && name != "style.toml") {
             files.push_back(entry.string());
         }
     }

@@ -64,19 +64,22 @@ class Mask {
         keep();
     }
 
-    /// A string in quotes, which begins here, with backslashes before what is not meant.
+    /// A string in quotes, which begins here, with backslashes before what is not meant. One
+    /// without a blank is a name or a key: code.
     /// @param mark the quotes
     void read_string(std::string_view mark) {
         skip(mark.size());
-        while (!is_at_end() && !is_here(mark)) {
-            if (here() == '\n' && mark.size() == 1) return;
-            if (here() == '\\') {
-                join(2);
-            } else {
-                read_text();
-            }
+        const std::size_t begin = at_;
+        bool is_prose = false;
+        while (!is_at_end() && !is_here(mark) && (here() != '\n' || mark.size() > 1)) {
+            is_prose = is_prose || here() == ' ';
+            here() == '\\' ? join(2) : read_text();
         }
-        skip(mark.size());
+        if (!is_prose) {
+            std::fill(mask_.begin() + static_cast<std::ptrdiff_t>(begin),
+                      mask_.begin() + static_cast<std::ptrdiff_t>(at_), code_mark);
+        }
+        if (is_here(mark)) skip(mark.size());
     }
 
     /// Blanks, which join two texts if one like the last begins after them.

@@ -25,7 +25,7 @@ struct StyleGuide {
 };
 
 /// Reads the file of phrases (lessons/style.toml). A phrase is words between blanks, each with
-/// others that may take its place: "tell|tells a|the *". Throws InputError, and AccessError for a
+/// others that may take its place: "one|two more *". Throws InputError, and AccessError for a
 /// file that cannot be read.
 StyleGuide read_style(const std::string& path);
 StyleGuide parse_style(std::string_view text, const std::string& path);
