@@ -96,12 +96,16 @@ const Attempt& convincing_base(PictureTrial& trial, const std::vector<Attempt>& 
 }
 
 /// Counts, pixel by pixel, what speaks for a candidate and what speaks against it.
-void weigh(PictureTrial& trial, Candidate& candidate) {
+/// @param base the nearest without a mistake: what a candidate's own lamp or camera spoils, and its
+///             mistakes mend again, explains nothing
+void weigh(PictureTrial& trial, const Attempt& base, Candidate& candidate) {
     const PixelCounts counts = trial.compared(*candidate.recipe, PictureRecipe{*candidate.right});
     const auto part = [](std::int64_t some, std::int64_t all) {
         return all > 0 ? static_cast<double>(some) / static_cast<double>(all) : 0.0;
     };
-    candidate.explained = part(counts.explained, counts.wrong);
+    const std::int64_t wrong = trial.drawn(recipe_of(base)).distance.different;
+    candidate.explained = std::clamp(1.0 - part(candidate.different, wrong), 0.0,
+                                     part(counts.explained, counts.wrong));
     candidate.is_likely = candidate.explained >= explains_nearly_all &&
                           part(counts.spoilt, counts.right) <= speaks_against;
 }
@@ -177,7 +181,7 @@ void DiagnosisWork::look_closely(const std::vector<Attempt>& tried) {
     if (trial.is_waiting()) return;
     found.candidates = ranked(std::move(hypotheses));
     for (Candidate& candidate : found.candidates)
-        weigh(trial, candidate);
+        weigh(trial, base, candidate);
     if (trial.is_waiting()) return;
     const Candidate* const likely = !found.candidates.empty() && found.candidates.front().is_likely
                                         ? &found.candidates.front()

@@ -120,7 +120,10 @@ class Search {
         const std::int64_t left = drawn(attempt).distance.different;
         if (left == 0) return true;
         if (attempt.changes.empty()) return false;
-        const std::int64_t wrong = drawn({attempt.right, {}}).distance.different;
+        std::int64_t wrong = drawn({attempt.right, {}}).distance.different;
+        for (const Attempt& one : found_) {
+            if (one.changes.empty()) wrong = std::min(wrong, drawn(one).distance.different);
+        }
         return static_cast<double>(left) <=
                (1.0 - explains_nearly_all) * static_cast<double>(wrong);
     }

@@ -51,7 +51,7 @@ int line_of(const std::string& text) {
 TEST_CASE("What begins with a minus is quoted as it was given") {
     const CliRun place = run({"--scene", "scenes/one-triangle.toml", "--vertices", "-1000000,0/1"});
     CHECK(place.exit_code == 2);
-    CHECK(place.err.ends_with("; not '-1000000,0/1'.\n"));
+    CHECK(place.err.ends_with(", not '-1000000,0/1'.\n"));
     CHECK(run({"stats", "--scene", "-5.toml"}).err ==
           "rasterwalk: cannot read '-5.toml': No such file or directory.\n");
     CHECK(run({"rows", "-5,3", "4,9", "7,-2"}).exit_code == 0);

@@ -56,7 +56,7 @@ TEST_CASE("diagnose says by which rules a right picture is drawn") {
     CHECK_THAT(result.out, ContainsSubstring("no difference"));
     CHECK_THAT(result.out, ContainsSubstring("Your program draws with stage=fill and "
                                              "vertex_rounding=truncate_sum, which is just as "
-                                             "right"));
+                                             "correct"));
 }
 
 TEST_CASE("diagnose stops after its seconds and says so") {

@@ -40,7 +40,7 @@ TEST_CASE("The rule of a line has the numbers of its edge") {
     CHECK(rules_of(with_line(LineAlgorithm::midpoint)) ==
           Texts{"l = 5, s = 2; d starts at s − l/2 = -0.5", "d ≤ 0: straight, d + s = d + 2",
                 "d > 0: diagonal, d + s − l = d − 3"});
-    CHECK(rules_of(with_line(LineAlgorithm::dda)) == Texts{"y begins at 2",
+    CHECK(rules_of(with_line(LineAlgorithm::dda)) == Texts{"y starts at 2",
                                                            "each step adds 2/5 = 0.4 in float",
                                                            "row: the nearest whole number"});
     CHECK(rules_of(with_line(LineAlgorithm::interpolate)).empty());

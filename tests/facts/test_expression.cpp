@@ -126,7 +126,7 @@ TEST_CASE("An expression that is not understood is answered by a sentence") {
         {"stage == 3", "a word cannot be compared with a number"},
         {"row == t0/r4", "a number cannot be compared with a moment"},
         {"stage + 1 == 3", "a number is needed instead of a word"},
-        {"1 < row < 3", "in place of"},
+        {"1 < row < 3", "instead of"},
         {"sqrt(4) > 1", "there is no function 'sqrt'"},
         {"min(1) > 1", "takes two numbers"},
         {"none == none", "can only be compared with a name"},

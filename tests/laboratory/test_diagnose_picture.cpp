@@ -221,6 +221,7 @@ TEST_CASE("A step of 255 is no difference") {
     for (std::size_t i = 0; i < static_cast<std::size_t>(4 * two.width); i += 4)
         two.rgba[4 * 50 * static_cast<std::size_t>(two.width) + i] ^= 2;
     const Diagnosis diagnosis = diagnose_picture(two, scene, reference, bugs);
+    INFO(diagnosis.verdict << " " << diagnosis.rules);
     CHECK(diagnosis.different == two.width);
     CHECK(diagnosis.place ==
           "They are in columns 0 to " + std::to_string(two.width - 1) + " and row 50.");

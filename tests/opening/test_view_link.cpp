@@ -185,7 +185,7 @@ TEST_CASE("A link may say whatever the options of a view say") {
             const std::vector<std::string> both{"a", "b"};
             CHECK(parse_view_link(twice).given.at(std::string(field.key)) == both);
         } else {
-            CHECK(refusal(twice) == "the link says '" + name + "' twice.");
+            CHECK(refusal(twice) == "the link names '" + name + "' twice.");
         }
     }
     CHECK(fields > 15);

@@ -62,7 +62,7 @@ TEST_CASE("The nearest mistake is named apart from the verdict that none is like
     const LabHeadline headline = headline_of(answer_with(found));
     CHECK(headline.names == Lines{"No known mistake explains the difference."});
     CHECK(headline.rest ==
-          "The nearest, B3 “As it is” (with “Lamp power: 14”), explains 87 % of it.");
+          "The best match, B3 “As it is” (with “Lamp power: 14”), explains 87 % of it.");
 }
 
 TEST_CASE("Rules and numbers of a program are said in words, as right or as the nearest") {
@@ -131,7 +131,7 @@ TEST_CASE("Of two mistakes at once both are named, described and mended on the c
     const std::string card = shown_text(driver, "lab.diagnosis");
     const std::string remedy = shown_text(driver, "lab.remedy");
     CHECK_THAT(card, Catch::Matchers::ContainsSubstring(" together with ") &&
-                         Catch::Matchers::EndsWith("Together they explain your picture to the last "
+                         Catch::Matchers::EndsWith("Together they explain your picture down to the last "
                                                    "pixel."));
     for (const std::string& id : ids) {
         const Bug& bug = find_bug(bugs, id);
