@@ -390,14 +390,19 @@ class Search {
         for (Attempt attempt : nearest(count, 2)) {
             if (shading_rule(attempt.right) == Shading::unlit) continue;
             if (attempt.right.light == usual) continue;
-            if (drawn(attempt).distance.different == 0) continue;
-            attempt = fitted(attempt, FitSubject::lamp, FitEffort::thorough);
+            if (drawn(attempt).distance.different > 0)
+                attempt = fitted(attempt, FitSubject::lamp, FitEffort::thorough);
             if (is_waiting()) return;
             Attempt plain = attempt;
             plain.right = at_step(step_of(attempt.right)).right;
             plain.right.camera = attempt.right.camera;
             plain.right.light = attempt.right.light;
+            Attempt in_place = plain;
+            in_place.right.light.position = usual.position;
+            in_place.right.light.indirect = usual.indirect;
+            note_nearest(in_place, with_rounder_powers(in_place.right.light, usual));
             for (Attempt other : {attempt, plain}) {
+                if (drawn(attempt).distance.different == 0) break;
                 other = note_nearest(other, with_rounder_places(other.right.light, usual));
                 if (is_waiting()) return;
                 note_nearest(other, with_rounder_powers(other.right.light, usual));
@@ -431,7 +436,10 @@ class Search {
         if (is_waiting()) return true; // until it is asked again
         const std::vector<Attempt> best = nearest(1, 2);
         if (best.empty() || !is_explained(best.front())) return false;
-        if (drawn(best.front()).distance.different == 0) return true;
+        if (drawn(best.front()).distance.different == 0) {
+            try_better_lamps(1);
+            return true;
+        }
         constexpr std::size_t looked_at = 2;
         try_better_lamps(looked_at);
         if (!is_waiting()) try_second_changes(looked_at);
