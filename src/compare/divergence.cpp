@@ -162,7 +162,7 @@ std::string kind_text(DivergenceKind kind) {
     case DivergenceKind::other:
         break;
     }
-    return "other value";
+    return "different value";
 }
 
 void DivergenceCollector::add(const Cursor& cursor, DivergenceKind kind) {

@@ -292,8 +292,8 @@ std::optional<Formula> Maker::pixel(std::string_view corner, std::string_view pa
     const int middle = (is_column ? size.width : size.height) / 2;
     Formula formula{fmt::format("pixel.{}.{}", i, part),
                     std::string(part),
-                    "Divided by w, rounded to a whole number and moved to the middle of the "
-                    "picture.",
+                    "Divided by w, rounded to a whole number and shifted by half the picture's "
+                    "size.",
                     word + "(" + name + " · 1/w" + (is_sum ? " + " + half + ")" : ") + " + half),
                     {input(name, c, is_column ? 0 : 1),
                      {"1/w", {pixel.inv_w}, from_formula(corner_formula_id(c, 3))},

@@ -171,8 +171,8 @@ class TextureFormulas {
         formulas_.push_back(
             {"texture.level",
              "level",
-             "The level of the mip chain whose texels are as large as the pixel. Each level is "
-             "half as wide and high as the previous one.",
+             "The mip level whose texels are as large as the pixel. Each level is half as wide "
+             "and high as the previous one.",
              "min(log2(max(1, max(right, down))), last)",
              {{"right", {report_.right}, from_formula("texture.right")},
               {"down", {report_.down}, from_formula("texture.down")},

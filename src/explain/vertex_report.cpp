@@ -328,9 +328,9 @@ std::string how_made_whole(const Settings& settings, SceneSpace space) {
         return "cut toward 0 to a whole number";
     };
     std::string text = whole(settings.vertex_rounding);
-    const std::string moved = "moved to the middle of the picture";
+    const std::string moved = "shifted by half the picture's size";
     if (space == SceneSpace::world && settings.image_axes == ImageAxes::uncentred) {
-        text += " and, by mistake, not moved to the middle of the picture";
+        text += " and, by mistake, not shifted by half the picture's size";
     } else if (space == SceneSpace::world) {
         const bool is_moved_first = settings.vertex_rounding == VertexRounding::truncate_sum;
         text = is_moved_first ? moved + " and " + text : text + " and " + moved;

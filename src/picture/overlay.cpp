@@ -335,7 +335,7 @@ std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPict
         return fmt::format("{} failed on {}", totals.failed_fragments,
                            counted(totals.failed_pixels, "pixel", "pixels"));
     case Overlay::uncovered:
-        return fmt::format("{} uncovered", totals.uncovered);
+        return counted(totals.uncovered, "pixel", "pixels");
     case Overlay::over_one:
         return fmt::format("{}, the brightest {:.2f}", counted(totals.over_one, "pixel", "pixels"),
                            totals.brightest);

@@ -278,7 +278,7 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
     // Some small triangles of a model always have one, and it makes no visible difference.
     if (tally.samples_outside > 0 && !frame.scene->model_report) {
         const std::string samples = counted(tally.samples_outside, "edge sample", "edge samples");
-        troubles.push_back({fmt::format("{} outside the row table of {}; not written", samples,
+        troubles.push_back({fmt::format("{} outside the row table of {}, and not written", samples,
                                         counted(tally.triangles_outside, "triangle", "triangles")),
                             samples + " outside", true, tally.first_outside, 12});
     }

@@ -143,14 +143,12 @@ std::vector<RunDifference> run_differences(const Session& session) {
 std::span<const ComparePair> compare_pairs() {
     static constexpr ComparePair pairs[] = {
         {"affine",
-         {"affine interpolation", "Values are interpolated straight across the picture.", affine},
+         {"affine interpolation", "Values are interpolated linearly across the picture.", affine},
          {"perspective correction", "Values are divided by z on the way.", perspective},
          StripStep::vertex_light,
          StripStep::pixel_light},
         {"light",
-         {"light per vertex",
-          "Light is computed at the corners and interpolated over the "
-          "triangle.",
+         {"light per vertex", "Light is computed at the corners and interpolated between them.",
           per_vertex},
          {"light per pixel", "Light is computed at every pixel.", per_pixel},
          StripStep::vertex_light,

@@ -157,8 +157,8 @@ constexpr SaidWord said_words[] = {
     {"bounds", "excludes_zero", "above 0"},
     {"encoding", "srgb", "sRGB"},
     {"encoding", "gamma", "c^(1/2.2)"},
-    {"colour_over_one", "clamp", "1"},
-    {"colour_over_one", "wrap", "its low 8 bits"},
+    {"colour_over_one", "clamp", "clamped to 1"},
+    {"colour_over_one", "wrap", "only the low 8 bits"},
     {"channel_order", "rgb", "red first"},
     {"channel_order", "bgr", "blue first"},
 };

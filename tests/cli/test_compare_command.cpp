@@ -45,8 +45,9 @@ TEST_CASE("A difference is exit code 1, with its place, its cause and its size")
     const CliRun text = compare({"--stage", "fill", "--b", "rounding=floor"});
     CHECK(text.exit_code == 1);
     CHECK_THAT(text.out, StartsWith("A: rounding=truncate\nB: rounding=floor\n"));
-    CHECK_THAT(text.out, ContainsSubstring(
-                             "first_divergence    t0/v0\n    other value, floor: vertices[0]:"));
+    CHECK_THAT(
+        text.out,
+        ContainsSubstring("first_divergence    t0/v0\n    different value, floor: vertices[0]:"));
 }
 
 TEST_CASE("Of a run of the fast engine the picture is compared") {

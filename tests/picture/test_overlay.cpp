@@ -73,7 +73,7 @@ TEST_CASE("The totals of the room are its golden numbers") {
     session.overlays = all_overlays();
     Results results;
     update(session, results);
-    CHECK(total(Overlay::uncovered, results) == "998 uncovered");
+    CHECK(total(Overlay::uncovered, results) == "998 pixels");
     CHECK(total(Overlay::overdraw, results) == "328789 fragments, at most 8 on a pixel");
     const OverlayTotals& totals = results.overlay.totals;
     CHECK(totals.fragments == 328789);

@@ -159,7 +159,8 @@ void draw_caption(Ui& ui, ImDrawList* list, const Pane& pane) {
     std::vector<std::string> forms{hint};
     if (const std::optional<int>& triangle = ui.results.a.triangle) {
         const std::string rays = "rays of " + triangle_name(*triangle);
-        forms = {hint + " · " + rays, rays, "rays of " + short_triangle_name(*triangle)};
+        const std::string short_rays = "rays of " + short_triangle_name(*triangle);
+        forms = {hint + " · " + rays, hint + " · " + short_rays, rays, short_rays};
     }
     forms.emplace_back(); // the button comes first
     const float left = pane.low.x + 10.0f * u;
@@ -254,7 +255,7 @@ bool is_outside_working(const Ui& ui) {
 std::string coming_words(int triangles, const Cursor& cursor) {
     if (triangles > most_ordered || cursor.triangle >= triangles - 1) return {};
     const int first = cursor.triangle + 1;
-    std::string words = "dark: still to come, triangles[" + std::to_string(first) + "]";
+    std::string words = "faint: still to come, triangles[" + std::to_string(first) + "]";
     if (first + 1 < triangles) words += " to triangles[" + std::to_string(triangles - 1) + "]";
     return words;
 }

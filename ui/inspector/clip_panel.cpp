@@ -100,9 +100,9 @@ std::string behind_text(const ClipHistory& history, const Frame& frame, int vert
         const glm::vec2 place = glm::vec2(frame.stages.viewport_middle(rules)) +
                                 frame.stages.perspective_divide(clip, 1.0f / clip.w);
         const auto part = [](float value) { return fixed(static_cast<double>(value), 0); };
-        text = fmt::format("{} is behind the camera: {}. Dividing by w swaps left and right, and "
-                           "top and bottom, so the vertex lands at {}, on the other side of the "
-                           "picture, and the triangle turns inside out.",
+        text = fmt::format("{} is behind the camera: {}. Dividing by this negative w mirrors it to "
+                           "{}, on the other side of the picture, and turns the triangle inside "
+                           "out.",
                            vertex_name(vertex), unbroken("w = " + w),
                            unbroken(fmt::format("({}, {})", part(place.x), part(place.y))));
     } else {

@@ -243,7 +243,7 @@ ImVec4 cut_edge_colour(const ClipPage& page, const CutCorner& corner) {
 void draw_clip_plane_buttons(const ClipPage& page) {
     const float gap = 6.0f * page.ui.options.text_scale;
     const float right = right_end();
-    draw_clip_title(page, "Plane by plane", "open: those with work to do");
+    draw_clip_title(page, "Plane by plane", "open: the planes that cut");
     ImGui::PushFont(page.ui.fonts.small);
     for (std::size_t p = 0; p < page.history.codes.plane_count; ++p) {
         const auto plane = static_cast<ClipPlane>(p);

@@ -290,7 +290,7 @@ void draw_first(Ui& ui) {
         go_to_next_divergence(ui);
     }
     ImGui::SameLine();
-    const char* const key = "marked on the time line";
+    const char* const key = "marked on the timeline";
     ImGui::PushFont(ui.fonts.small);
     if (ImGui::CalcTextSize(key).x + difference_key_indent(ui) > ImGui::GetContentRegionAvail().x)
         ImGui::NewLine();

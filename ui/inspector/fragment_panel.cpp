@@ -67,8 +67,8 @@ FragmentLinks links_of(const Ui& ui) {
 }
 
 void draw_follow_link(Ui& ui) {
-    if (link_at_right(ui, "fragment.follow", "the one drawn last",
-                      "Releases the picked pixel and always shows the fragment drawn last.")) {
+    if (link_at_right(ui, "fragment.follow", "the last fragment",
+                      "Releases the picked pixel and always shows the last fragment.")) {
         ui.session.selection.pixel = std::nullopt;
     }
 }
@@ -106,7 +106,7 @@ void draw_title(Ui& ui) {
     const std::string pixel =
         "(" + std::to_string(report.pixel.x) + ", " + std::to_string(report.pixel.y) + ")";
     const bool is_picked = ui.session.selection.pixel.has_value();
-    const std::string title = (is_picked ? "Pixel " : "Drawn last: pixel ") + pixel;
+    const std::string title = (is_picked ? "Pixel " : "Last fragment: pixel ") + pixel;
     const std::string short_title = (is_picked ? "Pixel " : "Last: pixel ") + pixel;
     const ImGuiStyle& style = ImGui::GetStyle();
     const float beside = style.ItemSpacing.x + ImGui::GetTextLineHeight() +
@@ -118,7 +118,7 @@ void draw_title(Ui& ui) {
     ImGui::PopFont();
     name_widget(ui, "fragment.pixel",
                 is_picked ? "Column and row of the pixel that the fragment fell on."
-                          : "Column and row of the pixel that the fragment drawn last fell on.");
+                          : "Column and row of the pixel that the last fragment fell on.");
     ImGui::SameLine();
     ImGui::BeginGroup();
     const glm::vec3 reflectance = scene.corner(triangle, 0).reflectance;

@@ -194,9 +194,8 @@ void draw_no_pixel(Ui& ui) {
     if (const std::optional<FragmentReport>& fragment = ui.results.a.inspected.fragment) {
         const std::string pixel = fmt::format("({}, {})", fragment->pixel.x, fragment->pixel.y);
         const float padding = 2.0f * ImGui::GetStyle().FramePadding.x;
-        const std::string label =
-            first_fitting({"the fragment drawn last: " + pixel, "drawn last: " + pixel},
-                          ImGui::GetContentRegionAvail().x - padding);
+        const std::string label = first_fitting({"the last fragment: " + pixel, "last: " + pixel},
+                                                ImGui::GetContentRegionAvail().x - padding);
         if (button(ui, "history.pick_last", label, Look::plain,
                    "Picks the pixel that the last fragment fell on.")) {
             pick(ui, fragment->pixel);

@@ -122,7 +122,7 @@ void draw_card(Ui& ui, const Bug& bug) {
     draw_buttons(ui, bug);
     if (!is_on(ui.session, bug.id) && is_made_by(bug, ui.session.a.settings)) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        wrapped_text("It is already on: the current settings make this mistake anyway.");
+        wrapped_text("Already on: the current settings make this mistake.");
         keep_text_whole(ui);
         ImGui::PopStyleColor();
         name_widget(ui, "lab.made", "Nothing needs to be turned on to see this mistake.");

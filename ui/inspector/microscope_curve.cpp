@@ -76,7 +76,7 @@ void draw_drift_curve(Ui& ui) {
     const std::string label =
         shows_decision ? "decision d, up to " + with_minus_signs(decision_number(largest))
                        : std::string("drift of ") + (ui.inspector.microscope.shows_x ? "x" : "y") +
-                             (largest != 0.0 ? ", up to " + drift_text(largest) : ": none");
+                             (largest != 0.0 ? ", reaching " + drift_text(largest) : ": none");
     list->AddText(ui.fonts.small, ui.fonts.small->FontSize, {low.x + 8.0f * u, low.y + 3.0f * u},
                   packed(p.dim), label.c_str());
     if (is_held) {

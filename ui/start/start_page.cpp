@@ -101,7 +101,7 @@ void draw_last_line(Ui& ui, const StartLayout& page, float bottom) {
     const Palette& p = palette(ui.options.theme);
     ImGui::PushFont(ui.fonts.small);
     const char* const keys =
-        "Enter begins · Tab goes to the other choices · next time you go on where you stopped";
+        "Enter begins · Tab goes to the other choices · next time you continue where you stopped";
     const std::string& notice = ui.session.notice;
     const float wide = ImGui::CalcTextSize(keys).x;
     const ImVec2 at = ImGui::GetCursorScreenPos();

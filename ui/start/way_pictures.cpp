@@ -25,7 +25,7 @@ using WayImages = std::array<Image, pictures_of_way>;
 using WayWords = std::array<const char*, pictures_of_way>;
 
 constexpr WayWords words_of_time{"a third is drawn", "two thirds", "the frame"};
-constexpr WayWords words_of_check{"yours", "the right one", "what differs"};
+constexpr WayWords words_of_check{"yours", "correct", "what differs"};
 
 /// The scene with only the first of its triangles.
 Scene first_triangles(const Scene& scene, int count) {

@@ -378,7 +378,7 @@ TEST_CASE(
     REQUIRE(driver.ui.results.comparison.whole().divergences.first);
     driver.hand.find("compare.first");
     const std::string text = driver.ui.widgets.at("compare.first").text;
-    CHECK_THAT(text, Catch::Matchers::StartsWith("other value, too small to see: "));
+    CHECK_THAT(text, Catch::Matchers::StartsWith("different value, too small to see: "));
     CHECK_THAT(text, Catch::Matchers::ContainsSubstring("differs by −"));
     CHECK(text.find('-') == std::string::npos);
 }

@@ -320,10 +320,10 @@ TEST_CASE("A large scene is drawn from outside over several frames, and then res
 }
 
 TEST_CASE("The view from outside says which triangles are still to come") {
-    CHECK(coming_words(30, cursor_begin) == "dark: still to come, triangles[1] to triangles[29]");
+    CHECK(coming_words(30, cursor_begin) == "faint: still to come, triangles[1] to triangles[29]");
     CHECK(coming_words(30, {22, Phase::rows, 3, 1}) ==
-          "dark: still to come, triangles[23] to triangles[29]");
-    CHECK(coming_words(30, {28, Phase::vertices, 0, 0}) == "dark: still to come, triangles[29]");
+          "faint: still to come, triangles[23] to triangles[29]");
+    CHECK(coming_words(30, {28, Phase::vertices, 0, 0}) == "faint: still to come, triangles[29]");
     CHECK(coming_words(30, {29, Phase::vertices, 0, 0}).empty());
     CHECK(coming_words(30, cursor_end).empty());
     CHECK(coming_words(0, cursor_begin).empty());

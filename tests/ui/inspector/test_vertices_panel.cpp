@@ -62,10 +62,10 @@ TEST_CASE("How a vertex becomes a pixel is said as it is set") {
         return words;
     };
     const std::pair<VertexRounding, const char*> ways[] = {
-        {VertexRounding::truncate, "Cut toward 0 to a whole number and moved to the middle"},
-        {VertexRounding::floor, "Rounded down to a whole number and moved to the middle"},
-        {VertexRounding::round, "Rounded to the nearest whole number and moved to the middle"},
-        {VertexRounding::truncate_sum, "Moved to the middle of the picture and cut toward 0"}};
+        {VertexRounding::truncate, "Cut toward 0 to a whole number and shifted by half"},
+        {VertexRounding::floor, "Rounded down to a whole number and shifted by half"},
+        {VertexRounding::round, "Rounded to the nearest whole number and shifted by half"},
+        {VertexRounding::truncate_sum, "Shifted by half the picture's size and cut toward 0"}};
     for (const auto& [way, words] : ways) {
         driver.ui.session.a.settings.vertex_rounding = way;
         CHECK_THAT(help(), Catch::Matchers::ContainsSubstring(words));
