@@ -192,12 +192,15 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
                     "Folders, lessons (.md), scenes (.toml) and models (.obj)")
         ->type_name("")
         ->required();
-    check.add_flag("--luck", line.check.luck,
-                   "Also try each task of the lessons at random and print how often it is solved "
-                   "by luck");
-    check.add_flag("--style", line.check.style,
-                   "Only look for phrases that read as if translated, in texts, strings and "
-                   "comments");
+    CLI::Option* const luck = check.add_flag(
+        "--luck", line.check.luck,
+        "Also try each task of the lessons at random and print how often it is solved "
+        "by luck");
+    check
+        .add_flag("--style", line.check.style,
+                  "Only look for phrases that read as if translated, in texts, strings and "
+                  "comments")
+        ->excludes(luck);
 
     CLI::App& facts = add_command(line, "facts", "List the names that lessons can use",
                                   [&] { facts_command(line.facts, out); });

@@ -167,10 +167,14 @@ int check_file(const std::string& path, FileCheck& check) {
     return static_cast<int>(faults.size()) + unlucky;
 }
 
+/// The largest file whose style is checked, bytes.
+constexpr std::size_t largest_prose = std::size_t{4} << 20;
+
 /// Prints the phrases of one file that read as if translated; returns how many there are.
 int check_style(const std::string& path, FileCheck& check) {
     const ProseKind kind = prose_kind(path).value_or(ProseKind::script);
-    const std::vector<Fault> faults = style_faults(prose_of(read_file(path), kind), check.guide);
+    const std::vector<Fault> faults =
+        style_faults(prose_of(read_file(path, largest_prose), kind), check.guide);
     check.progress.clear();
     for (const Fault& fault : faults)
         check.out << path << ':' << fault.line << ": " << fault.sentence << '\n';
@@ -199,7 +203,11 @@ ExitCode check_command(const CheckOptions& options, std::ostream& out, std::ostr
     if (options.style) check.guide = read_style(lessons_folder() + "/style.toml");
     const std::vector<std::string> files =
         options.style ? prose_files(options.paths) : files_to_check(options.paths);
-    if (files.empty()) throw InputError("there is nothing to check, neither lessons nor scenes.");
+    if (files.empty()) {
+        throw InputError(options.style
+                             ? "there is nothing to check: no file there holds text or comments."
+                             : "there is nothing to check, neither lessons nor scenes.");
+    }
     int faults = 0;
     for (const std::string& file : files)
         faults += options.style ? check_style(file, check) : check_file(file, check);

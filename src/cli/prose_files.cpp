@@ -41,10 +41,8 @@ std::vector<std::string> prose_files(const std::vector<std::string>& paths) {
         std::error_code ignored;
         if (fs::is_directory(path, ignored)) {
             add_folder(fs::path(path).lexically_normal(), files);
-        } else if (fs::exists(path, ignored)) {
-            files.push_back(path);
         } else {
-            throw AccessError("cannot read '" + path + "': there is no such file.");
+            files.push_back(path); // its reader says why it cannot be read
         }
     }
     return files;

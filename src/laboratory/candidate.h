@@ -33,7 +33,7 @@ struct Candidate {
                                 ///< was asked for: "with light.power=14"; may be empty
     double distance = 0.0;      ///< from the result; 0: the very same
     std::int64_t different = 0; ///< pixels or rows that still differ from the result
-    double explained = 0.0;     ///< part of what differs without the mistakes, 0..1
+    double explained = 0.0;     ///< part of the wrong pixels that are said to be wrong, 0..1
     bool is_likely = false;     ///< it explains nearly all, and next to nothing speaks against it
     std::optional<PictureRecipe> recipe{}; ///< of its picture; none: it makes rows
     std::optional<Settings> right{};       ///< the same without the mistakes; none: the reference

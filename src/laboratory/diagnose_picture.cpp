@@ -95,19 +95,22 @@ const Attempt& convincing_base(PictureTrial& trial, const std::vector<Attempt>& 
     return *plain;
 }
 
-/// Counts, pixel by pixel, what speaks for a candidate and what speaks against it.
-/// @param base the nearest without a mistake: what a candidate's own lamp or camera spoils, and its
-///             mistakes mend again, explains nothing
-void weigh(PictureTrial& trial, const Attempt& base, Candidate& candidate) {
+/// Counts, pixel by pixel, what speaks for a candidate and what speaks against it. What its own
+/// lamp or camera spoils, and its mistakes mend again, explains nothing.
+/// @param base  the nearest without a mistake
+/// @param shown the one whose differences are said
+void weigh(PictureTrial& trial, const Attempt& base, const Attempt& shown, Candidate& candidate) {
     const PixelCounts counts = trial.compared(*candidate.recipe, PictureRecipe{*candidate.right});
     const auto part = [](std::int64_t some, std::int64_t all) {
         return all > 0 ? static_cast<double>(some) / static_cast<double>(all) : 0.0;
     };
-    const std::int64_t wrong = trial.drawn(recipe_of(base)).distance.different;
-    candidate.explained = std::clamp(1.0 - part(candidate.different, wrong), 0.0,
-                                     part(counts.explained, counts.wrong));
-    candidate.is_likely = candidate.explained >= explains_nearly_all &&
-                          part(counts.spoilt, counts.right) <= speaks_against;
+    const std::int64_t wrong = trial.drawn(recipe_of(shown)).distance.different;
+    const double own_part = part(counts.explained, counts.wrong);
+    candidate.explained = std::clamp(part(wrong - candidate.different, wrong), 0.0, own_part);
+    const auto least_wrong = static_cast<double>(trial.drawn(recipe_of(base)).distance.different);
+    candidate.is_likely =
+        own_part >= explains_nearly_all && part(counts.spoilt, counts.right) <= speaks_against &&
+        static_cast<double>(candidate.different) <= (1.0 - explains_nearly_all) * least_wrong;
 }
 
 } // namespace
@@ -180,14 +183,14 @@ void DiagnosisWork::look_closely(const std::vector<Attempt>& tried) {
     if (!is_as_asked) hypotheses = hypotheses_of(trial, tried, base, reference_);
     if (trial.is_waiting()) return;
     found.candidates = ranked(std::move(hypotheses));
+    const Attempt& shown = convincing_base(trial, tried, base, reference_);
     for (Candidate& candidate : found.candidates)
-        weigh(trial, base, candidate);
+        weigh(trial, base, shown, candidate);
     if (trial.is_waiting()) return;
     const Candidate* const likely = !found.candidates.empty() && found.candidates.front().is_likely
                                         ? &found.candidates.front()
                                         : nullptr;
-    const Settings right =
-        likely == nullptr ? convincing_base(trial, tried, base, reference_).right : *likely->right;
+    const Settings right = likely == nullptr ? shown.right : *likely->right;
     const KeptPicture* const kept = trial.picture_of(PictureRecipe{right});
     if (trial.is_waiting()) return;
     const Differences differences = differences_of(kept->image, picture_);

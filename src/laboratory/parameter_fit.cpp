@@ -464,9 +464,10 @@ void ParameterFit::end_descent() {
         if (from_.free == all_free) price += for_position;
         if (!is_white_) price *= much_worse;
     }
-    if (price * from_.cost < best_.cost) {
+    // A fit to within a step has no cost, and yet its price.
+    if (price * (from_.cost + 1.0) < best_.cost) {
         best_ = from_;
-        best_.cost *= price;
+        best_.cost = price * (best_.cost + 1.0);
     }
     if (!starts_.empty()) return begin_descent();
     if (is_white_ && is_larger_) {

@@ -15,7 +15,7 @@ namespace rasterwalk {
 namespace {
 
 glm::vec3 rounded_to_parts(const glm::vec3& value, float parts) {
-    return glm::round(value * parts) / parts;
+    return glm::round(value * parts) / parts + 0.0f; // no -0
 }
 
 /// The lamp as it is and with a rounder position, or the usual one; the same for indirect light.
@@ -390,9 +390,12 @@ class Search {
         for (Attempt attempt : nearest(count, 2)) {
             if (shading_rule(attempt.right) == Shading::unlit) continue;
             if (attempt.right.light == usual) continue;
-            if (drawn(attempt).distance.different > 0)
+            const bool is_exact = drawn(attempt).distance.different == 0;
+            if (!is_exact) {
                 attempt = fitted(attempt, FitSubject::lamp, FitEffort::thorough);
-            if (is_waiting()) return;
+                if (is_waiting()) return;
+                note(attempt);
+            }
             Attempt plain = attempt;
             plain.right = at_step(step_of(attempt.right)).right;
             plain.right.camera = attempt.right.camera;
@@ -402,7 +405,7 @@ class Search {
             in_place.right.light.indirect = usual.indirect;
             note_nearest(in_place, with_rounder_powers(in_place.right.light, usual));
             for (Attempt other : {attempt, plain}) {
-                if (drawn(attempt).distance.different == 0) break;
+                if (is_exact) break;
                 other = note_nearest(other, with_rounder_places(other.right.light, usual));
                 if (is_waiting()) return;
                 note_nearest(other, with_rounder_powers(other.right.light, usual));

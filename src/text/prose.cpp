@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/letter_case.h"
 #include "text/markdown_text.h"
@@ -18,31 +19,36 @@ bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
+/// How far a piece of code in a text, or the target of a link, may reach.
+constexpr std::size_t longest_code = 200, longest_link = 1000, longest_delimiter = 16;
+
 /// Makes a mask: a text of the same length in which only what is read is left, and each line break.
 class Mask {
   public:
-    explicit Mask(std::string_view text) : text_(text), mask_(text.size(), gap) {
+    explicit Mask(std::string_view text) : text_(text), mask_(text.size(), gap), end_(text.size()) {
         for (std::size_t i = 0; i < text.size(); ++i) {
             if (text[i] == '\n') mask_[i] = '\n';
         }
     }
 
-    bool is_at_end() const { return at_ >= text_.size(); }
+    bool is_at_end() const { return at_ >= end_; }
     char here() const { return text_[at_]; }
-    bool is_here(std::string_view part) const { return text_.substr(at_).starts_with(part); }
-    std::size_t end_of_line() const { return std::min(text_.find('\n', at_), text_.size()); }
-    std::string_view line() const { return text_.substr(at_, end_of_line() - at_); }
+    char before() const { return at_ > 0 ? text_[at_ - 1] : '\n'; }
+    std::string_view rest() const { return text_.substr(at_, end_ - at_); }
+    bool is_here(std::string_view part) const { return rest().starts_with(part); }
+    std::size_t end_of_line() {
+        if (at_ > end_of_line_ || end_of_line_ == 0)
+            end_of_line_ = std::min(text_.find('\n', at_), text_.size());
+        return std::min(end_of_line_, end_);
+    }
+    std::string_view line() { return text_.substr(at_, end_of_line() - at_); }
 
-    void skip(std::size_t count = 1) { at_ = std::min(at_ + count, text_.size()); }
-    void skip_line() { at_ = std::min(end_of_line() + 1, text_.size()); }
+    void skip(std::size_t count = 1) { at_ = std::min(at_ + count, end_); }
+    void skip_line() { skip(end_of_line() + 1 - at_); }
     /// What follows goes on with the text before.
     void join(std::size_t count) {
         for (; count > 0 && !is_at_end(); --count, ++at_)
             mask_[at_] = here() == '\n' ? '\n' : ' ';
-    }
-    void keep() {
-        if (here() != '\n') mask_[at_] = here();
-        ++at_;
     }
     void keep_line() {
         const std::size_t end = end_of_line();
@@ -53,115 +59,133 @@ class Mask {
     void read_text() {
         const char c = here();
         if (c == '`' || c == '{') {
-            const std::size_t end = text_.find(c == '`' ? '`' : '}', at_ + 1);
-            if (end < end_of_line()) {
-                std::fill(mask_.begin() + static_cast<std::ptrdiff_t>(at_),
-                          mask_.begin() + static_cast<std::ptrdiff_t>(end + 1), code_mark);
-                at_ = end + 1;
+            const std::string_view near = rest().substr(0, longest_code);
+            const std::size_t end = near.find(c == '`' ? '`' : '}', 1);
+            if (end < near.find("\n\n")) {
+                fill(at_, at_ + end + 1, code_mark);
+                at_ += end + 1;
                 return;
             }
         }
-        keep();
+        if (c != '\n') mask_[at_] = c;
+        ++at_;
     }
-
-    /// A string in quotes, which begins here, with backslashes before what is not meant. One
-    /// without a blank is a name or a key: code.
-    /// @param mark the quotes
-    void read_string(std::string_view mark) {
+    /// Reads by `step` as long as the mark does not come, and skips the mark.
+    template <class Step>
+    void read_to(std::string_view mark, const Step& step) {
+        const std::size_t end = std::exchange(end_, std::min(text_.find(mark, at_), end_));
+        while (!is_at_end())
+            step(*this);
+        end_ = end;
         skip(mark.size());
-        const std::size_t begin = at_;
+    }
+
+    /// Strings in quotes with nothing but blanks between them, which are one text. One without a
+    /// blank is a name or a key: code.
+    /// @param mark the quotes; backslashes stand before what is not meant, but in '...'
+    void read_strings(std::string_view mark) {
+        std::vector<std::pair<std::size_t, std::size_t>> parts;
         bool is_prose = false;
-        while (!is_at_end() && !is_here(mark) && (here() != '\n' || mark.size() > 1)) {
-            is_prose = is_prose || here() == ' ';
-            here() == '\\' ? join(2) : read_text();
-        }
-        if (!is_prose) {
-            std::fill(mask_.begin() + static_cast<std::ptrdiff_t>(begin),
-                      mask_.begin() + static_cast<std::ptrdiff_t>(at_), code_mark);
-        }
-        if (is_here(mark)) skip(mark.size());
-    }
-
-    /// Blanks, which join two texts if one like the last begins after them.
-    /// @param begin how it begins
-    void read_blanks_to(std::string_view begin) {
-        const std::size_t start = at_;
-        while (!is_at_end() && is_blank(here()))
-            ++at_;
-        if (!is_here(begin)) return;
-        for (std::size_t i = start; i < at_; ++i) {
-            if (text_[i] != '\n') mask_[i] = ' ';
+        do {
+            if (!parts.empty()) fill(parts.back().second, at_ + mark.size(), ' ');
+            skip(mark.size());
+            const std::size_t begin = at_, end = std::exchange(end_, end_of_string(mark));
+            is_prose = is_prose || rest().find(' ') != std::string_view::npos;
+            while (!is_at_end())
+                here() == '\\' && mark[0] == '"' ? join(2) : read_text();
+            parts.emplace_back(begin, at_);
+            end_ = end;
+            if (!is_here(mark)) break; // not closed on its line
+            skip(mark.size());
+        } while (find_next(mark));
+        for (const auto& [begin, end] : parts) {
+            if (!is_prose) fill(begin, end, code_mark);
         }
     }
 
+    /// A comment up to the end of its line, and those on the lines after it.
+    void read_line_comments(std::string_view mark) {
+        do {
+            join(mark.size());
+            while (!is_at_end() && (here() == '/' || here() == '#' || here() == '<'))
+                join(1);
+            keep_line();
+        } while (find_next(mark));
+    }
+
+    std::size_t place() const { return at_; }
     std::string take() { return std::move(mask_); }
 
-    /// The marks of a text that was read join what is before and after them.
-    void join_marks(std::size_t from, std::size_t count) {
-        std::fill_n(mask_.begin() + static_cast<std::ptrdiff_t>(from), count, ' ');
-    }
-    std::size_t place() const { return at_; }
-
   private:
+    /// Line breaks stay.
+    void fill(std::size_t begin, std::size_t end, char c) {
+        for (std::size_t i = begin; i < std::min(end, text_.size()); ++i) {
+            if (text_[i] != '\n') mask_[i] = c;
+        }
+    }
+    std::size_t end_of_string(std::string_view mark) const {
+        for (std::size_t i = at_; i < end_; ++i) {
+            if (text_.substr(i).starts_with(mark) || (text_[i] == '\n' && mark.size() == 1))
+                return i;
+            if (text_[i] == '\\' && mark[0] == '"') ++i;
+        }
+        return end_;
+    }
+    /// Goes over blanks if the mark comes after them.
+    bool find_next(std::string_view mark) {
+        std::size_t next = at_;
+        while (next < end_ && is_blank(text_[next]))
+            ++next;
+        if (!text_.substr(next, end_ - next).starts_with(mark)) return false;
+        join(next - at_);
+        return true;
+    }
+
     std::string_view text_;
     std::string mask_;
-    std::size_t at_ = 0;
+    std::size_t at_ = 0, end_, end_of_line_ = 0;
 };
 
-/// A comment up to the end of its line, and those on the lines after it.
-void read_line_comments(Mask& mask, std::string_view mark) {
-    mask.skip(mark.size());
-    for (;;) {
-        while (!mask.is_at_end() &&
-               (mask.here() == '/' || mask.here() == '#' || mask.here() == '<'))
-            mask.join(1);
-        mask.keep_line();
-        mask.read_blanks_to(mark);
-        if (!mask.is_here(mark)) return;
-        mask.join(mark.size());
-    }
+bool is_hex_digit(char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
 
-void read_strings(Mask& mask, std::string_view mark) {
-    mask.read_string(mark);
-    std::size_t end = mask.place();
-    mask.read_blanks_to(mark);
-    while (mask.is_here(mark)) {
-        mask.join_marks(end - mark.size(), mark.size());
-        mask.join_marks(mask.place(), mark.size());
-        mask.read_string(mark);
-        end = mask.place();
-        mask.read_blanks_to(mark);
-    }
+/// A character in quotes, or what divides the digits of a number.
+void skip_quote(Mask& mask) {
+    const std::string_view near = mask.line().substr(0, longest_delimiter);
+    std::size_t end = near.size() > 2 && near[1] == '\\' ? 3 : 2;
+    while (end < near.size() && near[end] != '\'')
+        ++end;
+    mask.skip(is_hex_digit(mask.before()) || end >= near.size() ? 1 : end + 1);
+}
+
+void read_raw_string(Mask& mask) {
+    const std::string_view delimiter = mask.line().substr(2, longest_delimiter + 1);
+    const std::size_t open = delimiter.find('(');
+    if (delimiter.substr(0, open).find_first_of(" \\\")") != std::string_view::npos ||
+        open == std::string_view::npos)
+        return mask.skip();
+    mask.skip(2 + open + 1);
+    mask.read_to(")" + std::string(delimiter.substr(0, open)) + "\"",
+                 [](Mask& text) { text.read_text(); });
 }
 
 std::string mask_of_program(std::string_view text) {
     Mask mask(text);
     while (!mask.is_at_end()) {
         if (mask.is_here("//")) {
-            read_line_comments(mask, "//");
+            mask.read_line_comments("//");
         } else if (mask.is_here("/*")) {
             mask.skip(2);
-            while (!mask.is_at_end() && !mask.is_here("*/"))
-                mask.read_text();
-        } else if (mask.here() == '#') {
-            mask.skip_line(); // #include "file.h"
-        } else if (mask.is_here("'")) {
-            // A character, or what divides a number's digits.
-            mask.skip(mask.is_here("'\\") ? 4 : mask.line().substr(0, 3).ends_with('\'') ? 3 : 1);
+            mask.read_to("*/", [](Mask& comment) { comment.read_text(); });
+        } else if (mask.is_here("#include")) {
+            mask.skip_line();
+        } else if (mask.here() == '\'') {
+            skip_quote(mask);
         } else if (mask.is_here("R\"")) {
-            const std::size_t open = mask.line().find('(');
-            if (open == std::string_view::npos) {
-                mask.skip();
-                continue;
-            }
-            const std::string end = ")" + std::string(mask.line().substr(2, open - 2)) + "\"";
-            mask.skip(open + 1);
-            while (!mask.is_at_end() && !mask.is_here(end))
-                mask.read_text();
-            mask.skip(end.size());
+            read_raw_string(mask);
         } else if (mask.here() == '"') {
-            read_strings(mask, "\"");
+            mask.read_strings("\"");
         } else {
             mask.skip();
         }
@@ -169,30 +193,34 @@ std::string mask_of_program(std::string_view text) {
     return mask.take();
 }
 
+void read_data(Mask& mask) {
+    constexpr std::array<std::string_view, 4> marks{"\"\"\"", "\'\'\'", "\"", "'"};
+    const auto mark = std::find_if(marks.begin(), marks.end(),
+                                   [&](std::string_view one) { return mask.is_here(one); });
+    if (mark != marks.end()) {
+        mask.read_strings(*mark);
+    } else if (mask.here() == '#') {
+        mask.read_line_comments("#");
+    } else {
+        mask.skip();
+    }
+}
+
 std::string mask_of_data(std::string_view text) {
     Mask mask(text);
-    while (!mask.is_at_end()) {
-        if (mask.here() == '#') {
-            read_line_comments(mask, "#");
-        } else if (mask.is_here("\"\"\"") || mask.is_here("'''")) {
-            mask.read_string(mask.here() == '"' ? "\"\"\"" : "'''");
-        } else if (mask.here() == '"' || mask.here() == '\'') {
-            mask.read_string(mask.here() == '"' ? "\"" : "'");
-        } else {
-            mask.skip();
-        }
-    }
+    while (!mask.is_at_end())
+        read_data(mask);
     return mask.take();
 }
 
 std::string mask_of_script(std::string_view text) {
     Mask mask(text);
     while (!mask.is_at_end()) {
-        const std::string_view line = mask.line();
-        const std::size_t begin = line.find_first_not_of(" \t");
-        if (begin != std::string_view::npos && line[begin] == '#') {
-            mask.skip(begin);
-            read_line_comments(mask, "#");
+        const std::size_t begin =
+            std::min(mask.line().find_first_not_of(" \t"), mask.line().size());
+        mask.skip(begin);
+        if (mask.is_here("#")) {
+            mask.read_line_comments("#");
         } else {
             mask.skip_line();
         }
@@ -200,46 +228,40 @@ std::string mask_of_script(std::string_view text) {
     return mask.take();
 }
 
+/// A line of a page, up to a comment.
+void read_page_line(Mask& mask) {
+    const std::size_t end = mask.end_of_line();
+    while (mask.place() < end && !mask.is_here("<!--")) {
+        if (mask.is_here("](")) {
+            const std::size_t target = mask.line().substr(0, longest_link).find(')');
+            mask.join(target == std::string_view::npos ? 2 : target + 1);
+        } else if (mask.here() == '[' || mask.here() == '*' || mask.here() == '_') {
+            mask.join(1);
+        } else if (mask.here() == '\\') {
+            mask.skip(2);
+        } else {
+            mask.read_text();
+        }
+    }
+}
+
 std::string mask_of_markdown(std::string_view text) {
     Mask mask(text);
-    bool is_code = false, is_comment = false;
+    bool is_code = false;
     while (!mask.is_at_end()) {
-        if (is_comment) {
-            if (mask.is_here("-->")) {
-                is_comment = false;
-                mask.skip(3);
-            } else if (mask.here() == '"') {
-                mask.read_string("\"");
-            } else {
-                mask.skip();
-            }
-            continue;
-        }
-        const std::size_t end = mask.end_of_line();
-        if (is_fence(mask.line())) {
+        const bool is_line_begin = mask.before() == '\n';
+        if (is_line_begin && is_fence(mask.line())) {
             is_code = !is_code;
             mask.skip_line();
-            continue;
-        }
-        if (is_code || mask.line().find_first_not_of(" \t\r") == std::string_view::npos) {
+        } else if (is_code) {
             mask.skip_line();
-            continue;
-        }
-        while (mask.place() < end && !is_comment) {
-            if (mask.is_here("<!--")) {
-                is_comment = true;
-                mask.skip(4);
-            } else if (mask.is_here("](")) {
-                mask.join(1);
-                const std::size_t target = mask.line().find(')');
-                mask.join(target == std::string_view::npos ? 1 : target + 1);
-            } else if (mask.here() == '[' || mask.here() == '*' || mask.here() == '_') {
-                mask.join(1);
-            } else if (mask.here() == '\\') {
-                mask.skip(2);
-            } else {
-                mask.read_text();
-            }
+        } else if (mask.is_here("<!--")) {
+            mask.skip(4);
+            mask.read_to("-->", read_data);
+        } else if (mask.here() == '\n') {
+            mask.skip();
+        } else {
+            read_page_line(mask);
         }
     }
     return mask.take();

@@ -94,6 +94,7 @@ std::vector<Fault> style_faults(const std::vector<ProseWord>& words, const Style
         if (those == rules.end()) continue;
         for (const StyleRule* rule : those->second) {
             if (!is_at(rule->phrase, words, at)) continue;
+            if (faults.size() == static_cast<std::size_t>(most_faults)) return faults;
             const auto begin = is_meant.begin() + static_cast<std::ptrdiff_t>(at);
             const auto end = begin + static_cast<std::ptrdiff_t>(rule->phrase.size());
             if (std::find(begin, end, false) == end) continue;

@@ -31,7 +31,7 @@ StyleGuide read_style(const std::string& path);
 StyleGuide parse_style(std::string_view text, const std::string& path);
 
 /// Each phrase of a rule in a text, at the line of its first word: the words as they are, and the
-/// advice.
+/// advice; at most `most_faults`.
 std::vector<Fault> style_faults(const std::vector<ProseWord>& words, const StyleGuide& guide);
 
 } // namespace rasterwalk

@@ -44,6 +44,12 @@ TEST_CASE("A program's prose is its comments and strings") {
     CHECK(program("#include \"no/prose.h\"\nchar c = '\"'; int n = 1'000; auto s = \"yes\";") ==
           "2 {}");
     CHECK(program("char c = '\\''; auto s = R\"x(raw \"text\")x\";") == "1 raw / text");
+    CHECK(program("f(\"the value is \"\n  \"shown.\");") == "1 the value is 2 shown");
+    CHECK(program("/* if (x) { */ g(\"a b\"); }") == "1 if / x / a b");
+    CHECK(program("f(\"{\"); g(\"in words\"); h(\"}\");") == "1 {} / in words / {}");
+    CHECK(program("c = '\\x41'; d = '\"'; // Why\n e = 1'000; // One") == "1 why / 2 one");
+    CHECK(program("ERROR\"abc\" (x); // After") == "1 {} / after");
+    CHECK(program("#define NAME \"in words\"") == "1 in words");
     CHECK(program("auto s = \"never closed\n int a;") == "1 never closed");
     CHECK(program("R\"").empty());
     CHECK(program("'").empty());
@@ -56,6 +62,8 @@ TEST_CASE("A page's prose is its text, and the strings of its comments") {
     CHECK(page("One line\ngoes on.\n\nNext") == "1 one line 2 goes on / 4 next");
     CHECK(page("Text.\n```cpp\nint code;\n```\nMore.") == "1 text / 5 more");
     CHECK(page("<!-- task\nid = \"cut\"\nset = 1\n-->\nText") == "2 {} / 5 text");
+    CHECK(page("<!-- 5\" wide -->\nAfter it") == "1 wide / 2 after it");
+    CHECK(page("Some `code\nover` lines") == "1 some {} 2 {} lines");
     CHECK(page("It is {outline.fan_area} large \xE2\x80\x94 it\xE2\x80\x99s so.") ==
           "1 it is {} large / it's so");
 }
@@ -63,11 +71,23 @@ TEST_CASE("A page's prose is its text, and the strings of its comments") {
 TEST_CASE("The prose of data and of scripts") {
     CHECK(listed("# The words\n# of it\n[[a]]\nkey = \"Some text\" # why\n", ProseKind::data) ==
           "1 the words 2 of it / 4 some text / why");
+    CHECK(listed("a = 'C:\\'\nb = 'two words'", ProseKind::data) == "1 {} / 2 two words");
     CHECK(listed("#!/bin/bash\nrun \"no prose\"\n  # but this\n", ProseKind::script) ==
           "1 bin / bash / 3 but this");
     CHECK(prose_kind("a/b.cpp") == ProseKind::program);
     CHECK(prose_kind("tests/CMakeLists.txt") == ProseKind::script);
     CHECK_FALSE(prose_kind("picture.png"));
+}
+
+TEST_CASE("The time to read hostile text grows with its length alone") {
+    for (const std::string part : {"{", "](a", "a`b", "'", "R\"x", "<!--", "\"", "/*", "\\"}) {
+        std::string text = "R\"";
+        while (text.size() < 4'000'000)
+            text += part;
+        for (const ProseKind kind :
+             {ProseKind::markdown, ProseKind::program, ProseKind::data, ProseKind::script})
+            CHECK(prose_of(text, kind).size() <= text.size());
+    }
 }
 
 TEST_CASE("A phrase that reads as if translated is a fault in each kind of file") {
