@@ -75,7 +75,7 @@ class Parser {
     SyntaxTree parse() {
         if (text_.size() > longest_expression) {
             throw UsageError("an expression may have at most " +
-                             std::to_string(longest_expression) + " letters.");
+                             std::to_string(longest_expression) + " bytes.");
         }
         for (const SyntaxToken& token : split_tokens(text_, language_)) {
             if (token.kind != TokenKind::blank) tokens_.push_back(token);

@@ -9,7 +9,9 @@
 #include "laboratory/image_variant.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
+#include "session/section_words.h"
 #include "session/session.h"
+#include "stages/stages.h"
 
 namespace rasterwalk {
 
@@ -178,8 +180,10 @@ bool guess(Quiz& quiz, std::string_view bug) {
 std::vector<std::string> quiz_hints(const QuizQuestion& question, const std::vector<Bug>& bugs) {
     const Bug* const bug = question.bugs.empty() ? nullptr : bug_of(bugs, question.bugs.front());
     if (bug == nullptr) return {};
-    return {"It belongs to the lab's section \"" + bug->section + "\".",
-            "It first shows at the stage " + question.first_stage + ".", bug->symptom, bug->look};
+    const StageInfo* const stage = find_stage(question.first_stage);
+    const std::string title(stage == nullptr ? question.first_stage : stage->title);
+    return {"Section: " + section_words(bug->section) + ".",
+            "It first shows at the " + title + " stage.", bug->symptom, bug->look};
 }
 
 bool give_hint(Quiz& quiz, const std::vector<Bug>& bugs) {

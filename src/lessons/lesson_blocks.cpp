@@ -33,7 +33,7 @@ Expression expression(const TomlBlock& block, const toml::node& node) {
     return parse_expression(block.text(node));
 }
 
-/// Ids are letters, digits, - and _: they are written into the file of the progress.
+/// Ids are lowercase letters, digits, - and _: they are written into the file of the progress.
 std::string id(const TomlBlock& block, const toml::node& node) {
     constexpr std::size_t longest = 60;
     std::string text = block.text(node);
@@ -41,7 +41,7 @@ std::string id(const TomlBlock& block, const toml::node& node) {
         text.size() <= longest &&
         text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") == text.npos;
     if (!is_good) {
-        block.input().fail(node, "an id consists of small letters, digits, - and _, at most " +
+        block.input().fail(node, "an id consists of lowercase letters, digits, - and _, at most " +
                                      std::to_string(longest) + ".");
     }
     return text;
@@ -82,7 +82,7 @@ std::string told(const TomlBlock& block, const toml::node& node) {
 std::string short_text(const TomlBlock& block, const toml::node& node, std::size_t longest) {
     std::string text = block.text(node);
     if (text.size() > longest)
-        block.input().fail(node, fmt::format("this may have at most {} letters.", longest));
+        block.input().fail(node, fmt::format("this may have at most {} bytes.", longest));
     return text;
 }
 
@@ -249,7 +249,7 @@ LessonPrediction read_prediction(const toml::table& table, int line, const ViewS
         block.for_each_text(n, most_choices, [&](const std::string& text) {
             if (text.size() > longest_choice)
                 throw UsageError(
-                    fmt::format("a choice may have at most {} letters.", longest_choice));
+                    fmt::format("a choice may have at most {} bytes.", longest_choice));
             if (std::find(p.choices.begin(), p.choices.end(), text) != p.choices.end())
                 throw UsageError("there are two choices " + in_quotes(text) + ".");
             p.choices.push_back(text);

@@ -154,7 +154,7 @@ std::optional<ControlRange> range_of(const LessonControl& control, const TomlBlo
 std::string given_read_out(const TomlBlock& block, const toml::node& node) {
     std::string text = block.text(node);
     if (text.size() > longest_read_out)
-        throw UsageError(fmt::format("a read-out may have at most {} letters.", longest_read_out));
+        throw UsageError(fmt::format("a read-out may have at most {} bytes.", longest_read_out));
     if (!asks_for_numbers(text))
         throw UsageError("a read-out must show a number that may change: {EXPRESSION}.");
     if (text.find("{answer") != text.npos)

@@ -42,7 +42,7 @@ bool check_lines(const std::vector<std::string_view>& lines, FaultList& faults) 
                       "a lesson may have at most " + std::to_string(most_lesson_lines) + " lines.");
     }
     refuse_lines([](std::string_view line) { return line.size() <= longest_lesson_line; },
-                 "the line is longer than " + std::to_string(longest_lesson_line) + " letters.");
+                 "the line is longer than " + std::to_string(longest_lesson_line) + " bytes.");
     if (faults.is_beyond_limits()) return false;
     refuse_lines(is_clean, "the line is not plain UTF-8 text, or contains control characters.");
     return !faults.is_beyond_limits();

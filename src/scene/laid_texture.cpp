@@ -67,8 +67,8 @@ Scene with_texture(Scene scene, const std::string& path) {
     }
     if (!is_shown) {
         throw InputError(visible_line(path) + ": no part of the scene can show the image, because "
-                                              "all parts with texture coordinates already have "
-                                              "one, or there are none.");
+                                              "every part with texture coordinates already has an "
+                                              "image, or no part has texture coordinates.");
     }
     scene.textures.emplace_back(
         make_texture(visible_line(std::filesystem::path(path).filename().string()), image));

@@ -164,8 +164,8 @@ std::vector<Setting> make_table() {
          "Filled triangles", "", choice<&Settings::weight_edge>()},
         {"line", "Line algorithm", "Rows and edges",
          "How the samples of an edge are found: by the lab's Interpolate, by Bresenham's whole "
-         "numbers, by the midpoint algorithm, or by adding floats and rounding to the nearest "
-         "pixel (DDA). Values along rows are always interpolated.",
+         "numbers, by the midpoint algorithm, or by the textbook DDA, which adds floats and "
+         "rounds to the nearest pixel. Values along rows are always interpolated.",
          "Drawing edges", "", choice<&Settings::line>()},
         {"bresenham_rule", "Bresenham's steps", "Rows and edges",
          "How Bresenham's line is written: correctly, only for the first of eight octants, or with "
@@ -183,21 +183,22 @@ std::vector<Setting> make_table() {
          "Used only if the line algorithm is interpolate.",
          "Filled triangles", "", choice<&Settings::edge_samples>()},
         {"row_start", "Row table begins with", "Rows and edges",
-         "What the ends of a row are before its first sample: ±INT_MAX, or the picture's width on "
-         "the left and 0 on the right. Or, by mistake, the table has one row too few.",
+         "What the ends of a row are before its first sample: ±INT_MAX; or, by mistake, the "
+         "picture's width on the left and 0 on the right, or ±INT_MAX in a table with one row too "
+         "few.",
          "Filled triangles", "", choice<&Settings::row_start>()},
         {"row_search", "Finding a row", "Rows and edges",
-         "How a sample finds its row in the table: by its number, or by searching every row. By "
-         "mistake, a sample beyond the table goes to the nearest row, or a row takes only the "
-         "column of a sample.",
+         "How a sample finds its row in the table: by its number; or, by mistake, by searching "
+         "every row, by going to the nearest row if it lies beyond the table, or by its number "
+         "while the row takes only the column of the sample.",
          "Filled triangles", "", choice<&Settings::row_search>()},
         {"empty_rows", "Rows without samples", "Rows and edges",
          "What happens to a row that no sample reached: nothing, or it draws right − left + 1 "
          "fragments, which overflows (here it does so safely).",
          "Filled triangles", "", choice<&Settings::empty_rows>()},
         {"spans", "Fragments of a row", "Rows and edges",
-         "Which fragments of a row are drawn: all, both ends included; none in a row of one pixel; "
-         "or all but the last.",
+         "Which fragments of a row are drawn: all, both ends included; or, by mistake, none in a "
+         "row of one pixel, or all but the last.",
          "Filled triangles", "", choice<&Settings::spans>()},
         {"depth_test", "Depth test", "Depth and interpolation",
          "What decides which fragment is nearer: 1/z (or whatever the depth buffer holds); z "
@@ -231,9 +232,10 @@ std::vector<Setting> make_table() {
          "drawn; or before it, always.",
          "Depth buffer", "", choice<&Settings::depth_order>()},
         {"interpolation", "Between the vertices", "Depth and interpolation",
-         "How values between the vertices are found: divided by z and, at the pixel, by 1/z "
-         "(perspective); straight across the picture (affine); or by mistake multiplied by 1/z "
-         "twice and divided by it once, or divided by 1/z never or twice at the pixel.",
+         "How values between the vertices are found: divided by z at the vertices and by 1/z at "
+         "the pixel (perspective); straight across the picture (affine); or, by mistake, "
+         "multiplied by 1/z twice and divided by it once, or divided by 1/z twice, or not at all, "
+         "at the pixel.",
          "Light per pixel", "", choice<&Settings::interpolation>()},
         {"texture",
          "Textures",

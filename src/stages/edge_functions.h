@@ -24,7 +24,7 @@
 // go on to say who gets the pixels with E = 0, and beyond it they could only have said no.
 //
 // A polygon of more corners is taken as a fan of triangles about its first corner. That is right
-// where it has no dents; the snap can make some (fan.h).
+// where it is convex; the snap can bend it inward (fan.h).
 //
 // The classic mistakes are corners that go round the other way, for which everything is outside;
 // samples at the pixel's corner instead of its centre; and a fill rule that gives a shared edge to

@@ -1,8 +1,8 @@
 #pragma once
 
-// A polygon as a fan of triangles about its first corner: right where the polygon has no dents.
+// A polygon as a fan of triangles about its first corner: right where the polygon is convex.
 //
-// A polygon that clipping has cut has none before the snap. The snap to whole pixels moves corners
+// A polygon that clipping has cut is convex before the snap. The snap to whole pixels moves corners
 // by up to half a pixel and can bend it inward, where corners lie close together. A triangle of the
 // fan then goes round the other way. It is filled like the others, so now and then a pixel at the
 // dent is covered that active_edges.h leaves out.

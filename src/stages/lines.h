@@ -3,7 +3,7 @@
 // Lines: the samples of an edge by one of four algorithms.
 //
 // In:  the two pixels of an edge, and the values there.
-// Out: one sample for each step along the longer axis, both ends included.
+// Out: one sample for each pixel along the longer axis, both ends included.
 // Picture: you walk from one pixel to the next. Each step goes straight on along the longer axis,
 //          or diagonally; a single number, the decision variable, says which.
 //

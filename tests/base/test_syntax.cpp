@@ -107,7 +107,7 @@ TEST_CASE("What is no expression is answered by a sentence") {
 }
 
 TEST_CASE("An expression is so long and so deep at most") {
-    CHECK(refusal(many("1", 1001)) == "an expression may have at most 1000 letters.");
+    CHECK(refusal(many("1", 1001)) == "an expression may have at most 1000 bytes.");
     const std::string too_deep = "the expression is nested deeper than 32 levels.";
     for (const char* opening : {"(", "-", "not ", "f("}) {
         INFO(opening);

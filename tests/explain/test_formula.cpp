@@ -102,7 +102,7 @@ TEST_CASE("A formula that is nested too deep or too long is refused") {
     CHECK_THROWS_WITH(evaluate(formula(deep)),
                       Catch::Matchers::ContainsSubstring("nested deeper than 32 levels"));
     CHECK_THROWS_WITH(evaluate(formula(std::string(1001, '1'))),
-                      Catch::Matchers::ContainsSubstring("at most 1000 letters"));
+                      Catch::Matchers::ContainsSubstring("at most 1000 bytes"));
 }
 
 TEST_CASE("A sum in parentheses is one term, and a call in parentheses is worked out") {

@@ -136,7 +136,7 @@ TEST_CASE("An expression that is not understood is answered by a sentence") {
         {"row & 3", "it is not clear what '& 3' means"},
         {"viewport.size > 3", "there is no name 'viewport.size'"},
         {"camera.position == 3", "there is no name 'camera.position'"},
-        {std::string(2000, '1'), "at most 1000 letters"},
+        {std::string(2000, '1'), "at most 1000 bytes"},
         {std::string(100, '(') + "1" + std::string(100, ')'), "nested deeper than 32"},
         {std::string(100, '-') + "1 > 0", "nested deeper than 32"},
     };

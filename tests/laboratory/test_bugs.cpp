@@ -1018,7 +1018,7 @@ TEST_CASE("B40b: with E > 0 a crack is left between neighbours") {
     }
 }
 
-TEST_CASE("B40c: without top edges a level crack is left, and slanted edges are right") {
+TEST_CASE("B40c: without top edges a level crack is left, and slanted edges are correct") {
     const Runs runs("B40c");
     int lost = 0;
     for (int row = 0; row < 15; ++row) {

@@ -9,6 +9,7 @@
 #include "session/scene_file.h"
 #include "session/session.h"
 #include "settings/setting_table.h"
+#include "stages/stages.h"
 #include "tests/support/catch.h"
 #include "tests/support/effort.h"
 
@@ -47,7 +48,12 @@ TEST_CASE("A quiz asks only for what can be seen, and the same seed asks the sam
         for (const QuizQuestion& question : session.quiz->questions) {
             asked.insert(question.bugs.front());
             CHECK_FALSE(question.first_stage.empty());
-            CHECK(quiz_hints(question, bugs).size() == 4);
+            const std::vector<std::string> hints = quiz_hints(question, bugs);
+            REQUIRE(hints.size() == 4);
+            const StageInfo* const stage = find_stage(question.first_stage);
+            REQUIRE(stage != nullptr);
+            CHECK(hints[0].starts_with("Section: "));
+            CHECK(hints[1] == "It first shows at the " + std::string(stage->title) + " stage.");
         }
     }
     CHECK(asked.size() > seeds / 3);

@@ -98,7 +98,7 @@ TEST_CASE("What is no file of text is no lesson") {
     }
     SECTION("a file of zeros") {
         folder.write("01-hostile.md", std::string(5'000, '\0'));
-        refused(path, {1, "the line is longer than 4000 letters."});
+        refused(path, {1, "the line is longer than 4000 bytes."});
     }
 }
 

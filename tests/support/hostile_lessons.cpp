@@ -60,8 +60,8 @@ std::vector<HostileLesson> hostile_lessons() {
          "the file is larger than 1 MB."},
         {"a million empty lines", std::string(1'000'000, '\n'), 20'000,
          "a lesson may have at most 20000 lines."},
-        {"a line of 4001 letters", std::string(4'001, 'a'), first,
-         "the line is longer than 4000 letters."},
+        {"a line of 4001 bytes", std::string(4'001, 'a'), first,
+         "the line is longer than 4000 bytes."},
         {"quotes in quotes", times(1'000, ">") + " Help!", first, too_deep},
         {"quotes in quotes, with blanks", times(1'000, "> ") + "Help!", first, too_deep},
         {"lists in lists", times(1'000, "- ") + "Help!", first, too_deep},
@@ -81,7 +81,7 @@ std::vector<HostileLesson> hostile_lessons() {
          "Text.\n\n" + lines(10'000, [](int i) { return numbered("[^", i, "]: note"); }),
          first + 2 + 99, "a lesson may have at most 99 footnotes."},
         {"ten thousand columns", times(10'000, "|a") + "|\n" + times(10'000, "|-") + "|", first,
-         "the line is longer than 4000 letters."},
+         "the line is longer than 4000 bytes."},
         {"ninety columns", times(90, "|a") + "|\n" + times(90, "|---") + "|", first,
          "a table may have at most 40 columns."},
         {"bytes that are no text", "\xff\xfe\xfd", first,
@@ -104,7 +104,7 @@ std::vector<HostileLesson> hostile_lessons() {
     add("parentheses", task("a", times(400, "(") + "1" + times(400, ")")), first + 2,
         "the expression is nested deeper than 32 levels.");
     add("a thousand parentheses", task("a", times(1'000, "(") + "1" + times(1'000, ")")), first + 2,
-        "an expression may have at most 1000 letters.");
+        "an expression may have at most 1000 bytes.");
     add("signs", task("a", times(900, "-") + "1"), first + 2,
         "the expression is nested deeper than 32 levels.");
     add("no, no, no", task("a", times(240, "not ") + "1"), first + 2,

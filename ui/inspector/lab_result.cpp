@@ -87,8 +87,7 @@ const char* stop_help(const LabLook& lab) {
 }
 
 constexpr const char* progress_help =
-    "How many of the pictures known to be needed have been drawn; what they show may call for "
-    "more.";
+    "Pictures drawn so far, out of those known to be needed. The results may require more.";
 
 /// How far the check is, and the way to stop it.
 void draw_progress(Ui& ui) {

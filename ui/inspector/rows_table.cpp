@@ -38,14 +38,20 @@ void draw_row_headers(Ui& ui) {
         {"row", "Row of the picture. Row minus first row is the entry i of both arrays."},
         {"left", "Column of the row's left end: leftPixels[i].x"},
         {weight_word, "The weight used for interpolation, at the left end."},
-        {"x", "Varying of the left end; divided by z or w with perspective correction."},
-        {"y", "Varying of the left end; divided by z or w with perspective correction."},
-        {"z", "Varying of the left end; divided by z or w with perspective correction."},
+        {"x", "The varying x at the left end. With perspective correction it is stored divided by "
+              "z or w."},
+        {"y", "The varying y at the left end. With perspective correction it is stored divided by "
+              "z or w."},
+        {"z", "The varying z at the left end. With perspective correction it is stored divided by "
+              "z or w."},
         {"right", "Column of the row's right end: rightPixels[i].x"},
         {weight_word, "The weight used for interpolation, at the right end."},
-        {"x", "Varying of the right end; divided by z or w with perspective correction."},
-        {"y", "Varying of the right end; divided by z or w with perspective correction."},
-        {"z", "Varying of the right end; divided by z or w with perspective correction."},
+        {"x", "The varying x at the right end. With perspective correction it is stored divided by "
+              "z or w."},
+        {"y", "The varying y at the right end. With perspective correction it is stored divided by "
+              "z or w."},
+        {"z", "The varying z at the right end. With perspective correction it is stored divided by "
+              "z or w."},
     };
     const std::span<const Header> headers = ui.inspector.shows_end_values
                                                 ? std::span<const Header>(values)

@@ -43,7 +43,7 @@ constexpr std::array<Card, way_count> cards{{
      "Check my own picture",
      "What differs from a correct one, where first, and why?",
      {"A picture your program saved, or the rows it printed.",
-      "Rasterwalk makes the known mistakes, to see which one explains yours."},
+      "Rasterwalk tries the known mistakes to see which one explains yours."},
      "Shows the files that can be checked."},
 }};
 static_assert(is_indexed_by(cards, &Card::way));
