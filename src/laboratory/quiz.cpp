@@ -182,7 +182,7 @@ std::vector<std::string> quiz_hints(const QuizQuestion& question, const std::vec
     if (bug == nullptr) return {};
     const StageInfo* const stage = find_stage(question.first_stage);
     const std::string title(stage == nullptr ? question.first_stage : stage->title);
-    return {"Section: " + section_words(bug->section) + ".",
+    return {"It belongs to “" + section_words(bug->section) + "”.",
             "It first shows at the " + title + " stage.", bug->symptom, bug->look};
 }
 

@@ -52,7 +52,7 @@ TEST_CASE("A quiz asks only for what can be seen, and the same seed asks the sam
             REQUIRE(hints.size() == 4);
             const StageInfo* const stage = find_stage(question.first_stage);
             REQUIRE(stage != nullptr);
-            CHECK(hints[0].starts_with("Section: "));
+            CHECK(hints[0].starts_with("It belongs to “"));
             CHECK(hints[1] == "It first shows at the " + std::string(stage->title) + " stage.");
         }
     }
