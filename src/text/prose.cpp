@@ -313,7 +313,7 @@ std::vector<ProseWord> prose_of(std::string_view text, ProseKind kind) {
     std::vector<ProseWord> words;
     int line = 1, breaks = 0;
     bool follows = false;
-    const auto add = [&](std::string word) {
+    const auto add = [&](const std::string& word) {
         words.push_back({in_small_letters(word), line, follows});
         follows = true;
     };
@@ -334,7 +334,7 @@ std::vector<ProseWord> prose_of(std::string_view text, ProseKind kind) {
                    (rest.starts_with(mark_of_utf8) && !rest.starts_with(apostrophe))) {
             breaks = 0;
             follows = false;
-            i += rest.starts_with(mark_of_utf8) ? 3 : 1;
+            i += rest.starts_with(mark_of_utf8) && rest.size() > 2 && rest[2] != '\n' ? 3 : 1;
         } else {
             breaks = 0;
             std::string word;
@@ -349,7 +349,7 @@ std::vector<ProseWord> prose_of(std::string_view text, ProseKind kind) {
                     word += mask[i++];
                 }
             }
-            add(std::move(word));
+            add(word);
         }
     }
     return words;

@@ -62,6 +62,7 @@ TEST_CASE("A page's prose is its text, and the strings of its comments") {
     CHECK(page("One line\ngoes on.\n\nNext") == "1 one line 2 goes on / 4 next");
     CHECK(page("Text.\n```cpp\nint code;\n```\nMore.") == "1 text / 5 more");
     CHECK(page("<!-- task\nid = \"cut\"\nset = 1\n-->\nText") == "2 {} / 5 text");
+    CHECK(page("Cut \xE2\x80\nHere") == "1 cut / \x80 2 here");
     CHECK(page("<!-- 5\" wide -->\nAfter it") == "1 wide / 2 after it");
     CHECK(page("Some `code\nover` lines") == "1 some {} 2 {} lines");
     CHECK(page("It is {outline.fan_area} large \xE2\x80\x94 it\xE2\x80\x99s so.") ==

@@ -83,8 +83,7 @@ TEST_CASE("The Fragment tab names its columns and its pixel in whole words") {
                 driver.open("fragment"); // without a pixel: of the fragment drawn last
                 driver.hand.leave();
                 CHECK(shortened_lines({"inspector"}) == nothing);
-                CHECK_THAT(all_words("inspector"),
-                           Catch::Matchers::ContainsSubstring(": pixel ("));
+                CHECK_THAT(all_words("inspector"), Catch::Matchers::ContainsSubstring(": pixel ("));
                 CHECK(driver.hand.find("fragment.z_world").bottom_right.x <=
                       driver.hand.find("fragment.z_world.affine").top_left.x);
                 CHECK(driver.hand.find("fragment.z_world").is_whole);

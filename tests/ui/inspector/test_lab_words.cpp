@@ -130,9 +130,10 @@ TEST_CASE("Of two mistakes at once both are named, described and mended on the c
     REQUIRE(likely_candidate(driver.ui.lab.answer->diagnosis) != nullptr);
     const std::string card = shown_text(driver, "lab.diagnosis");
     const std::string remedy = shown_text(driver, "lab.remedy");
-    CHECK_THAT(card, Catch::Matchers::ContainsSubstring(" together with ") &&
-                         Catch::Matchers::EndsWith("Together they explain your picture down to the last "
-                                                   "pixel."));
+    CHECK_THAT(card,
+               Catch::Matchers::ContainsSubstring(" together with ") &&
+                   Catch::Matchers::EndsWith("Together they explain your picture down to the last "
+                                             "pixel."));
     for (const std::string& id : ids) {
         const Bug& bug = find_bug(bugs, id);
         INFO(id);
