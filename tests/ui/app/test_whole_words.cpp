@@ -103,7 +103,7 @@ TEST_CASE("The Fragment tab names its columns and its pixel in whole words") {
                 if (window.size.x / window.text_scale >= 1600.0f) {
                     CHECK(right.ends_with("perspective"));
                     CHECK_THAT(all_words("inspector"),
-                               Catch::Matchers::ContainsSubstring("Drawn last: pixel ("));
+                               Catch::Matchers::ContainsSubstring("Last fragment: pixel ("));
                 }
             }
         }
