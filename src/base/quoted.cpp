@@ -78,6 +78,16 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    while (true) {
+        const std::size_t place = text.find(separator);
+        parts.push_back(text.substr(0, place));
+        if (place == std::string_view::npos) return parts;
+        text.remove_prefix(place + 1);
+    }
+}
+
 bool is_utf8(std::string_view text) {
     return utf8::is_valid(text.begin(), text.end());
 }

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rasterwalk {
 
@@ -19,6 +20,9 @@ std::string in_quotes(std::string_view text);
 
 /// The text without blanks at its ends.
 std::string_view trimmed(std::string_view text);
+
+/// The parts of the text between separators, the empty ones too.
+std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// Is it UTF-8 from end to end?
 bool is_utf8(std::string_view text);

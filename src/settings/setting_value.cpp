@@ -34,16 +34,6 @@ std::vector<std::string_view> setting_names() {
                          .append("."));
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    while (true) {
-        const std::size_t place = text.find(separator);
-        parts.push_back(text.substr(0, place));
-        if (place == std::string_view::npos) return parts;
-        text.remove_prefix(place + 1);
-    }
-}
-
 /// The index of a word; no_word if the choice does not take it.
 int find_word(const ChoiceSetting& kind, std::string_view word) {
     const auto found = std::find(kind.words.begin(), kind.words.end(), trimmed(word));

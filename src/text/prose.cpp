@@ -292,12 +292,15 @@ constexpr std::string_view mark_of_utf8 = "\xE2\x80", apostrophe = "\xE2\x80\x99
 } // namespace
 
 std::optional<ProseKind> prose_kind(std::string_view path) {
-    constexpr std::array<std::pair<std::string_view, ProseKind>, 8> ends{{
+    constexpr std::array<std::pair<std::string_view, ProseKind>, 11> ends{{
         {".md", ProseKind::markdown},
         {".h", ProseKind::program},
         {".cpp", ProseKind::program},
+        {".js", ProseKind::program},
+        {".mjs", ProseKind::program},
         {".toml", ProseKind::data},
         {".sh", ProseKind::script},
+        {".py", ProseKind::script},
         {".cmake", ProseKind::script},
         {"CMakeLists.txt", ProseKind::script},
         {"widgets.txt", ProseKind::script},

@@ -12,9 +12,9 @@ namespace rasterwalk {
 
 enum class ProseKind {
     markdown, ///< text outside code; of comments, as in lessons, the strings in quotes
-    program,  ///< C++: comments and strings
+    program,  ///< C++ and JavaScript: comments and strings in double quotes
     data,     ///< TOML: comments and strings
-    script    ///< shell and CMake: comments
+    script    ///< shell, Python and CMake: comments
 };
 
 /// By the name of the file; none if it holds no prose.

@@ -4,34 +4,27 @@
 #include <unordered_map>
 
 #include "base/files.h"
+#include "base/quoted.h"
 #include "base/toml_input.h"
 
 namespace rasterwalk {
 
 namespace {
 
-/// The parts between separators, the empty ones too.
-std::vector<std::string> split(std::string_view text, char separator) {
-    std::vector<std::string> parts;
-    for (;;) {
-        const std::size_t end = std::min(text.find(separator), text.size());
-        parts.emplace_back(text.substr(0, end));
-        if (end == text.size()) return parts;
-        text.remove_prefix(end + 1);
-    }
-}
-
 Phrase phrase_of(const std::string& text, const TomlInput& entry) {
     Phrase phrase;
-    for (const std::string& place : split(text, ' ')) {
-        phrase.push_back(split(place, '|'));
-        for (const std::string& word : phrase.back()) {
-            if (word.empty())
-                entry.fail("'" + text + "' has an empty word: one blank stands between words.");
-        }
+    const std::string quoted = in_quotes(text);
+    if (std::any_of(text.begin(), text.end(), [](char c) { return c >= 'A' && c <= 'Z'; }))
+        entry.fail(quoted + " has a capital, but phrases are compared in small letters.");
+    for (const std::string_view place : split(text, ' ')) {
+        const std::vector<std::string_view> words = split(place, '|');
+        phrase.emplace_back(words.begin(), words.end());
+        if (std::find(words.begin(), words.end(), "") != words.end())
+            entry.fail(quoted + " has an empty word: put one blank between words.");
     }
-    if (phrase.front() == std::vector<std::string>{"*"})
-        entry.fail("'" + text + "' begins with any word, so it would be found everywhere.");
+    const std::vector<std::string>& first = phrase.front();
+    if (std::find(first.begin(), first.end(), "*") != first.end())
+        entry.fail(quoted + " begins with any word, so it would be found everywhere.");
     return phrase;
 }
 

@@ -34,3 +34,9 @@ TEST_CASE("A name in quotes is short, visible and on one line") {
     CHECK(in_quotes("a\nb\x1b[0m") == "'a b\\u001b[0m'");
     CHECK(in_quotes(std::string(100, 'x')) == "'" + std::string(60, 'x') + "...'");
 }
+
+TEST_CASE("A text is split at each separator, and nothing is lost") {
+    CHECK(split("a,b", ',') == std::vector<std::string_view>{"a", "b"});
+    CHECK(split(",a,,", ',') == std::vector<std::string_view>{"", "a", "", ""});
+    CHECK(split("", ',') == std::vector<std::string_view>{""});
+}

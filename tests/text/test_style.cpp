@@ -77,6 +77,8 @@ TEST_CASE("The prose of data and of scripts") {
           "1 bin / bash / 3 but this");
     CHECK(prose_kind("a/b.cpp") == ProseKind::program);
     CHECK(prose_kind("tests/CMakeLists.txt") == ProseKind::script);
+    CHECK(prose_kind("ui/page.js") == ProseKind::program);
+    CHECK(prose_kind("tidy.py") == ProseKind::script);
     CHECK_FALSE(prose_kind("picture.png"));
 }
 
@@ -136,6 +138,8 @@ TEST_CASE("A file of phrases that is wrong is refused at its line") {
         CHECK_THROWS_WITH(parse_style(text, "a.toml"), ContainsSubstring(sentence));
     };
     refused("meant = []\n[[rule]]\nphrases = ['a  b']\nadvice = 'x'", "a.toml:2");
+    refused("meant = []\n[[rule]]\nphrases = ['a B']\nadvice = 'x'", "'a B' has a capital");
+    refused("meant = []\n[[rule]]\nphrases = ['a|* b']\nadvice = 'x'", "begins with any word");
     refused("meant = []\n[[rule]]\nphrases = ['* b']\nadvice = 'x'", "begins with any word");
     refused("meant = []\n[[rule]]\nphrases = [\n3]\nadvice = 'x'", "a.toml:4");
     refused("meant = []\n[[rule]]\nphrases = ['a']\n", "advice");
