@@ -132,7 +132,7 @@ function stop(fault) {
     isRunning = false;
     console.error(fault);
     const what = (fault && fault.message || String(fault)).replace(/\.$/, '');
-    page.say(wasRunning ? `Rasterwalk has stopped (${what}). Reload the page to go on; your progress is kept.`
+    page.say(wasRunning ? `Rasterwalk has stopped (${what}). Reload the page to continue; your progress is kept.`
         : `Rasterwalk could not be started (${what}). It needs a browser with WebGL 2 and WebAssembly exceptions, and its own files next to it.`);
 }
 
@@ -300,7 +300,7 @@ async function openFiles(files, isResult) {
     if (!files.length) return;
     const size = files.reduce((sum, {file}) => sum + file.size, 0);
     if (openedSize + size > largestFiles) {
-        tell('web_say', 'Together with what was opened before, that is more than 512 MB. Reload the page and open fewer files.');
+        tell('web_say', 'With what is already open, that is more than 512 MB. Reload the page and open fewer files.');
         return;
     }
     openedSize += size;
@@ -314,7 +314,7 @@ async function openFiles(files, isResult) {
             FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
         }
         if (size > longRead) {
-            tell('web_say', `Reading ${main.name}. The page does not respond until that is done.`);
+            tell('web_say', `Reading ${main.name}. The page will not respond until this is done.`);
             await pictures(3);
         }
         tell('web_open', folder + '/' + main.name, isResult);
@@ -456,7 +456,7 @@ async function start() {
     }
     for (const entry of await listed) {
         try {
-            if (entry.isMissing) throw new Error('is not there');
+            if (entry.isMissing) throw new Error('the file is missing');
             putFile(entry);
         } catch (fault) {
             console.warn(`lessons: the list holds ${entry.path}, which cannot be used: ${fault.message}`);
