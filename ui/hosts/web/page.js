@@ -1,6 +1,6 @@
 'use strict';
 // The page around the program: listens to the browser, and does what the program asks of it.
-// page.cpp is the other half. It comes before rasterwalk.js, which takes up `Module`.
+// page.cpp is the other half. It comes before rasterwalk.js, which picks up `Module`.
 
 // ---- What the program asks of the page -----------------------------------------------------------
 
@@ -9,7 +9,7 @@ const sentence = document.getElementById('sentence');
 const chooser = document.getElementById('chooser');
 const typing = document.getElementById('typing');
 
-// Pages of one site keep what they keep apart.
+// Each page of a site keeps its own data.
 const storePrefix = 'rasterwalk:' + new URL('.', location.href).pathname + ':';
 const stateFolder = '/state/rasterwalk';
 const keptFiles = ['progress.toml', 'window.toml'];
@@ -38,7 +38,7 @@ const page = {
         link.click();
         setTimeout(() => URL.revokeObjectURL(link.href), 60000);
     },
-    // Returns false where the browser keeps nothing.
+    // Returns false if the browser keeps nothing.
     keep(path) {
         try {
             const name = path.slice(path.lastIndexOf('/') + 1);
@@ -50,7 +50,7 @@ const page = {
         }
     },
     setCursor(name) { canvas.style.cursor = name; },
-    // A screen without keys brings some up.
+    // A touch screen shows its keyboard, and hides it.
     setTyping(isTyping) {
         if (!lastPointerWasTouch) return;
         typing.value = typingMark;
@@ -62,7 +62,7 @@ const page = {
         try {
             if (fragment !== location.hash) history.replaceState(null, '', fragment || location.pathname + location.search);
         } catch (fault) {
-            addressTimer = setTimeout(() => page.setAddress(fragment), 1000); // browsers allow so many at a time
+            addressTimer = setTimeout(() => page.setAddress(fragment), 1000); // browsers limit how many they allow
         }
     },
     // The first sentence says why there is nothing else.
@@ -114,7 +114,7 @@ function drawFrame() {
 
 const longestText = 100000; // letters that a function of page.cpp takes
 
-// Calls a function of page.cpp. What ends the program is said instead of a page that stands still.
+// Calls a function of page.cpp. If it ends the program, the page says why instead of standing still.
 function call(name, ...values) {
     if (!isRunning) return Infinity;
     const types = values.map(value => typeof value === 'string' ? 'string' : 'number');
@@ -132,7 +132,7 @@ function stop(fault) {
     isRunning = false;
     console.error(fault);
     const what = (fault && fault.message || String(fault)).replace(/\.$/, '');
-    page.say(wasRunning ? `Rasterwalk has stopped (${what}). Reload the page to go on; your progress is kept.`
+    page.say(wasRunning ? `Rasterwalk has stopped (${what}). Reload the page to continue; your progress is kept.`
         : `Rasterwalk could not be started (${what}). It needs a browser with WebGL 2 and WebAssembly exceptions, and its own files next to it.`);
 }
 
@@ -160,7 +160,7 @@ const writtenKeys = {',': 44, '-': 45, '.': 46, '+': 61, '=': 61, '[': 91, ']': 
 const commandKeys = new Set(['A', 'C', 'O', 'S', 'X', 'Y', 'Z', ','].map(key => key.charCodeAt(0))
     .concat([263, 262, 264, 265, 257, 268, 269, 259, 261, 290]));
 
-// A letter is the one that is written on the key; where that is no Latin one, its place counts.
+// A letter is the one written on the key; if that is not a Latin one, the key's place counts.
 function keyOf(event) {
     if (event.code.startsWith('Numpad') && codedKeys[event.code]) return codedKeys[event.code];
     if (event.key in namedKeys) return namedKeys[event.key];
@@ -173,7 +173,7 @@ function keyOf(event) {
     return codedKeys[event.code] || 0;
 }
 
-// There Option with a key writes what others write with AltGr.
+// On a Mac, Option with a key writes what AltGr writes elsewhere.
 const isMac = /Mac|iPhone|iPad/.test(navigator.platform);
 
 function onKey(event) {
@@ -185,7 +185,7 @@ function onKey(event) {
     const key = keyOf(event);
     if (!isDown && event.key === 'Meta') tell('web_leave');
     if (!event.repeat) tell('web_key', key, isDown, ctrl, event.shiftKey, alt);
-    // While Command is held macOS does not say that other keys are released.
+    // While Command is held, macOS does not report that other keys are released.
     if (isDown && event.metaKey && key) tell('web_key', key, false, ctrl, event.shiftKey, alt);
     const isLetter = [...event.key].length === 1;
     const isWritten = isDown && isLetter && !ctrl && (!alt || isMac) && document.activeElement !== typing;
@@ -202,7 +202,7 @@ let heldButtons = 0; // bits
 const fingers = new Map(); // by id: where they are
 let lastPointerWasTouch = false;
 
-// With several buttons the browser says that one of them is another by a move.
+// While a button is held, the browser reports a change of another one as a move.
 function setButtons(buttons) {
     for (const [bit, button] of programButtons)
         if ((buttons ^ heldButtons) & bit) tell('web_button', button, Boolean(buttons & bit));
@@ -213,7 +213,7 @@ function place(event) {
     return [event.clientX * devicePixelRatio, event.clientY * devicePixelRatio];
 }
 
-// The middle of two fingers, and how far they are apart.
+// The middle of two fingers, and how far apart they are.
 function pairOf() {
     const [a, b] = [...fingers.values()];
     return {x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, distance: Math.hypot(a[0] - b[0], a[1] - b[1])};
@@ -221,12 +221,12 @@ function pairOf() {
 
 function onDown(event) {
     lastPointerWasTouch = event.pointerType === 'touch';
-    if (lastPointerWasTouch) event.preventDefault(); // no mouse after it, which would take the focus from a field
+    if (lastPointerWasTouch) event.preventDefault(); // no mouse event after it, which would take the focus from a field
     if (document.activeElement !== typing) canvas.focus();
     canvas.setPointerCapture(event.pointerId);
     if (lastPointerWasTouch) fingers.set(event.pointerId, place(event));
     if (fingers.size > 1) {
-        // The first finger was no click: it is let go where nothing is.
+        // The first finger was not a click, so it is released where nothing is.
         tell('web_pointer', -1e9, -1e9);
         setButtons(0);
         return;
@@ -264,11 +264,11 @@ function onUp(event) {
     tell('web_pointer', ...place(event));
     if (event.type === 'pointercancel') tell('web_leave');
     setButtons(wasFinger ? 0 : event.buttons);
-    // What the tap brings up is known before this event is over: only then may a page show the keys.
+    // What the tap brings up must be known before this event is over: only then may a page show the keyboard.
     for (let i = 0; wasFinger && i < 3; ++i) drawFrame();
 }
 
-// What the keys of a screen write: behind a mark, so that a Backspace has something to take away.
+// What an on-screen keyboard writes, after a mark, so that a Backspace has something to delete.
 const typingMark = '\u200b';
 
 function takeTyped() {
@@ -291,16 +291,16 @@ function onWheel(event) {
 const largestFiles = 512 * 2 ** 20; // bytes, of all that is opened
 const longRead = 4 * 2 ** 20; // bytes from which reading takes a while
 
-// What is opened of several files: a view or a lesson before a scene, a scene before its model.
+// Which of several files is opened first: a view or a lesson before a scene, a scene before its model.
 const openedFirst = [/\.walk\.toml$/i, /(^|\/)\d\d-[^/]*\.md$/i, /\.toml$/i, /\.obj$/i, /./];
 let openedCount = 0, openedSize = 0;
 
-// Files that come together lie together: a scene finds its model, a model its textures.
+// Files opened together are kept together, so a scene finds its model, and a model its textures.
 async function openFiles(files, isResult) {
     if (!files.length) return;
     const size = files.reduce((sum, {file}) => sum + file.size, 0);
     if (openedSize + size > largestFiles) {
-        tell('web_say', 'Together with what was opened before, that is more than 512 MB. Reload the page and open fewer files.');
+        tell('web_say', 'With what is already open, that is more than 512 MB. Reload the page and open fewer files.');
         return;
     }
     openedSize += size;
@@ -314,7 +314,7 @@ async function openFiles(files, isResult) {
             FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
         }
         if (size > longRead) {
-            tell('web_say', `Reading ${main.name}. The page does not respond until that is done.`);
+            tell('web_say', `Reading ${main.name}. The page will not respond until this is done.`);
             await pictures(3);
         }
         tell('web_open', folder + '/' + main.name, isResult);
@@ -360,9 +360,9 @@ async function onDrop(event) {
 
 // ---- Files of the page ---------------------------------------------------------------------------
 
-// lessons/files.txt lists what lies in the folder lessons of the page and does not come with
-// rasterwalk.data: a path a line, and its size if that is known. lessons/own.txt, if it is there, lists
-// what somebody has added. Texts are fetched at once, the rest when the program looks at it.
+// lessons/files.txt lists what is in the page's lessons folder but not in rasterwalk.data: one path
+// per line, and its size if that is known. lessons/own.txt, if it is there, lists what a teacher has
+// added. Texts are fetched at once, the rest when the program looks at it.
 const lists = ['files.txt', 'own.txt'];
 
 const fetchText = path => fetch(addressOf(path), {cache: 'no-cache'}).then(answer => answer.ok ? answer.arrayBuffer() : null).catch(() => null);
@@ -370,7 +370,7 @@ const fetchText = path => fetch(addressOf(path), {cache: 'no-cache'}).then(answe
 async function listedFiles() {
     const texts = await Promise.all(lists.map(fetchText));
     const lines = texts.flatMap(text => text ? new TextDecoder().decode(text).split(/\r?\n/) : []);
-    // In the order of the paths a file comes before what takes it for a folder.
+    // Sorted by path, a file comes before any path that takes it for a folder.
     const entries = lines.map(entryOf).filter(Boolean).sort((a, b) => a.path < b.path ? -1 : a.path > b.path ? 1 : 0);
     await Promise.all(entries.filter(({path}) => /\.(md|toml)$/.test(path)).map(async entry => {
         const text = await fetchText(entry.path);
@@ -380,7 +380,7 @@ async function listedFiles() {
     return entries;
 }
 
-// Only files in that folder: they have an ending, so no line takes a folder for one.
+// Only files in that folder; they have an extension, so no folder is taken for a file.
 function entryOf(line) {
     const [, path, size] = /^\s*(?:\.\/)?([^#\s].*?)(?:\s+(\d+))?\s*$/.exec(line) || [];
     if (!path) return null;
@@ -394,7 +394,7 @@ const addressOf = path => 'lessons/' + path.split('/').map(encodeURIComponent).j
 function fetchNow(path) {
     const request = new XMLHttpRequest();
     request.open('GET', addressOf(path), false);
-    // Bytes: a request that is waited for cannot ask for an ArrayBuffer.
+    // As text, because a synchronous request cannot ask for an ArrayBuffer.
     request.overrideMimeType('text/plain; charset=x-user-defined');
     request.send();
     if (request.status !== 200) throw new Error(String(request.status));
@@ -456,7 +456,7 @@ async function start() {
     }
     for (const entry of await listed) {
         try {
-            if (entry.isMissing) throw new Error('is not there');
+            if (entry.isMissing) throw new Error('the file is missing');
             putFile(entry);
         } catch (fault) {
             console.warn(`lessons: the list holds ${entry.path}, which cannot be used: ${fault.message}`);
@@ -469,12 +469,12 @@ async function start() {
     wake();
 }
 
-// On another screen, or zoomed, the canvas has other pixels, though its size stays.
+// On another screen, or zoomed, the canvas has a different number of pixels, though its size stays.
 function watchPixels() {
     try {
         new ResizeObserver(wake).observe(canvas, {box: 'device-pixel-content-box'});
     } catch (fault) {
-        // Safari does not count these; there it is seen with the next event.
+        // Safari does not report these; there the change is noticed at the next event.
     }
 }
 
@@ -493,7 +493,7 @@ function listen() {
     window.addEventListener('contextmenu', event => event.preventDefault());
     window.addEventListener('dragover', event => event.preventDefault());
     window.addEventListener('drop', onDrop);
-    // Another page of the program has kept something: the next to keep something adds to it.
+    // Another page of the program has kept something; what this page keeps next adds to it.
     window.addEventListener('storage', event => {
         const name = keptFiles.find(kept => event.key === storePrefix + kept);
         if (name && event.newValue !== null) FS.writeFile(stateFolder + '/' + name, event.newValue);
