@@ -236,7 +236,7 @@ export class Program {
         await until(() => this.hasSaid(words), `the program says “${words}”, not “${await this.line('notice') ?? ''}”`);
     }
 
-    /// The picture that is on show, as PNG.
+    /// The picture that is shown, as PNG.
     async picture() {
         return Buffer.from(await this.page.evaluate(pictureInPage), 'base64');
     }

@@ -4,7 +4,7 @@ import {serve, Visit} from './browser.mjs';
 import {equal, holds, note, test} from './checks.mjs';
 import {comparePicture} from './pictures.mjs';
 
-/// What a wrong link is told.
+/// The message for each wrong link.
 const wrongLinks = [
     ['lesson=nonsense', "there is no lesson 'nonsense'"],
     ['lesson=05-row-tabel', "Did you mean '05-row-table'?"],

@@ -6,7 +6,7 @@ import {equal, holds, test} from './checks.mjs';
 const kept = (program, name) => program.page.evaluate(name =>
     Object.entries(localStorage).find(([key]) => key.endsWith(':' + name))?.[1] ?? '', name);
 
-/// The steps of a lesson that were on show, as they are kept.
+/// The kept record of the steps of a lesson that were shown.
 const keptSteps = async (program, lesson) => {
     const text = await kept(program, 'progress.toml');
     const at = text.indexOf(`[lessons.${lesson}]`);

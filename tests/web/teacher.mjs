@@ -86,7 +86,7 @@ export function testTeacher(place) {
         } catch (fault) {
             note(`${JSON.stringify(lines)}: ${fault.message}`);
         } finally {
-            // That a file is not there is told where the teacher looks for it.
+            // A missing file is reported where the teacher looks for it.
             visit.messages = visit.messages.filter(text => !/^lessons: the list holds|404/.test(text));
             visit.requests = [];
             await visit.close();

@@ -291,7 +291,7 @@ function onWheel(event) {
 const largestFiles = 512 * 2 ** 20; // bytes, of all that is opened
 const longRead = 4 * 2 ** 20; // bytes from which reading takes a while
 
-// Which of several files is opened first: a view or a lesson before a scene, a scene before its model.
+// The order in which files are opened: views and lessons first, then scenes, then models.
 const openedFirst = [/\.walk\.toml$/i, /(^|\/)\d\d-[^/]*\.md$/i, /\.toml$/i, /\.obj$/i, /./];
 let openedCount = 0, openedSize = 0;
 
