@@ -17,14 +17,14 @@
 // middle: (128, 128, 255) leans by a third of a degree. Green runs up here, toward smaller v, as is
 // usual with OpenGL; a map made for green that runs down turns bumps into dents.
 //
-// Light and normal must meet in one space. Either the arrow is taken to the world, a t + b b' + c
-// n, or the directions to the lamp and to the eye are taken to tangent space, by the inverse of the
-// matrix whose columns are the axes. Its columns are perpendicular and of unit length, so the
-// inverse is the transpose: three dot products. The cosines are the same, since such a matrix
-// changes no angle.
+// Light and normal must meet in one space. Either the arrow is taken to the world,
+// a t + b b' + c n, or the directions to the lamp and to the eye are taken to tangent space, by the
+// inverse of the matrix whose columns are the axes. Its columns are perpendicular and of unit
+// length, so the inverse is the transpose: three dot products. The cosines are the same, since such
+// a matrix changes no angle.
 //
-// The classic mistakes are using the colour unchanged, without 2 c - 1; flipping green; and b = n x
-// t without the sign, so that mirrored halves of a model are lit from the wrong side.
+// The classic mistakes are using the colour unchanged, without 2 c - 1; flipping green; and
+// b = n x t without the sign, so that mirrored halves of a model are lit from the wrong side.
 //
 // Source: J. F. Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978; M. Peercy, J. Airey,
 // B. Cabral, "Efficient Bump Mapping Hardware", SIGGRAPH 1997, on tangent space and on light in it;
