@@ -26,7 +26,7 @@ class ToldText : public std::streambuf {
     ToldText(std::string_view text, const std::function<void(std::size_t)>& told)
         : text_(text), told_(told) {}
 
-    /// Throws what was thrown on the way.
+    /// Rethrows an exception thrown on the way.
     void rethrow() const {
         if (thrown_) std::rethrow_exception(thrown_);
     }

@@ -266,7 +266,7 @@ std::string test_text(const PairMoment& moment) {
                        side(moment.b.test));
 }
 
-/// What a run's row table has in the row of a moment: "the columns 12 to 40".
+/// What a run's row table has in the row of a moment: "has row 3 from column 12 to 40".
 std::string row_ends(const Frame& frame, const Cursor& cursor) {
     PolygonRows rows;
     compute_rows(frame, cursor.triangle, rows);

@@ -72,7 +72,7 @@ using StartPeer = std::function<Peer(const PeerTask&)>;
 std::vector<Measurement> measure_engines(const MeasurePlan& plan, const Scene& room,
                                          const StartPeer& start_peer, const MeasureWatch& watch);
 
-/// Of at least one time.
+/// Needs at least one time.
 double median(std::vector<double> times);
 
 } // namespace rasterwalk

@@ -10,7 +10,7 @@
 
 namespace rasterwalk {
 
-/// What is worked out about a triangle before it is drawn.
+/// What is worked out in advance about a triangle.
 struct TriangleSides {
     /// By outer_planes(), as in reject_by_outcodes(); no planes in pixel space.
     TriangleCodes codes;

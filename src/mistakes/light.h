@@ -67,7 +67,7 @@ inline float area_with_pi_of_atan(float distance2, float) {
 inline float area_with_pi_three(float distance2, float) {
     return 4.0f * 3.0f * distance2;
 }
-// B20c, r^2, and the laws that are no mistakes: see stages/light.h.
+// B20c, r^2, and the laws that are not mistakes: see stages/light.h.
 /// B20d: 4 pi r^3.
 inline float cubed_area(float distance2, float distance) {
     return sphere_area(distance2, distance) * distance;

@@ -43,7 +43,7 @@ struct Stages;
 struct SightRays {
     glm::vec3 camera{0.0f};  ///< where the rays of perspective meet, in the world
     glm::vec3 forward{0.0f}; ///< the way the camera looks, length 1; orthographic rays run this way
-    float mix = 0.0f;        ///< 0: perspective; 1: orthographic; between: the way between
+    float mix = 0.0f;        ///< 0: perspective; 1: orthographic; between: a mixture
 };
 
 /// The rays of a frame: find them once, since they need the camera's rotation.

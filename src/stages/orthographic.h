@@ -33,7 +33,7 @@
 namespace rasterwalk {
 
 /// w of a point at this depth in front of the camera: z, 1, or between. Never negative for z >= 0.
-/// In float, as the lab computes, or in double, as matrices and what is drawn outside do.
+/// In float, as in the lab, or in double, as for matrices and the outside view.
 template <class Real>
 constexpr Real clip_w(Real z, Real mix) {
     return (Real{1} - mix) * z + mix;

@@ -9,9 +9,9 @@
 //
 // The classic mistakes are a vertex behind the camera (dividing by a negative z mirrors it), and
 // int() on a negative coordinate, which rounds toward the middle of the picture and leaves the left
-// column and the top row black. A vertex behind the camera has no pixel; marking it with a possible
-// column, such as -1, is sooner or later mistaken for a real one, and moving it to the picture's
-// border bends the edges that end in it.
+// column and the top row black. A vertex behind the camera has no pixel; a mark that is a possible
+// column, such as -1, is sooner or later mistaken for a real one, and moving the vertex to the
+// picture's border bends the edges that end in it.
 //
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // section 6.5; Blinn, Jim Blinn's Corner: A Trip Down the Graphics Pipeline, on the homogeneous

@@ -4,8 +4,8 @@
 //
 // In:  a place and a colour, red green blue, each from 0 up; 1 is as bright as the screen can be.
 // Out: three bytes, at that place, if it lies in the picture.
-// Picture: every channel times 255, the fraction cut off; anything brighter than 1 is as bright as
-// 1. Before that a channel may be encoded by the sRGB curve, which a screen undoes.
+// Picture: every channel times 255, the fraction cut off; anything brighter than 1 counts as 1.
+//          Before that a channel may be encoded by the sRGB curve, which a screen undoes.
 //
 // The classic mistakes are `> 0` for `>= 0` in the test of whether the place lies in the picture,
 // which leaves its first row and column black; forgetting to clamp at 1, so that 256 becomes 0
@@ -41,8 +41,9 @@ inline float encode_linear(float channel) {
     return channel;
 }
 
-/// A channel by the sRGB transfer function: 12.92 c up to 0.0031308, above it 1.055 c^(1/2.4) -
-/// 0.055. 0 and 1 stay the same; the curve goes on above 1, and its straight part below 0.
+/// A channel by the sRGB transfer function: 12.92 c up to 0.0031308, above it
+/// 1.055 c^(1/2.4) - 0.055. 0 and 1 stay the same; the curve goes on above 1, and its straight part
+/// below 0.
 float encode_srgb(float channel);
 
 /// The light that a channel encoded by encode_srgb() stands for.

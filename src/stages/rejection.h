@@ -88,8 +88,8 @@ constexpr const RejectionWords& words(Rejection rejection) {
     return rejection_list[static_cast<std::size_t>(rejection)];
 }
 
-/// What has become of a triangle on its way to the picture. Its corners are the scene's, unless
-/// clipping has cut it and left any number of others.
+/// A triangle on its way to the picture. Its corners are the scene's, unless clipping has cut it
+/// and left any number of others.
 struct Polygon {
     int first = 0; ///< if it is cut, its first corner in the list of such corners
     int count = 0; ///< corners; the edges go from each to the next and from the last to the first

@@ -8,8 +8,8 @@
 // Picture: move the world so that the camera is at the origin, turn it so that the camera looks
 //          along +z, scale by the focal length.
 //
-// The classic mistakes are R v instead of v R, so that the camera turns the wrong way; v + C, or v
-// R - C, for (v - C) R, so that it is in the wrong place; a minus before the focal length, which
+// The classic mistakes are R v instead of v R, so that the camera turns the wrong way; v + C, or
+// v R - C, for (v - C) R, so that it is in the wrong place; a minus before the focal length, which
 // turns the picture by half a turn; x and y swapped; and the distance for z.
 //
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
@@ -105,7 +105,7 @@ struct ViewBox {
 /// How camera space becomes clip space, in addition to the focal length and the near and far
 /// planes.
 struct Projection {
-    float mix = 0.0f;   ///< 0: perspective; 1: orthographic; between: the way between
+    float mix = 0.0f;   ///< 0: perspective; 1: orthographic; between: a mixture
     float depth = 1.0f; ///< where the size of things does not depend on `mix`, world units
     ClipDepth clip_depth = ClipDepth::inv_z;
     /// What fills the picture at `depth`, which is then the near plane's; none: the focal length
@@ -165,7 +165,7 @@ inline glm::vec3 rotate_to_camera(const glm::vec3& minus_camera, const glm::mat3
 
 /// A point of the world on its way to the camera.
 struct CameraPlace {
-    glm::vec3 minus_camera; ///< the camera stands at the origin
+    glm::vec3 minus_camera; ///< the camera is at the origin
     glm::vec3 rotated;      ///< and looks along +z: camera space
 };
 

@@ -2,10 +2,9 @@
 
 // Lanes: several adjacent numbers that one instruction works on.
 //
-// Each fast_loops_*.cpp defines how many lanes there are (RASTERWALK_LANES), and whether
-// instructions are named where the compiler does not find them by itself
-// (RASTERWALK_NAMES_INSTRUCTIONS). All of it is in an unnamed namespace, because each level needs
-// lanes of its own.
+// Each fast_loops_*.cpp defines how many lanes there are (RASTERWALK_LANES), and whether it names
+// instructions that the compiler does not find (RASTERWALK_NAMES_INSTRUCTIONS). All of it is in an
+// unnamed namespace, because each level needs its own lanes.
 //
 // These are the vector types that g++ and clang++ share: + - * / < work on all lanes; a comparison
 // gives -1 in lanes where it is true and 0 in the others, so masks are whole numbers that & | ~
@@ -157,8 +156,8 @@ RASTERWALK_INLINE Ints first_lanes(int count) {
     return lane_numbers() < all(count);
 }
 
-/// Stores the lanes of a mask, and leaves the memory of the others unchanged. It must be there,
-/// because without a masked store its old values are written back.
+/// Stores the lanes of a mask, and leaves the memory of the others unchanged. That memory must
+/// exist, because without a masked store its old values are written back.
 template <class Lanes, class Number>
 RASTERWALK_INLINE void store_where(const Ints& mask, const Lanes& lanes, Number* to) {
     static_assert(sizeof(Number) == 4);
