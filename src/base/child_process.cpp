@@ -30,13 +30,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A longer line is no answer.
+/// A longer line is not an answer.
 constexpr std::size_t longest_line = 4096;
 
-/// How long a program that has closed its output may take to end.
+/// How long a program may take to end after closing its output.
 constexpr auto longest_end = 1s;
 
-/// How a program has ended, by what waitpid() says.
+/// How a program has ended, according to waitpid().
 std::string ending_text(int status) {
     if (WIFSIGNALED(status))
         return fmt::format("was ended by the signal {}", strsignal(WTERMSIG(status)));
@@ -45,7 +45,7 @@ std::string ending_text(int status) {
 
 #ifdef __EMSCRIPTEN__
 
-/// A browser has no programs.
+/// A browser cannot start programs.
 int start(const std::vector<std::string>&, pid_t&, int&) {
     return ENOSYS;
 }
@@ -57,7 +57,7 @@ int start(const std::vector<std::string>&, pid_t&, int&) {
 int spawn(const std::vector<std::string>& words, int socket, pid_t& process) {
     std::vector<char*> arguments;
     for (const std::string& word : words)
-        arguments.push_back(const_cast<char*>(word.c_str())); // it is only read
+        arguments.push_back(const_cast<char*>(word.c_str())); // only read
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t files;
     posix_spawnattr_t attributes;
@@ -75,10 +75,10 @@ int spawn(const std::vector<std::string>& words, int socket, pid_t& process) {
     return fault;
 }
 
-/// The same, with a socket that leads to it.
+/// The same, with a socket to it.
 int start(const std::vector<std::string>& words, pid_t& process, int& socket) {
     std::array<int, 2> ends{};
-    // A socket, because writing to a program that has ended is then no signal but a fault.
+    // A socket, because writing to a program that has ended is then an error instead of a signal.
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return errno;
     const int fault = spawn(words, ends[1], process);
     ::close(ends[1]);
@@ -141,7 +141,7 @@ std::string ChildProcess::read_bytes(std::size_t count) {
     return bytes;
 }
 
-/// Waits for more, and puts it behind what is unread.
+/// Waits for more, and appends it to the unread text.
 void ChildProcess::read_more() {
     const auto begin = std::chrono::steady_clock::now();
     std::array<char, 1 << 16> block{};

@@ -8,16 +8,16 @@
 
 namespace rasterwalk {
 
-/// What is thrown while an answer is waited for and `is_stopped` says so.
+/// Thrown while waiting for an answer, if `is_stopped` says so.
 struct WaitingStopped {};
 
-/// Another program that answers questions: what it reads is what is asked here, and what it writes
-/// is read here. Its messages go where those of this program go. Ctrl+C in the terminal does not
-/// reach it. When this goes out of scope, it is ended.
+/// Another program that answers questions: it reads the questions written here, and its output is
+/// read here. Its messages go where those of this program go. Ctrl+C in the terminal does not reach
+/// it. It is ended when this goes out of scope.
 class ChildProcess {
   public:
     struct Patience {
-        std::chrono::milliseconds longest{30'000}; ///< without a single byte of an answer
+        std::chrono::milliseconds longest{30'000}; ///< the longest wait without a byte of an answer
         std::function<bool()> is_stopped;          ///< asked ten times a second; null: never
     };
 
@@ -28,15 +28,15 @@ class ChildProcess {
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// Asks something: the line and a line break.
+    /// Asks a question: writes the line and a line break.
     void write_line(const std::string& line);
 
-    /// The next line of the answer, without its line break. Throws AccessError that names the
-    /// program and says how it has ended, that it says nothing, or that the line has no end; throws
+    /// The next line of the answer, without its line break. Throws an AccessError that names the
+    /// program and says how it has ended, that it is silent, or that the line has no end; throws
     /// WaitingStopped.
     std::string read_line();
 
-    /// So many bytes of the answer. Throws the same.
+    /// The next `count` bytes of the answer. Throws the same.
     std::string read_bytes(std::size_t count);
 
   private:
@@ -47,7 +47,7 @@ class ChildProcess {
     Patience patience_;
     int process_ = -1;
     int socket_ = -1;
-    std::string unread_; ///< has arrived, and was not asked for yet
+    std::string unread_; ///< has arrived, but has not been read yet
 };
 
 } // namespace rasterwalk

@@ -15,7 +15,7 @@ class Dice {
     /// A number below `count`, which must not be 0.
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
 
-    /// From 0 up to 1, without 1.
+    /// From 0 up to, not including, 1.
     double share() { return static_cast<double>(next() >> 11) * 0x1p-53; }
 
   private:

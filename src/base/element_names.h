@@ -1,6 +1,6 @@
 #pragma once
 
-// What the pieces of a frame are called. Each is counted from 0 and written as in a C++ program:
+// The names of the pieces of a frame. Each is counted from 0 and written as in a C++ program:
 // "triangles[29]", "vertices[0]", "edge 1", "line[4]". Every text that names one takes the name
 // from here, so that the screen, the messages and the student's own program count alike.
 
@@ -9,8 +9,8 @@
 
 namespace rasterwalk {
 
-/// How a name is written; '#' is where the number goes. What a program keeps in an array has
-/// brackets.
+/// How a name is written; '#' is where the number goes. Pieces that a program keeps in an array
+/// have brackets.
 inline constexpr std::string_view triangle_form = "triangles[#]";
 inline constexpr std::string_view vertex_form = "vertices[#]";
 inline constexpr std::string_view plane_form = "plane #";
@@ -21,11 +21,11 @@ inline constexpr std::string_view box_pixel_form = "pixel #"; ///< of such a row
 inline constexpr std::string_view entry_form = "entry [#]";   ///< of leftPixels and rightPixels
 inline constexpr std::string_view fragment_form = "fragments[#]"; ///< of a row, from its left end
 
-/// The name with its number; a form without a '#' as it is.
+/// The name with its number; a form without a '#' unchanged.
 std::string element_name(std::string_view form, int index);
 
-/// The same, and of how many: "line[4] of 11". Only brackets are said to be of how many: "edge 1 of
-/// 3" would read as if it counted from 1, and is "edge 1".
+/// The same with the count: "line[4] of 11". Only names with brackets get it: "edge 1 of 3" would
+/// read as if it counted from 1, so it is just "edge 1".
 std::string element_name_of(std::string_view form, int index, int count);
 
 std::string triangle_name(int triangle);       ///< "triangles[29]"
@@ -33,7 +33,7 @@ std::string vertex_name(int vertex);           ///< "vertices[0]"
 std::string edge_name(int edge);               ///< "edge 1"
 std::string sample_name(int edge, int sample); ///< "edge 1, line[4]"
 
-/// In tables and on the canvas, where room is short: "t29" and "v0", as in the text of a moment.
+/// For tables and the canvas, where space is tight: "t29" and "v0", as in the text of a moment.
 std::string short_triangle_name(int triangle);
 std::string short_vertex_name(int vertex);
 

@@ -10,7 +10,7 @@
 
 namespace rasterwalk {
 
-/// The words of an enum in the order of its values, each spelled as the value is. An enum that has
+/// The words of an enum in the order of its values, each spelled like the value. An enum that has
 /// words specializes this with a word_list() right below its declaration, and asserts
 /// words_match<Enum> there.
 template <class Enum>
@@ -37,7 +37,7 @@ constexpr std::optional<Enum> value_of_word(std::string_view word) {
     return std::nullopt;
 }
 
-/// Has a list an entry for each value, and each in its place?
+/// Does a list have an entry for each value, each in its place?
 /// @param value of an entry
 template <class Entry, std::size_t count, class Enum>
 constexpr bool is_indexed_by(const std::array<Entry, count>& list, Enum Entry::*value) {
@@ -47,10 +47,10 @@ constexpr bool is_indexed_by(const std::array<Entry, count>& list, Enum Entry::*
     return count == enum_words<Enum>.size();
 }
 
-/// The value as it is spelled in the program; empty if the enum has no such value.
+/// The value as spelled in the program; empty if the enum has no such value.
 template <auto value>
 constexpr std::string_view spelling() {
-    // g++ and clang++ spell a value "Enum::name", and "(Enum)7" what is none.
+    // g++ and clang++ spell a value "Enum::name", and a number that is none "(Enum)7".
     std::string_view text = __PRETTY_FUNCTION__;
     constexpr std::string_view before = "value = ";
     text.remove_prefix(text.find(before) + before.size());
@@ -65,7 +65,7 @@ constexpr bool are_spelled_alike(std::index_sequence<index...>) {
            ((spelling<static_cast<Enum>(index)>() == enum_words<Enum>[index]) && ...);
 }
 
-/// Has every value of the enum its word, and is it in its place?
+/// Does every value of the enum have its word, in its place?
 template <class Enum>
 inline constexpr bool
     words_match = are_spelled_alike<Enum>(std::make_index_sequence<enum_words<Enum>.size()>());

@@ -18,7 +18,7 @@ struct Fault {
     friend bool operator==(const Fault&, const Fault&) = default;
 };
 
-/// The most faults of one file that are kept; later ones are not reported.
+/// The most faults kept for one file; later ones are not reported.
 inline constexpr int most_faults = 200;
 
 /// Collects the faults of a file while it is read, so that one does not hide the next.
@@ -39,7 +39,7 @@ class FaultList {
     }
     bool is_beyond_limits() const { return is_beyond_limits_; }
 
-    /// Does something; if it throws, that is a fault in this line, or in the one that the sentence
+    /// Runs an action; if it throws, that is a fault in this line, or in the one that the sentence
     /// names.
     template <class Action>
     void attempt(int line, Action action) {

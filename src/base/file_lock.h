@@ -4,12 +4,12 @@
 
 namespace rasterwalk {
 
-/// Keeps other processes, and other locks of this one, from a file while it is read and rewritten.
-/// The lock is held on a file next to it, NAME.lock, which stays there.
+/// Keeps other processes, and other locks of this one, away from a file while it is read and
+/// rewritten. The lock is held on a file next to it, NAME.lock, which stays there.
 class FileLock {
   public:
-    /// Waits for at most about half a second. Where the file system knows no locks, or nothing can
-    /// be written, there is none. Throws AccessError if someone else holds it for longer.
+    /// Waits for at most about half a second. If the file system has no locks, or nothing can be
+    /// written, there is no lock. Throws AccessError if another process holds it for longer.
     explicit FileLock(const std::string& path);
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;

@@ -14,8 +14,8 @@ struct FileState {
     friend bool operator==(const FileState&, const FileState&) = default;
 };
 
-/// The state of a file as it is now; that of no file, FileState{}, if there is none or it cannot be
-/// asked. Never throws.
+/// The current state of a file; FileState{} if there is none or its state cannot be read. Never
+/// throws.
 FileState file_state(const std::string& path);
 
 } // namespace rasterwalk

@@ -55,10 +55,10 @@ bool write_all(int descriptor, std::string_view bytes) {
     return true;
 }
 
-/// How long to wait for input that never ends otherwise: as poll() wants it.
+/// The timeout for input that may take forever: as poll() wants it.
 constexpr int however_long = -1;
 
-/// Waits until there is something to be read, or the writer has ended; false: that was too long.
+/// Waits until there is something to be read, or the writer has ended; false: it took too long.
 bool wait_for_input(int descriptor, int milliseconds) {
     pollfd wanted{descriptor, POLLIN, 0};
     return ::poll(&wanted, 1, milliseconds) != 0;
@@ -95,8 +95,8 @@ void write_directly(const std::string& path, std::string_view bytes) {
     }
 }
 
-/// Renaming would leave the old bytes under the file's other names. Its room is taken first, so
-/// that a full disk leaves it as it was.
+/// Renaming would leave the old bytes under the file's other names. Its space is allocated first,
+/// so that a full disk leaves it unchanged.
 void write_in_place(const std::string& path, std::string_view bytes) {
     OpenFile file(path, O_WRONLY | O_CLOEXEC);
     if (!file.is_open()) refuse("write", path, errno);
@@ -116,7 +116,7 @@ fs::path end_of_links(fs::path path) {
     for (int i = 0; i < longest_chain && fs::is_symlink(path, fault); ++i) {
         const fs::path next = fs::read_symlink(path, fault);
         if (fault) break;
-        path = path.parent_path() / next; // or `next` alone, if that is absolute
+        path = path.parent_path() / next; // or just `next`, if that is absolute
     }
     return path;
 }
@@ -148,10 +148,10 @@ void remove_leftovers(const fs::path& target) {
     }
 }
 
-/// Gives a file the mode of another, and its owner and group as far as that is allowed.
+/// Gives a file the mode of another, and its owner and group as far as allowed.
 bool take_after(int descriptor, const struct stat& old) {
     if (::fchown(descriptor, old.st_uid, old.st_gid) != 0) {
-        // Only the administrator may give files away.
+        // Only root may give files away.
         if (::fchown(descriptor, static_cast<uid_t>(-1), old.st_gid) != 0) errno = 0;
     }
     return ::fchmod(descriptor, old.st_mode & 07777) == 0;
@@ -161,7 +161,7 @@ bool take_after(int descriptor, const struct stat& old) {
 
 std::string read_file(const std::string& path, std::size_t limit,
                       std::chrono::milliseconds silence) {
-    // Opening must not wait for someone to open the other end of a pipe.
+    // Opening must not wait for another process to open the other end of a pipe.
     const OpenFile file(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (!file.is_open()) refuse("read", path, errno);
     return read_all(file.descriptor(), path, limit, static_cast<int>(silence.count()));
@@ -187,7 +187,7 @@ void write_file(const std::string& path, std::string_view bytes) {
     const bool is_there = ::stat(target.c_str(), &old) == 0;
     if (is_there) {
         if (S_ISDIR(old.st_mode)) refuse("write", path, EISDIR);
-        // Renaming would put a plain file in the place of /dev/null.
+        // Renaming would replace /dev/null by a plain file.
         if (!S_ISREG(old.st_mode)) return write_directly(path, bytes);
         if (::access(target.c_str(), W_OK) != 0) refuse("write", path, errno);
         if (old.st_nlink > 1) return write_in_place(target, bytes);

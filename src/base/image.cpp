@@ -37,7 +37,7 @@ std::size_t pixel_count(const Image& image) {
     throw InputError(fmt::format("{}: the picture cannot be read: {}.", path, reason));
 }
 
-/// stb_image takes as much memory as the data unpack to, whatever the size of the picture.
+/// stb_image allocates as much memory as the data unpack to, whatever the size of the picture.
 void check_png_data(std::string_view bytes, const std::string& path, glm::ivec2 size) {
     const std::string trouble = decode_zlib(png_data(bytes), png_row_bytes(bytes));
     if (trouble.empty()) return;
@@ -57,7 +57,7 @@ void ignore_empty_alpha(std::string_view bytes, Image& image) {
         image.rgba[i] = 255;
 }
 
-/// The header of a TGA may say that its rows run from right to left; stb_image does not ask.
+/// The header of a TGA may say that its rows run from right to left; stb_image ignores that.
 void turn_rows_round(std::string_view bytes, Image& image) {
     constexpr int from_right = 16;
     if ((bytes[tga_descriptor] & from_right) == 0) return;
@@ -95,7 +95,7 @@ void write_png(const Image& image, const std::string& path) {
     if (image.width <= 0 || image.height <= 0 || image.rgba.size() != 4 * pixel_count(image)) {
         throw InputError(path + ": a picture without pixels cannot be written.");
     }
-    // Flat colours are packed quickly so, and an interface into fewer bytes.
+    // This packs flat colours quickly, and an interface into fewer bytes.
     stbi_write_force_png_filter = 0;
     stbi_write_png_compression_level = 5;
     std::string bytes;
@@ -111,7 +111,7 @@ bool is_image(std::string_view bytes) {
 }
 
 bool is_image_file(const std::string& path) {
-    // A pipe would be waited for.
+    // Reading a pipe would wait.
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) return false;
     std::array<char, image_head_size> head{};

@@ -11,7 +11,7 @@
 
 namespace rasterwalk {
 
-/// A picture of 8 bits a channel: red, green, blue, opacity, row by row from the top.
+/// A picture with 8 bits per channel: red, green, blue, opacity, row by row from the top.
 struct Image {
     int width = 0;
     int height = 0;
@@ -20,26 +20,26 @@ struct Image {
     friend bool operator==(const Image&, const Image&) = default;
 };
 
-/// Writes a PNG: to a temporary file beside it, then renamed. Throws AccessError.
+/// Writes a PNG: to a temporary file next to it, which is then renamed. Throws AccessError.
 void write_png(const Image& image, const std::string& path);
 
-/// The largest file of a picture that is read, bytes, and its largest side, pixels.
+/// The largest picture file that is read, bytes, and its largest side, pixels.
 inline constexpr std::size_t largest_image_file = std::size_t{256} << 20;
 inline constexpr int largest_image_side = 4096;
 
-/// Do the bytes begin as a picture does whose format is read (image_format.h)?
+/// Do the bytes begin like a picture in a format that is read (image_format.h)?
 bool is_image(std::string_view bytes);
 
-/// The same of a file. False if it cannot be read.
+/// The same for a file. False if it cannot be read.
 bool is_image_file(const std::string& path);
 
-/// Unpacks a picture whose sides are not larger than this, pixels. Its size, and how much data
-/// belongs to it, are looked at before memory is taken. Throws InputError that names the file.
+/// Unpacks a picture whose sides are not larger than this, pixels. Its size and the amount of its
+/// data are checked before memory is allocated. Throws an InputError that names the file.
 /// @param path only used in messages
 Image parse_image(std::string_view bytes, const std::string& path,
                   int largest_side = largest_image_side);
 
-/// The same where every pixel counts: a JPG is refused, since it keeps none exactly.
+/// The same if every pixel counts: a JPG is refused, since it keeps none exactly.
 Image parse_exact_image(std::string_view bytes, const std::string& path);
 
 /// Called with a picture's size before it is unpacked; may throw.

@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// The mark of a format: at which byte it stands, and what follows it.
+/// The mark of a format: the byte it is at, and its bytes.
 struct FormatMark {
     std::size_t place;
     std::string_view mark, name;

@@ -1,15 +1,15 @@
 #pragma once
 
-// Which format the bytes of a picture are in. The name of a file says nothing: many are renamed.
+// The format of a picture's bytes. A file's name proves nothing: many are renamed.
 
 #include <cstdint>
 #include <string_view>
 
 namespace rasterwalk {
 
-/// The formats of pictures that are read.
+/// The picture formats that are read.
 enum class ImageFormat : std::uint8_t {
-    none, ///< of no format that is read
+    none, ///< not in a format that is read
     png,
     bmp,
     jpeg,
@@ -22,18 +22,18 @@ inline constexpr std::string_view image_formats_read = "PNG, JPG, TGA, BMP, PPM 
 /// Those of them that keep every pixel as it was.
 inline constexpr std::string_view exact_image_formats = "PNG, TGA, BMP, PPM or PGM";
 
-/// Does a file with this name say, by its ending, that it is in one of the formats that are read?
+/// Does the ending of this file name belong to a format that is read?
 bool has_image_ending(std::string_view name);
 /// The same for those that keep every pixel.
 bool has_exact_image_ending(std::string_view name);
 
-/// The longest beginning of a file that is looked at, bytes.
+/// How much of the beginning of a file is looked at, bytes.
 inline constexpr std::size_t image_head_size = 64;
 
-/// The format in which the bytes begin. Whether the rest is sound is another question.
+/// The format of the first bytes. Whether the rest is sound is another question.
 ImageFormat image_format(std::string_view bytes);
 
-/// The name of a format that is known but not read: "TIFF"; empty: not known either.
+/// The name of a format that is known but not read: "TIFF"; empty: unknown.
 std::string_view unread_image_format(std::string_view bytes);
 
 } // namespace rasterwalk

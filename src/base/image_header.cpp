@@ -57,7 +57,7 @@ void check_sides(const std::string& path, PictureSize size, int largest_side) {
 struct PngHeader {
     PictureSize size{};
     int bits_per_channel = 0;
-    int channels = 0; ///< 0: no colour type that there is
+    int channels = 0; ///< 0: not a valid colour type
     bool is_interlaced = false;
 };
 
@@ -73,7 +73,7 @@ std::optional<PngHeader> parse_png_header(std::string_view bytes) {
     return header;
 }
 
-/// Bytes of the rows of so many pixels, each with the byte that names its filter.
+/// Bytes of the rows of a picture of this size, each with the byte that names its filter.
 std::int64_t bytes_of_rows(const PngHeader& header, PictureSize size) {
     if (size.width <= 0 || size.height <= 0) return 0;
     const std::int64_t bits = size.width * header.channels * header.bits_per_channel;
@@ -111,7 +111,7 @@ class PngBlocks {
   public:
     explicit PngBlocks(std::string_view bytes) : rest_(bytes.substr(png_signature.size())) {}
 
-    /// The next block; nothing at the end of the picture, and where the file ends before that.
+    /// The next block; nothing at the end of the picture, or if the file ends before that.
     std::optional<PngBlock> next() {
         constexpr std::size_t head = 8, check_sum = 4; // length and name
         if (rest_.size() < head) return std::nullopt;
@@ -146,7 +146,7 @@ glm::ivec2 png_size(std::string_view bytes, const std::string& path, int largest
     std::int64_t size = 0;
     PngBlocks blocks(bytes);
     while (const std::optional<PngBlock> block = blocks.next()) {
-        // Its data have another form, of which stb_image takes as much as there is.
+        // Its data have a different form, and stb_image unpacks all there is of it.
         if (block->name == "CgBI") refuse(path, header->size, "is a PNG in Apple's own variant.");
         if (block->name == "IDAT") size += static_cast<std::int64_t>(block->data.size());
     }
@@ -168,16 +168,16 @@ glm::ivec2 bmp_size(std::string_view bytes, const std::string& path, int largest
         const std::int64_t value = little_endian(bytes, place, word);
         return is_old ? value : std::int64_t{static_cast<std::int32_t>(value)};
     };
-    // From the top where the height is negative.
+    // From the top if the height is negative.
     const PictureSize size{number(18), std::abs(number(18 + word))};
     const std::int64_t bits = std::max<std::int64_t>(little_endian(bytes, 20 + 2 * word, 2), 1);
     check_sides(path, size, largest_side);
-    // stb_image loses the last colours of it.
+    // stb_image loses its last colours.
     if (is_old && bits <= 8) {
         refuse(path, size,
                "has an OS/2 header with a palette, which cannot be read; save it as PNG.");
     }
-    constexpr std::int64_t with_masks = 3; // plain, and told which bits are red, green and blue
+    constexpr std::int64_t with_masks = 3; // plain, with masks for the bits of red, green and blue
     const std::int64_t packing = is_old ? 0 : little_endian(bytes, 30, 4);
     if ((is_old && bits < 24) || (packing != 0 && packing != with_masks))
         refuse(path, size, "is a BMP of a kind that cannot be read; save it as PNG.");
@@ -198,7 +198,7 @@ glm::ivec2 tga_size(std::string_view bytes, const std::string& path, int largest
     check_sides(path, size, largest_side);
     std::int64_t palette = 0;
     if (byte_at(bytes, 1) == 1) {
-        // stb_image passes over as many bytes as there are colours before the first one.
+        // stb_image skips as many bytes as there are colours before the first one.
         if (little_endian(bytes, 3, 2) != 0)
             refuse(path, size, "has a palette that does not begin at 0; save it as PNG.");
         palette = little_endian(bytes, 5, 2) * ((byte_at(bytes, 7) + 7) / 8);

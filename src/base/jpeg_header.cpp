@@ -23,7 +23,7 @@ class JpegBytes {
     explicit JpegBytes(std::string_view bytes) : rest_(bytes) {}
 
     bool is_empty() const { return rest_.empty(); }
-    /// The next byte; 0 beyond the end, which is then remembered.
+    /// The next byte; 0 beyond the end, which is noted.
     int take() {
         if (rest_.empty()) {
             has_ended_early_ = true;
@@ -69,9 +69,9 @@ class JpegWalk {
 
     int byte_here() const { return static_cast<unsigned char>(bytes_[place_]); }
 
-    /// Goes to the next segment, and reads it. What is wrong; empty: nothing.
+    /// Goes to the next segment, and reads it. Returns what is wrong; empty: nothing.
     std::string_view next_segment() {
-        // Some programs fill up what stands before the size.
+        // Some programs put padding before the size.
         while (place_ < bytes_.size() && byte_here() != 0xff) {
             if (is_sized_) return damaged;
             ++place_;
@@ -120,7 +120,7 @@ class JpegWalk {
         return bytes.is_whole() ? std::string_view{} : damaged;
     }
 
-    /// The code of stb_image has room for 256 values, and takes the last one for none.
+    /// stb_image has room for 256 values, and treats the last one as none.
     std::string_view read_codes(std::string_view segment) {
         constexpr int most_values = 255;
         JpegBytes bytes(segment);
@@ -193,7 +193,7 @@ class JpegWalk {
     }
 
     std::string_view bytes_;
-    std::size_t place_ = 2; ///< behind the mark at the beginning
+    std::size_t place_ = 2; ///< after the mark at the beginning
     JpegHeader header_;
     std::array<Component, 4> components_;
     std::size_t component_count_ = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Capitals and small letters of ASCII; every other byte counts as it is.
+// Capitals and small letters of ASCII; every other byte stays unchanged.
 
 #include <string>
 #include <string_view>
@@ -10,7 +10,7 @@ namespace rasterwalk {
 /// The text with small letters in place of its capitals.
 std::string in_small_letters(std::string_view text);
 
-/// Is the one text found in the other, with capitals or without?
+/// Is one text found in the other, whatever its capitals?
 bool contains_in_any_case(std::string_view text, std::string_view part);
 
 } // namespace rasterwalk

@@ -1,7 +1,7 @@
 #pragma once
 
-// How large things may be. Whatever a file, a setting or the command line asks for is held to
-// these, so that no input can make the program hang or run out of memory.
+// How large things may be. Files, settings and the command line are all bound by these limits, so
+// that no input can make the program hang or run out of memory.
 
 #include <cstddef>
 
@@ -13,8 +13,8 @@ inline constexpr int largest_viewport = 4096;
 /// The largest triangle count of a scene.
 inline constexpr int max_triangles = 1'000'000;
 
-/// Into how many parts tessellation cuts each edge at most, and how many triangles it makes of a
-/// scene: so many are drawn and turned without a pause.
+/// The most parts that tessellation divides each edge into, and the most triangles it makes of a
+/// scene: that many can still be drawn and turned without a pause.
 inline constexpr int largest_tessellation = 64;
 inline constexpr int most_tessellated_triangles = 200'000;
 
@@ -42,11 +42,11 @@ inline constexpr int largest_texture_side = 4096;
 /// The most textures of a scene.
 inline constexpr std::size_t most_textures = 256;
 
-/// The most texels of all textures of a scene, without their mip chains, and of the images that
-/// were unpacked for them in vain or for their alpha alone.
+/// The most texels of all textures of a scene, without their mip chains, and of the images unpacked
+/// for them in vain or only for their alpha.
 inline constexpr std::size_t most_texels = std::size_t{1} << 24;
 
-/// The largest coordinate in a texture, either sign: so often can it be repeated.
+/// The largest coordinate in a texture, either sign: how often it can repeat.
 inline constexpr float largest_texcoord = 1000.0f;
 
 /// Camera and lamp stay within this many world units of the origin along every axis.
@@ -64,16 +64,18 @@ inline constexpr float largest_focal_length = 100000.0f;
 inline constexpr float largest_power = 10000.0f;
 inline constexpr float largest_indirect = 100.0f;
 
-/// Texels along a side of a face of a shadow map; and what slant may add to its bias, texels.
+/// Texels along a side of a face of a shadow map; and the most that slant may add to its bias,
+/// texels.
 inline constexpr int smallest_shadow_resolution = 2;
 inline constexpr int largest_shadow_resolution = 2048;
 inline constexpr float largest_slope_bias = 100.0f;
 
-/// The exponent of a highlight: at 0 it is as large as the surface, at most as small as a pixel.
+/// The exponent of a highlight: at 0 it is as large as the surface, at the largest as small as a
+/// pixel.
 inline constexpr float smallest_exponent = 0.0f;
 inline constexpr float largest_exponent = 10000.0f;
 
-/// The largest model file (.obj), and the largest file of its materials (.mtl), bytes.
+/// The largest model file (.obj), and the largest file of materials (.mtl), bytes.
 inline constexpr std::size_t largest_model_file = std::size_t{256} << 20;
 inline constexpr std::size_t largest_material_file = std::size_t{4} << 20;
 
@@ -101,7 +103,7 @@ inline constexpr std::size_t longest_material_name = 1024;
 inline constexpr std::size_t most_ear_corners = 2048;
 inline constexpr long long most_ear_tests = 24'000'000;
 
-/// The most faces round a point over which its normal is smoothed.
+/// The most faces around a point that its normal is smoothed over.
 inline constexpr int most_smoothed_faces = 256;
 
 /// The most kinds of statement that the report on a model tells apart.

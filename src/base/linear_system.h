@@ -10,7 +10,7 @@ namespace rasterwalk {
 /// Solves a x = b for a small matrix, by Gauss-Jordan elimination with row pivoting.
 /// @param a by rows
 /// @param b receives x
-/// @return false if the matrix is singular; b says nothing then
+/// @return false if the matrix is singular; b is then meaningless
 template <std::size_t n>
 bool solve_linear_system(std::array<std::array<double, n>, n> a, std::array<double, n>& b) {
     for (std::size_t column = 0; column < n; ++column) {

@@ -5,7 +5,7 @@
 
 namespace rasterwalk {
 
-/// The text of a number, its hyphens made minus signs: "−2.5e−05".
+/// The text of a number with minus signs for hyphens: "−2.5e−05".
 std::string with_minus_signs(std::string_view text);
 
 } // namespace rasterwalk

@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Longer words are no slip of the pen, and would only cost time.
+/// Longer words are not slips of the pen, and would only cost time.
 constexpr std::size_t longest_name = 64;
 
 /// The edit distance of Levenshtein.
@@ -38,7 +38,7 @@ std::string_view nearest_name(std::string_view wanted, std::span<const std::stri
     std::string_view nearest;
     std::size_t fewest = std::max<std::size_t>(2, wanted.size() / 3) + 1;
     for (const std::string_view name : names) {
-        // "power" for "light.power" is no slip of the pen either, but a guess worth making.
+        // "power" for "light.power" is not a slip of the pen either, but worth a guess.
         const bool is_tail = name.size() > wanted.size() && name.ends_with(wanted) &&
                              name[name.size() - wanted.size() - 1] == '.';
         const std::size_t distance = is_tail ? 0 : letters_between(wanted, name);

@@ -6,7 +6,7 @@
 
 namespace rasterwalk {
 
-/// The name that differs from `wanted` by the fewest letters put in, left out or changed; empty if
+/// The name that differs from `wanted` by the fewest letters added, left out or changed; empty if
 /// none comes close.
 std::string_view nearest_name(std::string_view wanted, std::span<const std::string_view> names);
 

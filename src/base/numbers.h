@@ -1,8 +1,8 @@
 #pragma once
 
-// Numbers, pixels and places as they are written: read from links, lessons and the command line,
-// and made into text. Every text of a float on the screen, in a file or in an answer is made here
-// or by fmt; both know no locale.
+// Numbers, pixels and places in writing: read from links, lessons and the command line, and made
+// into text. Every text of a float on the screen, in a file or in an answer is made here or by fmt;
+// both ignore the locale.
 
 #include <cstdint>
 #include <optional>
@@ -25,31 +25,31 @@ std::optional<glm::ivec2> parse_pixel(std::string_view text);
 /// "250.5,131": two finite numbers.
 std::optional<glm::vec2> parse_place(std::string_view text);
 
-/// The fewest digits from which the very same number is read: "0.1", "1e-05", "inf".
+/// The fewest digits that read back as the very same number: "0.1", "1e-05", "inf".
 std::string shortest(float value);
 std::string shortest(double value);
 
 /// The same, in the usual notation where people read it, from 0.0001 to 9,999,999: "0.1", "100000",
-/// "1e+07". So settings, links and files are written.
+/// "1e+07". Settings, links and files are written this way.
 std::string number_text(float value);
 
-/// So many digits that count, without zeros at the end: "0.333333", "2", "1e-05".
+/// This many significant digits, without zeros at the end: "0.333333", "2", "1e-05".
 std::string significant(double value, int digits);
 
-/// Nine digits that count: they tell every float from its neighbours.
+/// Nine significant digits: they distinguish every float from its neighbours.
 std::string nine_digits(float value);
 
-/// So many digits behind the point: "0.250".
+/// This many digits after the point: "0.250".
 std::string decimals(double value, int digits);
 
-/// A digit, so many behind the point, and the power of ten: "4.62e-05".
+/// A digit, this many after the point, and the power of ten: "4.62e-05".
 std::string scientific(double value, int digits);
 
 /// "1 edge", "3 edges", "2 vertices": every count with its word is made here.
 std::string counted(std::int64_t count, std::string_view one, std::string_view many);
 
-/// The word that goes with a number as it is written: of "samples" it is "sample" for "1", and
-/// "samples" for every other.
+/// The word that goes with a written number: for "samples" it is "sample" after "1", and "samples"
+/// after every other.
 std::string unit_for(std::string_view number, std::string_view many);
 
 } // namespace rasterwalk

@@ -8,7 +8,7 @@ bool is_blank(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-/// Reads numbers between which blanks stand, and comments from # to the end of the line.
+/// Reads numbers separated by blanks, and comments from # to the end of the line.
 class PnmNumbers {
   public:
     PnmNumbers(std::string_view bytes, std::size_t place) : bytes_(bytes), place_(place) {}
@@ -103,7 +103,7 @@ std::optional<PnmHeader> parse_pnm_header(std::string_view bytes) {
     header.size = {*width, *height};
     header.largest = *largest;
     header.begin = numbers.place() + 1; // one blank
-    // Some programs end lines with two bytes here, too; the size of the file tells.
+    // Some programs end lines with two bytes here too; the size of the file shows which.
     if (!header.is_text && bytes.substr(header.begin - 1).starts_with("\r\n") &&
         bytes.size() == header.begin + 1 + header.fewest_bytes())
         ++header.begin;

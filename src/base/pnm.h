@@ -15,7 +15,7 @@
 
 namespace rasterwalk {
 
-/// What stands before the samples.
+/// The part before the samples.
 struct PnmHeader {
     glm::ivec2 size{0};    ///< width and height, pixels
     int largest = 255;     ///< a sample of full light, 1 to 65535
@@ -23,12 +23,12 @@ struct PnmHeader {
     bool is_text = false;  ///< P2 and P3
     std::size_t begin = 0; ///< of the samples
 
-    /// The fewest bytes that its samples take.
+    /// The fewest bytes its samples can take.
     std::size_t fewest_bytes() const;
 };
 
-/// None if it is not whole, or a number in it is out of range.
-/// @param bytes begin as a PGM or PPM does
+/// None if it is incomplete, or a number in it is out of range.
+/// @param bytes begin like a PGM or PPM
 std::optional<PnmHeader> parse_pnm_header(std::string_view bytes);
 
 /// The picture; a sample s of `largest` becomes the byte nearest to 255 s / largest. None if a

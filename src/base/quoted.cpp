@@ -63,7 +63,7 @@ std::string visible_line(std::string_view text) {
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 60;
     std::size_t end = std::min(text.size(), longest);
-    // Not within a letter of several bytes.
+    // Not inside a letter of several bytes.
     while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u)
         --end;
     std::string line(text.substr(0, end));

@@ -25,7 +25,7 @@ void check_in_decoder(bool is_right) {
 #define STBI_REALLOC(room, size) std::realloc(room, size)
 #define STBI_FREE(room) std::free(room)
 #define STBI_ASSERT(is_right) check_in_decoder(is_right)
-// Its sums may run over where a file is damaged; what comes of it is only a colour.
+// Its sums can overflow if a file is damaged; the result is only a colour.
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((no_sanitize("undefined"))), apply_to = function)
 #include <stb_image.h>
@@ -38,8 +38,8 @@ namespace rasterwalk {
 
 namespace {
 
-/// For some faults stb_image gives no reason: there is none then, or still that of an earlier
-/// picture. So the old reason is cleared first.
+/// For some faults stb_image gives no reason: then there is none, or still an earlier picture's. So
+/// the old reason is cleared first.
 void forget_reason() {
     int ignored = 0;
     stbi_info_from_memory(nullptr, 0, &ignored, &ignored, &ignored);
@@ -48,7 +48,7 @@ void forget_reason() {
 std::string last_reason() {
     const char* const said = stbi_failure_reason();
     const std::string_view reason = said != nullptr ? said : "";
-    // What it says about no bytes at all, or about bytes of another format, is no reason.
+    // Its words for no bytes at all, or for bytes of another format, are not a reason.
     for (const std::string_view none : {"", "unknown image type", "bad png sig", "no SOI"})
         if (reason == none) return "its data is damaged";
     return std::string(reason);

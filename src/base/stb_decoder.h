@@ -1,8 +1,7 @@
 #pragma once
 
-// stb_image, compiled for hostile files: memory begins as zeros, so that a picture whose data end
-// early is the same each time, and a check that fails inside it throws instead of ending the
-// program.
+// stb_image, compiled for hostile files: memory starts as zeros, so a picture whose data end early
+// is the same each time, and a check that fails inside it throws instead of ending the program.
 
 #include <cstddef>
 #include <string>
@@ -16,10 +15,10 @@ namespace rasterwalk {
 /// @return why it could not: "bad huffman code"; empty if it could
 std::string decode_image(std::string_view bytes, Image& image);
 
-/// What decode_zlib() says where there is no room for all of it.
+/// What decode_zlib() returns if there is no room for all of it.
 inline constexpr std::string_view zlib_has_more = "output buffer limit";
 
-/// Unpacks zlib data into so many bytes, and forgets them.
+/// Unpacks zlib data into `room` bytes, and discards them.
 /// @return why it could not; empty if it could
 std::string decode_zlib(std::string_view data, std::size_t room);
 

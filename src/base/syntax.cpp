@@ -26,7 +26,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// The number at the front of the text, and how long it is; 0 if it is none or not finite.
+/// The number at the front of the text, and its length; 0 if there is none or it is not finite.
 std::pair<double, std::size_t> number_at(std::string_view text) {
     double value = 0.0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -51,7 +51,7 @@ SyntaxToken token_at(std::string_view rest, const ExpressionLanguage& language) 
         return {TokenKind::sign, rest.substr(0, spelling.text.size()), spelling.sign};
     }
     if (is_digit(rest[0]) || rest[0] == '.') {
-        // What begins like a number and is none makes no sense from there to the end.
+        // If it begins like a number but is none, everything from there to the end makes no sense.
         const std::size_t length = number_at(rest).second;
         return made(TokenKind::number, length > 0 ? length : rest.size());
     }
@@ -64,7 +64,7 @@ SyntaxToken token_at(std::string_view rest, const ExpressionLanguage& language) 
     return made(TokenKind::name, length);
 }
 
-/// Reads tokens from left to right, each kind of sign by a function of its own.
+/// Reads tokens from left to right, with one function for each kind of sign.
 class Parser {
   public:
     Parser(std::string_view text, const ExpressionLanguage& language)
@@ -86,7 +86,7 @@ class Parser {
     }
 
   private:
-    /// Counts how deep the reading is.
+    /// Counts the depth of the reading.
     struct Deeper {
         explicit Deeper(Parser& owner) : parser(owner) {
             if (++parser.depth_ > deepest_expression) {

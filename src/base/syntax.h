@@ -1,8 +1,8 @@
 #pragma once
 
-// Expressions as they are written: one lexer, one grammar and one tree for the formulas of reports
-// and for the conditions of lessons. A language says how its signs look and which words it has;
-// what an expression means its reader finds out from the tree. From weak to strong:
+// Written expressions: one lexer, one grammar and one tree for the formulas of reports and for the
+// conditions of lessons. A language says how its signs look and which words it has; its reader
+// finds the meaning of an expression from the tree. From weak to strong:
 //
 //     or   and   not   == != < <= > >=   + -   * /   -   ²   f(a, b) ( ) numbers names symbols
 
@@ -21,7 +21,7 @@ enum class Sign : std::uint8_t {
     minus,
     times,
     over,
-    square, ///< stands behind what it squares
+    square, ///< comes after what it squares
     open,
     close,
     comma,
@@ -42,10 +42,10 @@ struct SignSpelling {
 
 /// How a language writes its expressions.
 struct ExpressionLanguage {
-    std::span<const SignSpelling> signs; ///< of two that begin alike the longer one first
-    bool has_logic = false;              ///< `or`, `and` and `not` are no names
-    /// How many bytes the symbol takes that begins at the front of the text; 0: none does. A symbol
-    /// may hold any signs, and goes before all else.
+    std::span<const SignSpelling> signs; ///< of two that begin alike, the longer one first
+    bool has_logic = false;              ///< `or`, `and` and `not` are not names
+    /// How many bytes a symbol at the front of the text takes; 0: there is none. A symbol can hold
+    /// any signs, and comes before anything else.
     std::function<std::size_t(std::string_view rest)> symbol;
 };
 
@@ -56,8 +56,8 @@ struct SyntaxToken {
     Sign sign = Sign::plus; ///< of a sign
 };
 
-/// Cuts an expression into tokens; together they are all of it. Never fails: what the language does
-/// not know is a token `unknown` of one byte.
+/// Cuts an expression into tokens; together they are all of it. Never fails: a byte that the
+/// language does not know is a token `unknown`.
 std::vector<SyntaxToken> split_tokens(std::string_view text, const ExpressionLanguage& language);
 
 /// A part of an expression.
@@ -86,11 +86,11 @@ struct SyntaxNode {
     Kind kind = Kind::number;
     double number = 0.0;            ///< finite
     std::string text;               ///< of a name, symbol or function, as it is written
-    std::vector<int> parts;         ///< what it is made of, from left to right: indices of nodes
-    bool is_in_parentheses = false; ///< of its own
+    std::vector<int> parts;         ///< its parts, from left to right: indices of nodes
+    bool is_in_parentheses = false; ///< its own
 };
 
-/// An expression, its parts before what is made of them.
+/// An expression; parts come before the nodes made of them.
 struct SyntaxTree {
     std::string text;
     std::vector<SyntaxNode> nodes;
@@ -99,10 +99,10 @@ struct SyntaxTree {
     const SyntaxNode& node(int index) const { return nodes[static_cast<std::size_t>(index)]; }
 };
 
-/// Reads an expression. Throws UsageError with one sentence if it is none.
+/// Reads an expression. Throws UsageError with one sentence if it is not one.
 SyntaxTree parse_syntax(std::string_view text, const ExpressionLanguage& language);
 
 inline constexpr std::size_t longest_expression = 1000; ///< bytes
-inline constexpr int deepest_expression = 32;           ///< parentheses and signs in one another
+inline constexpr int deepest_expression = 32;           ///< nested parentheses and signs
 
 } // namespace rasterwalk

@@ -19,10 +19,10 @@ namespace rasterwalk {
 /// The line of a node in its file, from 1.
 int line_of(const toml::node& node);
 
-/// What each key of a table does. A key that is not there, or that fails, stops no other.
+/// What each key of a table does. A missing key, or one that fails, does not stop the others.
 using TomlKeys = std::map<std::string_view, std::function<void(const toml::node&)>>;
 
-/// A table with the faults that are found in it. The readers of single values throw InputError.
+/// A table with the faults found in it. The readers of single values throw InputError.
 class TomlBlock {
   public:
     /// @param line where the table begins

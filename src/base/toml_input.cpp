@@ -20,13 +20,13 @@ namespace rasterwalk {
 namespace {
 
 /// A text as a stream, in blocks, so that the parser's progress can be reported between them.
-/// toml++ would take an exception for its own; so it is kept, and the text ends there.
+/// toml++ would mistake an exception for its own, so it is kept, and the text ends there.
 class ToldText : public std::streambuf {
   public:
     ToldText(std::string_view text, const std::function<void(std::size_t)>& told)
         : text_(text), told_(told) {}
 
-    /// Throws what was thrown on the way.
+    /// Rethrows an exception thrown on the way.
     void rethrow() const {
         if (thrown_) std::rethrow_exception(thrown_);
     }
@@ -44,7 +44,7 @@ class ToldText : public std::streambuf {
         }
         const std::size_t begin = end_;
         end_ = std::min(begin + block, text_.size());
-        // It is only read, but streams know no constant characters.
+        // It is only read, but streams have no constant characters.
         char* const bytes = const_cast<char*>(text_.data());
         setg(bytes + begin, bytes + begin, bytes + end_);
         return traits_type::to_int_type(*gptr());
@@ -68,7 +68,7 @@ class ToldText : public std::streambuf {
 
     std::string_view text_;
     const std::function<void(std::size_t)>& told_;
-    std::size_t end_ = 0; ///< of the block that is being read
+    std::size_t end_ = 0; ///< of the block being read
     std::exception_ptr thrown_;
 };
 
@@ -91,7 +91,7 @@ toml::table parse_toml(std::string_view text, const std::string& path,
     } catch (const toml::parse_error& error) {
         buffer.rethrow();
         std::string sentence(error.description());
-        // A key or string of the file may be quoted in it; a message is one line.
+        // A key or string of the file can be quoted in it; a message is one line.
         std::replace_if(
             sentence.begin(), sentence.end(),
             [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
@@ -102,7 +102,7 @@ toml::table parse_toml(std::string_view text, const std::string& path,
 }
 
 void TomlInput::fail(const toml::node& at, const std::string& sentence) const {
-    // A sentence may name what the file does: a zero in it would be the end of what().
+    // A sentence can quote the file: a zero byte in it would be the end of what().
     throw InputError(*path_, std::max(static_cast<int>(at.source().begin.line), 1),
                      visible_line(sentence));
 }

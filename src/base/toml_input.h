@@ -16,11 +16,11 @@
 namespace rasterwalk {
 
 /// Parses text; `path` is only used in messages. Throws InputError.
-/// @param told receives now and then how many bytes have been read; what it throws ends the parsing
+/// @param told receives now and then how many bytes have been read; if it throws, the parsing ends
 toml::table parse_toml(std::string_view text, const std::string& path,
                        const std::function<void(std::size_t)>& told = {});
 
-/// A table on its way to being understood, with the name of its file.
+/// A table being read, with the name of its file.
 class TomlInput {
   public:
     /// @param what how messages name the table: "the camera"
@@ -63,7 +63,7 @@ class TomlInput {
   private:
     const toml::node& require(std::string_view key) const;
 
-    /// How messages name what stands under a key: "'focal_length' of the camera".
+    /// How messages name the value of a key: "'focal_length' of the camera".
     std::string name_of(std::string_view key) const;
 
     const toml::table* table_;
@@ -73,7 +73,7 @@ class TomlInput {
 
 /// Reads a text that is a list of tables, `[[key]]`, and nothing else. Throws InputError.
 /// @param what how messages name the file: "the file of presets"
-/// @param read makes an entry of a table; it is given those before it too
+/// @param read makes an entry from a table; it also gets the earlier entries
 template <class Entry, class Read>
 std::vector<Entry> parse_tables(std::string_view text, const std::string& path,
                                 std::string_view key, std::string what, const Read& read) {

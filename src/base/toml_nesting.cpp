@@ -6,8 +6,8 @@ namespace rasterwalk {
 
 namespace {
 
-/// Walks over a TOML text without understanding more of it than strings and comments. What is
-/// malformed beyond that ends the parsing anyway, and nothing behind it is looked at.
+/// Walks over a TOML text, understanding only its strings and comments. Anything else malformed
+/// ends the parsing anyway, and the text after it is not looked at.
 class NestingScan {
   public:
     explicit NestingScan(std::string_view text) : rest_(text) {}
@@ -29,7 +29,7 @@ class NestingScan {
     }
 
   private:
-    /// A dot outside of strings stands in a key, or once in a number.
+    /// A dot outside strings is in a key, or once in a number.
     void note(char c) {
         switch (c) {
         case '.':
@@ -67,7 +67,7 @@ class NestingScan {
             const char c = rest_.front();
             if (c == quote && !is_long) return skip(1);
             if (c == quote) {
-                // Up to two quotes of the text may stand before the three that end it.
+                // Up to two quotes of the text can precede the three that end it.
                 const std::size_t run = std::min(rest_.find_first_not_of(quote), rest_.size());
                 if (run >= 3) return skip(std::min<std::size_t>(run, 5));
                 skip(run);

@@ -5,8 +5,8 @@
 
 namespace rasterwalk {
 
-/// The most dots of one TOML key, and the most brackets within one another. toml++ makes, reads and
-/// frees tables recursively; with these bounds the depth stays at about a thousand.
+/// The most dots in one TOML key, and the most nested brackets. toml++ makes, reads and frees
+/// tables recursively; with these bounds the depth stays at about a thousand.
 inline constexpr int most_key_dots = 32;
 inline constexpr int most_nested_brackets = 32;
 

@@ -30,7 +30,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The command line with a place for everything that can stand on it.
+/// The command line with a place for everything that can be on it.
 struct CommandLine {
     CLI::App app{"Walk through a software rasterizer, stage by stage.", "rasterwalk"};
     ViewOptions view;
@@ -48,9 +48,9 @@ struct CommandLine {
     FactsOptions facts;
     EnginesOptions engines;
     LessonsOptions lessons;
-    /// What is to be done once everything is understood; empty: open the window.
+    /// What to do once everything is understood; empty: open the window.
     std::function<void()> command;
-    ExitCode exit_code = ExitCode::done; ///< of a command that has gone well
+    ExitCode exit_code = ExitCode::done; ///< of a successful command
 };
 
 CLI::App& add_command(CommandLine& line, const char* name, const char* about,
@@ -225,7 +225,7 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
              "N");
     add_json(engines, line.engines.json);
     engines.footer(engines_footer());
-    // Last, because commands take over the footer that stands when they are added.
+    // Last, because commands inherit the footer that is set when they are added.
     line.app.footer("Without a command, the window opens.\n"
                     "Exit codes: 0 done, 1 a check found a difference, 2 wrong usage, 3 bad "
                     "input,\n"

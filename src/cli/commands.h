@@ -23,12 +23,12 @@ void render_command(const RenderOptions& options, std::ostream& err);
 struct StatsOptions {
     ViewOptions view;
     bool json = false;
-    bool time = false; ///< also measure what each way of culling costs
+    bool time = false; ///< also measure the cost of each way of culling
 };
 /// @param clock for `time`; without one UsageError
 void stats_command(const StatsOptions& options, const Clock& clock, std::ostream& out,
                    std::ostream& err);
-/// What each of its numbers counts, a line each: for its help.
+/// What each of its numbers counts, one per line: for its help.
 std::string stats_footer();
 
 struct RowsOptions {
@@ -73,7 +73,7 @@ void bugs_command(const BugsOptions& options, std::ostream& out);
 struct CheckOptions {
     std::vector<std::string> paths; ///< folders, lessons, scenes
     bool luck = false;              ///< each task is tried at random as well
-    bool style = false;             ///< only the English of texts, strings and comments
+    bool style = false;             ///< just the English of texts, strings and comments
 };
 /// Prints every fault, file:line and a sentence. Returns ExitCode::difference if there is one.
 /// Throws AccessError for a file that is not there.
@@ -88,7 +88,7 @@ void facts_command(const FactsOptions& options, std::ostream& out);
 struct LessonsOptions {
     bool json = false;
 };
-/// Lists the lessons and what is done of them; progress that cannot be read is a warning on `err`.
+/// Lists the lessons and the progress in them; progress that cannot be read is a warning on `err`.
 void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostream& err);
 
 /// The most vertices that `rows` takes.

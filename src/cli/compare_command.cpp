@@ -32,7 +32,7 @@ std::string_view kind_name(DivergenceKind kind) {
     return names[static_cast<std::size_t>(kind)];
 }
 
-/// What the runs are set to where they differ, as assignments: "interpolation=affine".
+/// The settings in which the runs differ, as assignments: "interpolation=affine".
 struct RunTexts {
     std::vector<std::string> a, b;
 };
@@ -76,7 +76,7 @@ void print_comparison(const Scene& scene, const RunTexts& runs, const Comparison
     object["mean_difference"] = comparison.pixels.mean;
     object["pixels"] = comparison.pixels.pixels;
     object["shown_pixels"] = comparison.pixels.shown;
-    // What there is none of stands at the end.
+    // Missing ones come last, as null.
     for (const char* const key :
          {"first_divergence", "cause", "first_beyond_rounding", "cause_beyond_rounding"}) {
         object.emplace(key, nullptr);

@@ -10,9 +10,9 @@
 namespace rasterwalk {
 
 struct CompareOptions {
-    ViewOptions view;           ///< what both runs have in common
-    std::vector<std::string> a; ///< name=value, of run A alone
-    std::vector<std::string> b; ///< name=value, of run B alone
+    ViewOptions view;           ///< shared by both runs
+    std::vector<std::string> a; ///< name=value, only for run A
+    std::vector<std::string> b; ///< name=value, only for run B
     std::string output;         ///< PNG of the difference; empty: none
     bool json = false;
 };

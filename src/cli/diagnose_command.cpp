@@ -80,7 +80,7 @@ Finding diagnose_rows_file(const DiagnoseOptions& options, const Result& result,
     return finding;
 }
 
-/// Of those that come together, the names that each may have.
+/// For mistakes that come together, the possible names of each.
 Json mistakes_to_json(const Candidate& candidate) {
     Json mistakes = Json::array();
     for (const Suspect& suspect : candidate.mistakes)

@@ -14,12 +14,12 @@ struct DiagnoseOptions {
     ViewOptions view;                 ///< the reference
     std::string file;                 ///< a picture, or a printed row table
     std::vector<std::string> polygon; ///< X,Y of each vertex whose table was printed; may be empty
-    double seconds = 20.0;            ///< that a picture is searched for, above 0
+    double seconds = 20.0;            ///< for searching a picture, above 0
     bool json = false;
 };
 
-/// Prints what may be wrong with a result. Returns ExitCode::difference if it is not the
-/// reference's. Throws Error.
+/// Prints what may be wrong with a result. Returns ExitCode::difference if it differs from the
+/// reference. Throws Error.
 ExitCode diagnose_command(const DiagnoseOptions& options, std::ostream& out, std::ostream& err,
                           ProgressLine& progress);
 

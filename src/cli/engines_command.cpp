@@ -24,7 +24,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The value of a word, or every value there is if none was said.
+/// The value of a word, or every value if no word is given.
 template <class Enum>
 std::vector<Enum> chosen(std::string_view what, const std::string& word,
                          const std::vector<Enum>& all) {
@@ -89,12 +89,12 @@ std::string size_word(const Measurement& measurement) {
     return fmt::format("{}x{}", measurement.task.size.width, measurement.task.size.height);
 }
 
-/// Does it draw what it should not? Other edges are expected of some.
+/// Does it draw something wrong? Some are expected to have different edges.
 bool is_wrong(const EngineResult& result) {
     return result.from_peer && !do_agree(*result.from_peer) && !result.has_other_edges;
 }
 
-/// What stands in the place of a ratio, or behind it.
+/// The text in place of a ratio, or after it.
 std::string remark(const EngineResult& result) {
     if (!result.refusal.empty()) return "cannot draw this: " + result.refusal;
     if (!result.from_peer || result.ratio) return {};

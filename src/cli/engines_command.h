@@ -8,7 +8,7 @@
 
 namespace rasterwalk {
 
-/// As they were written; what is empty was not said.
+/// As written on the command line; empty: not given.
 struct EnginesOptions {
     std::string simd;
     std::string threads;
@@ -18,9 +18,8 @@ struct EnginesOptions {
     bool json = false;
 };
 
-/// Times the engines beside llvmpipe and prints how they compare. Returns ExitCode::difference if
-/// one draws something else than it should, ExitCode::interrupted if Ctrl+C has stopped it. Throws
-/// Error.
+/// Times the engines and llvmpipe, and prints how they compare. Returns ExitCode::difference if one
+/// draws something wrong, ExitCode::interrupted if Ctrl+C has stopped it. Throws Error.
 ExitCode engines_command(const EnginesOptions& options, std::ostream& out, ProgressLine& progress);
 
 /// What is measured and what the columns mean: for its help.

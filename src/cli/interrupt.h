@@ -2,8 +2,8 @@
 
 namespace rasterwalk {
 
-/// While it lives, Ctrl+C does not end the program but is noted, for a long command to stop and
-/// print what it has. One at a time.
+/// While it lives, Ctrl+C does not end the program but is noted, so that a long command can stop
+/// and print what it has. Only one at a time.
 class Interrupt {
   public:
     Interrupt();
@@ -15,7 +15,7 @@ class Interrupt {
     bool is_noted() const;
 
   private:
-    void (*before_)(int); ///< what stood there; what ignores Ctrl+C, as nohup does, stays
+    void (*before_)(int); ///< the old handler; one that ignores Ctrl+C, like nohup's, stays
 };
 
 } // namespace rasterwalk

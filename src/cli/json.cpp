@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// How a letter stands within quotes; "" if as it is.
+/// How a letter is escaped within quotes; "" if it is not.
 std::string json_escape(char32_t letter) {
     switch (letter) {
     case '"':
@@ -46,7 +46,7 @@ std::string json_text(std::string_view text) {
         try {
             escape = json_escape(utf8::next(at, text.end()));
         } catch (const utf8::exception&) {
-            at = begin + 1; // no UTF-8: the byte
+            at = begin + 1; // not UTF-8: the byte
             escape = fmt::format("\\u00{:02X}", static_cast<unsigned char>(*begin));
         }
         if (escape.empty()) {
@@ -58,7 +58,8 @@ std::string json_text(std::string_view text) {
     return quoted + '"';
 }
 
-/// All digits of a double; with a point or an exponent, so that it is not taken for a whole number.
+/// All digits of a double; with a point or an exponent, so that it is not mistaken for a whole
+/// number.
 std::string json_number(double value) {
     if (std::isnan(value)) return "\"NaN\"";
     if (std::isinf(value)) return value > 0.0 ? "\"Infinity\"" : "\"-Infinity\"";

@@ -77,7 +77,7 @@ std::vector<std::string> files_to_check(const std::vector<std::string>& paths) {
     return files;
 }
 
-/// What one file after another is checked with.
+/// The tools for checking files, one after another.
 struct FileCheck {
     Session session = empty_session();
     LessonTrial trial{};

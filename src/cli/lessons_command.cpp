@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What is kept of the student's work; a file that cannot be read counts as none.
+/// The student's stored progress; a file that cannot be read counts as none.
 Progress progress_so_far(std::ostream& err) {
     const std::string folder = state_folder();
     if (folder.empty()) return {};

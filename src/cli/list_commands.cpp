@@ -14,7 +14,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A heading for each group, and under it each setting with its value and what it means.
+/// A heading for each group, and under it each setting with its value and meaning.
 void print_settings(const Settings& settings, const Settings& defaults, std::ostream& out) {
     std::string_view group;
     for (const Setting& setting : setting_table()) {
@@ -49,7 +49,7 @@ Json to_json(const Settings& settings, const Settings& defaults) {
     return {{"settings", std::move(list)}};
 }
 
-/// "name=value" of each.
+/// "name=value" for each.
 std::vector<std::string> assignment_texts(const Assignments& values) {
     std::vector<std::string> texts;
     for (const auto& [name, value] : values)
@@ -87,7 +87,7 @@ void presets_command(const PresetsOptions& options, std::ostream& out) {
 
 namespace {
 
-/// Continues after line breaks under the text's beginning.
+/// Continues after line breaks below the text's start.
 std::string indented(const std::string& text) {
     std::string result;
     for (const char c : text) {

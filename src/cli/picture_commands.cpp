@@ -54,7 +54,7 @@ struct StatInfo {
     std::int64_t (*read)(const FrameStats&);
 };
 
-/// All of them, in the order in which they are printed.
+/// All of them, in the order they are printed.
 constexpr StatInfo stat_list[] = {
     {"triangles", "triangles of the scene, drawn or not",
      [](const FrameStats& s) -> std::int64_t { return s.triangles; }},

@@ -67,8 +67,7 @@ Json to_json(const TextureReport& texture) {
             {"v", texture.place.texcoord.y}};
 }
 
-/// What was asked about the lamp's light at a fragment; none where nothing casts shadows, and of
-/// what is no fragment.
+/// The shadow test at a fragment; none if nothing casts shadows, or if this is not a fragment.
 std::optional<ShadowTerms> shadow_of(const Frame& frame, const Cursor& cursor) {
     if (occluders_of(frame) == nullptr) return std::nullopt;
     const std::optional<FragmentReport> report = fragment_report(frame, cursor);
@@ -119,7 +118,7 @@ Json to_json(const Frame& frame, const PixelEntry& entry, bool stays, const Curs
         object["shadow"] = to_json(*shadow, frame);
     object["stays"] = stays;
     object["stored"] = entry.stored;
-    object["stored_zinv"] = entry.stored; // its name when nothing else was stored
+    object["stored_zinv"] = entry.stored; // its name before other values could be stored
     if (const auto texture = texture_report(frame, entry.cursor))
         object["texture"] = to_json(*texture);
     object["triangle"] = entry.cursor.triangle;
@@ -195,7 +194,7 @@ Json to_json(const Frame& frame, const PixelHistory& history, const Cursor& to) 
     return object;
 }
 
-/// Each time the pixel was asked, where edge functions ask.
+/// Each test of the pixel, if edge functions are used.
 void print_tests(const PixelHistory& history, const Cursor& to, std::ostream& out) {
     for (const TestEvent& event : history.tests) {
         out << fmt::format("{:<15}  {}{}\n", to_text(event.cursor), pixel_test_text(event.test),
@@ -203,7 +202,7 @@ void print_tests(const PixelHistory& history, const Cursor& to, std::ostream& ou
     }
 }
 
-/// What the fragment that stays took of its texture.
+/// What the fragment that stays took from its texture.
 void print_texture(const Frame& frame, const PixelHistory& history, std::ostream& out) {
     if (history.winner < 0) return;
     const Cursor& cursor = history.entries[static_cast<std::size_t>(history.winner)].cursor;

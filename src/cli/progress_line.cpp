@@ -9,7 +9,7 @@ namespace rasterwalk {
 void ProgressLine::say(const std::string& words) {
     if (terminal_ == nullptr || words == said_) return;
     said_ = words;
-    // To the beginning of the line, and what is left of the old words is erased.
+    // To the beginning of the line; the rest of the old words is erased.
     *terminal_ << '\r' << visible_line(words) << "\x1b[K" << std::flush;
 }
 

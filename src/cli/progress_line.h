@@ -5,19 +5,19 @@
 
 namespace rasterwalk {
 
-/// The last line of a terminal, which says how far a long command is and is empty in the end.
+/// The last line of a terminal, which shows the progress of a long command and is empty in the end.
 class ProgressLine {
   public:
-    /// @param terminal null: nothing is said
+    /// @param terminal null: nothing is shown
     explicit ProgressLine(std::ostream* terminal) : terminal_(terminal) {}
     ~ProgressLine() { clear(); }
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
-    /// Says this in place of what was said before.
+    /// Shows these words in place of the previous ones.
     void say(const std::string& words);
 
-    /// Before something else is written.
+    /// To be called before anything else is written.
     void clear();
 
   private:

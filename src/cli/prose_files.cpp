@@ -42,7 +42,7 @@ std::vector<std::string> prose_files(const std::vector<std::string>& paths) {
         if (fs::is_directory(path, ignored)) {
             add_folder(fs::path(path).lexically_normal(), files);
         } else {
-            files.push_back(path); // its reader says why it cannot be read
+            files.push_back(path); // its reader will say why it cannot be read
         }
     }
     return files;

@@ -5,7 +5,8 @@
 
 namespace rasterwalk {
 
-/// The rows of a table with who wrote their ends: a list of {row, left, right, left_by, right_by}.
+/// The rows of a table with the samples that wrote their ends: a list of {row, left, right,
+/// left_by, right_by}.
 Json rows_json(const RowHistory& history);
 
 /// The samples that fell in no row: a list of {edge, sample, x, y, column, row}.

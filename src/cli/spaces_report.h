@@ -8,7 +8,8 @@
 namespace rasterwalk {
 
 /// The vertices of a triangle through every space, and vertex 0 through the conventions, as data:
-/// an array for `spaces`, an object for `conventions`. Order of multiplication by the settings.
+/// an array for `spaces`, an object for `conventions`. The settings give the order of
+/// multiplication.
 Json spaces_json(const Frame& frame, int triangle);
 Json conventions_json(const Frame& frame, int triangle);
 

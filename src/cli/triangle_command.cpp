@@ -129,7 +129,7 @@ Json clip_to_json(const ClipHistory& clip) {
             {"triangles", clip.fan.size()}};
 }
 
-/// Nothing where the triangle does not come to be culled.
+/// Nothing if the triangle does not get as far as culling.
 Json cull_to_json(const ClipHistory& clip) {
     if (!clip.is_cull_asked) return nullptr;
     return {{"culled", clip.cull.is_back},
@@ -145,7 +145,7 @@ Json to_json(const PolygonWays& ways) {
         {"rows", ways.rows},         {"table", ways.table},       {"wrong_rows", ways.wrong_rows}};
 }
 
-/// Nothing where the triangle shares no edge, or no fill rule is asked.
+/// Nothing if the triangle shares no edge, or no fill rule is used.
 Json shared_edges_to_json(const Frame& frame, int triangle) {
     Json edges = Json::array();
     for (const SharedEdge& shared : shared_edges(frame, triangle)) {
@@ -162,7 +162,7 @@ Json shared_edges_to_json(const Frame& frame, int triangle) {
     return edges;
 }
 
-/// The spaces have matrices only where matrices do the work.
+/// The spaces have matrices only if matrices do the work.
 bool has_spaces(const Frame& frame) {
     return frame.settings.transform == Transform::matrices &&
            frame.scene->space == SceneSpace::world;
@@ -196,7 +196,7 @@ Json to_json(const TriangleReport& report, const Frame& frame) {
 
 // Text
 
-/// One line of the vertices: a number of each, or a dash where a vertex has none.
+/// One line of the vertices: a number for each, or a dash if a vertex has none.
 template <class Value>
 void print_vertex_line(std::ostream& out, const char* space, std::string_view axis,
                        const TriangleReport& report, bool (*has)(const ShadedVertex&),
@@ -258,7 +258,7 @@ void print_vertices(std::ostream& out, const TriangleReport& report, const Frame
         [](const ShadedVertex& v) { return decimals(static_cast<double>(v.pixel.depth), 6); });
 }
 
-/// Nothing where no plane cuts and nothing culls.
+/// Nothing if no plane cuts and nothing culls.
 void print_clipping(std::ostream& out, const ClipHistory& clip) {
     if (!clip.planes.empty()) out << "\nClipping\n";
     for (const PlaneHistory& plane : clip.planes) {
@@ -294,7 +294,7 @@ void print_edges(std::ostream& out, const TriangleReport& report) {
     }
 }
 
-/// "e1/s3", and how often someone else's sample had to go for it.
+/// "e1/s3", and how many earlier samples were replaced.
 std::string writer_text(const EndWriter& end) {
     if (!end.is_set()) return "-";
     if (end.replaced == 0) return fmt::format("e{}/s{}", end.edge, end.sample);
@@ -319,7 +319,7 @@ void print_rows(std::ostream& out, const RowHistory& history, const Stages& stag
     }
 }
 
-/// Nothing where the triangle belongs to no polygon of the scene.
+/// Nothing if the triangle belongs to no polygon of the scene.
 void print_polygon(std::ostream& out, const std::optional<PolygonWays>& ways) {
     if (!ways) return;
     const auto pixels = [](std::int64_t count) { return counted(count, "pixel", "pixels"); };
@@ -331,7 +331,7 @@ void print_polygon(std::ostream& out, const std::optional<PolygonWays>& ways) {
                        ways->fan_laid, ways->fan_area);
 }
 
-/// Nothing where the triangle shares no edge, or no fill rule is asked.
+/// Nothing if the triangle shares no edge, or no fill rule is used.
 void print_shared_edges(std::ostream& out, const Frame& frame, int triangle) {
     const std::vector<SharedEdge> all = shared_edges(frame, triangle);
     if (all.empty()) return;

@@ -8,9 +8,9 @@
 
 namespace rasterwalk {
 
-/// A stream on top of another one, through which only visible() text leaves: names and texts of
-/// files must not give orders to the terminal. Passes on whole lines; the rest when it is flushed.
-/// In JSON what is escaped stays the same text.
+/// A stream on top of another one that lets only visible() text through: names and texts from files
+/// must not control the terminal. Passes on whole lines; the rest when it is flushed. In JSON,
+/// escaped text still means the same.
 class VisibleOutput : public std::ostream {
   public:
     explicit VisibleOutput(std::ostream& target) : std::ostream(nullptr), buffer_(target) {

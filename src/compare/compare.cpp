@@ -11,13 +11,13 @@ namespace rasterwalk {
 
 namespace {
 
-/// A channel as a number that can be subtracted: what is not finite counts as it is shown.
+/// A channel as a number that can be subtracted: one that is not finite counts as it is shown.
 float finite(float channel) {
     if (std::isfinite(channel)) return channel;
     return channel > 0.0f ? 1.0f : 0.0f;
 }
 
-/// B minus A in the channel in which it is largest.
+/// B minus A in the channel where it is largest.
 float colour_difference(const glm::vec3& a, const glm::vec3& b) {
     float largest = 0.0f;
     for (int i = 0; i < 3; ++i) {
@@ -27,7 +27,7 @@ float colour_difference(const glm::vec3& a, const glm::vec3& b) {
     return largest;
 }
 
-/// The colours of two pictures. Where one encodes light, or wraps what is brighter than 1, and the
+/// The colours of two pictures. If one encodes light, or wraps channels brighter than 1, and the
 /// other does not, they differ in what is shown.
 struct Colours {
     const Framebuffer& a;
@@ -54,7 +54,7 @@ struct Colours {
         const glm::vec3 arranged = screen.arrange(colour);
         glm::vec3 seen = shown_colour(colour, screen);
         for (int i = 0; i < 3; ++i) {
-            // What is neither cut nor wrapped has no steps of 8 bits here.
+            // A channel that is neither clamped nor wrapped has no 8-bit steps here.
             const float encoded = screen.encode(arranged[i]);
             if (encoded >= 0.0f && encoded <= 1.0f) seen[i] = encoded;
         }
@@ -142,7 +142,7 @@ float difference_limit(float value) {
 glm::vec<3, std::uint8_t> difference_colour(float value, float limit) {
     constexpr glm::vec3 less{86.0f, 180.0f, 233.0f}, more{230.0f, 159.0f, 0.0f};
     if (value == 0.0f || !(limit > 0.0f)) return {0, 0, 0};
-    // From a quarter of full brightness on, so that the smallest difference is seen as one.
+    // From a quarter of full brightness up, so that even the smallest difference is visible.
     const float place = 0.25f + 0.75f * std::min(std::abs(value) / limit, 1.0f);
     const glm::vec3 colour = (value < 0.0f ? less : more) * place + 0.5f;
     return {static_cast<std::uint8_t>(colour.r), static_cast<std::uint8_t>(colour.g),

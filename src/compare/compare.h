@@ -25,12 +25,12 @@
 
 namespace rasterwalk {
 
-/// How far two pictures of the same size lie apart. A pixel's difference is that of the channel in
-/// which it is largest, in linear colour.
+/// How far apart two pictures of the same size are. A pixel's difference is the largest of its
+/// channels', in linear colour.
 struct PixelDifference {
     std::int64_t pixels = 0;    ///< of the picture
     std::int64_t different = 0; ///< pixels whose colour is not the same to the last bit
-    std::int64_t shown = 0;     ///< of them those whose 8 bits on the screen differ too
+    std::int64_t shown = 0;     ///< those whose 8 bits on the screen differ too
     float largest = 0.0f;
     double mean = 0.0;               ///< over all pixels of the picture
     std::optional<glm::ivec2> worst; ///< where the largest is, column and row; none: no difference
@@ -38,19 +38,19 @@ struct PixelDifference {
     friend bool operator==(const PixelDifference&, const PixelDifference&) = default;
 };
 
-/// Counts what differs; both framebuffers must have the same size.
+/// Counts the differences; both framebuffers must have the same size.
 PixelDifference pixel_difference(const Framebuffer& a, const Framebuffer& b);
 
 /// The same some rows at a time, from the top.
 class PixelCount {
   public:
-    /// Goes on to this row of the planes, which is not counted itself. Both framebuffers must be
-    /// those of the calls before, and unchanged.
+    /// Goes on up to this row of the planes, which is not counted. Both framebuffers must be those
+    /// of the earlier calls, unchanged.
     void count_to(const Framebuffer& a, const Framebuffer& b, int row);
 
-    /// How many rows are counted.
+    /// How many rows have been counted.
     int rows() const { return rows_; }
-    /// What differs in them; the mean is over the whole picture.
+    /// Their differences; the mean is over the whole picture.
     PixelDifference found() const;
 
   private:
@@ -59,8 +59,8 @@ class PixelCount {
     int rows_ = 0;
 };
 
-/// B minus A on every pixel, row by row from the top: of the colour the channel that differs most,
-/// of depth what the buffer holds, of overdraw fragments; of owners 1 where they differ.
+/// B minus A on every pixel, row by row from the top: for colour the channel that differs most, for
+/// depth the buffer's values, for overdraw the fragments; for owners, 1 where they differ.
 std::vector<float> signed_difference(const Framebuffer& a, const Framebuffer& b, View view);
 
 /// The same for some pixels of the planes only, in values of all of them.
@@ -68,25 +68,25 @@ void update_signed_difference(const Framebuffer& a, const Framebuffer& b, View v
                               const Rectangle& pixels, std::vector<float>& values);
 
 /// The smallest of 1, 2 and 5 times a power of ten that is not below `value`: the end of the scale
-/// of a difference picture. 1 for 0 and for what is not finite.
+/// of a difference picture. 1 for 0 and for values that are not finite.
 float difference_limit(float value);
 
 /// The colour of a signed difference on a scale from -limit to +limit: blue where B is less than A,
 /// orange where it is more, black where they are the same.
 glm::vec<3, std::uint8_t> difference_colour(float value, float limit);
 
-/// The signed differences as a picture; what lies beyond the scale takes the colour of its end.
+/// The signed differences as a picture; values beyond the scale take the colour of its end.
 Image difference_image(const std::vector<float>& values, Viewport size, float limit);
 
 /// The same for some pixels only, in a picture of all of them.
 void update_difference_image(const std::vector<float>& values, float limit, const Rectangle& pixels,
                              Image& image);
 
-/// What it takes to count a pixel, beside a fragment.
+/// The work of counting a pixel, relative to a fragment.
 inline constexpr double count_pixel_work = 0.5;
 
-/// Drawing a moment or a row, reporting it and comparing it takes so many times the work of drawing
-/// it alone.
+/// Drawing a moment or a row, reporting it and comparing it takes this many times the work of just
+/// drawing it.
 inline constexpr double compare_work_factor = 3.0;
 
 /// Two runs compared over the whole frame, or up to a moment.
@@ -101,35 +101,36 @@ struct Comparison {
     }
 };
 
-/// Two runs being compared, part by part. Draws both side by side and compares them moment by
-/// moment: takes a few times as long as drawing both frames, and the memory of two pictures. If the
-/// runs cut the scene into different triangles, or the fast engine draws one of them, only the
-/// pictures are compared, and one divergence says so: no moment of one is a moment of the other.
+/// Two runs being compared, part by part. Draws both in parallel and compares them moment by
+/// moment, which takes a few times as long as drawing both frames, and the memory of two pictures.
+/// If the runs divide the scene into different triangles, or the fast engine draws one of them,
+/// only the pictures are compared, and one divergence says so: no moment of one is a moment of the
+/// other.
 class ComparisonWork {
   public:
     /// Starts over. The frames must be of the same scene, have viewports of the same size, and live
-    /// until the work is done or another is begun.
+    /// until the work is done or restarted.
     void begin(const Frame& a, const Frame& b, const Cursor& to = cursor_end);
 
     /// Goes on as far as the limit allows.
     void advance(const WorkLimit& limit = {});
 
-    /// Is everything compared? It is too before anything was begun.
+    /// Is everything compared? Also true before anything was begun.
     bool is_done() const { return stage_ == ComparisonStage::done; }
 
-    /// How many triangles are compared, and how many there are.
+    /// How many triangles have been compared, and how many there are.
     int triangles_done() const { return done_; }
     int triangles() const { return triangles_; }
 
-    /// What was found so far; the pixels are compared last.
+    /// The result so far; the pixels are compared last.
     const Comparison& found() const { return found_; }
 
   private:
-    /// What is done, in this order. Of runs without a moment in common the pictures are drawn
+    /// The steps of the work, in order. For runs without a moment in common, pictures are drawn
     /// instead of cleared and walked through.
     enum class ComparisonStage : std::uint8_t { estimated, cleared, walked, drawn, counted, done };
 
-    /// One of two pictures on its way.
+    /// One of two pictures being drawn.
     struct PictureWork {
         /// False: something is left.
         bool advance(const Frame& frame, const Cursor& to, const WorkLimit& limit);
@@ -137,7 +138,7 @@ class ComparisonWork {
             return is_fast ? fast.planes : steps.at(to);
         }
 
-        bool is_fast = false; ///< drawn by the fast engine, or else by the steps
+        bool is_fast = false; ///< drawn by the fast engine, else by the steps
         FastPlanes fast;
         Replay steps{0}; ///< without copies of earlier moments
     };
@@ -160,9 +161,9 @@ class ComparisonWork {
     Cursor to_;
     FrameWork work_a_, work_b_;
     ComparisonStage stage_ = ComparisonStage::done;
-    RunPictures cleared_;                   ///< what the walk will draw in
-    std::unique_ptr<RunWalk> walk_;         ///< of the stages `walked` and `counted`
-    std::unique_ptr<PicturePair> pictures_; ///< in its place where only those are compared
+    RunPictures cleared_;                   ///< what the walk will draw into
+    std::unique_ptr<RunWalk> walk_;         ///< for the stages `walked` and `counted`
+    std::unique_ptr<PicturePair> pictures_; ///< in its place if only those are compared
     DivergenceCollector divergences_;
     PolygonRows rows_a_, rows_b_; ///< kept to save allocations
     int done_ = 0, triangles_ = 0;
@@ -170,7 +171,7 @@ class ComparisonWork {
     Comparison found_;
 };
 
-/// Two runs compared at once.
+/// Two runs compared in one call.
 Comparison compare_runs(const Frame& a, const Frame& b, const Cursor& to = cursor_end);
 
 } // namespace rasterwalk

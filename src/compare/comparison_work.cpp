@@ -26,7 +26,7 @@ void make_rows(const Frame& frame, int triangle, PolygonRows& rows) {
     compute_rows(frame, triangle, rows);
 }
 
-/// Rows of the picture in which the two tables differ.
+/// The rows of the picture in which the two tables differ.
 std::int64_t different_rows(const PolygonRows& a, const PolygonRows& b) {
     if (a.size() == 0 || b.size() == 0) return a.size() + b.size();
     const int first = std::min(a.first_row, b.first_row);
@@ -35,7 +35,7 @@ std::int64_t different_rows(const PolygonRows& a, const PolygonRows& b) {
     for (int row = first; row < last; ++row) {
         const int i = row - a.first_row, k = row - b.first_row;
         const bool in_a = i >= 0 && i < a.size(), in_b = k >= 0 && k < b.size();
-        if (!in_a && !in_b) continue; // between two tables that do not touch
+        if (!in_a && !in_b) continue; // between two tables that do not overlap
         const bool same = in_a && in_b && a.left[i].column == b.left[k].column &&
                           a.right[i].column == b.right[k].column;
         different += same ? 0 : 1;
@@ -43,7 +43,7 @@ std::int64_t different_rows(const PolygonRows& a, const PolygonRows& b) {
     return different;
 }
 
-/// Which runs the fast engine draws, as the beginning of a sentence; empty if none.
+/// The runs that the fast engine draws, as the beginning of a sentence; empty if none.
 std::string fast_runs_text(const Frame& a, const Frame& b, const Cursor& to) {
     const bool a_is_fast = is_drawn_fast(*a.scene, a.settings, to);
     const bool b_is_fast = is_drawn_fast(*b.scene, b.settings, to);
@@ -52,7 +52,7 @@ std::string fast_runs_text(const Frame& a, const Frame& b, const Cursor& to) {
     return {};
 }
 
-/// Why no moment of the runs before this one can be compared: they cut the scene into other
+/// Why no moments of the runs before this one can be compared: they divide the scene into different
 /// triangles, or the fast engine draws one of them. Empty if they can.
 std::string no_moments_text(const Frame& a, const Frame& b, const Cursor& to) {
     const std::string fast_runs = fast_runs_text(a, b, to);
@@ -99,7 +99,7 @@ void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to) {
         {first.triangle, first.phase, DivergenceKind::other, 1, first, first}};
 }
 
-/// Keeps the memory of the pictures for the next comparison, unless it is much.
+/// Keeps the memory of the pictures for the next comparison, unless it is too much.
 void ComparisonWork::end() {
     stage_ = ComparisonStage::done;
     if (walk_ != nullptr) cleared_ = walk_->take_pictures();
@@ -127,7 +127,7 @@ double ComparisonWork::missing_work() const {
                                   work_b_.before(from));
 }
 
-/// Counts the rows of the triangles that the walk has left behind.
+/// Counts the rows of the triangles that the walk has passed.
 void ComparisonWork::end_triangles() {
     const int end = walk_->is_done() ? a_->triangle_count() : walk_->triangle();
     for (; done_ < end && Cursor{done_, Phase::rows, 0, 0} < to_; ++done_) {
@@ -177,13 +177,13 @@ bool ComparisonWork::count_pixels(const WorkLimit& limit) {
     pixels_.count_to(a, b, pixels_.rows() + rows);
     if (pixels_.rows() < a.size.height) return false;
     found_.pixels = pixels_.found();
-    // Two pictures of the fast engine that are the same are no divergence.
+    // Two equal pictures of the fast engine are not a divergence.
     const bool are_fast = pictures_ != nullptr && pictures_->a.is_fast && pictures_->b.is_fast;
     if (are_fast && found_.pixels.different == 0) found_.divergences = {};
     return true;
 }
 
-/// Goes on with the stage on its way, and leads to the next. False: something is left of it.
+/// Goes on with the current stage, and moves to the next. False: some of it is left.
 bool ComparisonWork::advance_stage(const WorkLimit& limit) {
     switch (stage_) {
     case ComparisonStage::estimated:

@@ -12,11 +12,11 @@ namespace rasterwalk {
 
 namespace {
 
-/// How far two numbers lie apart.
+/// How far apart two numbers are.
 enum class Apart : std::uint8_t { not_at_all, by_rounding, clearly };
 
-/// Rounding errors add up along a row: some hundred of them, each of 6e-8, stay below this part of
-/// the number, and a colour by a small part of a step on the screen.
+/// Rounding errors add up along a row: some hundreds of them, each 6e-8, stay below this fraction
+/// of the number, and a colour then differs by a small fraction of a step on the screen.
 constexpr float rounding_part = 1e-4f;
 constexpr float rounding_of_colour = 1e-4f;
 
@@ -36,7 +36,7 @@ Apart colours_apart(const glm::vec3& a, const glm::vec3& b) {
     return most;
 }
 
-/// Of the varyings that both runs carry.
+/// For the varyings that both runs carry.
 Apart varyings_apart(const VertexEvent& a, const VertexEvent& b) {
     Apart most = Apart::not_at_all;
     const VaryingSet compared = a.compared & b.compared;
@@ -58,7 +58,7 @@ Apart vertices_apart(const VertexEvent& a, const VertexEvent& b) {
     return std::max(lengths_apart(a.pixel.depth, b.pixel.depth), varyings_apart(a, b));
 }
 
-/// By what they pass on: how far its corners lie from a plane shows only there.
+/// By what they pass on: how far the corners are from a plane shows only there.
 Apart steps_apart(const ClipStep& a, const ClipStep& b) {
     if (a.keeps_from != b.keeps_from || a.is_cut != b.is_cut) return Apart::clearly;
     if (!a.is_cut) return Apart::not_at_all;
@@ -84,10 +84,10 @@ Apart tests_apart(const PixelTest& a, const PixelTest& b) {
     return same ? Apart::not_at_all : Apart::clearly;
 }
 
-/// What decides whether both runs' pixels differ.
+/// The rules that decide whether the runs' pixels differ.
 struct SightRules {
-    ScreenRules screen_a, screen_b; ///< what is seen of a channel
-    bool has_depth_a, has_depth_b;  ///< marks have none: what stands in its place says nothing
+    ScreenRules screen_a, screen_b; ///< how a channel is seen
+    bool has_depth_a, has_depth_b;  ///< marks have none: the value in its place means nothing
     bool compares_samples, compares_tests; ///< both runs have them, of the same pixels
 };
 
@@ -96,7 +96,7 @@ Apart fragments_apart(const FragmentEvent& a, const FragmentEvent& b, const Sigh
     if (p.column != q.column || p.row != q.row || a.fate != b.fate) return Apart::clearly;
     const Apart depth =
         lengths_apart(rules.has_depth_a ? a.depth : 0.0f, rules.has_depth_b ? b.depth : 0.0f);
-    // What fails leaves the pixel as it is: there is no colour of its own to compare.
+    // A fragment that fails leaves the pixel unchanged: it has no colour to compare.
     if (a.fate != Fate::written) return depth;
     const bool shown_alike = rules.screen_a == rules.screen_b;
     return std::max(depth, shown_alike ? colours_apart(a.after, b.after)
@@ -111,13 +111,13 @@ struct Difference {
 
 /// How the two runs differ at a moment; nothing if they do not.
 std::optional<Difference> difference_at(MomentEvents a, MomentEvents b, const SightRules& rules) {
-    // Where pixels are found in different ways, what is found counts.
+    // If pixels are found in different ways, only the result counts.
     if (!rules.compares_samples) a.sample = b.sample = nullptr;
     if (!rules.compares_tests) a.test = b.test = nullptr;
     if (a.is_nothing() && b.is_nothing()) return std::nullopt;
     if (b.is_nothing()) return Difference{DivergenceKind::missing, false};
     if (a.is_nothing()) return Difference{DivergenceKind::extra, false};
-    // A mark that only one of them puts on the picture.
+    // A mark that only one run puts on the picture.
     if (a.fragments.size() > b.fragments.size()) return Difference{DivergenceKind::missing, false};
     if (a.fragments.size() < b.fragments.size()) return Difference{DivergenceKind::extra, false};
     Apart most = Apart::not_at_all;
@@ -217,7 +217,7 @@ std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const 
 
 std::optional<Divergence> previous_divergence(const Frame& a, const Frame& b, const Cursor& to) {
     if (!have_same_triangles(a, b)) return std::nullopt;
-    // Forwards once to find where it is, and once more to stand there and tell about it.
+    // Once forward to find where it is, and once more to get there and report it.
     std::optional<Cursor> last;
     RunWalk walk(a, b, to);
     const SightRules rules = sight_rules(a, b);

@@ -1,12 +1,13 @@
 #pragma once
 
-// Where two runs of one scene part: the moments at which run A does something else than run B.
+// Where two runs of one scene diverge: the moments at which run A does something different from run
+// B.
 //
-// Compared is what can be seen of a run: vertices with their pixel, 1/z and light; what each edge
-// passes on at each clipping plane; triangles that are culled; edge samples
-// with their pixel and whether they fall in the row table; fragments and marks with their pixel,
-// fate, depth and colour. Row ends show through the samples that make them and the fragments
-// between them. How varyings are carried (q or q/z) is a way to calculate, not a difference.
+// The visible effects of a run are compared: vertices with their pixel, 1/z and light; what each
+// edge passes on at each clipping plane; culled triangles; edge samples with their pixel and
+// whether they fall in the row table; fragments and marks with their pixel, fate, depth and colour.
+// Row ends are compared through the samples that make them and the fragments between them. How
+// varyings are carried (q or q/z) is a way to calculate, not a difference.
 
 #include <array>
 #include <cstdint>
@@ -20,21 +21,21 @@
 
 namespace rasterwalk {
 
-/// In which way two runs differ at a moment.
+/// How two runs differ at a moment.
 enum class DivergenceKind : std::uint8_t {
     missing, ///< A does something there, B does nothing
     extra,   ///< B does something there, A does nothing
-    other,   ///< both do something, but with another outcome
+    other,   ///< both do something, but with different results
 };
 
-/// "missing in B", "extra in B" or "other value".
+/// "missing in B", "extra in B" or "different value".
 std::string kind_text(DivergenceKind kind);
 
 /// One moment at which the runs differ.
 struct Divergence {
     Cursor cursor; ///< the piece of work that differs; holds triangle and phase
     DivergenceKind kind = DivergenceKind::other;
-    bool only_rounding = false; ///< only numbers differ, by no more than rounding errors
+    bool only_rounding = false; ///< just numbers differ, by no more than rounding errors
     std::string text;           ///< the cause in words and numbers; A first, then B
 };
 
@@ -63,8 +64,8 @@ class RunWalk;
 /// Collects the divergences of two runs, part by part of a walk through both.
 class DivergenceCollector {
   public:
-    /// Walks one part further, and adds what it finds to the list; the groups of a triangle once
-    /// its last part is done.
+    /// Walks one part further, and adds its findings to the list; the groups of a triangle once its
+    /// last part is done.
     void walk_part(const Frame& a, const Frame& b, RunWalk& walk, DivergenceList& list);
 
   private:
@@ -78,14 +79,14 @@ class DivergenceCollector {
 };
 
 /// The divergence at this very moment, if there is one. The pictures are those of both runs with
-/// everything before it drawn. Costs no more than the triangle's edges.
+/// everything before it drawn. Costs no more than walking the triangle's edges.
 /// @param scratch room for what the moment draws; kept by the caller to save allocations
 std::optional<Divergence> divergence_at(const Frame& a, const Framebuffer& picture_a,
                                         const Frame& b, const Framebuffer& picture_b,
                                         const Cursor& cursor, Framebuffer& scratch);
 
-/// The first divergence that is not before `from`; none if there is none. Costs both frames'
-/// drawing up to there.
+/// The first divergence at or after `from`; none if there is none. Costs drawing both frames up to
+/// there.
 std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const Cursor& from);
 
 /// The last divergence before `to`; none if there is none.

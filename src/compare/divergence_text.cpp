@@ -23,7 +23,7 @@ std::string number(float value, int digits) {
     return significant(static_cast<double>(value), digits);
 }
 
-/// Digits that tell two numbers apart.
+/// Enough digits to tell two numbers apart.
 int digits_for(float a, float b) {
     int digits = 6;
     while (digits < 9 && a != b && number(a, digits) == number(b, digits))
@@ -64,7 +64,7 @@ std::string_view rounding_word(VertexRounding rounding) {
     return rounding_word(static_cast<Rounding>(rounding));
 }
 
-/// Why a triangle is not drawn, with the minus sign of a printed text.
+/// Why a triangle is not drawn, with a typographic minus sign.
 std::string rejection_text(Rejection rejection) {
     std::string text(words(rejection).sentence);
     if (const std::size_t at = text.find('-'); at != std::string::npos) text.replace(at, 1, "−");
@@ -89,7 +89,7 @@ std::string mark_sentence(const Frame& a, const Frame& b, DivergenceKind kind) {
                        kind == DivergenceKind::missing ? "A" : "B", stage_name(a), stage_name(b));
 }
 
-/// The sentence for a mark that only one run puts on the picture, though both come to it.
+/// The sentence for a mark that only one run puts on the picture, though both reach it.
 template <class Pixel>
 std::string outside_sentence(DivergenceKind kind, const Pixel& in_a, const Pixel& in_b) {
     const bool only_a = kind == DivergenceKind::missing;
@@ -105,7 +105,7 @@ ShadedVertex shade(const Frame& frame, const Cursor& cursor) {
     return shade_vertex(vertex, camera_rotation(rules.camera), rules, frame.stages);
 }
 
-/// How a run comes from the projected place to the pixel.
+/// How a run gets from the projected place to the pixel.
 std::string projection(const Frame& frame, const ShadedVertex& shaded, const ScreenVertex& pixel,
                        int digits) {
     const bool from_middle = frame.scene->space == SceneSpace::world;
@@ -141,7 +141,7 @@ std::string varying_text(const VertexEvent& a, const VertexEvent& b) {
     return "the runs differ.";
 }
 
-/// What the depth of both runs is: 1/z in the lab.
+/// The quantity that is the depth in both runs: 1/z in the lab.
 std::string_view depth_word(const Frame& a, const Frame& b) {
     return depth_kind(a) == depth_kind(b) ? depth_words(a).name : "the depth value";
 }
@@ -169,7 +169,7 @@ std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment
     return fmt::format("{}: {}", vertex, varying_text(in_a, in_b));
 }
 
-/// What one run does with an edge at a plane; `other` decides which digits are needed.
+/// What one run does with an edge at a plane; `other` decides how many digits are needed.
 std::string clip_side(const ClipEvent* event, const ClipEvent* other) {
     if (event == nullptr) return "does nothing";
     const ClipStep& step = event->step;
@@ -207,7 +207,7 @@ std::string cull_text(const PairMoment& moment) {
 std::string coordinate_text(const Frame& frame, char axis, float place, int pixel, int digits) {
     const std::string at = fmt::format("{} = {}", axis, number(place, digits));
     if (static_cast<float>(pixel) == place) return at;
-    // Walked without error, the place that is shown may itself be off by a rounding error.
+    // In a walk without error, the place shown can itself be off by a rounding error.
     const Rounding rounding = sample_rounding(frame.settings);
     const bool by_fraction =
         frame.settings.line_walk == LineWalk::exact && to_pixel(place, rounding) != pixel;
@@ -266,7 +266,7 @@ std::string test_text(const PairMoment& moment) {
                        side(moment.b.test));
 }
 
-/// What a run's row table has in the row of a moment: "the columns 12 to 40".
+/// What a run's row table has in the row of a moment: "has row 3 from column 12 to 40".
 std::string row_ends(const Frame& frame, const Cursor& cursor) {
     PolygonRows rows;
     compute_rows(frame, cursor.triangle, rows);
@@ -308,7 +308,7 @@ std::string colour_text(const FragmentEvent& p, const FragmentEvent& q) {
                        number(q.after[channel] - p.after[channel], 3));
 }
 
-/// The same colour, but it is shown in another way.
+/// The same colour, but shown differently.
 std::string shown_text(const Frame& a, const Frame& b, const glm::vec3& colour) {
     const glm::vec3 in_a = shown_colour(colour, a.stages.screen);
     const glm::vec3 in_b = shown_colour(colour, b.stages.screen);
@@ -316,7 +316,7 @@ std::string shown_text(const Frame& a, const Frame& b, const glm::vec3& colour) 
                        triple(in_a, 6), triple(in_b, 6));
 }
 
-/// For light per pixel: where in the room each run takes the fragment to be.
+/// For light per pixel: where in the room each run thinks the fragment is.
 std::string place_text(const Frame& a, const Frame& b, const FragmentEvent& p,
                        const FragmentEvent& q) {
     if (shading_rule(a.settings) != Shading::phong || shading_rule(b.settings) != Shading::phong)
@@ -390,7 +390,7 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
     if (a.has_moments(t) != b.has_moments(t))
         return left_out_sentence(a.has_moments(t) ? "B" : "A",
                                  (a.has_moments(t) ? b : a).rejection(t));
-    // Of one that clip or cull takes away, that is a moment of its own.
+    // If clip or cull removes the triangle, that is a separate moment.
     const bool shows_it =
         cursor.phase > Phase::cull || moment.a.fragments.size() != moment.b.fragments.size();
     if (shows_it && a.is_drawn(t) != b.is_drawn(t))

@@ -10,7 +10,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// So many fragments of a run may be kept at once.
+/// The most fragments of a run kept at a time.
 constexpr int most_kept = 1 << 16;
 
 /// The rows [first, last) of a triangle's row table that lie in the picture.
@@ -25,7 +25,7 @@ RowRange rows_in_picture(const Frame& frame, int triangle) {
     return {std::clamp(-top, 0, size), std::clamp(frame.settings.viewport.height - top, 0, size)};
 }
 
-/// Behind so many of the box rows from `begun` on that lie in the picture; none if no more do.
+/// The end of this many box rows in the picture, counted from `begun`; none if there are no more.
 std::optional<int> behind_box_rows(const Frame& frame, int triangle, int begun, int many) {
     if (!frame.is_drawn(triangle) || !tests_pixels(frame.stages)) return std::nullopt;
     TestedPolygon polygon;
@@ -45,7 +45,7 @@ std::optional<int> behind_box_rows(const Frame& frame, int triangle, int begun, 
     return std::nullopt;
 }
 
-/// Rows of the table that every part makes again.
+/// Rows of the table that every part has to make again.
 std::int64_t remade_rows(const Frame& frame, int triangle) {
     if (!frame.is_drawn(triangle) || frame.settings.stage < Stage::rows) return 0;
     const auto [top, bottom] = table_rows(frame, triangle);
@@ -58,12 +58,12 @@ Cursor behind(const Cursor& cursor) {
     return next;
 }
 
-/// A framebuffer like the picture as far as the work at `cursor` can tell: the row that it touches.
+/// A framebuffer like the picture as far as the work at `cursor` is concerned: the row it touches.
 void copy_row(const Frame& frame, const Framebuffer& picture, const Cursor& cursor,
               Framebuffer& copy) {
     if (!(copy.size == picture.size)) clear(copy, picture.size);
     copy.rules = picture.rules;
-    // Vertices and edge samples leave only marks, which look at nothing.
+    // Vertices and edge samples only leave marks, which read nothing.
     if (cursor.phase != Phase::rows) return;
     const int row = table_rows(frame, cursor.triangle).first + cursor.index;
     if (row < 0 || row >= picture.size.height) return;
@@ -113,13 +113,13 @@ void EventRecorder::vertex(const Cursor& cursor, const ProjectedVertex& vertex) 
 
 namespace {
 
-/// The earlier of a moment and that of the next event of a list.
+/// The earlier of a moment and the moment of the next event of a list.
 template <class Event>
 const Cursor& earlier(const Cursor& cursor, const std::vector<Event>& events, std::size_t next) {
     return next < events.size() ? std::min(cursor, events[next].cursor) : cursor;
 }
 
-/// The next event of a list if it is of this moment, or null.
+/// The next event of a list if it belongs to this moment, or null.
 template <class Event>
 const Event* take_at(const Cursor& cursor, const std::vector<Event>& events, std::size_t& next) {
     const bool is_there = next < events.size() && events[next].cursor == cursor;
@@ -153,7 +153,7 @@ MomentEvents EventRecorder::take(const Cursor& cursor) {
 
 namespace {
 
-/// Tells of the moments of both runs in order. False if the visitor has ended the walk.
+/// Reports the moments of both runs in order. False if the visitor has ended the walk.
 bool merge(EventRecorder& a, EventRecorder& b, const PairVisitor& visit) {
     while (true) {
         const Cursor cursor = std::min(a.next(), b.next());
@@ -185,8 +185,8 @@ void RunWalk::skip_to(int triangle) {
     next_ = {triangle, Phase::vertices, 0, 0};
 }
 
-/// In a box of many pixels, where the part ends that has as many tests as are kept; none if no more
-/// are left than go with the first rows. Box rows outside the picture cost nothing, and go with the
+/// In a box of many pixels, the end of the part that has as many tests as are kept; none if the
+/// rest fit in with the first rows. Box rows outside the picture cost nothing, and go with the
 /// others.
 std::optional<Cursor> RunWalk::part_end_in_box() const {
     if (next_.phase > Phase::tests) return std::nullopt;
@@ -199,7 +199,8 @@ std::optional<Cursor> RunWalk::part_end_in_box() const {
     return Cursor{next_.triangle, Phase::tests, end, 0};
 }
 
-/// Behind the part of the triangle that begins at next_: rows of so many fragments as are kept.
+/// The end of the part of the triangle that begins at next_: rows with as many fragments as are
+/// kept.
 Cursor RunWalk::part_end() const {
     if (const std::optional<Cursor> in_box = part_end_in_box()) return *in_box;
     const RowRange rows_a = rows_in_picture(a_, next_.triangle);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Two runs drawn side by side, triangle by triangle, and what each does at every moment. Keeps the
+// Two runs drawn in parallel, triangle by triangle, and what each does at every moment. Keeps the
 // work of a few rows, never that of a frame.
 
 #include <cstdint>
@@ -16,23 +16,23 @@
 
 namespace rasterwalk {
 
-/// First and last row of the row table of a triangle that is drawn, by its vertices.
+/// First and last row of the row table of a drawn triangle, by its vertices.
 struct TableRows {
     int first = 0, last = 0;
 };
 TableRows table_rows(const Frame& frame, int triangle);
 
-/// A vertex in the moment in which it is projected.
+/// A vertex at the moment it is projected.
 struct VertexEvent {
     Cursor cursor;
     ScreenVertex pixel;                    ///< valid if has_pixel
-    bool has_pixel = false;                ///< it lies where it can be projected
+    bool has_pixel = false;                ///< it can be projected
     Rejection rejection = Rejection::none; ///< why not
-    Varyings varyings;                     ///< as q, however the run carries them on
+    Varyings varyings;                     ///< as q, however the run carries them
     VaryingSet compared;                   ///< those that the run carries
 };
 
-/// What one run does at one moment; what it does not do is null or empty.
+/// What one run does at one moment; the rest is null or empty.
 struct MomentEvents {
     const VertexEvent* vertex = nullptr;
     const ClipEvent* clip = nullptr;
@@ -61,7 +61,7 @@ using PairVisitor = std::function<bool(const PairMoment&)>;
 /// Everything that a run does in a part of a frame, in order.
 class EventRecorder : public Observer {
   public:
-    /// @param frame must live as long
+    /// @param frame must outlive this
     explicit EventRecorder(const Frame& frame) : frame_(frame) {}
 
     void clear();
@@ -75,7 +75,7 @@ class EventRecorder : public Observer {
     bool wants_pixel_tests() const override { return true; }
     bool wants_clipping() const override { return true; }
 
-    /// How many moments there are; of a row that is only bounded both ends.
+    /// How many moments there are; for a row without fragments, both ends.
     std::size_t count() const {
         return vertices_.size() + clips_.size() + culls_.size() + samples_.size() + tests_.size() +
                fragments_.size();
@@ -83,7 +83,7 @@ class EventRecorder : public Observer {
 
     /// The next moment that has not been taken; the end if all have been.
     Cursor next() const;
-    /// What is done at that moment, which must not be before next().
+    /// The events of that moment, which must not be before next().
     MomentEvents take(const Cursor& cursor);
 
   private:
@@ -94,7 +94,7 @@ class EventRecorder : public Observer {
     std::vector<SampleEvent> samples_;
     std::vector<TestEvent> tests_;
     std::vector<FragmentEvent> fragments_;
-    /// The next of each.
+    /// The next one of each list.
     std::size_t vertex_ = 0, clip_ = 0, cull_ = 0, sample_ = 0, test_ = 0, fragment_ = 0;
 };
 
@@ -106,20 +106,20 @@ struct RunPictures {
 /// A walk through two runs of the same scene, with viewports of the same size.
 class RunWalk {
   public:
-    /// @param a, b must live as long
-    /// @param to   nothing is drawn from there on
+    /// @param a, b must outlive this
+    /// @param to   nothing is drawn from there onward
     RunWalk(const Frame& a, const Frame& b, const Cursor& to);
-    /// The same in pictures that are clear already.
+    /// The same in pictures that are already clear.
     RunWalk(const Frame& a, const Frame& b, const Cursor& to, RunPictures pictures);
 
-    /// Hands the pictures out, so that their memory can be used again; nothing may follow.
+    /// Hands the pictures out, so that their memory can be reused; no other call may follow.
     RunPictures take_pictures() { return std::move(pictures_); }
 
-    /// Draws everything before this triangle without telling anyone.
+    /// Draws everything before this triangle without reporting it.
     void skip_to(int triangle);
 
-    /// Draws the next part, a triangle or some rows of a large one or of its box, and tells of
-    /// every moment. False if the visitor has ended the walk.
+    /// Draws the next part, a triangle or some rows of a large one or of its box, and reports every
+    /// moment. False if the visitor has ended the walk.
     bool walk_part(const PairVisitor& visit);
 
     bool is_done() const;
@@ -127,7 +127,8 @@ class RunWalk {
     /// The triangle that the next part belongs to.
     int triangle() const { return next_.triangle; }
 
-    /// How many moments of both runs have been drawn and told of, and rows of tables made for it.
+    /// How many moments of both runs have been drawn and reported, plus the rows of tables made for
+    /// them.
     std::int64_t work() const { return work_; }
 
     /// The pictures so far.
@@ -147,8 +148,8 @@ class RunWalk {
     EventRecorder recorder_a_, recorder_b_;
 };
 
-/// What both runs do at one moment, told without drawing what lies before it: the pictures stand
-/// there already. Calls the visitor unless neither does anything.
+/// Reports what both runs do at one moment, without drawing anything before it: the pictures are
+/// already there. Calls the visitor unless neither does anything.
 /// @param scratch room for what the moment draws; kept by the caller to save allocations
 void visit_moment(const Frame& a, const Framebuffer& picture_a, const Frame& b,
                   const Framebuffer& picture_b, const Cursor& cursor, Framebuffer& scratch,

@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// To clear a pixel and copy another into it takes so many times the work of clearing it.
+/// Clearing a pixel and copying another into it is this many times the work of clearing it.
 constexpr double copy_factor = 4.0;
 
 } // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// The picture of whichever engine the settings ask for, as the planes that all panels read.
+// The picture by the engine of the settings, as the planes that all panels read.
 
 #include <memory>
 #include <optional>
@@ -14,21 +14,21 @@
 
 namespace rasterwalk {
 
-/// Is the picture at this moment to be the fast engine's? Only the whole picture is, and only where
-/// it does not refuse.
+/// Should the fast engine draw the picture at this moment? Only the whole picture, and only if it
+/// does not refuse.
 bool is_drawn_fast(const Scene& scene, const Settings& settings, const Cursor& to);
 
 /// The planes of a picture of the fast engine. Colours are those of the bytes; fragments are not
 /// counted, overdraw is 0.
-/// @param frame of the same scene and settings: says how planes begin
+/// @param frame of the same scene and settings: it has the start values of the planes
 void copy_picture(const FastPicture& picture, const Frame& frame, Framebuffer& planes);
 
 /// The same from the top as far as the limit allows, in planes that begin_clearing() has begun.
-/// @return are all rows copied?
+/// @return true if all rows are copied
 bool copy_rows(const FastPicture& picture, const WorkLimit& limit, Framebuffer& planes);
 
-/// The picture as it is shown, without planes.
-/// @param image its memory is used again
+/// The picture that is shown, without planes.
+/// @param image its memory is reused
 void copy_image(const FastPicture& picture, Image& image);
 
 /// Draws everything before a moment, by the engine of the settings.
@@ -39,8 +39,8 @@ class FastRun {
   public:
     explicit FastRun(const FastOptions& options = {}) : options_(options) {}
 
-    /// Draws, unless the last picture was of the same.
-    /// @return the picture is another one
+    /// Draws, unless the last picture showed the same.
+    /// @return true if the picture is a new one
     bool draw(const std::shared_ptr<const Scene>& scene, const Settings& settings);
 
     const FastPicture& picture() const { return picture_; }

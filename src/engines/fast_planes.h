@@ -14,13 +14,12 @@ namespace rasterwalk {
 struct FastPlanes {
     FastRun engine;
     Framebuffer planes;
-    bool is_whole = false; ///< all rows of the frame's picture are copied; until then only some
-                           ///< rows may be there
+    bool is_whole = false; ///< all rows of the frame's picture are copied, not just some
 };
 
-/// Draws a frame, and copies its picture from the top as far as the limit allows; does nothing
-/// where that is whole. For another frame `is_whole` is to be made false.
-/// @param scene that of the frame, or what tessellation makes of it
+/// Draws a frame, and copies its picture from the top as far as the limit allows; does nothing if
+/// that is whole. For a new frame set `is_whole` to false.
+/// @param scene the frame's, or its tessellation
 void advance_fast_planes(const std::shared_ptr<const Scene>& scene, const Frame& frame,
                          const WorkLimit& limit, FastPlanes& fast);
 

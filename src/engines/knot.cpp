@@ -48,7 +48,7 @@ double radius_of_tube(double u, double v) {
     return 0.13 * (1.0 + broad + fine);
 }
 
-/// In rings, one after the other.
+/// Ring by ring.
 std::vector<glm::vec3> places_of_vertices() {
     std::vector<glm::vec3> places;
     for (int i = 0; i < quads_along; ++i) {
@@ -64,7 +64,7 @@ std::vector<glm::vec3> places_of_vertices() {
     return places;
 }
 
-/// Seen from outside the corners go round as face_normal() wants them.
+/// Seen from outside, the corners go round as face_normal() expects.
 std::vector<TriangleIndices> triangles_of_grid() {
     const auto vertex = [](int i, int j) {
         return i % quads_along * quads_around + j % quads_around;

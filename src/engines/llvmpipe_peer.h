@@ -1,7 +1,7 @@
 #pragma once
 
-// The peer: llvmpipe, Mesa's rasterizer on the processor, in a program of its own,
-// `rasterwalk-llvmpipe`. Both speak in lines:
+// The peer: llvmpipe, Mesa's rasterizer on the processor, in a separate program,
+// `rasterwalk-llvmpipe`. The two exchange lines:
 //
 //   its arguments                 WORKLOAD WIDTHxHEIGHT THREADS
 //   it says when it is ready      "ready NAME"
@@ -11,7 +11,7 @@
 //
 //   at the end of its input       ends
 //
-// What it cannot do is a sentence on its standard error, and an exit code of ExitCode.
+// A failure is a sentence on its standard error, and an exit code of ExitCode.
 
 #include <memory>
 #include <string>
@@ -23,7 +23,7 @@
 
 namespace rasterwalk {
 
-/// What the peer is to draw, and on how many threads.
+/// What the peer should draw, and on how many threads.
 struct PeerTask {
     Workload workload = Workload::w1;
     Viewport size;
@@ -40,12 +40,12 @@ struct Peer {
     std::unique_ptr<TimedEngine> engine;
 };
 
-/// Starts the peer's program and waits until it is ready. It and its answers throw AccessError, and
-/// WaitingStopped.
+/// Starts the peer's program and waits until it is ready. This and reading its answers throw
+/// AccessError and WaitingStopped.
 Peer start_llvmpipe(const std::string& program, const PeerTask& task,
                     const ChildProcess::Patience& patience);
 
-/// The path of `rasterwalk-llvmpipe`: $RASTERWALK_LLVMPIPE, or else beside this program.
+/// The path of `rasterwalk-llvmpipe`: $RASTERWALK_LLVMPIPE, or else next to this program.
 std::string llvmpipe_program();
 
 } // namespace rasterwalk

@@ -18,14 +18,14 @@ constexpr int most_pictures_a_round = 1000;
 
 constexpr const char* steps_name = "steps";
 
-/// The first picture asks for memory and fills tables, which is not measured.
+/// The first pictures allocate memory and fill tables, which is not measured.
 constexpr int warm_up_pictures = 2;
 
 /// An engine while it is measured.
 struct Entrant {
     EngineResult result;
     std::unique_ptr<TimedEngine> engine; ///< null: it refuses
-    int pictures = 1;                    ///< that it draws in a round
+    int pictures = 1;                    ///< it draws this many in a round
     int next = 0;                        ///< number of its next picture
     std::vector<double> times;           ///< of a picture, one for each round
 };
@@ -56,7 +56,7 @@ void warm_up(Entrant& entrant, int threads, double round_milliseconds) {
     entrant.pictures = static_cast<int>(std::clamp(wanted, 1.0, double{most_pictures_a_round}));
 }
 
-/// The engines of this program that can draw with so many threads, in the order of the table.
+/// The engines of this program that can draw with this many threads, in the order of the table.
 std::vector<Entrant> own_entrants(const MeasurePlan& plan, const Scene& scene,
                                   const Settings& settings, int threads) {
     std::vector<Entrant> entrants;
@@ -94,7 +94,7 @@ void compare_pictures(std::vector<Entrant>& entrants, TimedEngine& steps) {
     }
 }
 
-/// @return how many rounds all engines have come through
+/// @return how many rounds all engines have finished
 int take_turns(std::vector<Entrant>& entrants, int threads, int rounds, const MeasureWatch& watch,
                const std::string& place) {
     for (int round = 0; round < rounds; ++round) {
@@ -112,7 +112,7 @@ int take_turns(std::vector<Entrant>& entrants, int threads, int rounds, const Me
     return rounds;
 }
 
-/// The times of a round that was broken off count for no engine.
+/// The times of an unfinished round count for no engine.
 void sum_up(std::vector<Entrant>& entrants, int rounds) {
     for (Entrant& entrant : entrants) {
         if (!entrant.engine) continue;
@@ -127,7 +127,7 @@ void sum_up(std::vector<Entrant>& entrants, int rounds) {
     }
 }
 
-/// What is done of one measurement; without a round if it was stopped before.
+/// One measurement, as far as it got; without a round if it was stopped before.
 Measurement measure(const MeasurePlan& plan, const Scene& scene, const PeerTask& task,
                     const StartPeer& start_peer, const MeasureWatch& watch,
                     const std::string& place) {

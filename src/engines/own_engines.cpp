@@ -13,7 +13,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Places the lamp, and times what the engine then does.
+/// Places the lamp, and times the engine's work after that.
 class OwnEngine : public TimedEngine {
   public:
     explicit OwnEngine(const Settings& settings)

@@ -13,7 +13,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Of the channel that differs most, 255ths.
+/// The difference of the channel that differs most, in 255ths.
 int largest_channel_difference(std::uint32_t a, std::uint32_t b) {
     int largest = 0;
     for (const int shift : {16, 8, 0}) {

@@ -12,7 +12,7 @@
 
 namespace rasterwalk {
 
-/// A picture of 8 bits a channel.
+/// A picture with 8 bits per channel.
 struct EnginePicture {
     Viewport size;
     /// 0xXXRRGGBB, row by row from the top; the highest byte means nothing.
@@ -20,7 +20,7 @@ struct EnginePicture {
 };
 
 /// How two pictures of the same size differ. A pixel differs if a channel does by more than 1/255:
-/// floats that are rounded to bytes may fall on either side.
+/// floats rounded to bytes can fall on either side.
 struct PictureDifference {
     std::int64_t pixels = 0;    ///< of the whole picture
     std::int64_t different = 0; ///< of them
@@ -30,11 +30,11 @@ struct PictureDifference {
     friend bool operator==(const PictureDifference&, const PictureDifference&) = default;
 };
 
-/// Throws std::invalid_argument if the pictures have not the same size.
+/// Throws std::invalid_argument if the pictures differ in size.
 PictureDifference difference_of(const EnginePicture& a, const EnginePicture& b);
 
-/// Of so many pixels one may differ, 0.02 %: where an edge meets the centre of a pixel the floats
-/// of two engines may choose differently.
+/// One in this many pixels may differ, 0.02 %: where an edge meets the centre of a pixel, the
+/// floats of two engines can decide differently.
 inline constexpr std::int64_t pixels_to_one_that_differs = 5000;
 bool do_agree(const PictureDifference& difference);
 

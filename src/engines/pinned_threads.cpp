@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The threads of this process whose names begin so, the oldest first.
+/// The threads of this process whose names begin with `name`, the oldest first.
 std::vector<int> threads_named(std::string_view name) {
     std::vector<int> threads;
     std::error_code fault;
@@ -36,7 +36,7 @@ std::vector<int> threads_named(std::string_view name) {
     return threads;
 }
 
-/// A thread that has ended meanwhile needs no processor: faults do not matter.
+/// A thread that has ended meanwhile needs no processor: errors do not matter.
 void hold(int thread, const std::vector<int>& processors) {
     cpu_set_t set;
     CPU_ZERO(&set);

@@ -2,7 +2,7 @@
 
 namespace rasterwalk {
 
-/// How long something took, or since when, milliseconds.
+/// How long something took, or the time since some moment, in milliseconds.
 struct Milliseconds {
     double processor = 0.0; ///< of all threads of this process together
     double wall = 0.0;

@@ -22,7 +22,7 @@ struct Pixel {
     glm::vec3 illumination{0.0f}; ///< worked out at the vertices; else unused
 };
 
-/// What the lab keeps in global variables.
+/// The lab's global variables.
 struct Lab {
     glm::vec3 camera_position{0.0f};
     float focal_length = 0.0f; ///< pixels
@@ -31,7 +31,7 @@ struct Lab {
     StudentPicture& picture;
 };
 
-/// What is the same at all pixels of a triangle.
+/// Values that are the same at all pixels of a triangle.
 struct CurrentTriangle {
     glm::vec3 normal{0.0f};
     glm::vec3 reflectance{0.0f};

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the engines are measured with. All of them, and the peer in its own program, make their
-// scene, camera and lamp here.
+// The workloads that engines are measured with. All of them, and the peer in its own program, get
+// their scene, camera and lamp here.
 
 #include <array>
 #include <cstdint>
@@ -46,12 +46,12 @@ inline constexpr int most_threads = 2;
 /// @param room the lab's room, which is a file; its lamp is made bright enough to be seen
 Scene workload_scene(Workload workload, const Scene& room);
 
-/// The settings by which it is drawn: the camera's focal length is the height of the picture, and a
+/// The settings it is drawn with: the camera's focal length is the height of the picture, and a
 /// pixel belongs to the triangle that covers its centre, as in OpenGL.
 Settings workload_settings(Workload workload, const Scene& scene, Viewport size);
 
 /// Where the lamp stands in one picture of a series. It moves a little from each picture to the
-/// next, so that no engine can keep anything of the last one.
+/// next, so that no engine can reuse anything of the last one.
 /// @param at     where it stands in picture 0, world units
 /// @param number of the picture, from 0
 glm::vec3 lamp_in_picture(const glm::vec3& at, int number);

@@ -21,7 +21,7 @@ EndPart part_of_ends(Quantity quantity) {
 
 namespace {
 
-/// Where edge functions find the pixels: the corners whose weighted values make the fragment.
+/// For pixels found by edge functions: the corners whose weighted values make the fragment.
 struct WeighedCorners {
     const TestedPolygon& polygon;
     const TestedTriangle& triangle;
@@ -30,7 +30,7 @@ struct WeighedCorners {
         : polygon(report.row.tested[static_cast<std::size_t>(way)]),
           triangle(triangle_of_pixel(polygon, report.pixel.x, report.pixel.y)) {}
 
-    /// The number of a corner of what is drawn, and its values.
+    /// The number of a corner of the drawn polygon, and its values.
     int number(std::size_t i) const { return triangle.corners[i]; }
     const RowEnd& corner(std::size_t i) const {
         return polygon.corners[static_cast<std::size_t>(number(i))];
@@ -82,8 +82,8 @@ namespace {
 
 constexpr std::array<const char*, edge_function_count> corner_symbols{"p", "q", "r"};
 
-/// How a value is mixed from those of the corners.
-/// @param is_twice the corners' values are multiplied by their 1/z once more
+/// How a value is mixed from the corners' values.
+/// @param is_twice the corners' values are multiplied by their 1/z a second time
 Formula by_weights(const FragmentReport& report, Formula formula, Interpolation way,
                    const EndPart& part, bool is_twice) {
     const WeighedCorners corners(report, way);
@@ -110,7 +110,7 @@ Formula by_weights(const FragmentReport& report, Formula formula, Interpolation 
 
 namespace {
 
-/// Is it what a row carries for the depth and for the weight of varyings?
+/// Does a row carry it for the depth and for the weight of varyings?
 bool is_depth(std::string_view id) {
     return id == "zinv" || id == "depth.carried";
 }
@@ -136,8 +136,8 @@ Formula along_row(const FragmentReport& report, std::string id, std::string name
     if (row.is_weighted()) return by_weights(report, std::move(formula), way, part, false);
     switch (row.walk) {
     case LineWalk::accumulate:
-    case LineWalk::integer_step: // only the place's step is cut, and along a row it is 1
-    case LineWalk::zinv_falls:   // only what goes with 1/z falls
+    case LineWalk::integer_step: // only the place's step is truncated, and along a row it is 1
+    case LineWalk::zinv_falls:   // only the values that go with 1/z fall
         formula.expression = "accumulate(left, (right − left) / (n − 1), i)";
         if (row.walk == LineWalk::zinv_falls && is_depth(formula.id))
             formula.expression = "accumulate(left, (left − right) / (n − 1), i)";
@@ -152,7 +152,7 @@ Formula along_row(const FragmentReport& report, std::string id, std::string name
         formula.expression = "left · (1 − i / (n − 1)) + right · (i / (n − 1))";
         break;
     }
-    // The first sample is the left end itself, whichever way the row is walked.
+    // The first sample is the left end itself, however the row is walked.
     if (report.step == 0) {
         formula.expression = "left";
         formula.inputs.resize(1);

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a normal map bends the normal of a fragment: the axes of the surface, the texels, the sum;
+// How a normal map bends the normal of a fragment: the axes of the surface, the texels and the sum,
 // with the formulas.
 
 #include "explain/light_formulas.h"
@@ -11,19 +11,19 @@ namespace rasterwalk {
 struct BumpReport {
     UvDirections uv;
     TangentFrame axes;
-    float sign = 0.0f;      ///< that gives the bitangent its side; 0: there are no axes
-    TakenTexels taken;      ///< of the normal map
-    glm::vec3 colour{0.0f}; ///< their mean by their weights, red green blue
-    glm::vec3 arrow{0.0f};  ///< what the colour stands for, in the surface's own axes
-    glm::vec3 normal{0.0f}; ///< bent, in the world, unit length
-    std::optional<TangentSpace> space{}; ///< in which the light is worked out; none: in the world
+    float sign = 0.0f;                   ///< gives the bitangent its side; 0: there are no axes
+    TakenTexels taken;                   ///< of the normal map
+    glm::vec3 colour{0.0f};              ///< their weighted mean, red green blue
+    glm::vec3 arrow{0.0f};               ///< that the colour stands for, in the surface's own axes
+    glm::vec3 normal{0.0f};              ///< bent, in the world, unit length
+    std::optional<TangentSpace> space{}; ///< where the light is worked out; none: in the world
 
-    /// How far the normal is bent away from that of the surface, degrees.
+    /// How far the normal is bent away from the surface's, degrees.
     double tilt() const;
 };
 
 /// The bent normal of a fragment whose surface has a normal map.
-/// @param normal of the surface, as the light would have it
+/// @param normal of the surface, as the light would use it
 BumpReport bump_report(const Fragment& fragment, const Surface& surface, const glm::vec3& normal,
                        const Frame& frame);
 
@@ -34,15 +34,15 @@ BumpReport bump_report(const Fragment& fragment, const Surface& surface, const g
 ///     bump.lean bump.flat.a bump.flat_length bump.tangent.a
 ///     bump.across.a bump.v_across bump.handedness bump.bitangent.a
 ///     bump.colour.red ...             the mean of the texels
-///     bump.arrow.a                    what it stands for
+///     bump.arrow.a                    the arrow it stands for
 ///     bump.sum.a bump.sum_length bump.normal.a
-/// and where the light is worked out in tangent space, by axes that are perpendicular:
+/// and if the light is worked out in tangent space, by axes that are perpendicular:
 ///     bump.square.lean bump.square.width bump.square.upright.a bump.square.height
 ///     bump.square.t.a bump.square.b.a bump.square.n.a
 ///     bump.square.arrow.a bump.square.length bump.square.normal.a
-/// bump.normal.a are the sources of the point's normal from then on, or bump.square.normal.a. Where
-/// there are no axes bump.normal.a is all that is appended.
-/// @param point with the normal of the surface, which is replaced by the bent one
+/// After this, bump.normal.a or bump.square.normal.a are the sources of the point's normal. If
+/// there are no axes only bump.normal.a is appended.
+/// @param point with the surface's normal, which is replaced by the bent one
 void append_bump_formulas(const BumpReport& report, const Frame& frame, int triangle,
                           LitPoint& point, std::vector<Formula>& formulas);
 

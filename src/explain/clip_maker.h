@@ -1,6 +1,6 @@
 #pragma once
 
-// What the formulas of clipping and those of culling are made with.
+// Tools for the formulas of clipping and culling.
 
 #include <array>
 #include <string>
@@ -20,7 +20,7 @@ inline float coordinate(const ClipVertex& vertex, int i) {
     return vertex.position_clip[i];
 }
 
-/// What makes formulas of one triangle.
+/// Makes the formulas of one triangle.
 struct ClipMaker {
     const Frame& frame;
     const ClipHistory& history;
@@ -28,15 +28,15 @@ struct ClipMaker {
     VertexRules rules() const { return vertex_rules(frame.settings, frame.scene->space); }
     SightRays rays() const { return sight_rays(rules()); }
 
-    /// The formula, or where other functions stand in the slots the bare number.
-    /// @param source that of the bare number
+    /// The formula or, if the slots have other functions, the bare number.
+    /// @param source source of the bare number
     Formula checked(Formula formula, const Source& source) const;
     /// A coordinate of a corner.
     /// @param i 0..3: x y z w
     FormulaInput input(std::string symbol, const CutCorner& corner, int i) const;
     /// A component of a corner's varying.
     /// @param index in varying_list
-    /// @param part  0 to before the varying's count
+    /// @param part  0 up to, not including, the varying's count
     FormulaInput varying(std::string symbol, const CutCorner& corner, int index, int part) const;
 };
 

@@ -27,7 +27,7 @@ std::vector<std::string_view> parts_of(std::string_view id) {
     }
 }
 
-/// A part as a number from 0 to before `end`; -1 for anything else.
+/// A part as a number from 0 up to, not including, `end`; -1 for anything else.
 int index_of(std::string_view part, std::size_t end) {
     const std::optional<int> number = parse_int(part);
     return number && *number >= 0 && *number < static_cast<int>(end) ? *number : -1;
@@ -41,7 +41,7 @@ int coordinate_of(std::string_view part) {
                : static_cast<int>(found - clip_coordinate_names.begin());
 }
 
-/// What makes formulas of one triangle.
+/// Makes the formulas of one triangle.
 struct Maker : ClipMaker {
     std::optional<Formula> corner(int vertex, int i) const;
     std::optional<Formula> moved(CornerPlace place, int number, int i) const;
@@ -104,9 +104,9 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
     return formula;
 }
 
-/// A corner that was divided before the planes saw it, or multiplied again behind them.
-/// @param place  which of the two; none if the corner's is another
-/// @param number of the corner: of the triangle's, or of those that are left
+/// A corner that was divided before the planes saw it, or multiplied again after them.
+/// @param place  which of the two; the result is none if the corner's place is a different one
+/// @param number of the corner, among the triangle's or among those left
 std::optional<Formula> Maker::moved(CornerPlace place, int number, int i) const {
     const auto at = static_cast<std::size_t>(number);
     const bool is_before = place == CornerPlace::changed;
@@ -115,7 +115,7 @@ std::optional<Formula> Maker::moved(CornerPlace place, int number, int i) const 
     const CutCorner given =
         is_before ? given_corners(history)[at]
                   : corners_before(history, static_cast<int>(history.planes.size()))[at];
-    // Before the planes by w; behind them by 1/w, which then stands in z.
+    // Before the planes by w; after them by 1/w, which is then in z.
     const int by = is_before ? 3 : 2;
     const std::string name = clip_coordinate_names[static_cast<std::size_t>(i)];
     const std::string divisor = clip_coordinate_names[static_cast<std::size_t>(by)];
@@ -159,7 +159,7 @@ Formula Maker::distance(const CutCorner& corner, ClipPlane plane, std::string id
                     "",
                     {},
                     {inner_distance(c, corner.vertex)}};
-    // What is added comes first.
+    // Added terms come first.
     for (const bool is_added : {true, false}) {
         for (int i = 0; i < 4; ++i) {
             if (c[i] == 0.0f || (c[i] > 0.0f) != is_added) continue;

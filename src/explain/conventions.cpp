@@ -23,8 +23,8 @@ constexpr std::array<std::string_view, convention_count> said_conventions{
     "R v instead of v R",   "the transpose of R", "y up in the world",
     "z out of the picture", "−f instead of f",    "rows counted from the bottom"};
 
-/// Points about the camera, so that a convention that happens to agree at one of them is not taken
-/// for the same.
+/// Points around the camera, so that a convention that happens to agree at one of them does not
+/// count as the same.
 std::array<glm::dvec3, 4> probes(const Camera& camera, const glm::dvec3& point) {
     const glm::dmat3 axes(camera_rotation(camera));
     const glm::dvec3 eye(camera.position);
@@ -38,13 +38,13 @@ bool is_same(const glm::dvec2& a, const glm::dvec2& b) {
     return std::abs(a.x - b.x) <= tolerance * size && std::abs(a.y - b.y) <= tolerance * size;
 }
 
-/// The point before the camera, in axes as chosen.
-/// @param rotation R as the lab has it
+/// The point in front of the camera, in the chosen axes.
+/// @param rotation the lab's R
 glm::dvec3 before_camera(const Camera& camera, const glm::dmat3& rotation, const glm::dvec3& point,
                          Conventions chosen) {
     const glm::dvec3 axes(1.0, has(chosen, Convention::y_up) ? -1.0 : 1.0,
                           has(chosen, Convention::z_backward) ? -1.0 : 1.0);
-    // The world is written down in other axes; R stays as the program has it.
+    // The world is written in other axes; R stays the program's.
     const glm::dvec3 d = axes * (point - glm::dvec3(camera.position));
     const glm::dmat3 r = has(chosen, Convention::transposed) ? glm::transpose(rotation) : rotation;
     return has(chosen, Convention::column_vectors) ? r * d : d * r;

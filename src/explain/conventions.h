@@ -1,8 +1,8 @@
 #pragma once
 
 // One point through the conventions that books and programs choose differently, and which of these
-// choices cancel each other. Each choice alone moves or mirrors the picture; some two or three
-// together leave it as it was, and a program that has one of them without the other is wrong.
+// choices cancel each other. Each choice alone moves or mirrors the picture; some sets of two or
+// three together leave it unchanged, and a program with only part of a set is wrong.
 
 #include <array>
 #include <cstdint>
@@ -18,14 +18,14 @@
 
 namespace rasterwalk {
 
-/// A choice against the lab's.
+/// A choice that differs from the lab's.
 enum class Convention : std::uint8_t {
     column_vectors, ///< R v in place of v R, with the same R
-    transposed,     ///< R's transpose in its place
+    transposed,     ///< R's transpose in place of R
     y_up,           ///< y of the world and of the camera runs up: their signs are flipped
     z_backward,     ///< z runs out of the picture: with y up, this makes the axes right-handed
     negative_f,     ///< −f for f
-    rows_up,        ///< rows are counted from below
+    rows_up,        ///< rows are counted from the bottom
 };
 template <>
 inline constexpr auto enum_words<Convention> = word_list("column_vectors", "transposed", "y_up",
@@ -48,28 +48,28 @@ static_assert(words_match<PictureChange>);
 struct ConventionPlace {
     Conventions chosen = 0;
     std::string formula;     ///< what the program writes: "−f · (R d).x / z"
-    glm::dvec3 camera{0.0};  ///< the point before the camera, in axes as chosen
+    glm::dvec3 camera{0.0};  ///< the point in front of the camera, in the chosen axes
     glm::dvec2 picture{0.0}; ///< f x/z and f y/z: pixels from the middle, y down in the picture
-    PictureChange change = PictureChange::same; ///< of the whole picture, against the lab's
+    PictureChange change = PictureChange::same; ///< of the whole picture, compared with the lab's
 };
 
 /// One point under the conventions, side by side.
 struct ConventionReport {
     ConventionPlace lab;
-    std::array<ConventionPlace, convention_count> alone; ///< each choice by itself
-    std::vector<ConventionPlace> cancelling; ///< the smallest sets that leave the picture as it was
-    std::vector<std::string> sentences;      ///< what cancels, one a set
+    std::array<ConventionPlace, convention_count> alone; ///< each choice alone
+    std::vector<ConventionPlace> cancelling; ///< the smallest sets that leave the picture unchanged
+    std::vector<std::string> sentences;      ///< what cancels, one per set
 };
 
-/// Takes a point of the world through all choices, by the lab's projection, which knows the focal
-/// length and no other projection or window that may be set.
+/// Takes a point of the world through all choices, by the lab's projection, which uses the focal
+/// length and ignores any other projection or window that is set.
 /// @param point in the lab's axes; should lie in front of the camera
 ConventionReport convention_report(const Camera& camera, const glm::vec3& point);
 
-/// A point under these choices.
+/// The point under these choices.
 ConventionPlace convention_place(const Camera& camera, const glm::dvec3& point, Conventions chosen);
 
-/// What a sentence calls each choice, indexed by Convention: "R v for v R".
+/// The name of each choice in a sentence, indexed by Convention: "R v for v R".
 const std::array<std::string_view, convention_count>& convention_names();
 
 /// Is this one among them?

@@ -11,7 +11,7 @@ namespace rasterwalk {
 namespace {
 
 /// The depth rounded to one of the values that the buffer has.
-/// @param whole the depth before
+/// @param whole the depth before rounding
 void round_depth(Formula& depth, float whole, const DepthRules& rules) {
     const ClipDepth kind = rules.projection.clip_depth;
     const int largest = (1 << rules.bits) - 1;
@@ -60,7 +60,7 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
                   "(1/z)",
                   {{"(1/z)", {report.fragment.depth}, from_formula("zinv")}},
                   {report.depth}};
-    // What is culled or cut out never came to the test.
+    // Culled and cut-out fragments never reached the test.
     const bool is_tested = is_depth_tested(report.fate);
     if (is_tested && report.depth_test == DepthTest::linear_z) {
         add_linear_depth(depth, report.fragment.z, vertex_rules(frame));

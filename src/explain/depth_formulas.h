@@ -9,13 +9,13 @@
 
 namespace rasterwalk {
 
-/// What a margin must be above for its fragment to be drawn, in the middle of a sentence: "0", or
-/// "epsilon, 0.001,".
+/// The limit a margin must exceed for its fragment to be drawn, in the middle of a sentence: "0",
+/// or "epsilon, 0.001,".
 std::string margin_limit(const DepthRules& rules);
 
-/// Appends depth.carried, where the row carries the buffer's value itself; depth, the value for the
-/// buffer; and margin, how much nearer it is than what is stored. Formulas of 1/z and z come
-/// before it: zinv, z.affine.
+/// Appends depth.carried, if the row carries the buffer's value itself; depth, the value for the
+/// buffer; and margin, how much nearer it is than the stored value. The formulas of 1/z and z, zinv
+/// and z.affine, must come before.
 void add_depth_test(FragmentReport& report, const Frame& frame);
 
 } // namespace rasterwalk

@@ -40,7 +40,7 @@ bool ends_symbol(std::string_view text) {
     return std::isalnum(first) == 0 && first != '_' && first != '.' && first < 0x80;
 }
 
-/// How long the symbol is that the text begins with; of several the longest; 0: none.
+/// The length of the longest symbol that the text begins with; 0: none.
 std::size_t symbol_length(std::string_view text, const std::vector<FormulaInput>& inputs) {
     std::size_t length = 0;
     for (const FormulaInput& input : inputs) {
@@ -52,13 +52,13 @@ std::size_t symbol_length(std::string_view text, const std::vector<FormulaInput>
     return length;
 }
 
-/// The formula must live as long.
+/// The formula must outlive it.
 ExpressionLanguage language_of(const Formula& formula) {
     return {formula_signs, false,
             [&formula](std::string_view rest) { return symbol_length(rest, formula.inputs); }};
 }
 
-/// The input of a symbol that was found by symbol_length().
+/// The input of a symbol found by symbol_length().
 int input_of(const Formula& formula, std::string_view symbol) {
     const auto found =
         std::find_if(formula.inputs.begin(), formula.inputs.end(),
@@ -150,7 +150,7 @@ class Evaluator {
         if (wants("wrap", 2)) {
             const float rest = std::fmod(a.value, b.value);
             if (std::isnan(rest)) return {0.0f, true};
-            // + 0: what is left of a number below 0 may be −0.
+            // + 0: the remainder of a number below 0 may be −0.
             return {rest < 0.0f ? rest + b.value : rest + 0.0f, a.is_whole && b.is_whole};
         }
         if (wants("accumulate", 3)) {
@@ -169,7 +169,7 @@ class Evaluator {
 
 /// A term of the outermost sum.
 struct Summand {
-    std::string_view sign; ///< before it; empty before the first
+    std::string_view sign; ///< in front; empty for the first
     int node = -1;
 };
 
@@ -227,7 +227,7 @@ std::string shown(const Number& number) {
     std::string text = number.is_whole || is_integral ? decimals(size, 0)
                        : size >= 1e6 || size < 1e-3   ? scientific(size, 2)
                                                       : decimals(size, digits);
-    // Numbers that someone has typed are shown as typed: 0.15, not 0.1500.
+    // Typed numbers are shown as typed: 0.15, not 0.1500.
     const std::string brief = shortest(std::abs(value));
     if (brief.size() < text.size()) text = brief;
     std::string result = value < 0 ? std::string(true_minus) + text : text;
@@ -245,7 +245,7 @@ std::vector<FormulaPiece> pieces_with_numbers(const Formula& formula) {
     using TokenKind = SyntaxToken::Kind;
     std::vector<FormulaPiece> pieces;
     const std::vector<SyntaxToken> tokens = split_tokens(formula.expression, language_of(formula));
-    const SyntaxToken* before = nullptr; // the last that is no blank
+    const SyntaxToken* before = nullptr; // the last that is not blank
     const auto is_sign = [](const SyntaxToken& token, Sign sign) {
         return token.kind == TokenKind::sign && token.sign == sign;
     };

@@ -21,7 +21,7 @@ namespace {
 
 using Carried = std::array<Fragment, interpolation_count>; ///< indexed by Interpolation
 
-/// Keeps the event of one fragment, and who wrote on its pixel before.
+/// Keeps the event of one fragment, and the earlier writer of its pixel.
 class Watcher : public Observer {
   public:
     explicit Watcher(const Cursor& of) : wanted(of) {}
@@ -41,7 +41,7 @@ class Watcher : public Observer {
     Cursor wanted;
 };
 
-/// z as it is, from what the row carries.
+/// The true z, from what the row carries.
 Formula true_depth(const Fragment& fragment, float mix) {
     Formula formula{"z.perspective",
                     "z",
@@ -132,8 +132,8 @@ void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& 
          {part_of(report.under(Interpolation::zinv_twice), quantity)}});
 }
 
-/// What is recovered of a value that the row carries rightly, where it is divided by 1/z too rarely
-/// or too often at the pixel.
+/// What is recovered of a value that the row carries correctly, if the pixel divides it by 1/z too
+/// few or too many times.
 void add_divided_wrongly(FragmentReport& report, const QuantityInfo& info, Interpolation way,
                          float carried) {
     const std::string id(info.words.id), symbol = "(" + std::string(info.words.carried_name) + ")";
@@ -188,7 +188,7 @@ void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried
                    part_of(report.under(Interpolation::perspective), quantity)));
 }
 
-/// The sources of a varying's components, where the report has their formulas.
+/// The sources of a varying's components, if the report has their formulas.
 SourcedVector interpolated(const FragmentReport& report, glm::vec3 Varyings::*member,
                            const char* otherwise) {
     SourcedVector vector{report.under(report.interpolation).*member, {}};
@@ -200,7 +200,7 @@ SourcedVector interpolated(const FragmentReport& report, glm::vec3 Varyings::*me
     return vector;
 }
 
-/// What a triangle has once: as its first vertex has it.
+/// A value that a triangle has once: its first vertex's.
 SourcedVector of_first_vertex(int triangle, const glm::vec3& value,
                               const std::array<std::string, 3>& ids) {
     SourcedVector vector{value, {}};
@@ -221,7 +221,7 @@ std::array<std::string, 3> reflectance_ids() {
     return ids;
 }
 
-/// What the fragment took of its texture.
+/// What the fragment took from its texture.
 void add_texture(const Frame& frame, FragmentReport& report) {
     report.texture = texture_report(frame, report.cursor.triangle, report.fragment);
     if (!report.texture) return;
@@ -232,7 +232,7 @@ void add_texture(const Frame& frame, FragmentReport& report) {
 }
 
 /// The light at the fragment's own place.
-/// @return the reflectance there, interpolated where the corners' differ
+/// @return the reflectance there, interpolated if the corners' differ
 SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     const int triangle = report.cursor.triangle;
     const Surface surface = lit_surface_of(frame, triangle);
@@ -272,7 +272,7 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     return point.reflectance;
 }
 
-/// A part of the middle of a triangle, which is the mean of its corners' parts.
+/// A component of the middle of a triangle, the mean of its corners' components.
 Source add_mean(const FragmentReport& report, const std::string& id, const std::string& symbol,
                 const std::array<float, triangle_corners>& parts, float mean,
                 const std::string& vertex_id, std::vector<Formula>& formulas) {
@@ -293,7 +293,7 @@ Source add_mean(const FragmentReport& report, const std::string& id, const std::
     return from_formula(id);
 }
 
-/// The light in the middle of the triangle, which flat shading gives all of it.
+/// The light in the middle of the triangle, which flat shading applies to all of it.
 void add_triangle_light(const Frame& frame, FragmentReport& report) {
     const int triangle = report.cursor.triangle;
     const CornerDifferences differs = frame.scene->mesh.differences(triangle);
@@ -379,7 +379,7 @@ std::string formula_id(Quantity quantity, Interpolation way) {
 
 namespace {
 
-/// Where w is not z, values are carried divided by w.
+/// If w is not z, values are carried divided by w.
 void say_w_for_z(std::vector<Formula>& formulas) {
     const auto put = [](std::string& text, std::string_view word, std::string_view by) {
         for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += by.size())

@@ -1,8 +1,8 @@
 #pragma once
 
 // Everything about one fragment: how its numbers were carried along its row, the right way and the
-// wrong way; its light, term by term; its depth test; what it did to its pixel. Each number stands
-// there as the drawing had it, with the formula by which anyone can work it out again.
+// wrong way; its light, term by term; its depth test; what it did to its pixel. Each number is the
+// drawing's, with the formula to work it out again.
 
 #include <array>
 #include <optional>
@@ -24,25 +24,25 @@ namespace rasterwalk {
 ///
 /// Ids of its formulas, with q one of x y z_world red green blue:
 ///     column              where in the picture
-///     weight.0 weight.1 weight.2      of the corners, where edge functions find the pixels
+///     weight.0 weight.1 weight.2      of the corners, if edge functions find the pixels
 ///     zinv                interpolated 1/z
 ///     z.affine z.perspective z.off
 ///     q.carried           interpolated q/z
 ///     q.affine q.perspective q.off
-///     q.carried_twice q.zinv_twice    only where that is in force; q.off is then of the latter
+///     q.carried_twice q.zinv_twice    only if that is in use; q.off is then of the latter
 ///     pixel_light.*       the light at the fragment's own place, see light_formulas.h
-///     pixel_light.n_length pixel_light.n.x ...      where normals travel, see highlight_formulas.h
-///     pixel_light.side pixel_light.lit_n.x ...      where both sides are lit, see light_formulas.h
-///     bump.*              where a normal map bends the normal, see bump_formulas.h
+///     pixel_light.n_length pixel_light.n.x ...      if normals vary, see highlight_formulas.h
+///     pixel_light.side pixel_light.lit_n.x ...      if both sides are lit, see light_formulas.h
+///     bump.*              if a normal map bends the normal, see bump_formulas.h
 ///     triangle_light.*    under flat shading: the light in the middle of the triangle, whose place
 ///                         is triangle_light.p.x ...
-///     vertex_light.colour.red ...   the light that the vertices brought along, as shown
-///     flat.colour.red ... the reflectance, as shown; the colour where there is no light
-///     texture.* surface.red ...     where the surface has a texture: what it took of it, and the
+///     vertex_light.colour.red ...   the light interpolated from the vertices, as shown
+///     flat.colour.red ... the reflectance, as shown; the colour if there is no light
+///     texture.* surface.red ...     if the surface has a texture: what it took from it, and the
 ///                         colour that stands for its reflectance; see texture_report.h
-///     vertex_light.painted.red ...  also there: the light of the vertices, times the texture; and
+///     vertex_light.painted.red ...  also then: the light of the vertices, times the texture; and
 ///                         triangle_light.painted.red ... under flat shading
-///     blend.red ...       where the surface is half transparent: its share and that of the pixel
+///     blend.red ...       if the surface is half transparent: its share and the pixel's
 ///     depth margin        value for the depth buffer, and how much nearer it is than the stored
 ///     one
 struct FragmentReport {
@@ -51,18 +51,18 @@ struct FragmentReport {
     CarriedRow row;
     int step = 0; ///< column in the row, from its left end
 
-    Interpolation interpolation = Interpolation::perspective; ///< in force
-    Shading shading = Shading::unlit;                         ///< in force
-    DepthTest depth_test = DepthTest::off;                    ///< in force
+    Interpolation interpolation = Interpolation::perspective; ///< in use
+    Shading shading = Shading::unlit;                         ///< in use
+    DepthTest depth_test = DepthTest::off;                    ///< in use
 
-    Fragment fragment;                                  ///< as draw() had it
+    Fragment fragment;                                  ///< as in draw()
     std::array<Varyings, interpolation_count> varyings; ///< recovered, q; indexed by Interpolation
-    SurfaceLight light;              ///< at its own place, interpolated as is in force
+    SurfaceLight light;              ///< at its own place, by the interpolation in use
     SurfaceLight light_per_triangle; ///< under flat shading: in the middle of the triangle
     std::array<SurfaceLight, triangle_corners> at_vertex; ///< light at the vertices of the scene
-    glm::vec3 normal{0.0f};                               ///< that the light at its own place has
-    std::optional<BumpReport> bump;       ///< of that normal; none: no normal map bends it
-    glm::vec3 light_per_vertex{0.0f};     ///< carried from the vertices as is in force
+    glm::vec3 normal{0.0f};                               ///< used by the light at its own place
+    std::optional<BumpReport> bump;                       ///< of that normal; none: no normal map
+    glm::vec3 light_per_vertex{0.0f};     ///< carried from the vertices by the interpolation in use
     std::optional<TextureReport> texture; ///< of the surface; none: it has none
 
     float depth = 0.0f, stored = 0.0f;
@@ -70,9 +70,9 @@ struct FragmentReport {
     std::optional<Cursor> stored_by; ///< the fragment that stored it; none: never written
     Fate fate = Fate::written;
     glm::vec3 before{0.0f}, after{0.0f}; ///< the pixel's colour; not clamped
-    float alpha = 1.0f; ///< with which it is blended; of one that is cut out its texture's
+    float alpha = 1.0f; ///< that it is blended with; if it is cut out, its texture's
     TextureAlpha texture_alpha = TextureAlpha::off; ///< what the alpha of its texture does
-    glm::vec3 colour{0.0f}; ///< that the pixel shader gives it, drawn or not
+    glm::vec3 colour{0.0f};                         ///< from the pixel shader, drawn or not
 
     std::vector<Formula> formulas;
 
@@ -81,12 +81,12 @@ struct FragmentReport {
     }
 };
 
-/// The report on the fragment at this moment; none if the moment is no fragment in the picture.
-/// Costs the triangles before it whose box its pixel lies in, and a look at the others.
+/// The report on the fragment at this moment; none if the moment is not a fragment in the picture.
+/// Costs drawing the earlier triangles whose box holds its pixel, and a look at the others.
 std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& cursor);
 
 /// The fragment that a pixel of the picture shows at `moment`; if none is drawn there yet, the one
-/// that it will show in the end; none if no fragment is ever drawn there.
+/// that it will finally show; none if no fragment is ever drawn there.
 std::optional<Cursor> fragment_on_pixel(const Frame& frame, const glm::ivec2& pixel,
                                         const Cursor& moment);
 

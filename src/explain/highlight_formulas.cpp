@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A vector whose parts are formulas of the point: "l.x".
+/// A vector whose components are formulas of the point: "l.x".
 SourcedVector part_formulas(const LitPoint& point, const std::string& symbol,
                             const glm::vec3& value) {
     SourcedVector vector{value, {}};
@@ -60,7 +60,7 @@ class HighlightMaker {
     }
 
     glm::vec3 way_in_world() const { return -sight_ray(point_.position.value, rays_); }
-    /// In the space in which the light is worked out.
+    /// In the space where the light is worked out.
     glm::vec3 way_to_eye() const {
         return point_.space ? along_axes(way_in_world(), point_.space->axes) : way_in_world();
     }
@@ -80,12 +80,12 @@ class HighlightMaker {
         }
     }
 
-    /// From the point to the eye in the world, by the rays of sight.
-    /// @param id, symbol of the way without its axis
+    /// From the point to the eye in the world, by the sight rays.
+    /// @param id, symbol of the vector, without its axis
     void add_way_to_eye(int i, const std::string& id, const std::string& symbol) {
         const std::string axis = axis_names[static_cast<std::size_t>(i)];
         const std::string camera = "C." + axis, place = "p." + axis;
-        // In this order, as the shader has it: C − p would be 0 where this is −0.
+        // In this order, as in the shader: C − p would be 0 where this is −0.
         std::string expression = "−(" + place + " − " + camera + ")";
         std::vector<FormulaInput> inputs{
             {camera, {rays_.camera[i]}, from_setting("camera.position")},

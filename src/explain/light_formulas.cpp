@@ -16,7 +16,7 @@ SourcedVector ray(const LitPoint& point) {
     return r;
 }
 
-/// The slant, by the rule in force.
+/// The cosine, by the rule in use.
 Formula cosine_formula(const LitPoint& point, LightDirection direction) {
     Formula cosine{point.prefix + "cosine",
                    "cosine",
@@ -43,7 +43,7 @@ Formula cosine_formula(const LitPoint& point, LightDirection direction) {
     return cosine;
 }
 
-/// Over what the power is spread, by the rule in force.
+/// The area the power is spread over, by the rule in use.
 Formula area_formula(const LitPoint& point, LightFalloff falloff) {
     Formula area{point.prefix + "area",
                  "4πr²",
@@ -87,7 +87,7 @@ Formula area_formula(const LitPoint& point, LightFalloff falloff) {
     return area;
 }
 
-/// D = P (cosine / area), and R = rho (D + N), of one channel.
+/// D = P (cosine / area), and R = rho (D + N), for one channel.
 void append_channel(const LitPoint& point, const Light& light, int channel,
                     std::vector<Formula>& formulas) {
     const std::string name = channel_names[channel];
@@ -266,7 +266,7 @@ void append_side_formulas(LitPoint& point, const SourcedVector& surface, const F
 
 namespace {
 
-/// The way to the lamp in tangent space: in the world first, and then along each axis.
+/// The vector to the lamp in tangent space: first in the world, then along each axis.
 void append_way_along_axes(const LitPoint& point, const Light& light, bool is_turned_round,
                            std::vector<Formula>& formulas) {
     const SourcedVector& place = point.position;
@@ -301,7 +301,7 @@ void append_way_along_axes(const LitPoint& point, const Light& light, bool is_tu
     }
 }
 
-/// The way to the lamp in the world.
+/// The vector to the lamp in the world.
 void append_way(const LitPoint& point, const Light& light, bool is_turned_round,
                 std::vector<Formula>& formulas) {
     const bool is_at_camera = light.place == LampPlace::camera;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* minus_sign = "−";
 
-/// Which coordinate of camera space goes along this axis of the picture: by mistake the other one.
+/// The coordinate of camera space along this axis of the picture; by mistake the other one.
 int source_axis(const Settings& settings, int i) {
     return settings.image_axes == ImageAxes::exchanged ? 1 - i : i;
 }

@@ -96,7 +96,7 @@ class ShadowMaker {
             terms_.is_dark() ? "0" : "1", {}, terms_.lit);
     }
 
-    /// One coordinate of the point from the lamp: each face looks along an axis of the world.
+    /// One coordinate of the point seen from the lamp: each face looks along an axis of the world.
     void add_seen(int part, const std::string& id, const std::string& name) {
         const glm::vec3& axis =
             frame_.occluders.map->faces[static_cast<std::size_t>(terms_.face)].axes[part];
@@ -146,7 +146,7 @@ class ShadowMaker {
             terms_.bias);
     }
 
-    /// What the map holds in a texel.
+    /// The value of a texel of the map.
     void add_texel(const std::string& id, const ShadowTexel& texel) {
         if (!(texel.inv_depth > 0.0f)) return;
         add(id, "z in the map",
@@ -204,7 +204,7 @@ class ShadowMaker {
     Light lamp_;
 };
 
-/// With as many digits as it takes to tell depths apart.
+/// With enough digits to tell depths apart.
 std::string depth_text(float depth) {
     return fmt::format("{:.4f}", depth);
 }

@@ -9,7 +9,7 @@
 
 namespace rasterwalk {
 
-/// What kind of place a number comes from.
+/// The kinds of places that a number can come from.
 enum class SourceKind : std::uint8_t {
     given,   ///< a constant, or the scene itself
     setting, ///< a setting, by name

@@ -24,7 +24,7 @@ std::string e_symbol(std::size_t i) {
     return fmt::format("E{}", i);
 }
 
-/// The corners between which an edge goes, in the order in which its function has them.
+/// The two corners of an edge, in the order of its function.
 struct EdgeEnds {
     std::string from, to;
 };
@@ -32,8 +32,8 @@ struct EdgeEnds {
 EdgeEnds ends_of_edge(const TestedTriangle& triangle, std::size_t i,
                       const std::array<std::string, edge_function_count>& corners) {
     const std::size_t next = (i + 1) % edge_function_count;
-    // Where the corners go round counterclockwise each edge is turned: then the next edge ends
-    // where this one begins.
+    // If the corners go round counterclockwise each edge is reversed: then the next edge ends where
+    // this one begins.
     const EdgeFunction &edge = triangle.edges[i], &other = triangle.edges[next];
     const GridPoint to{edge.from.x + edge.way.dx, edge.from.y + edge.way.dy};
     if (to == other.from) return {corners[i], corners[next]};
@@ -75,7 +75,7 @@ Formula edge_formula(const TestedTriangle& triangle, const PixelTest& test, std:
 } // namespace
 
 std::size_t edge_of_weight(std::size_t corner, WeightEdge made_of) {
-    // Edge 0 runs from corner 0 to 1 and lies opposite of corner 2.
+    // Edge 0 runs from corner 0 to 1 and lies opposite corner 2.
     return made_of == WeightEdge::own ? corner : (corner + 1) % edge_function_count;
 }
 

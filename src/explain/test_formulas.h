@@ -14,8 +14,8 @@
 
 namespace rasterwalk {
 
-/// The edge of whose function a corner's weight is made: the one opposite of it, or by mistake the
-/// one that begins at it.
+/// The edge whose function gives a corner's weight: the opposite one, or by mistake the one that
+/// begins at the corner.
 /// @param corner 0, 1 or 2
 std::size_t edge_of_weight(std::size_t corner, WeightEdge made_of);
 
@@ -27,8 +27,8 @@ std::size_t edge_of_weight(std::size_t corner, WeightEdge made_of);
 /// The stage computes E without error, in whole 65536ths. The expression is worked out in float, so
 /// for a triangle of many pixels it can be off in its last digits; the weights have the same bits.
 /// @param triangle of the fan, which the pixel was tested for
-/// @param corners  what its corners are called: "v0"
-/// @param settings those by which it was tested
+/// @param corners  the names of its corners: "v0"
+/// @param settings the ones it was tested with
 std::vector<Formula> test_formulas(const TestedTriangle& triangle, const PixelTest& test,
                                    const std::array<std::string, edge_function_count>& corners,
                                    const Settings& settings);

@@ -83,7 +83,7 @@ class TextureFormulas {
                 from_formula(coordinate_ids_[static_cast<std::size_t>(axis.index)])};
     }
 
-    /// Where the place lies among texels.
+    /// Where the place is among the texels.
     float among(const TextureAxis& axis, int count) const {
         return frame_.stages.texel_place(report_.place.texcoord[axis.index], axis.direction, count);
     }
@@ -119,7 +119,7 @@ class TextureFormulas {
         formulas_.push_back(formula);
     }
 
-    /// How far u and v move from a pixel to the next, and how far that is in texels.
+    /// How far u and v move from one pixel to the next, and how far that is in texels.
     void add_side(const std::string& name, const std::string& next, const glm::vec2& side,
                   const glm::vec2& slope, float weight_slope, float length) {
         const Interpolation way = frame_.settings.interpolation;
@@ -186,7 +186,7 @@ class TextureFormulas {
         level.inputs.erase(level.inputs.begin() + 1);
     }
 
-    /// The number of a texel once it is wrapped, as an expression of `texel`.
+    /// The number of a texel after wrapping, as an expression in `texel`.
     std::string wrapped(const std::string& texel) const {
         switch (frame_.settings.texture_wrap) {
         case TextureWrap::repeat:

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a fragment took of the texture of its surface: where it lies there, how far a pixel reaches,
+// What a fragment took from the texture of its surface: where it is there, how far a pixel reaches,
 // which texels, and how much each of them counts; with the formulas.
 
 #include <optional>
@@ -14,12 +14,12 @@ namespace rasterwalk {
 /// The texture of one fragment.
 struct TextureReport {
     Surface surface;     ///< with its texture, which belongs to the frame's scene
-    float weight = 0.0f; ///< by which varyings are carried: 1/z, or 1
+    float weight = 0.0f; ///< varyings are carried with: 1/z, or 1
     TexturePlace place;
     float right = 0.0f, down = 0.0f; ///< how far a pixel reaches, texels of the texture itself
-    float level = 0.0f;              ///< that suits it, whether or not the filter asks
+    float level = 0.0f;              ///< the one that suits it, whether the filter uses it or not
     TakenTexels taken;
-    glm::vec3 reflectance{1.0f}; ///< of the surface there, which the texture paints
+    glm::vec3 reflectance{1.0f}; ///< of the surface there, painted by the texture
     glm::vec3 colour{0.0f};      ///< of the texture alone
 
     /// The texel that counts most; the first of several.
@@ -30,14 +30,14 @@ struct TextureReport {
 std::optional<TextureReport> texture_report(const Frame& frame, int triangle,
                                             const Fragment& fragment);
 
-/// The same of the fragment at a moment; none if the moment is no fragment of a row table.
+/// The same for the fragment at a moment; none if the moment is not a fragment of a row table.
 std::optional<TextureReport> texture_report(const Frame& frame, const Cursor& cursor);
 
-/// Appends, with k the number of a texel that was taken and i that of a level:
+/// Appends, with k the number of a texel that was taken and i the number of a level:
 ///     texture.x texture.y                   the place in texels of the texture itself
 ///     texture.right.u texture.right.v texture.down.u texture.down.v    sides of the footprint
 ///     texture.right texture.down            their lengths in texels
-///     texture.level                         that suits the footprint
+///     texture.level                         the one that suits the footprint
 ///     texture.level.i.x .y .fx .fy          the place among the texels of a level, and how far
 ///                                           beyond the centre of the texel before it; not with
 ///                                           nearest

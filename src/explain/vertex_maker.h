@@ -1,6 +1,6 @@
 #pragma once
 
-// What the formulas of a vertex are made with.
+// Tools for the formulas of a vertex.
 
 #include <string>
 #include <utility>
@@ -11,7 +11,7 @@
 
 namespace rasterwalk {
 
-/// What the formulas of a vertex are made from.
+/// The data that the formulas of a vertex are made from.
 struct VertexMaker {
     const Frame& frame;
     const Vertex& vertex;
@@ -23,16 +23,15 @@ struct VertexMaker {
     bool is_by_matrices() const {
         return !is_bench() && frame.settings.transform == Transform::matrices;
     }
-    /// Is the projection another than perspective?
+    /// Is the projection different from perspective?
     bool is_mixed() const { return !is_bench() && frame.settings.projection_mix > 0.0f; }
-    /// Does the depth buffer hold something else than 1/w?
+    /// Does the depth buffer hold something different from 1/w?
     bool has_own_depth() const {
         return clip_depth_rule(frame.settings, frame.scene->space) != ClipDepth::inv_z;
     }
 };
 
-/// What a matrix has worked out in double is shown as it came out; the way there stands with the
-/// spaces.
+/// The result of a matrix in double is shown as it is; the vertex's spaces show how it was found.
 inline FormulaInput by_matrix(const std::string& symbol, float value, const std::string& product) {
     return {symbol, {value}, from_words(product + ", in double: see the vertex's spaces")};
 }

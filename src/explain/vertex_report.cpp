@@ -55,8 +55,8 @@ void set_turned(const VertexMaker& made, const std::string& symbol, const std::s
     }
 }
 
-/// A coordinate of a space and that of the camera's position, with a sign between them.
-/// @param space where the point is before that
+/// A coordinate of a space and the camera's, with a sign between them.
+/// @param space where the point is before the move
 void set_moved(const VertexMaker& made, const std::string& symbol, const std::string& space,
                const char* sign, int i, Formula& formula) {
     const std::string axis = axis_names[i], point = symbol + "." + axis, camera = "C." + axis;
@@ -204,7 +204,7 @@ void add_inverse_z(VertexMaker& made) {
     made.add(formula);
 }
 
-/// The normal as the light has it, if it was taken to the camera as a place.
+/// The normal as the light has it, if it was transformed to camera space as a place.
 void add_moved_normal(VertexMaker& made, const glm::vec3& normal) {
     for (int i = 0; i < 3; ++i) {
         const std::string axis = axis_names[i];

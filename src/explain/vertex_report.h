@@ -1,7 +1,6 @@
 #pragma once
 
-// A vertex through the spaces, every number with its formula, and what other rules would make of
-// it.
+// A vertex through the spaces, every number with its formula, and its numbers under other rules.
 
 #include <array>
 #include <string>
@@ -18,9 +17,9 @@ namespace rasterwalk {
 ///
 /// Ids of its formulas: world.x .y .z, minus_camera.x ..., R.0.0 to R.2.2 (of the camera, row and
 /// column), rotated.x ..., zinv, projected.x .y, pixel.column .row, normal.x ..., reflectance.red
-/// ..., and the light's with prefix `light.`, see light_formulas.h. Of a rejected vertex those
-/// from zinv on may be missing. Where matrices do the work, clip.x .y stand before projected.x .y;
-/// where the projection is not perspective, clip.x .y .z .w, and `depth` beside zinv, which is 1/w.
+/// ..., and the light's with prefix `light.`, see light_formulas.h. For a rejected vertex, zinv and
+/// those after it may be missing. If matrices do the work, clip.x .y come before projected.x .y; if
+/// the projection is not perspective, clip.x .y .z .w, and `depth` next to zinv, which is 1/w.
 struct VertexReport {
     int triangle = -1;
     int vertex = -1; ///< 0..2
@@ -36,14 +35,14 @@ struct VertexReport {
 VertexReport vertex_report(const Frame& frame, int triangle, int vertex);
 
 /// The id of the formula for the normal, axis 0 to 2, as the light has it: "normal.x", or
-/// "light_normal.x" where it was moved by mistake.
+/// "light_normal.x" if it was moved by mistake.
 std::string light_normal_id(const Settings& settings, int axis);
 
-/// The number of this id in a vertex that went another way; ids of world, minus_camera, rotated,
-/// clip, zinv, depth, projected and pixel only, for others 0.
+/// The number with this id in a vertex computed another way; only for ids of world, minus_camera,
+/// rotated, clip, zinv, depth, projected and pixel, 0 for others.
 Number vertex_number(const ShadedVertex& vertex, std::string_view id);
 
-/// Does the camera's rotation enter the number? Then R v in place of v R can change it.
+/// Does the number depend on the camera's rotation? Then R v in place of v R can change it.
 bool depends_on_rotation(std::string_view id);
 
 /// How the place of a vertex becomes column and row, in sentences: "Cut toward 0 to a whole number

@@ -20,7 +20,7 @@ std::string in_text(double value) {
     return shown({static_cast<float>(value)});
 }
 
-/// The number as a factor: what is negative stands in parentheses, unless it begins.
+/// The number as a factor: negative numbers are in parentheses, unless they come first.
 std::string factor_text(double value, bool begins) {
     const std::string text = in_text(value);
     return value < 0.0 && !begins ? "(" + text + ")" : text;
@@ -69,7 +69,7 @@ void add_division(SpacesOfVertex& spaces) {
     spaces.places.push_back(std::move(ndc));
 }
 
-/// The rules by which the vertex is drawn, with the mistakes that a matrix can hold.
+/// The rules that the vertex is drawn by, with the mistakes that a matrix can contain.
 struct MatrixRules {
     VertexRules rules;
     glm::mat3 rotation;
@@ -82,13 +82,13 @@ MatrixRules matrix_rules(const Frame& frame) {
     return drawn;
 }
 
-/// Tp, with the mistake that it can hold.
+/// Tp, with the mistake that it can contain.
 glm::dmat4 drawn_projection(const Frame& frame, const VertexRules& rules) {
     glm::dmat4 projection = projection_matrix(rules);
     if (frame.settings.image_axes == ImageAxes::mirrored)
         projection = glm::dmat4(glm::dmat3{{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}) * projection;
     if (frame.settings.image_axes == ImageAxes::exchanged) {
-        // It is pixels that change places, and the picture need not be square.
+        // Pixels are swapped, and the picture need not be square.
         const double aspect = static_cast<double>(rules.viewport.width) / rules.viewport.height;
         projection =
             glm::dmat4(glm::dmat3{{0, aspect, 0}, {1 / aspect, 0, 0}, {0, 0, 1}}) * projection;
@@ -96,7 +96,7 @@ glm::dmat4 drawn_projection(const Frame& frame, const VertexRules& rules) {
     return projection;
 }
 
-/// Ts, with the mistake that it can hold.
+/// Ts, with the mistake that it can contain.
 glm::dmat4 drawn_viewport(const Frame& frame, const VertexRules& rules) {
     glm::dmat4 viewport = viewport_matrix(rules);
     const glm::dvec2 middle(frame.stages.viewport_middle(rules));
@@ -104,7 +104,7 @@ glm::dmat4 drawn_viewport(const Frame& frame, const VertexRules& rules) {
     return viewport;
 }
 
-/// What Tp makes of x and y where view_box says what fills the picture.
+/// What Tp does to x and y if view_box says what fills the picture.
 std::string box_text(const Frame& frame, const VertexRules& rules) {
     if (!rules.projection.box) return {};
     const ViewBox& box = *rules.projection.box;
@@ -134,7 +134,7 @@ glm::dvec3 unit(const glm::dvec3& direction) {
 NormalPlace normal_of(const std::array<glm::dvec3, triangle_corners>& object,
                       const glm::dmat4& model) {
     NormalPlace normal;
-    // The corners of a mirrored object are in the order in which they go round in the world.
+    // The corners of a mirrored object are in the order they go round in the world.
     const double side = is_mirrored(model) ? -1.0 : 1.0;
     normal.object = unit(side * glm::cross(object[2] - object[0], object[1] - object[0]));
     normal.world = unit(normal_matrix(model) * normal.object);

@@ -1,7 +1,7 @@
 #pragma once
 
-// A vertex through every space by its name, with the matrix that took it there, in double as the
-// matrices have it; the lab's float may end a few bits beside it.
+// A vertex in every space by name, with the matrix that took it there, in double like the matrices;
+// the lab's float can differ by a few bits.
 
 #include <array>
 #include <optional>
@@ -20,7 +20,7 @@ struct SpacePlace {
     std::string_view space;           ///< "object", "world", "camera", "clip", "ndc" or "window"
     std::string about;                ///< what the space is
     std::string_view matrix_name;     ///< "Tm", "Tv", "Tp", "Ts"; empty for the first space and ndc
-    std::optional<glm::dmat4> matrix; ///< from the space before, as column vectors have it
+    std::optional<glm::dmat4> matrix; ///< from the previous space, for column vectors
     glm::dvec4 place{0.0};            ///< x, y, z, w
     /// How x, y, z and w were found, with numbers: "x = 2 · 0.5 + 0.1 · 1 = 1.1". Only the terms
     /// that are not 0. Empty in the first space.
@@ -31,7 +31,7 @@ struct SpacePlace {
 struct NormalPlace {
     glm::dvec3 object{0.0};
     glm::dvec3 world{0.0};    ///< by the inverse transpose of Tm
-    glm::dvec3 as_point{0.0}; ///< by Tm itself, as a direction: right only if Tm turns and no more
+    glm::dvec3 as_point{0.0}; ///< by Tm itself, as a direction: right only if Tm just rotates
 };
 
 /// A vertex in all spaces that it reaches.
@@ -40,20 +40,20 @@ struct SpacesOfVertex {
     int vertex = -1; ///< 0..2
     MatrixOrder order = MatrixOrder::row_vectors;
     std::string chain; ///< "Ts · Tp · Tv · Tm · p", or "p · Tm · Tv · Tp · Ts" with row vectors
-    std::vector<SpacePlace> places; ///< in the order of the way; without ndc and window if w <= 0
+    std::vector<SpacePlace> places; ///< in order; without ndc and window if w <= 0
     NormalPlace normal;
 };
 
-/// The names of the spaces, in the order of the way.
+/// The names of the spaces, in order.
 inline constexpr std::array<std::string_view, 6> space_names{"object", "world", "camera",
                                                              "clip",   "ndc",   "window"};
 
 /// The spaces of vertex 0, 1 or 2 of a triangle, whichever transform draws it. In a scene in pixel
-/// space there is the window alone.
-/// @param order how formulas are written: which of matrix and vector stands first
+/// space there is only the window.
+/// @param order how formulas are written: whether matrix or vector comes first
 SpacesOfVertex spaces_of_vertex(const Frame& frame, int triangle, int vertex, MatrixOrder order);
 
-/// An entry of the matrix as it is written in this order: row vectors have it transposed.
+/// An entry of the matrix as written in this order: for row vectors it is transposed.
 double entry(const glm::dmat4& matrix, MatrixOrder order, int row, int column);
 
 } // namespace rasterwalk

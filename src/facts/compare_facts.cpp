@@ -26,8 +26,8 @@ void add_compare_fact(std::vector<Fact>& table, const char* name, const char* he
                      }});
 }
 
-/// Vertices of the scene's triangles, uncut and drawn in both runs, whose pixel is another one in
-/// run B.
+/// Vertices of the scene's triangles, uncut and drawn in both runs, whose pixel is a different one
+/// in run B.
 Value vertices_elsewhere(const Facts& facts, int) {
     const Results& results = facts.results();
     if (!facts.has_same_triangles_in_b()) return {};

@@ -41,7 +41,7 @@ double calculate(Kind kind, double a, double b) {
     }
 }
 
-/// What is neither true nor false is not there.
+/// Neither true nor false: no value.
 using Truth = std::optional<bool>;
 
 Truth truth_of(const Value& value) {

@@ -40,7 +40,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// May a name go on with this?
+/// May a name continue with this?
 bool is_in_name(char c) {
     return is_small_letter(c) || is_digit(c) || (c >= 'A' && c <= 'Z') || c == '_' || c == '.';
 }
@@ -53,8 +53,8 @@ bool is_unnumbered_phase(std::string_view text) {
     });
 }
 
-/// How long the moment is that begins at the front of the text: `end`, or over its slashes
-/// `t12/r37/c5`, `t12/k`; 0 if none does.
+/// The length of the moment at the front of the text: `end`, or with its slashes `t12/r37/c5`,
+/// `t12/k`; 0 if there is none.
 std::size_t moment_length(std::string_view text) {
     constexpr std::string_view end = "end";
     const auto ends_at = [&](std::size_t place) {
@@ -91,7 +91,7 @@ std::string type_word(ValueType type) {
 }
 
 /// Finds out what the parts of a tree mean, from left to right, the inner ones first. A word stays
-/// a word until it is seen what it is compared with.
+/// a word until it is clear what it is compared with.
 class Resolver {
   public:
     explicit Resolver(Expression& expression) : expression_(expression), tree_(expression.tree) {
@@ -222,8 +222,7 @@ class Resolver {
         throw UsageError(in_quotes(node(index).text) + " is not a condition by itself.");
     }
 
-    /// Sees to it that two sides can be compared: a word stands for what the other side's name can
-    /// be.
+    /// Makes sure that two sides can be compared: a word must be a value of the other side's name.
     void match(int left, int right, SyntaxKind kind) {
         take_as_word(left, right);
         take_as_word(right, left);
@@ -248,7 +247,7 @@ class Resolver {
         if (both_words && !is_equality) throw UsageError("words are compared using '==' or '!='.");
     }
 
-    /// If `index` is a name that takes words, `other` is one of them.
+    /// If `index` is a name that takes words, `other` becomes one of them.
     void take_as_word(int index, int other) {
         if (!is_leaf(index, Leaf::fact) || of(index).type != ValueType::word) return;
         const std::string& word = node(other).text;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The groups of the table of facts, each the facts of one subject.
+// The groups of the table of facts, one for each subject.
 
 #include <vector>
 
@@ -12,17 +12,17 @@ namespace rasterwalk {
 // In frame_facts.cpp:
 /// The moment: what comes next.
 void add_cursor_facts(std::vector<Fact>& table);
-/// What edge functions find out about the pixel that comes next.
+/// The results of edge functions for the pixel that comes next.
 void add_test_facts(std::vector<Fact>& table);
 /// What is selected, and what is shown.
 void add_session_facts(std::vector<Fact>& table);
 /// The whole frame in numbers.
 void add_frame_facts(std::vector<Fact>& table);
-/// What the model file holds that is open.
+/// The contents of the open model file.
 void add_model_facts(std::vector<Fact>& table);
 
-// In triangle_facts.cpp, of the triangle shown:
-/// Where it lies, and which side it shows.
+// In triangle_facts.cpp, for the triangle shown:
+/// Where it is, and which side it shows.
 void add_side_facts(std::vector<Fact>& table);
 /// What clipping and culling do to it.
 void add_clip_facts(std::vector<Fact>& table);
@@ -38,7 +38,7 @@ void add_vertex_facts(std::vector<Fact>& table);
 void add_light_facts(std::vector<Fact>& table);
 
 // In shadow_facts.cpp:
-/// What lies in shadow: the picked pixel, the part shown, the whole picture.
+/// What is in shadow: the picked pixel, the part shown, the whole picture.
 void add_shadow_facts(std::vector<Fact>& table);
 
 // In fragment_facts.cpp:
@@ -51,7 +51,7 @@ void add_table_facts(std::vector<Fact>& table);
 /// Two runs, and how they differ.
 void add_compare_facts(std::vector<Fact>& table);
 
-/// Of a triangle behind all planes, one of which cuts off each of the corners it has by then.
+/// The most corners of a triangle after all planes, each of which can add one.
 inline constexpr int most_polygon_corners = triangle_corners + static_cast<int>(clip_plane_count);
 
 /// Ndc z of a depth in front of run A's camera; none in a scene in pixels.

@@ -18,7 +18,7 @@ constexpr std::array<NumberPart, 4> box_parts{
     {{"left", 0}, {"right", 1}, {"bottom", 2}, {"top", 3}}};
 constexpr std::array<NumberPart, 2> size_parts{{{"width", 0}, {"height", 1}}};
 
-/// The parts of a setting of several numbers.
+/// The parts of a setting with several numbers.
 std::span<const NumberPart> parts_of(const Setting& setting) {
     if (std::holds_alternative<SizeSetting>(setting.kind)) return size_parts;
     if (std::holds_alternative<BoxSetting>(setting.kind)) return box_parts;
@@ -55,7 +55,7 @@ struct SettingRange {
 };
 
 struct SettingValue {
-    Settings settings; // the table only gives out what can be written
+    Settings settings; // the table only hands out writable settings
     int part;
 
     Value operator()(const ChoiceSetting& kind) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// How facts and settings become values, and what is known about them beforehand.
+// How facts and settings become values, and what is known about them in advance.
 
 #include <charconv>
 #include <concepts>
@@ -17,7 +17,7 @@ namespace rasterwalk {
 
 inline constexpr double endless = std::numeric_limits<double>::infinity();
 
-/// A float as it is written: 1.1 is 1.1, and not the float nearest to it.
+/// A float as written: 1.1 is 1.1, not the float nearest to it.
 inline Value number(float value) {
     const std::string text = number_text(value);
     double result = 0.0;

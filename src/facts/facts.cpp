@@ -18,12 +18,12 @@ double largest_component(const glm::vec3& v) {
     return static_cast<double>(std::max({v.x, v.y, v.z}));
 }
 
-/// The colour that the pixel shader gives a fragment that came one way.
+/// The colour that the pixel shader gives a fragment interpolated one way.
 /// @param stages of that way
 glm::vec3 colour_of(const Frame& frame, const Fragment& fragment, Interpolation way,
                     const Stages& stages, int triangle) {
     Surface surface = surface_of(frame, triangle);
-    // The footprint, too, goes the way of the fragment.
+    // The footprint, too, is interpolated that way.
     if (surface.texture != nullptr || surface.normal_map != nullptr) {
         Settings settings = frame.settings;
         settings.interpolation = way;
@@ -142,7 +142,7 @@ const std::vector<int>& Facts::column_owners() const {
     return known.column_owners;
 }
 
-/// Forgets what was counted with another frame of run B.
+/// Forgets the counts made with another frame of run B.
 FactCache& Facts::cache_with_b() const {
     FactCache& known = cache();
     if (known.samples_of != results_->b->frame_number) {

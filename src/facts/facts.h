@@ -1,7 +1,7 @@
 #pragma once
 
-// What lessons can ask for by name: the one table of facts over what the session asks for and what
-// came of it, and every setting under its own name.
+// What lessons can ask for by name: the one table of facts about the session and its results, and
+// every setting under its own name.
 
 #include <cstdint>
 #include <optional>
@@ -27,23 +27,23 @@
 
 namespace rasterwalk {
 
-/// The affine against the perspective-correct way on one fragment.
+/// Affine compared with perspective-correct interpolation on one fragment.
 struct InterpolationError {
-    double light = 0.0;    ///< largest channel difference of what the pixel shader gives, linear
+    double light = 0.0;    ///< largest channel difference of the pixel shader's result, linear
     double position = 0.0; ///< world units
 };
 
-/// An edge that two triangles share, and what each fill rule makes of it.
+/// An edge that two triangles share, and how each fill rule draws it.
 struct CountedEdge {
     SharedEdge shared;
     EdgeByRules rules;
 };
 
-/// Facts that cost more than a look; kept as long as the frame stays.
+/// Facts that take some work; kept as long as the frame stays.
 struct FactCache {
     std::uint64_t frame_number = 0;
     std::optional<FrameStats> frame;
-    std::optional<ClipHistory> clip; ///< of the triangle that it names
+    std::optional<ClipHistory> clip; ///< of the triangle it names
     std::optional<int> outline_triangle;
     std::optional<PolygonWays> outline;
     std::optional<int> shared_triangle;
@@ -70,12 +70,12 @@ struct FactCache {
     std::optional<TextureReport> texture;
 };
 
-/// Answers questions about a session and its results; both must live as long, and the results be up
-/// to date. Counts from 0, as everywhere.
+/// Answers questions about a session and its results; both must outlive it, and the results must be
+/// up to date. Counts from 0, as everywhere.
 class Facts {
   public:
-    /// @param cache kept by the caller from one time to the next, so that nothing is worked out
-    ///              twice; null: it lives as long as this
+    /// @param cache kept by the caller between uses, so that nothing is worked out twice; null: it
+    ///              lives as long as this
     Facts(const Session& session, const Results& results, FactCache* cache = nullptr);
 
     /// The value of a fact or a setting; none if it is not there, or there is no such name.
@@ -86,16 +86,16 @@ class Facts {
     const Results& results() const { return *results_; }
     /// The whole frame in numbers.
     const FrameStats& frame_stats() const;
-    /// What clipping and culling do to the triangle shown; null if there is none.
+    /// What clipping and culling do to the triangle shown; null without one.
     const ClipHistory* clip() const;
     /// The polygon of the scene that the triangle shown belongs to; null if there is none.
     const PolygonWays* outline() const;
     /// The edge that the triangle shown shares with a neighbour, the nearest to the picked pixel;
-    /// null if it shares none, or no fill rule is asked.
+    /// null if it shares none, or no fill rule is used.
     const CountedEdge* shared_edge() const;
-    /// Whether the edges of the frame arrive.
+    /// Whether the edges of the frame reach their ends.
     const EdgeEnds& edge_ends() const;
-    /// How much of the frame's picture lies in shadow.
+    /// How much of the frame's picture is in shadow.
     const FrameShadows& shadows() const;
     /// Pixels that two neighbours of the frame have both drawn.
     std::int64_t drawn_twice() const;
@@ -104,26 +104,25 @@ class Facts {
     const std::vector<int>& column_owners() const;
     /// Is there a second run, and does it cut the scene into the same triangles?
     bool has_same_triangles_in_b() const;
-    /// Edge samples on another pixel in run B, of the whole frame and of an edge of the triangle
-    /// shown; none without such a run, or without such an edge.
+    /// Edge samples on a different pixel in run B, for the whole frame and for an edge of the
+    /// triangle shown; none without such a run, or without such an edge.
     std::optional<std::int64_t> different_samples() const;
     std::optional<std::int64_t> different_samples(int edge) const;
-    /// What the line decides at the edge sample that comes next; none where none comes, or it
-    /// decides nothing.
+    /// What the line decides at the next edge sample; none if there is none, or it decides nothing.
     std::optional<LineDecision> decision() const;
-    /// What edge functions find out about the pixel that they ask next; none where they ask none.
+    /// The results of edge functions for the pixel they test next; none if there is none.
     std::optional<PixelTest> pixel_test() const;
     /// The finished row table of the triangle shown; null if it has none.
     const RowHistory* table() const;
-    /// The selected row in that table; none if no row is selected, or it lies outside of it.
+    /// The selected row in that table; none if no row is selected, or the table does not have it.
     std::optional<int> table_row() const;
     /// The fragment that the picked pixel shows in the end; null if there is none.
     const PixelEntry* winner() const;
-    /// Of that fragment; none if it belongs to no row.
+    /// The error of that fragment; none if it belongs to no row.
     std::optional<InterpolationError> interpolation_error() const;
     /// The light of that fragment, term by term; null if there is none, or no light is computed.
     const FragmentReport* light() const;
-    /// What it took of its texture; null if it shows none.
+    /// What it took from its texture; null if it shows none.
     const TextureReport* texture() const;
     /// The selected vertex of the triangle shown; null if none is selected.
     const ShadedVertex* vertex() const;
@@ -144,32 +143,32 @@ struct Fact {
     std::string help; ///< one sentence
     ValueRange range;
     Value (*read)(const Facts&, int number);
-    int number = 0; ///< told to `read`, where facts are alike: which overlay, edge, component
+    int number = 0; ///< passed to `read` if facts are alike: which overlay, edge, component
 };
 
 /// Every fact, grouped by the part before the point.
 std::span<const Fact> fact_table();
 
-/// What a name stands for, fact or setting; none if there is no such name. Settings of several
+/// What a name stands for, fact or setting; none if there is no such name. Settings with several
 /// numbers have parts: `camera.position.z`, `light.power.red`, `viewport.width`.
 std::optional<ValueRange> find_name(std::string_view name);
 
 /// A setting, or one part of it, as conditions name it.
 struct SettingName {
     const Setting* setting = nullptr;
-    int part = -1; ///< of a vector 0 to 2, of a size 0 or 1; -1: the setting itself
+    int part = -1; ///< 0 to 2 for a vector, 0 or 1 for a size; -1: the setting itself
 };
 
 /// The setting behind a name; null if it stands for none.
 SettingName find_setting_name(std::string_view name);
 
-/// The name that is meant where one is compared with a word: another setting's if the word has
-/// moved there, or the same.
+/// The name that is meant when one is compared with a word: another setting's if the word has moved
+/// there, or the same.
 std::string meant_name(std::string_view name, std::string_view word);
 
 /// The names of all facts and settings: for messages.
 std::vector<std::string> all_names();
-/// Those of settings alone.
+/// Only the names of settings.
 std::vector<std::string> all_setting_names();
 
 } // namespace rasterwalk

@@ -50,7 +50,7 @@ Value texture_number(const Facts& facts, int) {
     return texture != nullptr ? number(read(*texture)) : Value();
 }
 
-/// An end of the selected row; none where no sample reached it.
+/// An end of the selected row; none if no sample reached it.
 Value row_end(const Facts& facts, int end) {
     const std::optional<int> row = facts.table_row();
     if (!row || facts.table()->rows.is_empty_row(*row)) return {};
@@ -79,10 +79,10 @@ Value table_fragments(const Facts& facts, int) {
     return number(sum);
 }
 
-/// What the picked pixel takes of its texture.
+/// What the picked pixel takes from its texture.
 void add_texture_facts(std::vector<Fact>& table) {
     using Texels = const TextureReport&;
-    // Below 0 only by mistake B67.
+    // Below 0 only with mistake B67.
     const ValueRange texel = whole(1 - largest_texture_side, largest_texture_side - 1);
     table.push_back({"pixel.u",
                      "u of what the picked pixel shows in the end: its position in the texture, "
@@ -117,7 +117,7 @@ void add_texture_facts(std::vector<Fact>& table) {
                      natural(), texture_number<[](Texels t) { return t.heaviest().level; }>});
 }
 
-/// How many fragments on the picked pixel meet a fate.
+/// How many fragments on the picked pixel meet this fate.
 Value fragments_of_fate(const Facts& f, int fate) {
     const auto& history = f.results().history;
     if (!history) return {};

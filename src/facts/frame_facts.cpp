@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The words of the phases, and at last one for the end.
+/// The words of the phases, and one more for the end.
 constexpr auto phase_words = [] {
     std::array<std::string_view, phase_count + 1> words;
     for (std::size_t i = 0; i < phase_list.size(); ++i)
@@ -21,7 +21,7 @@ constexpr auto phase_words = [] {
     return words;
 }();
 
-/// The cursor, if it stands in this phase of a triangle.
+/// The cursor, if it is in this phase of a triangle.
 const Cursor* cursor_in(const Facts& facts, Phase phase) {
     const Cursor& cursor = facts.results().a.cursor;
     return cursor != cursor_end && cursor.phase == phase ? &cursor : nullptr;
@@ -142,7 +142,7 @@ void add_test_facts(std::vector<Fact>& table) {
                          [](const Facts& f, int corner) {
                              const std::optional<PixelTest> test = f.pixel_test();
                              if (!test) return Value();
-                             // All that the float holds: a lesson shows its ninth digit.
+                             // All digits of the float: a lesson shows its ninth digit.
                              return number(double{test->weights[static_cast<std::size_t>(corner)]});
                          },
                          i});

@@ -13,13 +13,13 @@ namespace {
 using Kind = SyntaxNode::Kind;
 using Leaf = ExpressionMeaning::Leaf;
 
-/// All that a number can be.
+/// All values that a number can have.
 struct Reach {
     double low, high;
     bool is_whole;
 };
 
-/// Endless ends make sums and products that are no number: nothing is known of them then.
+/// Infinite ends make sums and products NaN: then nothing is known about them.
 Reach known(double low, double high, bool is_whole) {
     return {std::isnan(low) ? -endless : low, std::isnan(high) ? endless : high, is_whole};
 }
@@ -109,7 +109,7 @@ struct Ranges {
         }
     }
 
-    /// How strongly a part holds together: what is weaker stands in parentheses inside it.
+    /// How tightly a part binds: looser parts inside it need parentheses.
     static int strength(Kind kind) {
         switch (kind) {
         case Kind::negate:
@@ -193,7 +193,7 @@ std::vector<std::string> impossible_parts(const Expression& condition) {
     for (std::size_t i = 0; i < condition.tree.nodes.size(); ++i) {
         const SyntaxNode& node = condition.tree.nodes[i];
         if (!ranges.is_impossible(node)) continue;
-        // The side that is no plain number is the one to speak of.
+        // The sentence is about the side that is not a plain number.
         const Reach left = ranges.reach(node.parts[0]);
         const int side = left.low == left.high ? node.parts[1] : node.parts[0];
         const Reach reach = ranges.reach(side);

@@ -16,14 +16,14 @@ const SurfaceLight* light_there(const Facts& facts) {
     return report->shading == Shading::flat ? &report->light_per_triangle : &report->light;
 }
 
-/// A number of the light; none where no light is computed.
+/// A number of the light; none if no light is computed.
 template <auto read>
 Value light_number(const Facts& facts, int part) {
     const SurfaceLight* const light = light_there(facts);
     return light != nullptr ? number(read(*light, part)) : Value();
 }
 
-/// The number that a formula of the fragment shows; none where it has no such formula.
+/// The number that a formula of the fragment shows; none if it has no such formula.
 Value formula_number(const Facts& facts, std::string_view id) {
     const FragmentReport* const report = facts.light();
     if (report == nullptr) return {};
@@ -31,14 +31,14 @@ Value formula_number(const Facts& facts, std::string_view id) {
     return formula != nullptr ? number(formula->result.value) : Value();
 }
 
-/// A number of the normal map that bends the normal there; none where there is none.
+/// A number of the normal map that bends the normal there; none if there is no map.
 template <auto read>
 Value bump_number(const Facts& facts, int part) {
     const FragmentReport* const report = facts.light();
     return report != nullptr && report->bump ? number(read(*report->bump, part)) : Value();
 }
 
-/// The normals of the picked pixel, and what a normal map makes of them.
+/// The normals of the picked pixel, and how a normal map bends them.
 void add_normal_facts(std::vector<Fact>& table) {
     using Bump = const BumpReport&;
     constexpr std::array<std::string_view, 3> axes{"x", "y", "z"}, channels{"red", "green", "blue"};

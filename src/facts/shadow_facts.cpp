@@ -4,7 +4,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What was asked at the picked pixel; null where nothing was.
+/// The shadow test at the picked pixel; null if there was none.
 const ShadowTerms* asked_there(const Facts& facts) {
     const FragmentReport* const report = facts.light();
     if (report == nullptr) return nullptr;
@@ -19,14 +19,14 @@ Value shadow_number(const Facts& facts, int) {
     return terms != nullptr ? number(read(*terms)) : Value();
 }
 
-/// A number of the map; none where no map was asked.
+/// A number of the map; none if no map was used.
 template <auto read>
 Value map_number(const Facts& facts, int) {
     const ShadowTerms* const terms = asked_there(facts);
     return terms != nullptr && terms->face >= 0 ? number(read(*terms)) : Value();
 }
 
-/// How far the lamp saw in a texel; none where nothing was there.
+/// How far the lamp saw in a texel; none if nothing was there.
 std::optional<float> depth_in(const ShadowTexel& texel) {
     if (!(texel.inv_depth > 0.0f)) return std::nullopt;
     return 1.0f / texel.inv_depth;

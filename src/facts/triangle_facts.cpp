@@ -66,7 +66,7 @@ void add_clip_fact(std::vector<Fact>& table, const char* name, const char* help,
                      }});
 }
 
-/// Which of its numbers: 0 to 2 in the world, 3 to 5 seen from the camera, then projected x and y.
+/// One of its numbers: 0 to 2 in the world, 3 to 5 seen from the camera, then projected x and y.
 Value vertex_place(const Facts& facts, int which) {
     const ShadedVertex* const vertex = facts.vertex();
     if (vertex == nullptr) return {};

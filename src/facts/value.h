@@ -1,6 +1,6 @@
 #pragma once
 
-// What conditions and predictions in lessons calculate with.
+// The values that conditions and predictions in lessons calculate with.
 
 #include <cstdint>
 #include <limits>
@@ -15,8 +15,7 @@ namespace rasterwalk {
 
 enum class ValueType : std::uint8_t { number, word, moment, truth };
 
-/// A value; without one (std::monostate) what was asked for is not there, as the pixel where none
-/// is picked.
+/// A value; std::monostate if there is none, like the pixel when none is picked.
 using Value = std::variant<std::monostate, double, std::string, Cursor, bool>;
 
 /// Is there a value?
@@ -24,10 +23,10 @@ inline bool is_there(const Value& value) {
     return !std::holds_alternative<std::monostate>(value);
 }
 
-/// What is known of a name before it is asked: its type and which values it can have.
+/// What is known about a name in advance: its type and its possible values.
 struct ValueRange {
     ValueType type = ValueType::number;
-    std::vector<std::string_view> words; ///< of a word
+    std::vector<std::string_view> words; ///< if it is a word
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
     bool is_whole = false; ///< a number without a fraction

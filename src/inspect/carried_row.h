@@ -1,8 +1,8 @@
 #pragma once
 
-// What one row of a triangle carries from its left to its right end, under both interpolations at
-// once: so that the right way and the wrong way can be laid side by side. Prepares the one triangle
-// only, whatever the size of the scene.
+// What one row of a triangle carries from its left to its right end, under both interpolations, so
+// that the right way and the wrong way can be compared side by side. Prepares just the one
+// triangle, whatever the size of the scene.
 
 #include <array>
 #include <optional>
@@ -32,11 +32,11 @@ constexpr Quantity quantity_of(Value Varyings::*member, int component) {
     return quantity_of(varying_index(member), component);
 }
 
-/// What is said about a quantity.
+/// The words for a quantity.
 struct QuantityInfo {
     Quantity quantity;
     VaryingComponent words;
-    int varying = -1;  ///< index in varying_list; -1: 1/z and z are no varyings
+    int varying = -1;  ///< index in varying_list; -1: 1/z and z are not varyings
     int component = 0; ///< of the varying
 };
 
@@ -46,13 +46,13 @@ inline const QuantityInfo& quantity_info(Quantity quantity) {
     return quantity_list()[static_cast<std::size_t>(quantity)];
 }
 
-/// The quantities to show of a frame: without the varyings that only other stages use.
+/// The quantities to show for a frame: without the varyings that only other stages use.
 std::vector<QuantityInfo> shown_quantities(const Frame& frame);
 
-/// One of them as it is called in a frame; none of shown_quantities() is called otherwise.
+/// One of them with its name in a frame, as in shown_quantities().
 QuantityInfo quantity_in(const Frame& frame, Quantity quantity);
 
-/// What rows carry of a quantity in a frame: "x/z", or "x/w" where w is not z.
+/// What rows carry for a quantity in a frame: "x/z", or "x/w" if w is not z.
 std::string carried_name_in(const Frame& frame, Quantity quantity);
 
 /// Is it one of the varyings? 1/z and z are not.
@@ -60,7 +60,7 @@ constexpr bool is_varying(Quantity quantity) {
     return quantity >= Quantity::first_varying;
 }
 
-/// The part of the varyings that a quantity means; it must be a varying.
+/// The component of the varyings that a quantity stands for; it must be a varying.
 float part_of(const Varyings& varyings, Quantity quantity);
 
 /// The ends of a row under one interpolation; light per vertex is carried in every stage.
@@ -76,7 +76,7 @@ struct CarriedRow {
     int row_count = 0;                             ///< rows of the whole table
     int count = 0;                                 ///< pixels from end to end; at least 1
     std::array<RowEnds, interpolation_count> ends; ///< as in the table; indexed by Interpolation
-    /// What gives the fragments their weights where edge functions find them; indexed by
+    /// What gives the fragments their weights if edge functions find them; indexed by
     /// Interpolation.
     std::array<TestedPolygon, interpolation_count> tested;
     EndWriter left_by, right_by;
@@ -89,11 +89,11 @@ struct CarriedRow {
     std::vector<Fragment> fragments(Interpolation way) const;
     /// The fragment in this column of the row, counted from its left end.
     Fragment at(Interpolation way, int step) const;
-    /// The samples from `first` on, as many as `result` holds.
+    /// The samples starting at `first`, as many as `result` holds.
     void walk_from(Interpolation way, int first, std::span<LineSample> result) const;
 };
 
-/// The row of this index of a triangle that is drawn; none if the table has no such row, or no edge
+/// The row with this index of a drawn triangle; none if the table has no such row, or no edge
 /// sample reached it.
 std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int index);
 

@@ -10,20 +10,20 @@ namespace rasterwalk {
 
 namespace {
 
-/// Farther away than this a corner's products with the planes leave what a float can hold.
+/// Farther away than this, a corner's products with the planes overflow a float.
 constexpr float farthest_drawn = 1e30f;
 
-/// Room around the corners, as a share of their range: enough for their names.
+/// The margin around the corners, as a share of their range: enough for their names.
 constexpr double diagram_margin = 0.14;
 
 bool is_near_enough(const CutCorner& corner) {
     const glm::vec4& p = corner.vertex.position_clip;
-    // What is no number is not less either.
+    // NaN is not less either.
     return std::abs(p.x) < farthest_drawn && std::abs(p.y) < farthest_drawn &&
            std::abs(p.z) < farthest_drawn && std::abs(p.w) < farthest_drawn;
 }
 
-/// From the smallest to the largest of a coordinate.
+/// From the smallest to the largest value of a coordinate.
 Interval corner_range(const std::vector<CutCorner>& corners, int coordinate) {
     Interval range{HUGE_VAL, -HUGE_VAL};
     for (const CutCorner& corner : corners) {
@@ -38,7 +38,7 @@ double width_of(const Interval& range) {
     return range.high - range.low;
 }
 
-/// The same with room around it; and as far as 0 where that leaves the corners large enough.
+/// The same with a margin around it, extended to 0 if that leaves the corners large enough.
 Interval shown_range(const Interval& range) {
     constexpr double most_growth = 4.0, least_share = 1e-3;
     const Interval with_zero{std::min(range.low, 0.0), std::max(range.high, 0.0)};
@@ -64,15 +64,15 @@ class MeetingSink : public ClipSink {
     std::vector<glm::vec4> cuts;
 };
 
-/// Cuts the field that is shown as the stage cuts a polygon: so the line and the inner side are
-/// those of the stage.
+/// Cuts the visible field as the stage cuts a polygon, so the line and the inner side are the
+/// stage's.
 void cut_field(const ClipPlanes& planes, ClipDiagram& diagram) {
     const Interval& s = diagram.side_range;
     const Interval& w = diagram.w_range;
     std::vector<ClipVertex> field;
     for (const glm::dvec2 corner : {glm::dvec2(s.low, w.low), glm::dvec2(s.high, w.low),
                                     glm::dvec2(s.high, w.high), glm::dvec2(s.low, w.high)}) {
-        // The coordinates that are not shown count nothing, or are the same at all corners.
+        // The coordinates that are not shown do not count, or are the same at all corners.
         ClipVertex& vertex = field.emplace_back();
         vertex.position_clip = diagram.corners.front().vertex.position_clip;
         vertex.position_clip[diagram.side] = static_cast<float>(corner.x);
@@ -117,7 +117,7 @@ std::optional<ClipDiagram> clip_diagram(const ClipHistory& history, ClipPlane pl
 std::string inside_condition(const ClipHistory& history, const ClipDiagram& diagram) {
     const glm::vec4& plane = history.codes.planes[static_cast<std::size_t>(diagram.plane)];
     constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
-    // z is the same at all corners where it does not stand to the side.
+    // If z is not the coordinate to the side, it is the same at all corners.
     const float rest =
         diagram.side == 2 ? 0.0f : plane.z * diagram.corners.front().vertex.position_clip.z;
     const struct {
@@ -127,7 +127,7 @@ std::string inside_condition(const ClipHistory& history, const ClipDiagram& diag
                  {plane.w, "w"},
                  {rest, ""}};
     std::string text;
-    // What is added comes first.
+    // Added terms come first.
     for (const bool is_added : {true, false}) {
         for (const auto& [factor, name] : terms) {
             if (factor == 0.0f || (factor > 0.0f) != is_added) continue;

@@ -16,7 +16,7 @@ std::string four_digits(float value) {
     return significant(static_cast<double>(value), 4);
 }
 
-/// Writes down what clipping tells of.
+/// Records what clipping reports.
 class ClipWriter : public ClipSink {
   public:
     explicit ClipWriter(ClipHistory& into) : history_(into) {}
@@ -52,7 +52,7 @@ std::vector<std::array<int, triangle_corners>> fan_of(std::size_t corners) {
     return fan;
 }
 
-/// Cull, and what is left for the division.
+/// Culling, and what is left for the division.
 void cull(const Frame& frame, const VertexRules& rules, ClipHistory& history) {
     history.fan = fan_of(history.polygon.size());
     history.is_cull_asked = frame.stages.cull != cull_nothing;
@@ -115,7 +115,7 @@ std::string plane_name(int plane) {
 std::string clip_step_text(const ClipStep& step) {
     std::string text =
         fmt::format("corner {} is {}", step.from, step.is_from_inside ? "inside" : "outside");
-    // A stage may keep what lies outside; the text says so then.
+    // A stage can keep a corner that lies outside; then the text says so.
     text += step.keeps_from ? " and kept" : " and left out";
     if (!step.is_cut) return text;
     const glm::vec4& p = step.cut.position_clip;

@@ -13,7 +13,7 @@ constexpr Cull ways_to_cull[] = {Cull::none, Cull::face_normal, Cull::screen_are
 
 constexpr double enough_milliseconds = 1000.0;
 
-/// Of an odd number of times.
+/// For an odd number of times.
 double median(std::vector<double> times) {
     const auto middle = times.begin() + std::ssize(times) / 2;
     std::nth_element(times.begin(), middle, times.end());
@@ -42,7 +42,7 @@ CullingCosts culling_costs(const Scene& scene, const Settings& settings, const C
         if (costs.draws % 2 == 0 || costs.draws < fewest_draws) return false;
         return costs.draws >= most_draws || clock() - begin >= enough_milliseconds;
     };
-    // In turn, so that whatever else the machine does meets all of them.
+    // In turn, so that anything else the machine does affects all of them.
     for (; !is_enough(); ++costs.draws) {
         for (std::size_t i = 0; i < costs.ways.size(); ++i) {
             const double start = clock();

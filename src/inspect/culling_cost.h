@@ -1,6 +1,6 @@
 #pragma once
 
-// What each way of culling saves of a frame: triangles, fragments, light, and time on this machine.
+// What each way of culling saves in a frame: triangles, fragments, light, and time on this machine.
 
 #include <functional>
 #include <vector>
@@ -9,27 +9,27 @@
 
 namespace rasterwalk {
 
-/// Milliseconds since some moment. You bring the clock, so that a test can bring one that it knows.
+/// Milliseconds since some moment. The caller passes the clock, so that a test can pass its own.
 using Clock = std::function<double()>;
 
 /// The frame under one way of culling.
 struct CullingCost {
     Cull way = Cull::none;
     FrameStats stats;
-    double milliseconds = 0.0; ///< for all of it, from the vertices on: the median of the draws
-    double share = 1.0;        ///< that time as a part of the time without culling
+    double milliseconds = 0.0; ///< for all of it, vertices included: the median of the draws
+    double share = 1.0;        ///< that time as a fraction of the time without culling
 };
 
 struct CullingCosts {
     int draws = 0;                 ///< of each way
-    std::vector<CullingCost> ways; ///< none first, then every way that is no mistake
+    std::vector<CullingCost> ways; ///< none first, then every way that is not a mistake
 };
 
 /// Draws the frame with each way of culling in turn, again and again: an odd number of times, at
-/// least `fewest_draws`, and then until a second is over or `most_draws` are done. What fills
-/// memory and tables first is not measured.
-/// @param settings all but `cull` holds
-/// @param to       only what comes before is drawn
+/// least `fewest_draws`, and then until a second is over or `most_draws` are done. The first draws,
+/// which fill memory and tables, are not measured.
+/// @param settings all but `cull` apply
+/// @param to       only the part before this is drawn
 CullingCosts culling_costs(const Scene& scene, const Settings& settings, const Cursor& to,
                            const Clock& clock);
 

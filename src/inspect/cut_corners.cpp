@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// How many corners the planes before this one make.
+/// How many corners the earlier planes make.
 int made_before(const ClipHistory& history, int plane) {
     int count = 0;
     for (int p = 0; p < plane; ++p) {
@@ -18,7 +18,7 @@ int made_before(const ClipHistory& history, int plane) {
     return count;
 }
 
-/// What the first steps of a plane pass on.
+/// The corners that the first steps of a plane pass on.
 std::vector<CutCorner> passed_on(const std::vector<CutCorner>& before, const PlaneHistory& plane,
                                  std::size_t steps, int made) {
     std::vector<CutCorner> after;
@@ -28,7 +28,7 @@ std::vector<CutCorner> passed_on(const std::vector<CutCorner>& before, const Pla
         const CutCorner& from = before[static_cast<std::size_t>(step.from)];
         if (step.keeps_from) after.push_back(from);
         if (!step.is_cut) continue;
-        // Where the polygon goes out it goes on along the plane, where it comes in along its edge.
+        // Where the polygon leaves, it continues along the plane; where it enters, along its edge.
         CutCorner corner = from;
         corner.vertex = step.cut;
         corner.place = CornerPlace::own;
@@ -57,7 +57,7 @@ void move_to(std::span<const ClipVertex> vertices, CornerPlace place,
     }
 }
 
-/// What is left by a function that does not report its steps: its corners are all new.
+/// The polygon left by a function that does not report its steps: its corners are all new.
 std::vector<CutCorner> unexplained_corners(const ClipHistory& history) {
     std::vector<CutCorner> corners;
     for (const ClipVertex& vertex : history.polygon) {

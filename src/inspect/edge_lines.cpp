@@ -18,7 +18,7 @@ class EdgePixels : public SampleSink {
         if (!frame.is_drawn(triangle)) return;
         const PolygonCorners vertices = frame.triangle_vertices(triangle);
         edges_.resize(vertices.size());
-        // Where coverage walks no edges they are those of stage `edges`.
+        // If coverage walks no edges, the edges are those of stage `edges`.
         const Stages walking = walking_edges(frame.stages);
         PolygonRows rows;
         walking.compute_polygon_rows(vertices, edge_rules(frame.settings, {}), walking, rows, this);

@@ -44,7 +44,7 @@ class StepList : public ClipSink {
     std::array<int, clip_plane_count> told_{};
 };
 
-/// The steps in order of time, also where a stage comes to the planes in another order.
+/// The steps in order of time, even if a stage gets to the planes in a different order.
 void list_clip_steps(const Frame& frame, EventList& list) {
     StepList steps(list);
     tell_clipping(frame, list.triangle, steps);
@@ -52,7 +52,7 @@ void list_clip_steps(const Frame& frame, EventList& list) {
               [](const ClipEvent& a, const ClipEvent& b) { return a.cursor < b.cursor; });
 }
 
-/// What a sample did to its row.
+/// The effect of a sample on its row.
 std::string_view sample_effect(const RowWrite& write) {
     if (!write.inside) return "outside the table";
     if (write.left && write.right) return "both ends";

@@ -11,15 +11,15 @@
 
 namespace rasterwalk {
 
-/// All moments of a triangle. Their lines are made when they are asked for.
+/// All moments of a triangle. Their lines are made on demand.
 struct EventList {
     int triangle = -1;
-    TriangleMoments moments;               ///< none where the triangle is left out
-    std::vector<ProjectedVertex> vertices; ///< as the scene gives them
+    TriangleMoments moments;               ///< none if the triangle is left out
+    std::vector<ProjectedVertex> vertices; ///< as in the scene
     std::vector<ClipEvent> clip_steps;     ///< in order of time
-    CullTest cull;                         ///< where it has a moment
+    CullTest cull;                         ///< if it has a moment
     std::vector<EdgeSample> samples;       ///< of all edges, in order
-    Stages stages;                         ///< by which pixels are tested
+    Stages stages;                         ///< for testing pixels
     bool has_fragments = false;            ///< rows are filled, not only bounded
 
     int count() const { return moments.count; }
@@ -32,11 +32,11 @@ EventList list_events(const Frame& frame, int triangle);
 /// @param ordinal 0 to count() - 1
 Cursor event_cursor(const EventList& list, int ordinal);
 
-/// The line of a moment, as "t0/e1/s4  edge 1, sample 4: (9.000, 12.000) is column 9, row 12: left
+/// The line of a moment: "t0/e1/s4  edge 1, sample 4: (9.000, 12.000) is column 9, row 12: left
 /// end".
 std::string event_text(const EventList& list, int ordinal);
 
-/// The moments of [first, behind) in whose lines the words stand, in capitals or not.
+/// The moments of [first, behind) whose lines contain the words, whatever their capitals.
 std::vector<int> find_events(const EventList& list, const std::string& words, int first,
                              int behind);
 

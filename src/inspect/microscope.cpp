@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Notes the places of both edges of a polygon of two vertices.
+/// Records the places of both edges of a polygon with two vertices.
 class BothWays : public SampleSink {
   public:
     explicit BothWays(EdgeMicroscope& into)
@@ -33,8 +33,7 @@ Fraction exact_place(int a, int b, int i, int n) {
     return reduced(static_cast<std::int64_t>(a) * n + static_cast<std::int64_t>(b - a) * i, n);
 }
 
-/// Which pixel a place should have of which there may be two that are equally near: its own, if it
-/// is one of them.
+/// The pixel that a place should have. If two are equally near: its own, if it is one of them.
 int nearest_pixel(int pixel, const Fraction& exact, int other) {
     const std::int64_t apart = 2 * (pixel * exact.denominator - exact.numerator);
     return std::abs(apart) <= exact.denominator ? pixel : other;
@@ -130,9 +129,9 @@ EdgeMicroscope microscope(const ScreenVertex& a, const ScreenVertex& b, const Ed
     edge.stages = stages;
     BothWays ways(edge);
     PolygonRows rows;
-    // Where coverage walks no edges they are those of stage `edges`.
+    // If coverage walks no edges, the edges are those of stage `edges`.
     Stages walking = walking_edges(stages);
-    // Also those samples are looked at that are left out of the row table.
+    // Samples that are left out of the row table count too.
     walking.entered_samples = entered_samples;
     walking.compute_polygon_rows(std::array{a, b}, rules, walking, rows, &ways);
     edge.count = static_cast<int>(edge.forward.size());

@@ -1,10 +1,10 @@
 #pragma once
 
-// The float microscope: what the floats of an edge's walk do, beside what the fractions would.
+// The float microscope: what the floats of an edge's walk do, next to what fractions would do.
 //
-// An edge is walked in float: each sample adds a step that is, as a rule, already not the exact
-// fraction. The microscope puts the walked value beside the exact one, and the same edge walked the
-// other way beside both. Of a line that decides step by step it keeps the decisions too.
+// An edge is walked in float: each sample adds a step that is usually not the exact fraction to
+// begin with. The microscope shows the walked value next to the exact one, and both next to the
+// same edge walked the other way. If a line decides step by step, it keeps the decisions too.
 
 #include <cstdint>
 #include <string>
@@ -30,13 +30,13 @@ Fraction reduced(std::int64_t numerator, std::int64_t denominator);
 
 /// One coordinate of a sample, x or y.
 struct MicroscopeCoordinate {
-    float walked = 0.0f;   ///< as the walk has it, before rounding, pixels
+    float walked = 0.0f;   ///< in the walk, before rounding, pixels
     Fraction exact;        ///< where the sample would be without any error, pixels
     double drift = 0.0;    ///< walked - exact, pixels
     int pixel = 0;         ///< column or row of the walked value
-    int exact_pixel = 0;   ///< column or row of the exact place, rounded by the same rule; of two
-                           ///< that are equally near a line that decides may take either
-    int reverse_pixel = 0; ///< of the walk from b to a, at the sample that should be in this place
+    int exact_pixel = 0;   ///< column or row of the exact place, rounded by the same rule; if two
+                           ///< are equally near, a line that decides may take either
+    int reverse_pixel = 0; ///< of the walk from b to a, at the sample that should be at this place
 
     bool differs_from_exact() const { return pixel != exact_pixel; }
     bool differs_from_reverse() const { return pixel != reverse_pixel; }
@@ -53,23 +53,23 @@ struct MicroscopeSample {
     }
 };
 
-/// What there is to say about all samples of an edge.
+/// All samples of an edge in numbers.
 struct MicroscopeSummary {
     double largest_drift_x = 0.0, largest_drift_y = 0.0; ///< with their signs, pixels
     int largest_drift_x_at = 0, largest_drift_y_at = 0;  ///< the first samples that have them
-    int differ_from_reverse = 0;   ///< samples that fall on another pixel than the other way's
-    double largest_decision = 0.0; ///< farthest from 0, with its sign; 0 where nothing is decided
+    int differ_from_reverse = 0;   ///< samples on a different pixel from the other way's
+    double largest_decision = 0.0; ///< farthest from 0, with its sign; 0 if nothing is decided
     bool misses_end = false;       ///< the last sample is not on the pixel of the end point
 };
 
-/// An edge under the microscope. Holds what has to be walked for; works out the rest when asked.
+/// An edge under the microscope. Holds the results of the walks; works out the rest on demand.
 struct EdgeMicroscope {
     ScreenVertex a, b; ///< the two ends
     EdgeRules rules;
     Stages stages;           ///< whose walk it is
     int count = 0;           ///< samples, both ends included
     Fraction step_x, step_y; ///< from one sample to the next, without any error
-    float float_step_x = 0.0f, float_step_y = 0.0f; ///< the same in float, as the walk has it
+    float float_step_x = 0.0f, float_step_y = 0.0f; ///< the same in float, as in the walk
     MicroscopeSummary summary;
 
     struct Place {
@@ -80,31 +80,31 @@ struct EdgeMicroscope {
     std::vector<Place> reverse;          ///< of each sample from b to a
     std::vector<LineDecision> decisions; ///< of each sample from a to b; empty for Interpolate
     LineFrame frame;                     ///< the two axes, for the formulas of the decisions
-    std::vector<int> differing; ///< samples that fall on another pixel than their exact place
+    std::vector<int> differing;          ///< samples on a different pixel from their exact place
 
     /// Is this the edge that was put under the microscope?
     bool shows(const ScreenVertex& from, const ScreenVertex& to, const EdgeRules& by,
                const Stages& with) const;
 
-    /// Does a decision variable say where the line goes? Interpolate has none.
+    /// Does a decision variable determine where the line goes? Interpolate has none.
     bool decides() const { return !decisions.empty(); }
 
-    /// Is there a decision variable beside the places? The DDA decides by the place itself.
+    /// Is there a decision variable besides the places? The DDA decides by the place itself.
     bool has_decision_variable() const { return decides() && stages.line != line_by_dda; }
 
-    /// The sample of the other way that should be in the place of this one. Where the two ways have
-    /// different numbers of samples, the one that comes nearest.
+    /// The sample of the other way that should be at the place of this one. If the two ways have
+    /// different numbers of samples, the nearest one.
     int opposite(int sample) const;
 
     /// One sample, 0 <= sample < count.
     MicroscopeSample at(int sample) const;
 
-    /// The first differing sample from `sample` on, then from the beginning; -1: there is none.
+    /// The first differing sample at or after `sample`, then from the beginning; -1: there is none.
     int next_difference(int sample) const;
 };
 
-/// Puts the edge from a to b under the microscope: listens to the coverage stage, which is given
-/// the polygon of these two vertices, and walks there and back.
+/// Puts the edge from a to b under the microscope: listens to the coverage stage, which gets the
+/// polygon of these two vertices, and walks there and back.
 EdgeMicroscope microscope(const ScreenVertex& a, const ScreenVertex& b, const EdgeRules& rules,
                           const Stages& stages);
 

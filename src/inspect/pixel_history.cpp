@@ -43,7 +43,7 @@ class Collector : public Observer {
     Projection projection_;
 };
 
-/// What it costs to see that a triangle does not reach the pixel.
+/// The cost of seeing that a triangle does not reach the pixel.
 constexpr double look_work = 5;
 
 Projection projection_of(const Frame& frame) {
@@ -74,7 +74,7 @@ void find_shares(const Frame& frame, std::vector<PixelEntry>& entries) {
     }
 }
 
-/// Triangles that stay this much farther away than the nearest, in pixels, explain nothing.
+/// Triangles this much farther away than the nearest, in pixels, explain nothing.
 constexpr double hardly_farther = 8.0;
 
 void keep_the_near(std::vector<NearTriangle>& nearest) {
@@ -104,7 +104,7 @@ HistoryWork::HistoryWork(const Frame& frame, const glm::ivec2& pixel) : frame_(&
 void HistoryWork::advance(const WorkLimit& limit) {
     if (is_done_) return;
     const int count = frame_->triangle_count();
-    // It may be looked at twice: by the pixel, and by the search for the nearest.
+    // A triangle may be looked at twice: for the pixel, and in the search for the nearest.
     double part = std::max(limit.of(2.0 * look_work * count), look_work);
     const auto triangles_of = [&](int left) {
         return static_cast<int>(std::min(part / look_work, static_cast<double>(left)));
@@ -136,7 +136,7 @@ void HistoryWork::draw_part(int triangles) {
     draw(*frame_, {from, behind_triangle(drawn_ - 1), {}}, one_pixel_, &collector);
 }
 
-/// Completes what is known only when all has been drawn.
+/// Completes what is known only when everything has been drawn.
 void HistoryWork::find_winner() {
     if (frame_->settings.stage == Stage::rows) find_columns_of_row_ends(*frame_, history_);
     for (std::size_t i = 0; i < history_.entries.size(); ++i) {

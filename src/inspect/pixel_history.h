@@ -1,6 +1,6 @@
 #pragma once
 
-// Everything that fell on one pixel: found by drawing the frame again into that pixel alone.
+// Everything that fell on one pixel: found by drawing the frame again into just that pixel.
 
 #include <optional>
 #include <utility>
@@ -21,19 +21,19 @@ namespace rasterwalk {
 /// One fragment that fell on the pixel. In stages before `fill` it is a mark: a vertex, an edge
 /// sample or the end of a row; marks have no depth value.
 struct PixelEntry {
-    Cursor cursor;   ///< the piece of work that it is; holds the triangle
+    Cursor cursor;   ///< its piece of work; holds the triangle
     int row = -1;    ///< row of the triangle's row table, from 0; -1 for vertices and edge samples
     int column = -1; ///< from the left end of that row, from 0; -1 for vertices and edge samples
     float zinv = 0.0f;   ///< interpolated 1/z
     float z = 0.0f;      ///< how far in front of the camera
     float depth = 0.0f;  ///< its value for the depth buffer
-    float stored = 0.0f; ///< the depth buffer's value before
-    float margin = 0.0f; ///< how much nearer than stored: above 0 it passes, if there is a test
+    float stored = 0.0f; ///< the depth buffer's previous value
+    float margin = 0.0f; ///< how much nearer than the stored value; above 0 it passes a test
     float margin_to_winner = 0.0f; ///< how much nearer than the entry that stays; 0 for that one
     Fate fate = Fate::written;
     float alpha = 1.0f; ///< how opaque it is, see FragmentAlpha
-    float share = 0.0f; ///< of its own colour in the colour that stays, 0 to 1; below 1 also where
-                        ///< it is half-transparent, or something half-transparent lies over it
+    float share = 0.0f; ///< of its colour in the final one, 0 to 1; also below 1 if it is
+                        ///< half-transparent, or something half-transparent is over it
     glm::vec3 colour_before{0.0f};
     glm::vec3 colour_after{0.0f};
 };
@@ -44,22 +44,22 @@ struct PixelHistory {
     std::vector<PixelEntry> entries;   ///< in the order of drawing
     int winner = -1;                   ///< the entry whose colour stays; -1: nothing was written
     bool depth_tested = false;         ///< whether margins decided anything
-    std::vector<TestEvent> tests;      ///< where edge functions ask pixels: each time it was asked
-    std::vector<NearTriangle> nearest; ///< if nothing fell here: what came nearest, and what hardly
+    std::vector<TestEvent> tests;      ///< if edge functions test pixels: each test of this one
+    std::vector<NearTriangle> nearest; ///< if nothing fell here: what came nearest, or hardly
                                        ///< stayed farther away; see uncovered.h
 };
 
-/// The history of a pixel of the picture. Costs the triangles whose box it lies in, and a look at
-/// the others. The pixel must lie in the picture.
+/// The history of a pixel of the picture. Costs drawing the triangles whose box it lies in, and a
+/// look at the others. The pixel must lie in the picture.
 PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel);
 
 /// The same in parts.
 class HistoryWork {
   public:
-    /// The frame must live as long.
+    /// The frame must outlive this.
     HistoryWork(const Frame& frame, const glm::ivec2& pixel);
 
-    /// Goes on as far as the limit allows; never holds.
+    /// Goes on as far as the limit allows; always makes progress.
     void advance(const WorkLimit& limit = {});
     bool is_done() const { return is_done_; }
 
@@ -68,7 +68,7 @@ class HistoryWork {
 
     const glm::ivec2& pixel() const { return history_.pixel; }
 
-    /// What is found; once is_done().
+    /// The result; once is_done().
     PixelHistory take() { return std::move(history_); }
 
   private:

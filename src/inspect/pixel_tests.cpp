@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Why a pixel is outside: of all edges that keep it out the first; or the fan's corner, where only
+/// Why a pixel is outside: the first of the edges that keep it out; or the fan's corner, if only
 /// inner edges meet it.
 std::string outside_text(const PixelTest& test) {
     for (std::size_t i = 0; i < test.e.size(); ++i) {
@@ -31,7 +31,7 @@ struct RowTests {
     ColumnRange inside; ///< of them; may be none
 };
 
-/// As far as they are done at a moment; only of triangles that have any.
+/// As far as they are done at a moment; only for triangles that have any.
 std::vector<RowTests> tests_of_row(const TestedPolygon& polygon, int triangle, int row,
                                    const Cursor& to) {
     std::vector<RowTests> all;
@@ -93,7 +93,7 @@ int fan_triangle_in_test(const TestedPolygon& polygon, int triangle, const Curso
 std::vector<TestedRun> tested_runs(const TestedPolygon& polygon, int triangle, int row,
                                    const Cursor& to) {
     const std::vector<RowTests> tests = tests_of_row(polygon, triangle, row, to);
-    // Between two of these all pixels have the same answer.
+    // Between two of these, all pixels have the same answer.
     std::vector<int> begins;
     for (const RowTests& of : tests)
         begins.insert(begins.end(),

@@ -1,6 +1,6 @@
 #pragma once
 
-// What edge functions find out about a pixel, in the moment in which they ask it.
+// The results of edge functions for a pixel, at the moment they test it.
 
 #include <optional>
 #include <string>
@@ -16,15 +16,15 @@ namespace rasterwalk {
 /// @param index 0 <= index < tested_row_count()
 PixelTest test_at_step(const TestedPolygon& polygon, int index, int step, const Stages& stages);
 
-/// The test that is done at a moment; none if none is.
+/// The test that is done at a moment; none if there is none.
 std::optional<PixelTest> test_at(const Frame& frame, const Cursor& cursor);
 
 /// The columns of a row of the box that have been tested at a moment.
-/// @param triangle of the frame, to which the row belongs
+/// @param triangle of the frame, which the row belongs to
 /// @param index    of the row, 0 <= index < tested_row_count()
 ColumnRange tests_done(const TestedRow& row, int triangle, int index, const Cursor& to);
 
-/// The triangle of the fan of which a pixel was tested last at a moment; -1 before the first test.
+/// The triangle of the fan for which a pixel was last tested at a moment; -1 before the first test.
 /// @param triangle of the frame
 int fan_triangle_in_test(const TestedPolygon& polygon, int triangle, const Cursor& to);
 
@@ -36,26 +36,26 @@ struct TestedRun {
     friend bool operator==(const TestedRun&, const TestedRun&) = default;
 };
 
-/// What the tests have found out about a row of the picture at a moment, from left to right; none
-/// overlaps another.
+/// The results of the tests for a row of the picture at a moment, from left to right; none overlaps
+/// another.
 /// @param triangle of the frame
 std::vector<TestedRun> tested_runs(const TestedPolygon& polygon, int triangle, int row,
                                    const Cursor& to);
 
-/// The test of a pixel, if it is done at a moment: of a fan, that of the triangle inside which it
-/// lies, or else the last one.
+/// The test of a pixel, if it is done at a moment: in a fan, the test for the triangle it lies
+/// inside, or else the last one.
 /// @param triangle of the frame
 std::optional<PixelTest> test_of_pixel(const TestedPolygon& polygon, int triangle, int column,
                                        int row, const Cursor& to, const Stages& stages);
 
-/// What an edge is called that is asked about: "edge 1" of the polygon, or "inner edge" of its fan.
+/// The name of a tested edge: "edge 1" of the polygon, or "inner edge" of its fan.
 /// @param number as in EdgeFunction
 std::string tested_edge_name(int number);
 
-/// The values of the edge functions in square pixels, and what they say: "E = 48, 27, 33: inside",
-/// "E = 12, -9, 105: outside, beyond edge 1", "E = 0, 54, 54: outside, edge 0 gives its points
-/// away"; of a polygon of more corners "triangle 1 of the fan, E = -3, 9, 8: outside, beyond inner
-/// edge". With an ASCII minus.
+/// The values of the edge functions in square pixels, and the answer: "E = 48, 27, 33: inside", "E
+/// = 12, -9, 105: outside, beyond edge 1", "E = 0, 54, 54: outside, edge 0 leaves its points to the
+/// neighbour"; for a polygon with more corners "triangle 1 of the fan, E = -3, 9, 8: outside,
+/// beyond inner edge". With an ASCII minus.
 std::string pixel_test_text(const PixelTest& test);
 
 } // namespace rasterwalk

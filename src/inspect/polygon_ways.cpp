@@ -47,7 +47,7 @@ std::int64_t pixels_of(const std::vector<Stretch>& stretches) {
     return pixels;
 }
 
-/// The pixels that two lists have in common, each of which has a pixel once, in order.
+/// The pixels that two lists have in common; each list has a pixel once, in order.
 std::int64_t pixels_in_both(const std::vector<Stretch>& a, const std::vector<Stretch>& b) {
     std::int64_t pixels = 0;
     for (auto p = a.begin(), q = b.begin(); p != a.end() && q != b.end();) {
@@ -61,7 +61,8 @@ std::int64_t pixels_in_both(const std::vector<Stretch>& a, const std::vector<Str
     return pixels;
 }
 
-/// Of every row all from its first to its last pixel: what a table with two ends a row holds.
+/// All pixels of every row from its first to its last one: the contents of a table with two ends
+/// per row.
 std::vector<Stretch> from_end_to_end(const std::vector<Stretch>& inside) {
     std::vector<Stretch> rows;
     for (const Stretch& stretch : inside) {
@@ -73,7 +74,7 @@ std::vector<Stretch> from_end_to_end(const std::vector<Stretch>& inside) {
     return rows;
 }
 
-/// What the triangles of the polygon's fan cover, one after the other.
+/// The stretches that the triangles of the polygon's fan cover, one triangle after the other.
 std::vector<Stretch> laid_by_fan(const Frame& frame, const std::vector<ScreenVertex>& outline) {
     std::vector<Stretch> laid;
     for_each_fan_corners(outline.size(), [&](std::size_t a, std::size_t b, std::size_t c) {
@@ -96,14 +97,14 @@ void count_inside(const std::vector<Stretch>& inside, PolygonWays& ways) {
     }
 }
 
-/// Of one side of a box: all of it, or its middle.
+/// One side of a box: all of it, or its middle.
 std::pair<int, int> shown_side(int low, int high) {
     const int shown = std::min(high - low, polygon_window_side);
     const int first = low + (high - low - shown) / 2;
     return {first, first + shown};
 }
 
-/// Writes a value over the pixels of the window on which a way covers.
+/// Changes the pixels of the window that a way covers.
 template <class Change>
 void for_pixels(const std::vector<Stretch>& stretches, const Rectangle& window, Change change) {
     const int width = window.right - window.left;

@@ -1,7 +1,7 @@
 #pragma once
 
-// A polygon of a scene, covered in three ways: what a row table and a fan of triangles make of it,
-// beside the pixels that lie inside. Without dents all three are the same.
+// A polygon of a scene, covered in three ways: by a row table and by a fan of triangles, next to
+// the pixels that lie inside. Without dents all three are the same.
 
 #include <array>
 #include <cstdint>
@@ -15,28 +15,28 @@
 
 namespace rasterwalk {
 
-/// Pixels are asked at their centres, by the frame's snap and fill rule; all count, also those that
-/// lie beside the picture.
+/// Pixels are tested at their centres, by the frame's snap and fill rule; all count, even those
+/// outside the picture.
 struct PolygonWays {
     int corners = 0;           ///< of its outline
     std::int64_t inside = 0;   ///< pixels inside, by the list of active edges
     std::int64_t table = 0;    ///< from the first to the last of them in every row: a row table
-    int rows = 0;              ///< that have pixels inside
-    int wrong_rows = 0;        ///< of them, in which the row table has others too
+    int rows = 0;              ///< rows that have pixels inside
+    int wrong_rows = 0;        ///< of those, rows in which the row table has others too
     std::int64_t fan = 0;      ///< pixels that a triangle of the fan covers
     std::int64_t fan_laid = 0; ///< the same, each as often as triangles cover it
     double area = 0.0;         ///< of the outline, square pixels; never negative
     double fan_area = 0.0;     ///< of all triangles of the fan together
 };
 
-/// The corners of the polygon to which a triangle of the frame belongs, where they are drawn; none
-/// if it belongs to none, or if one of its triangles is cut, is left out, or was moved alone.
+/// The drawn corners of the polygon that a triangle of the frame belongs to; none if it belongs to
+/// none, or if one of its triangles is cut, is left out, or was moved alone.
 std::vector<ScreenVertex> outline_of(const Frame& frame, int triangle);
 
-/// The same polygon in numbers; none where there is no outline.
+/// The same polygon in numbers; none if there is no outline.
 std::optional<PolygonWays> polygon_ways(const Frame& frame, int triangle);
 
-/// The ways in which a polygon is covered.
+/// The ways to cover a polygon.
 enum class PolygonWay : std::uint8_t { table, fan, active_edges };
 template <>
 inline constexpr auto enum_words<PolygonWay> = word_list("table", "fan", "active_edges");
@@ -44,7 +44,7 @@ static_assert(words_match<PolygonWay>);
 
 inline constexpr std::size_t polygon_way_count = enum_words<PolygonWay>.size();
 
-/// A pixel by one of the ways, against what lies inside.
+/// A pixel by one of the ways, compared with the inside.
 enum class PolygonPixel : std::uint8_t {
     outside, ///< and not covered
     inside,  ///< and covered
@@ -52,26 +52,26 @@ enum class PolygonPixel : std::uint8_t {
     missed,  ///< inside, but not covered: wrong
 };
 
-/// What one way covers.
+/// The pixels that one way covers.
 struct PolygonByWay {
     std::int64_t covered = 0;         ///< pixels, each once
     std::int64_t wrong = 0;           ///< pixels that are filled or missed
     std::vector<PolygonPixel> pixels; ///< of the window, row by row
 };
 
-/// The polygon by each of the ways. Inside is what the list of active edges finds: the rule of even
-/// and odd, and on the outline the fill rule.
+/// The polygon by each of the ways. The list of active edges decides what is inside: by the
+/// even-odd rule, and on the outline by the fill rule.
 struct PolygonPicture {
     Rectangle window;                                 ///< pixels of the picture
-    std::vector<GridPoint> outline;                   ///< the corners, as they are snapped
+    std::vector<GridPoint> outline;                   ///< the snapped corners
     std::array<PolygonByWay, polygon_way_count> ways; ///< indexed by PolygonWay; the numbers are of
                                                       ///< the whole polygon
 };
 
-/// The window of a PolygonPicture has at most so many columns, and so many rows, about its middle.
+/// The window of a PolygonPicture has at most this many columns and rows, about its middle.
 inline constexpr int polygon_window_side = 128;
 
-/// None where there is no outline; polygons of a scene have four corners or more.
+/// None if there is no outline; polygons of a scene have four corners or more.
 std::optional<PolygonPicture> polygon_picture(const Frame& frame, int triangle);
 
 } // namespace rasterwalk

@@ -82,7 +82,7 @@ Ticks nice_ticks(const Interval& range, int most) {
     if (!std::isfinite(range.low) || !std::isfinite(range.high) || !(width > 0.0) || most < 1) {
         return ticks;
     }
-    // A width that vanishes beside the numbers would make ticks that cannot be told apart.
+    // A width that vanishes next to the numbers would make ticks that look the same.
     if (width < 1e-12 * std::max(std::abs(range.low), std::abs(range.high))) return ticks;
     double power = std::pow(10.0, std::floor(std::log10(width / most)));
     const auto fits = [&](double step) {

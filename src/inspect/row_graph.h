@@ -1,7 +1,7 @@
 #pragma once
 
-// How a quantity runs along a row: the truth as a curve, the affine chord beside it, and the
-// straight lines by which the truth is carried.
+// How a quantity runs along a row: the truth as a curve, the affine chord next to it, and the
+// straight lines that carry the truth.
 
 #include <optional>
 #include <vector>
@@ -24,14 +24,14 @@ struct RowGraph {
     }
 };
 
-/// The graph of one row of the table of a triangle that is drawn; none if that row is empty.
+/// The graph of one row of the table of a drawn triangle; none if that row is empty.
 std::optional<RowGraph> row_graph(const Frame& frame, int triangle, int index);
 
 /// The index of the row of the table with the most pixels in the picture; none if no row has any.
 std::optional<int> widest_row(const Frame& frame, int triangle);
 
-/// The quantity at a column: as it is, and as affine interpolation has it. For 1/z the latter is
-/// one over the linear z.
+/// The quantity at a column: the true one, and the one of affine interpolation. For 1/z the latter
+/// is one over the linear z.
 float true_value(const RowGraph& graph, Quantity quantity, int index);
 float affine_value(const RowGraph& graph, Quantity quantity, int index);
 
@@ -52,10 +52,10 @@ struct Ticks {
     int digits = 0; ///< after the point, so that neighbours differ
 };
 
-/// At most `most` ticks (and at least 2 are wished for). An empty or endless range has none.
+/// At most `most` ticks, and at least 2 if possible. An empty or infinite range has none.
 Ticks nice_ticks(const Interval& range, int most);
 
-/// A range a little larger, for an axis; one without width gets some. The caller leaves numbers
+/// A slightly larger range, for an axis; one without width gets some. The caller must leave numbers
 /// that are not finite out of the range.
 Interval with_margin(const Interval& range, double share);
 

@@ -17,7 +17,7 @@ void replace(EndWriter& end, const EdgeSample& sample) {
     end.sample = sample.sample;
 }
 
-/// Repeats in a table of its own what the coverage stage does, as long as it is asked to.
+/// Repeats the work of the coverage stage in its own table, up to a number of samples.
 class HistoryMaker : public SampleSink {
   public:
     using Wanted = std::function<bool(const EdgeSample&)>;
@@ -93,8 +93,8 @@ HistoryMaker::Wanted comes_before(int triangle, const Cursor& to) {
     };
 }
 
-/// Before its rows begin, of a table without samples: leaves the rows as far as the pixels that
-/// have been asked show that they go. Where none are asked the table is empty until then.
+/// For a table without samples, before its rows begin: leaves the rows as far as the tested pixels
+/// show them. If none are tested the table is empty until then.
 void keep_tested(const Frame& frame, int triangle, const Cursor& to, PolygonRows& rows) {
     if (walks_edges(frame.stages) || to >= Cursor{triangle, Phase::rows, 0, 0}) return;
     const TestedPolygon tested = rows.tested;

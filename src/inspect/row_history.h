@@ -1,7 +1,7 @@
 #pragma once
 
-// Who wrote it: how the two ends of every row of a polygon came to be. Listens to the coverage
-// stage, whatever function stands there.
+// The writers of a row table: how the two ends of every row of a polygon came about. Listens to the
+// coverage stage, whatever function is there.
 
 #include <climits>
 #include <optional>
@@ -17,11 +17,11 @@
 
 namespace rasterwalk {
 
-/// The edge sample that an end of a row stands at. Counts from 0.
+/// The edge sample that wrote an end of a row. Counts from 0.
 struct EndWriter {
     int edge = -1;    ///< -1: no sample has reached the row yet
     int sample = -1;  ///< of the edge
-    int replaced = 0; ///< how often an earlier sample stood here and had to go
+    int replaced = 0; ///< how many earlier samples were replaced here
 
     bool is_set() const { return edge >= 0; }
     friend bool operator==(const EndWriter&, const EndWriter&) = default;
@@ -37,7 +37,7 @@ struct OutsideSample {
     friend bool operator==(const OutsideSample&, const OutsideSample&) = default;
 };
 
-/// The row table of a polygon with its history. Coverage that asks pixels at their centres enters
+/// The row table of a polygon with its history. Coverage that tests pixels at their centres enters
 /// no samples: its ends have no writers.
 struct RowHistory {
     PolygonRows rows;
@@ -49,19 +49,19 @@ struct RowHistory {
     int sample_count = 0;           ///< of all edges
     std::optional<EdgeSample> last; ///< the sample entered last
     int last_index = -1;            ///< of the row it was entered in; -1: outside the table
-    /// Where active edges made the table: all stretches that lie inside, from the top and from the
-    /// left. A row of the table reaches from the first of its row to the last. Else empty.
+    /// If active edges made the table: all stretches that lie inside, from top to bottom and left
+    /// to right. A row of the table reaches from the first of its row to the last. Else empty.
     std::vector<InsideSpan> spans;
 };
 
-/// The stretches of a row of the picture; none where coverage knows of none.
+/// The stretches of a row of the picture; none if coverage has none.
 std::span<const InsideSpan> spans_of_row(const RowHistory& history, int row);
 
-/// The table of a drawn triangle, as far as it is made at `to`.
+/// The table of a drawn triangle, as far as it has been made at `to`.
 RowHistory row_history(const Frame& frame, int triangle, const Cursor& to = cursor_end);
 
-/// The table of a polygon of at least one vertex, after the first `samples` of the samples of its
-/// edges, of all edges in order.
+/// The table of a polygon of at least one vertex, after the first `samples` samples of its edges,
+/// counted over all edges in order.
 RowHistory row_history(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
                        int samples = INT_MAX);
 
@@ -69,7 +69,7 @@ RowHistory row_history(PolygonCorners vertices, const EdgeRules& rules, const St
 std::vector<EdgeSample> edge_samples(const Frame& frame, int triangle,
                                      const Cursor& to = cursor_end);
 
-/// The table in the lab's form, a line a row: `Start: (10,5). End: (10,5).`
+/// The table in the lab's form, one line per row: `Start: (10,5). End: (10,5).`
 std::string rows_text(const PolygonRows& rows);
 
 } // namespace rasterwalk

@@ -15,7 +15,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What it takes to count a pixel, beside a fragment.
+/// The work of counting a pixel, relative to a fragment.
 constexpr double count_work = 0.4;
 
 bool is_back(const Frame& frame, int triangle, const SightRays& rays) {
@@ -87,7 +87,7 @@ void SeenHintsWork::advance(const WorkLimit& limit) {
     is_done_ = now_.rows == picture_->size.height && done_ == tries_.size();
 }
 
-/// The next rows; true: that were all.
+/// Counts the next rows; true: those were the last.
 bool SeenHintsWork::count(const Frame& frame, const Framebuffer& picture, const WorkLimit& limit,
                           Count& count) {
     const int rows = rows_within(limit, count_work, picture.size, count.rows);
@@ -111,7 +111,7 @@ void SeenHintsWork::choose_tries() {
     }
     const bool is_lit = shading_rule(settings) != Shading::unlit;
     const bool is_one_sided = settings.light_rules.sides == LightSides::one;
-    // Where both sides are lit, backs are wanted.
+    // If both sides are lit, backs are wanted.
     const bool are_unwanted = are_backs() && settings.cull == Cull::none && is_one_sided;
     if (are_unwanted) add(Way::without_backs, {"cull=face_normal"});
     if (is_lit && is_one_sided && (are_unwanted || is_black()))
@@ -135,7 +135,7 @@ void SeenHintsWork::begin_try() {
     is_begun_ = true;
 }
 
-/// Goes on with a try; true: it is drawn and counted, or too much.
+/// Goes on with a try; true: it is drawn and counted, or too much work.
 bool SeenHintsWork::draw_try(const WorkLimit& limit) {
     if (!is_begun_) begin_try();
     if (preparation_) {
@@ -204,14 +204,14 @@ SeenHint SeenHintsWork::hint_of(const Try& tried) const {
 /// Does this setting show more?
 bool SeenHintsWork::helps(const Try& tried) const {
     const SeenPixels &before = now_.seen, &seen = tried.seen;
-    // Of a sheet next to nothing would be left.
+    // Next to nothing would be left of a sheet.
     if (tried.way == Way::without_backs) return seen.lit > 0 && 2 * seen.surface > before.surface;
     return is_black() ? seen.lit > 0 : 20 * seen.light > 21 * before.light;
 }
 
 std::vector<SeenHint> SeenHintsWork::hints() const {
     std::vector<SeenHint> hints;
-    const Try* brightest = nullptr; // of those that light what is black
+    const Try* brightest = nullptr; // of those that light a black picture
     for (const Try& tried : tries_) {
         if (!helps(tried)) continue;
         const bool lights = is_black() && tried.way > Way::without_backs;

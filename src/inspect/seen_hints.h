@@ -17,11 +17,11 @@
 
 namespace rasterwalk {
 
-/// The pixels of a picture on which a surface is seen.
+/// The pixels of a picture that show a surface.
 struct SeenPixels {
     std::int64_t surface = 0; ///< all of them
     std::int64_t backs = 0;   ///< of a triangle that shows its back, see away_from_camera()
-    std::int64_t lit = 0;     ///< that are not black, see is_invisible()
+    std::int64_t lit = 0;     ///< those that are not black, see is_invisible()
     std::int64_t light = 0;   ///< the largest channels of all of them, in steps of 1/255
 
     friend bool operator==(const SeenPixels&, const SeenPixels&) = default;
@@ -30,30 +30,30 @@ struct SeenPixels {
 /// Counts them in one pass over the owners and colours of a picture of this frame.
 SeenPixels count_seen(const Frame& frame, const Framebuffer& picture);
 
-/// No hint is looked for in larger pictures, or in models of more triangles: another framebuffer or
-/// frame of that size, besides the one shown, takes too much memory.
+/// Larger pictures, and models of more triangles, get no hints: another framebuffer or frame of
+/// that size, besides the one shown, takes too much memory.
 inline constexpr std::size_t most_hinted_pixels = std::size_t{1} << 23;
 inline constexpr int most_hinted_triangles = 1'000'000;
 
-/// Something to say about a whole picture, and what helps. There may be two about the same thing,
+/// Something to say about a whole picture, and what helps. Two hints can be about the same thing,
 /// with different help.
 struct SeenHint {
     std::string seen;                  ///< "Most of what you see is backs, 90 of 100 pixels"
-    std::string in_short;              ///< the same where there is little room: "Mostly backs"
+    std::string in_short;              ///< the same for tight spaces: "Mostly backs"
     std::string act;                   ///< what to do about it, on a button: "leave them out"
-    std::vector<std::string> settings; ///< that do it: name=value
-    std::string help;                  ///< what they are called, and what they do: one sentence
+    std::vector<std::string> settings; ///< the ones that do it: name=value
+    std::string help;                  ///< their names, and what they do: one sentence
 
     friend bool operator==(const SeenHint&, const SeenHint&) = default;
 };
 
-/// Looks for what there is to say about the whole picture of a model: that most of what is seen is
-/// backs, or that all of it is transparent or black. It names only what it has tried and counted,
+/// Looks for what there is to say about the whole picture of a model: that it shows mostly backs,
+/// or that all of it is transparent or black. It names only settings that it has tried and counted,
 /// which takes drawing the picture again, up to five times. It finds nothing if no setting helps,
 /// nor in scenes that are not models, where such a picture is intended.
 class SeenHintsWork {
   public:
-    /// @param picture the finished picture of the frame; both must live as long
+    /// @param picture the finished picture of the frame; both must outlive this
     SeenHintsWork(const Frame& frame, const Framebuffer& picture);
     SeenHintsWork(const SeenHintsWork&) = delete; // its parts refer to each other
     SeenHintsWork& operator=(const SeenHintsWork&) = delete;
@@ -62,11 +62,11 @@ class SeenHintsWork {
     void advance(const WorkLimit& limit = {});
     bool is_done() const { return is_done_; }
 
-    /// What is found; once is_done().
+    /// The result; once is_done().
     std::vector<SeenHint> hints() const;
 
   private:
-    /// What may show more.
+    /// Ways that may show more.
     enum class Way : std::uint8_t {
         opaque,
         without_backs,
@@ -75,14 +75,14 @@ class SeenHintsWork {
         without_images,
     };
 
-    /// One of them, and what would be seen.
+    /// One of them, and what it would show.
     struct Try {
         Way way;
         std::vector<std::string> settings; ///< name=value
         SeenPixels seen;
     };
     struct Count {
-        int rows = 0; ///< of the picture that are counted
+        int rows = 0; ///< of the picture counted so far
         SeenPixels seen;
     };
     static bool count(const Frame& frame, const Framebuffer& picture, const WorkLimit& limit,
@@ -99,17 +99,17 @@ class SeenHintsWork {
     const Framebuffer* picture_;
     Count now_;
     std::vector<Try> tries_;
-    std::size_t done_ = 0; ///< of the tries
-    Frame other_;          ///< of the try on its way, and what it takes to draw it
+    std::size_t done_ = 0; ///< of the tries, the number done
+    Frame other_;          ///< of the current try, and the tools to draw it
     std::optional<FramePreparation> preparation_;
     FrameWork work_;
     Replay replay_{0};
     Count other_count_;
-    bool is_begun_ = false, is_prepared_ = false; ///< the try on its way
+    bool is_begun_ = false, is_prepared_ = false; ///< the current try
     bool is_done_ = false;
 };
 
-/// All of it at once.
+/// All of it in one call.
 std::vector<SeenHint> seen_hints(const Frame& frame, const Framebuffer& picture);
 
 } // namespace rasterwalk

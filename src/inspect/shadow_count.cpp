@@ -10,7 +10,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The fragment that each pixel shows in the end.
+/// The fragment that each pixel finally shows.
 class LastFragments : public Observer {
   public:
     explicit LastFragments(Viewport size)

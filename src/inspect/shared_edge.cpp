@@ -28,12 +28,13 @@ std::array<SnappedCorners, 2> snapped_outlines(const Frame& frame, const SharedE
     return {snapped_corners(frame, shared.triangle), snapped_corners(frame, shared.neighbour)};
 }
 
-/// Are its corners those that the scene gives it?
+/// Are its corners the scene's?
 bool is_whole(const Frame& frame, int triangle) {
     return frame.is_drawn(triangle) && !frame.is_cut(triangle);
 }
 
-/// The edge of a triangle between two places of the scene, in either direction; -1: it has none.
+/// The edge of a triangle between two places of the scene, in either direction; -1: it has no such
+/// edge.
 int edge_between(const Frame& frame, int triangle, const glm::vec3& a, const glm::vec3& b) {
     std::array<glm::vec3, triangle_corners> places;
     for (int i = 0; i < triangle_corners; ++i)
@@ -45,7 +46,7 @@ int edge_between(const Frame& frame, int triangle, const glm::vec3& a, const glm
     return -1;
 }
 
-/// On which side of its edge the rest of a triangle lies, seen from `a` to `b`.
+/// The side of its edge on which the rest of a triangle lies, seen from `a` to `b`.
 int side_of_rest(const SnappedCorners& corners, int edge, const GridPoint& a, const GridPoint& b) {
     const GridPoint& rest = corners[corner_behind(corner_behind(static_cast<std::size_t>(edge)))];
     const std::int64_t area = double_area(a, b, rest);
@@ -69,7 +70,7 @@ Columns centres_on_edge(const GridPoint& a, const GridPoint& b, int row) {
     const std::int64_t y = pixel_centre(row);
     if (a.y == b.y) {
         if (y != a.y) return {};
-        // pixel_at() of half a pixel to the left is the last pixel whose centre lies up to there.
+        // pixel_at() of half a pixel to the left is the last pixel whose centre is at or before x.
         const auto last_up_to = [](std::int64_t x) { return pixel_at(x - grid_parts / 2); };
         return {std::int64_t{last_up_to(std::min(a.x, b.x))} + 1,
                 last_up_to(std::max(a.x, b.x) - 1)};
@@ -83,7 +84,7 @@ Columns centres_on_edge(const GridPoint& a, const GridPoint& b, int row) {
     return {column, column};
 }
 
-/// What a table of stages draws of both triangles.
+/// The pixels of both triangles that a table of stages draws.
 class DrawnPair {
   public:
     DrawnPair(const Frame& frame, const SharedEdge& shared, FillRule rule)
@@ -99,7 +100,7 @@ class DrawnPair {
                                          nullptr);
     }
 
-    /// The columns that one of the two draws of a row of the picture.
+    /// The columns that one of the two draws in a row of the picture.
     Columns drawn(std::size_t which, int row) const {
         const PolygonRows& rows = rows_[which];
         const int index = row - rows.first_row;
@@ -149,14 +150,14 @@ double distance_to_edge(const SnappedCorners& corners, int edge, const glm::ivec
     return glm::dot(off, off);
 }
 
-/// Of a stretch of pixels as many as the window may have, around the middle if it has more.
+/// A stretch of pixels, limited to what the window may have, around the middle if it has more.
 std::pair<int, int> window_side(int low, int high, int middle) {
     if (high - low <= edge_window_side) return {low, high};
     const int first = std::clamp(middle - edge_window_side / 2, low, high - edge_window_side);
     return {first, first + edge_window_side};
 }
 
-/// The middle of the part of the edge from a to b that is shown for a pixel.
+/// The middle of the part of the edge from a to b shown for a pixel.
 glm::ivec2 middle_of_part(const GridPoint& a, const GridPoint& b,
                           const std::optional<glm::ivec2>& pixel) {
     const bool is_wide = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
@@ -228,7 +229,7 @@ std::optional<SharedEdge> shared_edge_at(const Frame& frame, int triangle,
     const std::vector<SharedEdge> all = shared_edges(frame, triangle);
     if (all.empty()) return std::nullopt;
     const SnappedCorners corners = snapped_corners(frame, triangle);
-    std::vector<double> ranks; // the smallest is looked at
+    std::vector<double> ranks; // the smallest is shown
     for (const SharedEdge& shared : all) {
         constexpr FillRule rule = FillRule::inclusive;
         ranks.push_back(

@@ -1,7 +1,7 @@
 #pragma once
 
-// Two triangles that share an edge, side by side, and what each fill rule makes of the pixels whose
-// centres lie on that edge: drawn by both, by one, or by none (stages/fill_rule.h).
+// Two triangles that share an edge, and what each fill rule does with the pixels whose centres lie
+// on that edge: drawn by both, by one, or by none (stages/fill_rule.h).
 
 #include <array>
 #include <cstdint>
@@ -17,11 +17,11 @@
 
 namespace rasterwalk {
 
-/// The rules that are compared with each other; the others are faulty versions of them.
+/// The rules that are compared; the others are faulty versions of them.
 inline constexpr std::array compared_fill_rules{FillRule::inclusive, FillRule::exclusive,
                                                 FillRule::top_left};
 
-/// An edge that two triangles of the frame have in common. They lie on different sides of it.
+/// An edge that two triangles of the frame share. They lie on opposite sides of it.
 struct SharedEdge {
     int triangle = 0, edge = 0;            ///< edge i goes from corner i to the next
     int neighbour = 0, neighbour_edge = 0; ///< the other triangle, and the same edge as its own
@@ -29,17 +29,17 @@ struct SharedEdge {
     friend bool operator==(const SharedEdge&, const SharedEdge&) = default;
 };
 
-/// The edges that a triangle shares, each with the first neighbour in drawing order. None where
-/// coverage walks edges and asks for no fill rule; none of triangles that are cut or not drawn.
-/// Looks through all triangles of the frame.
+/// The edges that a triangle shares, each with the first neighbour in drawing order. None if
+/// coverage walks edges and uses no fill rule; none for triangles that are cut or not drawn. Looks
+/// through all triangles of the frame.
 std::vector<SharedEdge> shared_edges(const Frame& frame, int triangle);
 
-/// What one rule makes of a shared edge. Pixels are drawn by the function that covers the frame's
-/// triangles; all count, also those beside the picture.
+/// A shared edge under one rule. Pixels are drawn by the function that covers the frame's
+/// triangles; all count, even those outside the picture.
 struct EdgeByRule {
     FillRule rule = FillRule::inclusive;
     std::int64_t twice = 0; ///< pixels that both triangles draw
-    std::int64_t holes = 0; ///< pixels whose centres lie on the edge between its ends, and that
+    std::int64_t holes = 0; ///< pixels whose centres lie on the edge between its ends, but that
                             ///< neither draws
 
     friend bool operator==(const EdgeByRule&, const EdgeByRule&) = default;
@@ -49,12 +49,12 @@ using EdgeByRules = std::array<EdgeByRule, compared_fill_rules.size()>;
 /// The same edge by each of compared_fill_rules.
 EdgeByRules count_by_rules(const Frame& frame, const SharedEdge& shared);
 
-/// The shared edge of a triangle that is looked at: the one nearest to a pixel, or without one that
-/// on which most pixels are drawn twice when all triangles keep them; of equals the first.
+/// The shared edge of a triangle to show: the nearest to a pixel, or without one the edge on which
+/// most pixels are drawn twice when all triangles keep them; the first if several are equal.
 std::optional<SharedEdge> shared_edge_at(const Frame& frame, int triangle,
                                          const std::optional<glm::ivec2>& pixel);
 
-/// Who draws a pixel beside a shared edge.
+/// Who draws a pixel next to a shared edge.
 enum class EdgePixel : std::uint8_t { nobody, triangle, neighbour, twice, hole };
 
 /// A shared edge and the pixels around it, by each of compared_fill_rules.
@@ -65,17 +65,17 @@ struct EdgePicture {
     std::array<std::vector<EdgePixel>, compared_fill_rules.size()>
         pixels; ///< of the window, row by row, by each rule
     std::array<std::array<GridPoint, triangle_corners>, 2>
-        outlines; ///< the corners of the triangle and of its neighbour, as they are snapped
+        outlines; ///< the snapped corners of the triangle and of its neighbour
 };
 
 EdgePicture edge_picture(const Frame& frame, const SharedEdge& shared, const Rectangle& window);
 
-/// The window for the picture has at most so many columns, and so many rows.
+/// The window for the picture has at most this many columns and rows.
 inline constexpr int edge_window_side = 12;
 
-/// A window with both triangles whole, if there is room for them; or else with the part of the edge
-/// that is nearest to a pixel, or its middle. The edge is divided into parts, so that pixels next
-/// to each other mostly have the same window.
+/// A window with both whole triangles, if there is room; or else with the part of the edge nearest
+/// to a pixel, or its middle. The edge is divided into parts, so that pixels next to each other
+/// mostly have the same window.
 Rectangle edge_window(const Frame& frame, const SharedEdge& shared,
                       const std::optional<glm::ivec2>& pixel);
 

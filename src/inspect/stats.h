@@ -19,7 +19,7 @@ struct LeftOut {
     friend bool operator==(const LeftOut&, const LeftOut&) = default;
 };
 
-/// What clipping has made of the triangles of a frame.
+/// The triangles of a frame after clipping, counted.
 struct ClipCounts {
     int clipped = 0;        ///< triangles that were cut
     int clip_triangles = 0; ///< triangles after clipping, uncut ones too: a fan of each
@@ -27,22 +27,22 @@ struct ClipCounts {
     friend bool operator==(const ClipCounts&, const ClipCounts&) = default;
 };
 
-/// What a frame comes to, in numbers.
+/// A frame in numbers.
 struct FrameStats {
-    int triangles = 0;          ///< of the scene, drawn or not
-    std::int64_t fragments = 0; ///< that fell in the picture; in stages before `fill`, marks
-    std::int64_t fragments_outside = 0; ///< that fell beside it
+    int triangles = 0;                  ///< of the scene, drawn or not
+    std::int64_t fragments = 0;         ///< in the picture; in stages before `fill`, marks
+    std::int64_t fragments_outside = 0; ///< outside it
     int clipped = 0;                    ///< triangles that were cut
     int clip_triangles = 0;             ///< triangles after clipping, uncut ones too: a fan of each
     std::uint32_t max_overdraw = 0;     ///< most fragments on one pixel
-    std::int64_t uncovered = 0;         ///< pixels on which none fell
+    std::int64_t uncovered = 0;         ///< pixels without any
     std::int64_t rows_outside = 0;      ///< edge samples outside their row table
     int rows_outside_triangles = 0;     ///< triangles that have such samples
     std::int64_t shaded = 0;            ///< fragments whose colour was worked out, drawn or not
-    std::int64_t rows_looked_at = 0; ///< rows that the edge samples asked on their way to their own
-    std::int64_t pixels_tested = 0;  ///< in the picture, by edge functions, of whole triangles
-    std::int64_t unset_rows = 0;     ///< rows without a sample, drawn all the same; none in view
-    std::int64_t depth_outside = 0;  ///< fragments whose pixel has no cell in the depth buffer
+    std::int64_t rows_looked_at = 0;    ///< rows looked at before the edge samples found theirs
+    std::int64_t pixels_tested = 0;     ///< in the picture, by edge functions, of whole triangles
+    std::int64_t unset_rows = 0;    ///< rows without a sample, drawn all the same; none is visible
+    std::int64_t depth_outside = 0; ///< fragments whose pixel has no cell in the depth buffer
     LeftOut left_out;
 
     friend bool operator==(const FrameStats&, const FrameStats&) = default;
@@ -51,7 +51,8 @@ struct FrameStats {
 /// Counts the triangles that the vertex shader left out.
 LeftOut count_left_out(const Frame& frame);
 
-/// Counts what is cut. What is left out counts only if culling has left it out, which comes after.
+/// Counts the cut triangles. Those left out count only if culling, which comes later, left them
+/// out.
 ClipCounts count_clipping(const Frame& frame);
 
 /// Draws everything before `to` and counts; `framebuffer` receives the picture.

@@ -9,10 +9,10 @@ namespace rasterwalk {
 
 namespace {
 
-/// What a row of a triangle costs beside its fragments: its edges are walked.
+/// The cost of a row of a triangle in addition to its fragments: its edges are walked.
 constexpr double work_of_row = 6.0;
 
-/// What it costs to ask whether a triangle reaches the part.
+/// The cost of testing whether a triangle reaches the part.
 constexpr double work_of_triangle = 0.5;
 
 class FateCollector : public Observer {
@@ -27,8 +27,8 @@ class FateCollector : public Observer {
     std::vector<FragmentFate>& fates_;
 };
 
-/// The work of the triangles from `first` up to and including `last` in a part of the picture;
-/// where it is more than `most`, some number that is more.
+/// The work of the triangles from `first` up to and including `last` in a part of the picture; if
+/// it is more than `most`, some number above `most`.
 double work_between(const Frame& frame, int first, int last, const Rectangle& part, double most) {
     const EdgeRules rules = edge_rules(frame.settings);
     double work = 0.0;
@@ -40,7 +40,7 @@ double work_between(const Frame& frame, int first, int last, const Rectangle& pa
         const double width = std::min(box.right, part.right) - std::max(box.left, part.left);
         const double height = std::min(box.bottom, part.bottom) - std::max(box.top, part.top);
         if (width <= 0.0 || height <= 0.0) continue;
-        // The edges are walked over their whole length.
+        // The edges are walked along their whole length.
         work += width * height +
                 work_of_row * (static_cast<double>(box.bottom) - static_cast<double>(box.top) +
                                static_cast<double>(box.right) - static_cast<double>(box.left));
@@ -76,7 +76,7 @@ const std::vector<FragmentFate>& FateFinder::find(const Frame& frame, std::uint6
     const bool goes_on = planes_place_ == place && drawn_ <= triangle;
     const int first = goes_on ? drawn_ : 0;
     if (work_between(frame, first, triangle, inside, most_work) > most_work) return fates_;
-    planes_place_ = std::nullopt; // until the planes are whole
+    planes_place_ = std::nullopt; // until the planes are complete
     if (!goes_on) {
         clear(planes_, frame, {inside.right - inside.left, inside.bottom - inside.top},
               {inside.left, inside.top});

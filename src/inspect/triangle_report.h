@@ -14,20 +14,20 @@ namespace rasterwalk {
 struct EdgeReport {
     ScreenVertex from, to;           ///< the two vertices as pixels
     int count = 0;                   ///< samples of the whole edge
-    std::vector<EdgeSample> samples; ///< those that come before the moment that was asked for
+    std::vector<EdgeSample> samples; ///< those before the given moment
 };
 
-/// Everything that is to be known of a triangle, whatever the stage draws of it.
+/// Everything there is to know about a triangle, whatever the stage draws of it.
 struct TriangleReport {
     int triangle = 0;
     Rejection rejection = Rejection::none; ///< why it is not drawn, or none
     std::vector<ShadedVertex> vertices;    ///< of the scene, through the spaces
     ClipHistory clip;                      ///< between vertex shader and division
-    std::vector<EdgeReport> edges;         ///< of what is drawn; empty for a triangle left out
+    std::vector<EdgeReport> edges;         ///< of the drawn part; empty for a triangle left out
     RowHistory rows;                       ///< the row table, empty in the same case
 };
 
-/// The report on a triangle of the frame, with its row table as far as it is made at `to`.
+/// The report on a triangle of the frame, with its row table as far as it has been made at `to`.
 TriangleReport triangle_report(const Frame& frame, int triangle, const Cursor& to = cursor_end);
 
 /// What a sample did to the row table: left, right, both, nothing or outside.

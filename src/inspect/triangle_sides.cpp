@@ -7,7 +7,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Where the plane cuts the edge between two vertices, from the one inside; none if it does not.
+/// Where the plane cuts the edge between two vertices, from the inner one; none if it does not.
 std::optional<float> cut_at(const glm::vec4& plane, const ClipVertex& a, const ClipVertex& b) {
     const float d_a = inner_distance(plane, a), d_b = inner_distance(plane, b);
     if ((d_a >= 0.0f) == (d_b >= 0.0f)) return std::nullopt;

@@ -1,6 +1,7 @@
 #pragma once
 
-// Where a triangle of the scene lies, and which side of it is seen: what reject, clip and cull ask.
+// Where a triangle of the scene is, and which side of it is seen: the questions of reject, clip and
+// cull.
 
 #include <optional>
 
@@ -9,21 +10,21 @@
 
 namespace rasterwalk {
 
-/// What is worked out about a triangle up front, before it is drawn.
+/// What is worked out in advance about a triangle.
 struct TriangleSides {
-    /// By outer_planes(), as reject_by_outcodes() has them; no planes in pixel space.
+    /// By outer_planes(), as in reject_by_outcodes(); no planes in pixel space.
     TriangleCodes codes;
     /// away_from_camera() of as_one_face(): positive if it shows its back. World units.
     float away = 0.0f;
-    /// t of its first edge that the near plane cuts, 0 at the corner in front of the plane: that of
-    /// the function that clips, or the right one where that cuts nothing. None if no edge is cut.
+    /// t of its first edge that the near plane cuts, 0 at the corner in front of the plane: from
+    /// the function that clips, or the right one if that cuts nothing. None if no edge is cut.
     std::optional<float> near_t;
 };
 
-/// Asks the vertices as the scene has them, before they are clipped.
+/// Uses the vertices of the scene, before they are clipped.
 TriangleSides triangle_sides(const Frame& frame, int triangle);
 
-/// The two arrows of a triangle on the screen, from its first corner to the two others, in whole
+/// The two arrows of a triangle on the screen, from its first corner to the other two, in whole
 /// pixels, x right and y down.
 struct ArrowProducts {
     double dot = 0.0;   ///< of both
@@ -31,7 +32,7 @@ struct ArrowProducts {
                         ///< clockwise, which is the front
 };
 
-/// None of a polygon that clipping has given more or fewer than three corners.
+/// None for a polygon that clipping has left with more or fewer than three corners.
 std::optional<ArrowProducts> arrows_of(PolygonCorners corners);
 
 } // namespace rasterwalk

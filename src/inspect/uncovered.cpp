@@ -35,7 +35,7 @@ constexpr std::array<CoverageRule, 18> coverage_rules{{
     {"snap=pixel", [](Settings& s) { s.snap = Snap::pixel; }},
     {"snap=sixteenth", [](Settings& s) { s.snap = Snap::sixteenth; }},
     {"snap=subpixel", [](Settings& s) { s.snap = Snap::subpixel; }},
-    // Of what can only be a mistake, the right way alone is worth a try.
+    // If the other values can only be mistakes, just the right one is worth a try.
     {"row_start=extreme", [](Settings& s) { s.row_start = RowStart::extreme; }},
     {"pixel_sample=centre", [](Settings& s) { s.pixel_sample = PixelSample::centre; }},
     {"spans=inclusive", [](Settings& s) { s.spans = Spans::inclusive; }},
@@ -43,7 +43,7 @@ constexpr std::array<CoverageRule, 18> coverage_rules{{
     {"rotation=row_vector", [](Settings& s) { s.rotation = Rotation::row_vector; }},
 }};
 
-/// How far a number lies outside of first..last; before it is negative.
+/// How far a number lies outside first..last; negative before it.
 int beyond(int number, int first, int last) {
     return number < first ? number - first : number > last ? number - last : 0;
 }
@@ -55,8 +55,8 @@ std::int64_t squared_distance(const NearTriangle& near) {
     return squared_distance(near.columns_away, near.rows_away);
 }
 
-/// From the pixel to the box of the triangle's vertices, which no row of it leaves: to the right
-/// and downward are positive.
+/// From the pixel to the box of the triangle's vertices, which none of its rows leaves: right and
+/// down are positive.
 glm::ivec2 way_to_box(const Frame& frame, int triangle, const glm::ivec2& pixel) {
     const Rectangle box = frame.stages.polygon_box(frame.triangle_vertices(triangle),
                                                    edge_rules(frame.settings), frame.stages);
@@ -72,7 +72,7 @@ NearTriangle look_at(const Frame& frame, int triangle, const glm::ivec2& pixel, 
     near.row = std::clamp(pixel.y, near.first_row, near.last_row);
     near.rows_away = near.row - pixel.y;
     const int index = near.row - rows.first_row;
-    // Of a row that no sample has reached nothing is in the picture, drawn or not.
+    // If no sample has reached a row, nothing of it is in the picture, drawn or not.
     const bool is_unset = rows.is_empty_row(index);
     const int drawn = is_unset ? 0 : row_span(frame.stages, rows, index).drawn;
     near.is_empty = drawn == 0;
@@ -92,7 +92,8 @@ bool covers_pixel(const NearTriangle& near) {
     return !near.is_empty && near.rows_away == 0 && near.columns_away == 0;
 }
 
-/// Draws the triangles again under every other rule, and enters those that bring one to the pixel.
+/// Draws the triangles again under every other rule, and adds the rules that bring one to the
+/// pixel.
 void try_other_rules(const Frame& frame, const glm::ivec2& pixel,
                      std::vector<NearTriangle>& found) {
     Scene scene;
@@ -104,7 +105,7 @@ void try_other_rules(const Frame& frame, const glm::ivec2& pixel,
         Settings settings = frame.settings;
         rule.apply(settings);
         if (settings == frame.settings) continue;
-        settings.tessellation = 1; // these triangles are cut already
+        settings.tessellation = 1; // these triangles are already divided
         const Frame other = prepare_frame(scene, settings, frame.replace);
         for (int i = 0; i < other.triangle_count(); ++i) {
             if (!other.is_drawn(i)) continue;
@@ -114,7 +115,7 @@ void try_other_rules(const Frame& frame, const glm::ivec2& pixel,
     }
 }
 
-/// Is it a pixel of the picture on which the bounds test lets nothing fall?
+/// Is it a pixel of the picture that the bounds test always refuses?
 bool is_out_of_bounds(const Frame& frame, const glm::ivec2& pixel) {
     const Rectangle area = drawn_area(frame);
     return pixel.x < area.left || pixel.y < area.top;
@@ -128,8 +129,8 @@ BoxSeen box_seen_from(const Frame& frame, int triangle, const glm::ivec2& pixel)
     return {squared_distance(way.x, way.y), triangle};
 }
 
-/// So many boxes are kept while all are looked at. Thousands of tiny triangles can have boxes that
-/// are equally near: their rows differ by a pixel at most.
+/// This many boxes are kept while all are looked at. Thousands of tiny triangles can have boxes
+/// that are equally near: their rows differ by a pixel at most.
 constexpr std::size_t kept_boxes = 1024;
 
 void keep_nearest_boxes(std::vector<BoxSeen>& boxes) {
@@ -139,7 +140,7 @@ void keep_nearest_boxes(std::vector<BoxSeen>& boxes) {
 }
 
 /// Boxes are cheap and row tables are not: the triangles are looked at in the order of their boxes,
-/// until no box can hold a row that comes nearer than those found.
+/// until no box can hold a row nearer than those found.
 std::vector<NearTriangle> nearest_rows(const Frame& frame, const glm::ivec2& pixel,
                                        std::vector<BoxSeen> heap, int count) {
     std::make_heap(heap.begin(), heap.end(), std::greater<>());
@@ -204,7 +205,7 @@ std::vector<NearTriangle> NearestSearch::found(int count) {
     keep_nearest_boxes(boxes_);
     std::vector<NearTriangle> found = nearest_rows(*frame_, pixel_, std::move(boxes_), count);
     try_other_rules(*frame_, pixel_, found);
-    // Of equally near ones, those come first that could have been there.
+    // Among equally near ones, those that could have been there come first.
     std::stable_sort(found.begin(), found.end(), [](const NearTriangle& a, const NearTriangle& b) {
         return std::pair(squared_distance(a), a.rules.empty()) <
                std::pair(squared_distance(b), b.rules.empty());

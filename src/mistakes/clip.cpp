@@ -25,7 +25,7 @@ NearCut cut_with_wrong_t(const ClipVertex& inside, const ClipVertex& outside, fl
     return cut;
 }
 
-/// B82: in the right place, with what the corner outside brought along.
+/// B82: in the right place, with the varyings of the corner outside.
 NearCut cut_place_alone(const ClipVertex& inside, const ClipVertex& outside, float near) {
     const float d_inside = inside.position_clip.w - near;
     const float d_outside = outside.position_clip.w - near;
@@ -55,7 +55,7 @@ bool has_place(const ClipVertex& vertex) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
 }
 
-/// These know the lab's clip space only, in which w is z and the third coordinate is 1.
+/// These work only in the lab's clip space, where w is z and the third coordinate is 1.
 bool is_labs(const VertexRules& rules) {
     return rules.space == SceneSpace::world && rules.projection.clip_depth == ClipDepth::inv_z;
 }
@@ -129,7 +129,7 @@ Clipped clip_after_division(std::vector<ClipVertex>& corners, const ViewVolume& 
     std::vector<ClipVertex> screen;
     for (const ClipVertex& corner : corners)
         screen.push_back(divided(corner));
-    // A corner in the camera itself has no place on the screen; project() says so of it.
+    // A corner at the camera itself has no place on the screen; project() reports it.
     if (!std::all_of(screen.begin(), screen.end(), has_place)) return {};
     const ClipPlanes& planes = volume.view;
     constexpr auto first_side = static_cast<std::size_t>(ClipPlane::left);

@@ -1,23 +1,23 @@
 #pragma once
 
 // Mistakes in the slot of stages/clip.h. In pixel space, where there is no view volume, each leaves
-// the polygon as it is; those that divide or ask for z do so wherever clip space is not the lab's.
+// the polygon unchanged; those that divide or use z also do so if clip space is not the lab's.
 
 #include "stages/clip.h"
 
 namespace rasterwalk {
 
-/// B16: nothing is cut. A polygon of which one corner lies outside the view is left out whole.
+/// B16: nothing is cut. A polygon with a corner outside the view is left out altogether.
 Clipped drop_partly_outside(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                             ClipSink* sink = nullptr);
 
 /// B31: the near plane with a wrong denominator. From the corner a behind it to the corner b in
-/// front, t = (near - z_a) / z_b, and not divided by z_b - z_a.
+/// front, t = (near - z_a) / z_b, instead of dividing by z_b - z_a.
 Clipped clip_near_with_wrong_t(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                                ClipSink* sink = nullptr);
 
-/// B32: first the division, then the cut by the four sides of the picture. What is behind the
-/// camera is mirrored by then, and the varyings, which are not divided, are cut as if they were
+/// B32: first the division, then the cut by the four sides of the picture. Corners behind the
+/// camera are mirrored by then, and the varyings, which are not divided, are cut as if they were
 /// linear on the screen. Goes with is_in_front_unasked(): z is no longer checked.
 Clipped clip_after_division(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                             ClipSink* sink = nullptr);

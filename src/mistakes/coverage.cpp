@@ -15,7 +15,7 @@ int edge_sample_count_shifted(const ScreenVertex& a, const ScreenVertex& b) {
 
 void begin_rows_at_picture(PolygonCorners vertices, const EdgeRules& rules, PolygonRows& rows) {
     begin_polygon_rows(vertices, rules, rows);
-    // Where no sample comes, such a row is drawn with what it was begun with.
+    // If it gets no sample, such a row is drawn with its start values.
     RowEnd end;
     end.column = rules.picture_width;
     rows.left.assign(rows.left.size(), end);
@@ -67,7 +67,7 @@ int drawn_pixels_without_last(int pixel_count) {
 
 Weights weights_of_own_edges(const EdgeValues& e, std::int64_t area) {
     const Weights right = barycentric_weights(e, area);
-    // Edge 0, which is opposite of corner 2, begins at corner 0.
+    // Edge 0, which is opposite corner 2, begins at corner 0.
     return {right[2], right[0], right[1]};
 }
 

@@ -11,11 +11,11 @@
 
 namespace rasterwalk {
 
-/// B5, in the slot edge_sample_count: |dy| + 1, one sample a row; shallow edges become dots.
+/// B5, in the slot edge_sample_count: |dy| + 1, one sample per row; shallow edges become dots.
 int edge_sample_count_by_rows(const ScreenVertex& a, const ScreenVertex& b);
 
-/// B12, in the slot edge_sample_count: the + 1 stands inside the bars, max(|ax - bx + 1|,
-/// |ay - by + 1|). An edge keeps its first sample even where the mistake would leave it none.
+/// B12, in the slot edge_sample_count: the + 1 is inside the bars, max(|ax - bx + 1|, |ay - by +
+/// 1|). An edge keeps its first sample even where the mistake would leave it none.
 int edge_sample_count_shifted(const ScreenVertex& a, const ScreenVertex& b);
 
 /// B91, in the slot entered_samples: the loop over the samples of an edge ends before the last. The
@@ -31,7 +31,7 @@ constexpr int entered_without_last_edge(int count, bool is_last_edge) {
 }
 
 /// B6, in the slot begin_polygon_rows: the left ends start at the picture's width and the right
-/// ends at 0, which is not extreme enough: phantom pixels for polygons beside the picture.
+/// ends at 0, which is not extreme enough: phantom pixels for polygons outside the picture.
 void begin_rows_at_picture(PolygonCorners vertices, const EdgeRules& rules, PolygonRows& rows);
 
 /// The box that goes with begin_rows_at_picture: rows also reach to where their ends started.
@@ -39,31 +39,31 @@ Rectangle polygon_box_at_picture(PolygonCorners vertices, const EdgeRules& rules
                                  const Stages& stages);
 
 /// B95, in the slot begin_polygon_rows: the table has bottom - top rows, without the + 1, and the
-/// samples of the last row fall below it. Under guard: a level polygon keeps its row.
+/// samples of the last row fall below it. Guarded: a level polygon keeps its row.
 void begin_rows_without_last(PolygonCorners vertices, const EdgeRules& rules, PolygonRows& rows);
 
-/// B93, in the slot find_row: a row above the table is taken to be its first, one below it its
+/// B93, in the slot find_row: a sample above the table goes in its first row, one below it in its
 /// last.
 FoundRow find_nearest_row(int row, const PolygonRows& rows);
 
-/// B90, in the slot row_end: the row takes the column of a sample, and all other values stay at 0,
-/// with which it was begun.
+/// B90, in the slot row_end: the row takes the column of a sample, and all other values stay at
+/// their start value 0.
 inline RowEnd row_end_of_column(const Fragment& sample) {
     RowEnd end;
     end.column = sample.column;
     return end;
 }
 
-/// B27, in the slot find_row: asks every row of the table whether it is the one. The answer is the
-/// same, the work is not. Under guard: a table is searched through until its samples have asked
-/// most_rows_asked rows; from there on the searches are only counted.
+/// B27, in the slot find_row: searches every row of the table for the right one. The answer is the
+/// same, the work is not. Guarded: a table is searched until its samples have looked at
+/// most_rows_asked rows; after that the searches are only counted.
 FoundRow find_row_among_all(int row, const PolygonRows& rows);
 
 inline constexpr std::int64_t most_rows_asked = 2'000'000;
 
 /// B7, in the slot row_pixel_count: rows that no edge sample has reached are not left out, and
-/// right - left + 1 wraps round in 32 bits: from -INT_MAX and +INT_MAX it is 3. Under guard: their
-/// columns lie far outside every picture, so that put_pixel refuses all of them.
+/// right - left + 1 wraps around in 32 bits: with -INT_MAX and +INT_MAX it is 3. Guarded: their
+/// columns lie far outside every picture, so put_pixel refuses all of them.
 int row_pixel_count_wrapped(int left, int right);
 
 /// B8, in the slot drawn_pixels: a row of a single pixel is left out.
@@ -78,17 +78,17 @@ constexpr bool owns_left_only(const EdgeDirection& edge) {
     return edge.dy < 0;
 }
 
-/// B41, in the slot snap: pixels are asked at their upper left corner. It stands half a pixel to
-/// the left of the centre and above it; so the answer is that of the centre to a polygon that
-/// stands half a pixel further to the right and further down.
+/// B41, in the slot snap: pixels are tested at their upper left corner. It is half a pixel to the
+/// left of the centre and above it, so the answer is the centre's for a polygon half a pixel
+/// further to the right and further down.
 template <GridPoint (*snap)(const ScreenVertex& vertex)>
 GridPoint snap_for_corners(const ScreenVertex& vertex) {
     const GridPoint point = snap(vertex);
     return {point.x + grid_parts / 2, point.y + grid_parts / 2};
 }
 
-/// B42, in the slot weights: each corner has the weight of the edge that begins at it, where it
-/// should have that of the opposite edge. The sum is 1 all the same.
+/// B42, in the slot weights: each corner has the weight of the edge that begins at it instead of
+/// the opposite edge's. The sum is 1 all the same.
 Weights weights_of_own_edges(const EdgeValues& e, std::int64_t area);
 
 } // namespace rasterwalk

@@ -6,18 +6,17 @@
 
 namespace rasterwalk {
 
-/// B23, in the slot unit_normal: the normal stays as short as interpolation has left it.
+/// B23, in the slot unit_normal: the normal stays as short as interpolation leaves it.
 inline glm::vec3 normal_as_interpolated(const glm::vec3& interpolated) {
     return interpolated;
 }
 
-/// B50: no check which side the lamp is on. Where n . l is below 0, n . h may still be above it.
+/// B50: no check which side the lamp is on. If n . l is below 0, n . h can still be above 0.
 constexpr bool shines_unasked(const LightTerms&) {
     return true;
 }
 
-/// B51: the sum of two unit vectors, which is up to 2 long. To the power of an exponent that is
-/// much.
+/// B51: the sum of two unit vectors, which is up to 2 long. Raised to the exponent, that is a lot.
 inline glm::vec3 half_way_too_long(const glm::vec3& to_light, const glm::vec3& to_eye) {
     return to_light + to_eye;
 }

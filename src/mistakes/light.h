@@ -1,15 +1,15 @@
 #pragma once
 
-// Mistakes in the slot of stages/light.h. Each is a part of the formula; mistaken_light puts parts
-// together, since several can be made at once.
+// Mistakes in the slot of stages/light.h. Each is a part of the formula; mistaken_light combines
+// parts, since several can be made at the same time.
 
 #include "stages/light.h"
 
 namespace rasterwalk {
 
-/// B36, in the slot light_normal: the normal is taken to the camera by the matrix of places, with
-/// w = 1, and made unit length there. It is moved by -C, which leaves n - C once the turn, which
-/// everything in the light has in common, is taken back.
+/// B36, in the slot light_normal: the normal is transformed to camera space like a place, with w =
+/// 1, and made unit length there. It is moved by -C, which leaves n - C once the rotation, which
+/// everything in the light shares, is undone.
 inline glm::vec3 light_normal_as_place(const glm::vec3& normal, const Camera& camera) {
     const glm::vec3 moved = normal - camera.position;
     const float length = glm::length(moved);
@@ -19,7 +19,7 @@ inline glm::vec3 light_normal_as_place(const glm::vec3& normal, const Camera& ca
 /// atan(1) / 4, which is pi / 16.
 inline constexpr float pi_of_atan = 0.785398163f / 4.0f;
 
-// The vector of whose slant the cosine is taken.
+// The vector whose cosine is taken.
 
 /// As it should be: from the point to the lamp.
 inline glm::vec3 way_to_lamp(const glm::vec3& point, const glm::vec3& lamp) {
@@ -30,36 +30,36 @@ inline glm::vec3 way_from_lamp(const glm::vec3& point, const glm::vec3& lamp) {
     return point - lamp;
 }
 
-// By what that vector is divided.
+// What that vector is divided by.
 
 /// As it should be: by its length.
 inline float own_length(float distance) {
     return distance;
 }
-/// B20b: by nothing; it is as long as the way to the lamp.
+/// B20b: by nothing; it is as long as the distance to the lamp.
 inline float not_normalized(float) {
     return 1.0f;
 }
 
-// What the dot product of that vector with itself is.
+// The dot product of that vector with itself.
 
 /// As it should be: x^2 + y^2 + z^2.
 inline float own_square(const glm::vec3& way) {
     return glm::dot(way, way);
 }
-/// B76: of a vector of four numbers, the last of which is 1.
+/// B76: for a vector of four numbers, the last of which is 1.
 inline float square_with_w(const glm::vec3& way) {
     return glm::dot(way, way) + 1.0f;
 }
 
-// Over what the lamp's power is spread.
+// What the lamp's power is spread over.
 
 /// As it should be: 4 pi r^2.
 inline float sphere_area(float distance2, float) {
     constexpr float pi = 3.14159265f;
     return 4.0f * pi * distance2;
 }
-/// B77a: pi = atan(1) / 4, where it should be atan(1) * 4.
+/// B77a: pi = atan(1) / 4 instead of atan(1) * 4.
 inline float area_with_pi_of_atan(float distance2, float) {
     return 4.0f * pi_of_atan * distance2;
 }
@@ -67,13 +67,13 @@ inline float area_with_pi_of_atan(float distance2, float) {
 inline float area_with_pi_three(float distance2, float) {
     return 4.0f * 3.0f * distance2;
 }
-// B20c, r^2, and the laws that are no mistakes: see stages/light.h.
+// B20c, r^2, and the laws that are not mistakes: see stages/light.h.
 /// B20d: 4 pi r^3.
 inline float cubed_area(float distance2, float distance) {
     return sphere_area(distance2, distance) * distance;
 }
 
-// How the light is put together.
+// How the light is combined.
 
 /// As it should be: reflectance * (D + N).
 inline glm::vec3 reflectance_times(const glm::vec3& reflectance, const glm::vec3& direct,
@@ -101,7 +101,7 @@ LightTerms mistaken_light(const glm::vec3& position_world, const glm::vec3& norm
     terms.distance2 = square(terms.to_light);
     const float distance = std::sqrt(terms.distance2);
     terms.sphere_area = area(terms.distance2, distance);
-    // A cube may be 0 where the square is not yet.
+    // A cube can be 0 while the square is not yet.
     if (terms.distance2 > 0.0f && terms.sphere_area > 0.0f) {
         terms.cosine = std::max(0.0f, glm::dot(terms.to_light, normal) / length(distance));
         terms.direct = light.power * (terms.cosine / terms.sphere_area);

@@ -7,7 +7,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A walk by a decision variable, with what it begins with and what the two steps add to it.
+/// A walk by a decision variable: its start value, and what the two steps add to it.
 struct DecisionRule {
     std::int64_t begin = 0, after_straight = 0, after_diagonal = 0;
 };
@@ -15,7 +15,7 @@ struct DecisionRule {
 void walk(const LineEnd& a, const LineFrame& line, const DecisionRule& rule,
           std::span<LineSample> result, std::span<LineDecision> decisions) {
     int x = static_cast<int>(a.x), y = static_cast<int>(a.y);
-    // A mistake may let it grow with every step: to 2^32 on the longest edges.
+    // A mistake can let it grow with every step: to 2^32 on the longest edges.
     std::int64_t d = rule.begin;
     for (std::size_t i = 0; i < result.size(); ++i) {
         LineSample& sample = result[i];

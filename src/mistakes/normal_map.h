@@ -6,13 +6,13 @@
 
 namespace rasterwalk {
 
-/// B55, in the slot arrow_of_texel: green is taken to run down, so that what leans up leans down.
+/// B55, in the slot arrow_of_texel: green is taken to run down, so arrows that lean up lean down.
 inline glm::vec3 arrow_with_green_turned(const glm::vec3& colour) {
     const glm::vec3 arrow = arrow_of_texel(colour);
     return {arrow.x, -arrow.y, arrow.z};
 }
 
-/// B57, in the slot arrow_of_texel: the colour itself is taken for the arrow. No part of a colour
+/// B57, in the slot arrow_of_texel: the colour itself is used as the arrow. No channel of a colour
 /// is below 0, so every arrow leans to the right and up.
 inline glm::vec3 arrow_undecoded(const glm::vec3& colour) {
     return colour;

@@ -12,22 +12,22 @@
 
 namespace rasterwalk {
 
-/// B24, in the slot rotate_to_camera: R v for v R, the same turn the other way round.
+/// B24, in the slot rotate_to_camera: R v for v R, the same rotation in the opposite direction.
 inline glm::vec3 rotate_transposed(const glm::vec3& minus_camera, const glm::mat3& rotation) {
     return rotation * minus_camera;
 }
 
-/// B70, in the slot to_camera_space: (v + C) R, so that the camera stands on the other side of the
-/// world's origin.
+/// B70, in the slot to_camera_space: (v + C) R, so the camera is on the other side of the world's
+/// origin.
 CameraPlace to_camera_by_adding(const glm::vec3& position_world, const Camera& camera,
                                 const glm::mat3& rotation, const Stages& stages);
 
 /// B71, in the slot to_camera_space: v R - C, turned about the world's origin before it is moved.
-/// In place of v - C the report has v R.
+/// The report has v R in place of v - C.
 CameraPlace to_camera_rotated_first(const glm::vec3& position_world, const Camera& camera,
                                     const glm::mat3& rotation, const Stages& stages);
 
-// The axes of the picture, by what becomes of x and y in clip space.
+// The axes of the picture, by what happens to x and y in clip space.
 
 /// As they should be: x right, y down.
 inline glm::vec4 axes_kept(const glm::vec4& clip) {
@@ -42,8 +42,8 @@ inline glm::vec4 axes_exchanged(const glm::vec4& clip) {
     return {clip.y, clip.x, clip.z, clip.w};
 }
 
-/// B75, in the slot to_clip_space: w is the distance from the camera, where it should be z. It has
-/// the sign of z, by which what is behind the camera is recognized all the same.
+/// B75, in the slot to_clip_space: w is the distance from the camera instead of z. It has the sign
+/// of z, so vertices behind the camera are still recognized.
 /// @tparam project the projection that is right
 template <auto project>
 glm::vec4 to_clip_space_by_distance(const glm::vec3& rotated, const VertexRules& rules) {
@@ -59,7 +59,7 @@ glm::vec4 to_clip_space_with(const glm::vec3& rotated, const VertexRules& rules)
     return axes(project(rotated, rules));
 }
 
-/// B24, B25 and B73 where matrices do the work, in the slot vertex_shader.
+/// B24, B25 and B73 when matrices do the work, in the slot vertex_shader.
 template <bool is_transposed, auto axes>
 ClipVertex mistaken_matrices(const Vertex& vertex, const glm::mat3& rotation,
                              const VertexRules& rules, const Stages& stages, VertexSpaces* spaces) {
@@ -69,8 +69,8 @@ ClipVertex mistaken_matrices(const Vertex& vertex, const glm::mat3& rotation,
     return shaded;
 }
 
-/// B35, in the slot view_matrix: the translation stands in the bottom row, as row vectors have it,
-/// and the point is a column all the same. It comes out turned but not moved, with a spoilt w.
+/// B35, in the slot view_matrix: the translation is in the bottom row, as for row vectors, but the
+/// point is a column. It comes out turned but not moved, with a spoilt w.
 glm::dmat4 view_matrix_with_bottom_row(const glm::dvec3& eye, const glm::dmat3& rotation);
 
 } // namespace rasterwalk

@@ -9,7 +9,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Calls this with each plane and what it holds where nothing was drawn.
+/// Calls this with each plane and its value where nothing was drawn.
 template <class Visitor>
 void for_each_plane(Framebuffer& framebuffer, const Visitor& visit) {
     visit(framebuffer.colour, glm::vec3(0.0f));

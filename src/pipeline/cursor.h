@@ -14,11 +14,11 @@
 
 namespace rasterwalk {
 
-/// What kind of work a moment is, in the order in which a triangle goes through them.
+/// The kinds of work a moment can be, in the order a triangle goes through them.
 enum class Phase : std::uint8_t { vertices, clip, cull, edges, tests, rows };
 
-/// What is said about a phase, and how its moments are written. A phase has pieces and a piece has
-/// steps; the moments are the steps, or the pieces where they have none.
+/// The words for a phase, and how its moments are written. A phase has pieces and a piece has
+/// steps; the moments are the steps, or the pieces if they have none.
 struct PhaseInfo {
     Phase phase;
     std::string_view word;  ///< in data: "edges"
@@ -75,18 +75,18 @@ struct Cursor {
 /// The first moment of every frame.
 inline constexpr Cursor cursor_begin{};
 
-/// The moment after the last, of every frame.
+/// The moment after the last of every frame.
 inline constexpr Cursor cursor_end{INT_MAX, Phase::vertices, 0, 0, INT_MAX};
 
 /// The text form: `t12/v1`, `t12/p0/s2`, `t12/k`, `t12/e2/s14`, `t12/b4/c7`, `t12/r37/c5`, `end`;
-/// before it the pass where it is not 0: `p1:t12/v1`.
+/// with the pass in front if it is not 0: `p1:t12/v1`.
 std::string to_text(const Cursor& cursor);
 
-/// The piece and the step alone, where room is short: "v1", "e2 [14]" for edge 2, line[14], "r37
-/// [5]" for entry [37], fragments[5]; "k" for a phase whose piece has no number.
+/// The piece and the step alone, for tight spaces: "v1", "e2 [14]" for edge 2, line[14], "r37 [5]"
+/// for entry [37], fragments[5]; "k" for a phase whose piece has no number.
 std::string short_place(const Cursor& cursor);
 
-/// Reads the text form; what is left away is 0: `t12` is `t12/v0`, `t12/r37` is `t12/r37/c0`.
+/// Reads the text form; parts left out are 0: `t12` is `t12/v0`, `t12/r37` is `t12/r37/c0`.
 std::optional<Cursor> parse_cursor(std::string_view text);
 
 } // namespace rasterwalk

@@ -1,19 +1,19 @@
-// The pipeline from the polygons on the screen to the picture; what comes before, prepare_frame()
-// has done. For each polygon, in this order:
+// The pipeline from the polygons on the screen to the picture; prepare_frame() has done the part
+// before. For each polygon, in this order:
 //
 //   show_vertices    stage `points`: a mark for each vertex                     (draw_marks.cpp)
 //   tell_clip_and_cull   what has been done to it; leaves no mark            (tell_clipping.cpp)
 //   cover            the row table and its tally; stage `edges` shows its samples    (tally.cpp)
-//     tell_pixel_tests   which pixels edge functions ask; leaves no mark       (tell_tests.cpp)
+//     tell_pixel_tests   which pixels edge functions test; leaves no mark      (tell_tests.cpp)
 //   show_row_ends    stage `rows`: both ends of each row                        (draw_marks.cpp)
 //   fill_rows        for each row, or without an observer all at once       (row_kernel.cpp):
 //     interpolate_row    its fragments, from the left to the right end         (fill_rows.cpp)
-//     pass_over_hidden   a row that is hidden altogether is only counted, without varyings
+//     pass_over_hidden   a completely hidden row is only counted, without varyings
 //     is_culled          does the fragment belong to a back?
 //     fragment_alpha     is its texture clear there? then it is let through
 //     test_depth         is the fragment nearer than what its pixel shows?
 //     shade              the pixel shader: its colour
-//     put_pixel          into the planes; what is half transparent over what is there
+//     put_pixel          into the planes; half-transparent colours over what is there
 
 #include "pipeline/draw.h"
 

@@ -13,11 +13,11 @@ namespace rasterwalk {
 void clear(Framebuffer& framebuffer, const Frame& frame);
 void clear(Framebuffer& framebuffer, const Frame& frame, Viewport size, glm::ivec2 origin);
 
-/// Draws a window of the frame into a framebuffer that stands at `window.from`. The framebuffer
-/// holds the whole picture or a window of it. The driver of the whole pipeline: read it first.
+/// Draws a window of the frame into a framebuffer that is at `window.from`. The framebuffer holds
+/// the whole picture or a window of it. The driver of the whole pipeline: read it first.
 ///
-/// Where less than the whole picture is drawn, by the framebuffer or the scissor, triangles that
-/// cannot reach it are skipped: neither the tally nor the observer hears of them.
+/// If the framebuffer or the scissor leaves less than the whole picture, triangles that cannot
+/// reach it are skipped: neither the tally nor the observer hears of them.
 DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& framebuffer,
                Observer* observer = nullptr);
 

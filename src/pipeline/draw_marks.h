@@ -1,14 +1,13 @@
 #pragma once
 
-// Marks: what the stages before there are fragments put into the picture, in one colour and without
-// a depth.
+// Marks: what stages without fragments put into the picture, in one colour and without a depth.
 
 #include "pipeline/drawing.h"
 
 namespace rasterwalk {
 
-/// Stage `points`: the three vertices of a triangle that is drawn, before it is clipped. They are
-/// reported to an observer in every stage, also for a triangle that is not drawn.
+/// Stage `points`: the three vertices of a drawn triangle, before it is clipped. They are reported
+/// to an observer in every stage, even for a triangle that is not drawn.
 void show_vertices(Drawing& d, int triangle);
 
 /// Listens to the coverage of one triangle: shows the samples of its edges, and reports them to the
@@ -28,7 +27,7 @@ class EdgeDrawing : public SampleSink {
     bool shown_, watched_;
 };
 
-/// Stage `rows`: both ends of each row of the table that the drawing holds, the left one first.
+/// Stage `rows`: both ends of each row of the drawing's table, the left one first.
 void show_row_ends(Drawing& d, int triangle);
 
 } // namespace rasterwalk

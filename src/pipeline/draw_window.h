@@ -10,14 +10,14 @@
 namespace rasterwalk {
 
 /// Which part of a frame is drawn: the moments from `from` up to, not including, `to`, and of them
-/// only what falls in the scissor. Limits what is written and reported; never the numbers.
+/// only the part inside the scissor. Limits what is written and reported, never the numbers.
 struct DrawWindow {
     Cursor from = cursor_begin;
     Cursor to = cursor_end;
     std::optional<Rectangle> scissor;
 };
 
-/// The end of a window that holds a triangle to its last moment, and nothing of the next.
+/// The end of a window that holds a triangle up to its last moment, and nothing of the next.
 constexpr Cursor behind_triangle(int triangle) {
     return {triangle, phase_list.back().phase, INT_MAX, 0};
 }
@@ -29,8 +29,8 @@ struct PieceRange {
 };
 inline PieceRange clamp_to_window(const DrawWindow& window, Cursor piece, int Cursor::*field,
                                   int count) {
-    // A cursor of this triangle and phase bounds the loop by its own count; any other lies wholly
-    // before or wholly after all pieces.
+    // A cursor of this triangle and phase bounds the loop by its own count; any other comes either
+    // before or after all pieces.
     const auto begun_before = [&](const Cursor& bound) {
         const bool same_line = bound.pass == piece.pass && bound.triangle == piece.triangle &&
                                bound.phase == piece.phase &&

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the parts of draw() share while they draw; of no use to anyone else.
+// The state that the parts of draw() share; of no use to other code.
 
 #include <vector>
 
@@ -10,27 +10,28 @@
 
 namespace rasterwalk {
 
-/// What is drawn with, and what is drawn into.
+/// The tools of a drawing, and its target.
 struct Drawing {
     const Frame& frame;
     const Stages& stages;
     DrawWindow window;
-    Rectangle scissor; ///< what is drawn of the picture: the framebuffer, cut by the window's
+    Rectangle scissor; ///< the part of the picture that is drawn: the framebuffer, cut by the
+                       ///< window's
     PixelRules pixels;
-    SightRays rays;     ///< by which fragments are culled
+    SightRays rays;     ///< for culling fragments
     VaryingSet carried; ///< those that edges and rows carry
     DepthRules depth;
     bool is_depth_tested;
-    bool all_have_cells;  ///< each pixel of the picture has a depth cell: nothing to ask
-    bool culls_fragments; ///< each fragment is asked whether it shows a back
+    bool all_have_cells;  ///< each pixel of the picture has a depth cell: no check needed
+    bool culls_fragments; ///< each fragment is tested for showing a back
     bool shades_first;    ///< the pixel shader comes before the depth test
     bool draws_unset;     ///< rows that no edge sample has reached are drawn like the others
     bool skips_hidden; ///< rows that are completely hidden go without varyings: nothing reads them
-    RowKernel row_kernel; ///< draws rows at a time; null: each fragment is drawn by itself
+    RowKernel row_kernel; ///< draws a row at a time; null: each fragment is drawn separately
     Framebuffer& target;
     Observer* observer;
     PolygonRows rows;                  ///< the row table of the triangle
-    std::vector<LineSample> fragments; ///< of the row, and room for those of longer ones
+    std::vector<LineSample> fragments; ///< of the row, and room for longer ones
     DrawTally tally;
 };
 

@@ -34,7 +34,7 @@ void put_pixel(Drawing& d, std::size_t pixel, int triangle, const glm::vec3& col
     d.target.owner[pixel] = triangle;
 }
 
-/// What is left out before the depth test leaves every plane but the overdraw as it is.
+/// A fragment left out before the depth test changes no plane but the overdraw.
 template <bool is_watched>
 void leave_out(Drawing& d, const Cursor& cursor, const Fragment& fragment, std::size_t pixel,
                Fate fate, float alpha) {
@@ -51,7 +51,7 @@ bool is_culled(const Drawing& d, const Fragment& fragment) {
 }
 
 /// Cull, cut out, depth test, pixel shader, put pixel.
-/// @param pixel where the fragment stands in the planes
+/// @param pixel where the fragment is in the planes
 template <bool is_watched>
 void draw_fragment(Drawing& d, const Cursor& cursor, const Fragment& fragment, std::size_t pixel,
                    const Surface& surface) {
@@ -79,7 +79,7 @@ void draw_fragment(Drawing& d, const Cursor& cursor, const Fragment& fragment, s
     }
 }
 
-/// The fragments of a row, side by side; all must lie in the scissor.
+/// Consecutive fragments of a row; all must lie in the scissor.
 template <bool is_watched>
 void draw_fragments(Drawing& d, Cursor cursor, std::span<const LineSample> fragments,
                     const Surface& surface) {
@@ -105,7 +105,7 @@ PieceRange columns_in_window(const Drawing& d, const Cursor& row, const RowSpan&
     return {static_cast<int>(first), static_cast<int>(last)};
 }
 
-/// The fragments of a row of the table that stand in these of its columns.
+/// The fragments of a row of the table in these of its columns.
 std::span<const LineSample> interpolate_row(Drawing& d, int index, const RowSpan& span,
                                             const PieceRange& columns, VaryingSet carried) {
     const auto i = static_cast<std::size_t>(index);
@@ -132,7 +132,7 @@ bool pass_over_hidden(Drawing& d, std::span<const LineSample> fragments) {
     return true;
 }
 
-/// Those of a row that stand in these of its columns, all at once.
+/// The fragments of a row in these of its columns, all at once.
 void draw_row_at_once(Drawing& d, int triangle, int index, const RowSpan& span,
                       const PieceRange& columns, const Surface& surface) {
     const auto i = static_cast<std::size_t>(index);
@@ -154,7 +154,7 @@ void fill_rows(Drawing& d, int triangle) {
     const Surface surface = surface_of(d.frame, triangle);
     const PieceRange range =
         clamp_to_window(d.window, {triangle, Phase::rows, 0, 0}, &Cursor::index, rows.size());
-    // The row above the first that begins in the window may end in it; its columns will tell.
+    // The row above the first that begins in the window may end in it; its columns decide.
     const int first_row = std::max({range.first - 1, d.scissor.top - rows.first_row, 0});
     const int last_row = std::min(range.last, d.scissor.bottom - rows.first_row);
     for (int r = first_row; r < last_row; ++r) {

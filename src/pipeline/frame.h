@@ -17,33 +17,34 @@ namespace rasterwalk {
 /// Puts other functions in slots of the table that the settings have chosen.
 using ReplaceStages = std::function<void(Stages&)>;
 
-/// A scene, and what tessellation has made of it.
+/// A scene, and its tessellated form.
 struct TessellatedScene {
     Scene given;
     int parts = 1; ///< of each edge
     Scene made;
 };
 
-/// A frame ready to be drawn: what is O(vertices) is worked out and kept; what is O(pixels) is left
-/// to draw(). Refers to its scene, which must live as long.
+/// A frame ready to be drawn: O(vertices) work is done and kept; O(pixels) work is left to draw().
+/// Refers to its scene, which must outlive it.
 struct Frame {
-    const Scene* scene = nullptr; ///< that is drawn: the given one, or what is made of it
-    const Scene* given = nullptr; ///< that the frame was asked of
-    std::shared_ptr<const TessellatedScene> tessellated; ///< keeps what is made; null: nothing is
+    const Scene* scene = nullptr; ///< the one drawn: the given one, or its tessellation
+    const Scene* given = nullptr; ///< the one the frame was made for
+    std::shared_ptr<const TessellatedScene> tessellated; ///< owns the tessellation; null: none
     Settings settings;
-    ReplaceStages replace;                  ///< functions beside those of the settings, or null
-    Stages stages;                          ///< the table by which it is drawn and inspected
+    ReplaceStages replace;                  ///< functions in addition to those of the settings, or
+                                            ///< null
+    Stages stages;                          ///< the table used to draw and inspect it
     std::vector<ClipVertex> shaded;         ///< the vertices of the mesh in clip space
     std::vector<ProjectedVertex> projected; ///< the same, projected
-    std::vector<TriangleIndices> triangles; ///< of the mesh: which vertices are their corners
-    std::vector<ScreenVertex> vertices;     ///< corners of those that are cut, one after another
-    bool blends = false;                    ///< something is half transparent, and drawn so
-    Occluders occluders;                    ///< what casts shadows; empty where nothing does
+    std::vector<TriangleIndices> triangles; ///< of the mesh: the vertices at their corners
+    std::vector<ScreenVertex> vertices;     ///< corners of the cut ones, one after another
+    bool blends = false;                    ///< something is half transparent, and drawn that way
+    Occluders occluders;                    ///< what casts shadows; empty if nothing does
     bool bends = false;                     ///< normal maps bend normals somewhere
-    std::vector<Polygon> polygons; ///< what has become of each triangle of `scene`, in order
+    std::vector<Polygon> polygons;          ///< each triangle of `scene` after clipping, in order
 
     int triangle_count() const { return static_cast<int>(polygons.size()); }
-    /// How many triangles are drawn in the place of each of the given scene.
+    /// How many triangles are drawn for each one of the given scene.
     int triangles_of_each() const {
         return tessellated == nullptr ? 1 : tessellated->parts * tessellated->parts;
     }
@@ -51,26 +52,26 @@ struct Frame {
         return polygons[static_cast<std::size_t>(triangle)].rejection;
     }
     bool is_drawn(int triangle) const { return rejection(triangle) == Rejection::none; }
-    /// Are its corners no longer those that the scene gives the triangle?
+    /// Are its corners no longer those of the scene's triangle?
     bool is_cut(int triangle) const { return polygons[static_cast<std::size_t>(triangle)].is_cut; }
-    /// Did the triangle get as far as culling, and does anything stand in that slot?
+    /// Did the triangle get as far as culling, and is anything in that slot?
     bool is_cull_asked(int triangle) const {
         const Rejection why = rejection(triangle);
         return stages.cull != cull_nothing &&
                (why == Rejection::none || why == Rejection::back_facing);
     }
-    /// Has clipping left a polygon of other corners, or nothing?
+    /// Has clipping left a polygon with different corners, or nothing?
     bool is_clip_told(int triangle) const {
         return is_cut(triangle) || rejection(triangle) == Rejection::clipped_away;
     }
-    /// Can time stand on the triangle? Of those that are not drawn on the ones that clip or cull
-    /// have taken away: the reason is a moment of theirs.
+    /// Does the triangle have moments? Of those not drawn, only the ones removed by clip or cull:
+    /// the reason is one of their moments.
     bool has_moments(int triangle) const {
         const Rejection why = rejection(triangle);
         return why == Rejection::none || why == Rejection::clipped_away ||
                why == Rejection::back_facing;
     }
-    /// One of the three vertices that the scene gives a triangle, before it is clipped.
+    /// One of the three vertices of a triangle of the scene, before it is clipped.
     const ProjectedVertex& given_vertex(int triangle, int corner) const {
         return projected[vertex_index(triangle, corner)];
     }
@@ -82,12 +83,12 @@ struct Frame {
         return {given_clip_vertex(triangle, 0), given_clip_vertex(triangle, 1),
                 given_clip_vertex(triangle, 2)};
     }
-    /// Of a corner of a triangle as the scene gives it, 0, 1 or 2: its number in the mesh.
+    /// The number in the mesh of a corner, 0, 1 or 2, of a triangle of the scene.
     std::size_t vertex_index(int triangle, int corner) const {
         return static_cast<std::size_t>(
             triangles[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(corner)]);
     }
-    /// The corners of what is drawn of a triangle; of one that is not drawn, as far as known.
+    /// The corners of the drawn part of a triangle; if it is not drawn, as far as known.
     PolygonCorners triangle_vertices(int triangle) const {
         const auto t = static_cast<std::size_t>(triangle);
         const Polygon& polygon = polygons[t];
@@ -101,7 +102,7 @@ inline const Occluders* occluders_of(const Frame& frame) {
     return frame.occluders.triangles == nullptr ? nullptr : &frame.occluders;
 }
 
-/// The rules of vertices and pixels, with what casts shadows. They refer to the frame.
+/// The rules for vertices and pixels, with what casts shadows. They refer to the frame.
 VertexRules vertex_rules(const Frame& frame);
 PixelRules pixel_rules(const Frame& frame);
 
@@ -113,7 +114,7 @@ inline const DepthWords& depth_words(const Frame& frame) {
     return depth_words(depth_kind(frame));
 }
 
-/// What values are divided by on their way: "1/z", or "1/w" where w is not z.
+/// What values are divided by on their way: "1/z", or "1/w" if w is not z.
 inline std::string_view weight_name(const Frame& frame) {
     return vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f ? "1/w" : "1/z";
 }
@@ -124,7 +125,7 @@ inline bool is_textured(const Frame& frame) {
            has_fragments(frame.settings.stage);
 }
 
-/// What the alpha of textures does in the frame: where nothing is blended, no texture is.
+/// What the alpha of textures does in the frame: if nothing is blended, no texture is.
 inline TextureAlpha texture_alpha_rule(const Frame& frame) {
     const TextureAlpha asked = frame.settings.texture_alpha;
     return asked == TextureAlpha::blend && !frame.blends ? TextureAlpha::off : asked;
@@ -133,26 +134,26 @@ inline TextureAlpha texture_alpha_rule(const Frame& frame) {
 /// The varyings that edges and rows carry in the frame.
 VaryingSet carried_varyings(const Frame& frame);
 
-/// The table for a frame: what the settings choose for such a scene, and what is put in its place.
+/// The table for a frame: what the settings choose for such a scene, and what replaces it.
 Stages stages_for(const Settings& settings, const Scene& scene, const ReplaceStages& replace);
 
-/// Tessellates the scene, takes each vertex of the mesh through vertex shader and projection, once,
-/// and each triangle through reject, clip and cull. A polygon with one vertex that is rejected is
-/// left out whole, for the reason of the first such vertex.
+/// Tessellates the scene, takes each vertex of the mesh once through vertex shader and projection,
+/// and each triangle through reject, clip and cull. A polygon with a rejected vertex is left out
+/// altogether, for the reason of the first such vertex.
 Frame prepare_frame(const Scene& scene, const Settings& settings,
                     const ReplaceStages& replace = nullptr);
 
-/// The same in place of another frame, whose memory is used again: with many triangles to ask for
-/// new memory takes longer than all the rest.
+/// The same, replacing another frame, whose memory is reused: with many triangles, allocating new
+/// memory takes longer than all the rest.
 void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceStages& replace,
                    Frame& frame);
 
 /// The corners of one triangle as they would be under other settings, with the functions that were
-/// put in slots of the frame.
+/// put in the frame's slots.
 std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle, const Settings& settings);
 
-/// The triangle of one frame that lies where this one does in another frame of the same scene: the
-/// same, or the first of its parts, or the one of which it is a part.
+/// The triangle of one frame that corresponds to this one of another frame of the same scene: the
+/// same, or the first of its parts, or the one it is part of.
 int triangle_in(const Frame& frame, const Frame& other, int triangle_of_other);
 
 /// Do both frames of a scene draw the same triangles, with the same numbers?
@@ -160,21 +161,21 @@ inline bool have_same_triangles(const Frame& a, const Frame& b) {
     return a.triangles_of_each() == b.triangles_of_each();
 }
 
-/// Clips a triangle once more, by the function that clipped it.
-/// @param sink    receives each edge at each plane; of a triangle that no plane has cut, nothing
+/// Clips a triangle again, by the function that clipped it.
+/// @param sink    receives each edge at each plane; for a triangle that no plane has cut, nothing
 void tell_clipping(const Frame& frame, int triangle, ClipSink& sink);
 
-/// Culls a triangle once more, by the function that culled it.
-/// @return what that looked at
+/// Culls a triangle again, by the function that culled it.
+/// @return what the function looked at
 CullTest cull_test(const Frame& frame, int triangle);
 
 /// The row table of a drawn triangle.
 /// @param sink    receives each edge sample; or null
-/// @param carried the varyings that are wanted; where only places count, none
+/// @param carried the varyings that are wanted; if only places count, none
 void compute_rows(const Frame& frame, int triangle, PolygonRows& rows, SampleSink* sink = nullptr,
                   VaryingSet carried = VaryingSet::all());
 
-/// The pixels that are walked and that the bounds test lets through: the picture, or a little less.
+/// The pixels that are walked and pass the bounds test: the picture, or a little less.
 Rectangle drawn_area(const Frame& frame);
 
 } // namespace rasterwalk

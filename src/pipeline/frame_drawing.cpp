@@ -6,7 +6,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What an empty pixel costs beside a fragment.
+/// The cost of an empty pixel, relative to a fragment.
 constexpr double pixel_work = 0.5;
 
 } // namespace
@@ -32,7 +32,7 @@ double FrameDrawing::advance(double most) {
         stage_ = DrawingStage::estimated;
         break;
     case DrawingStage::estimated: {
-        // To estimate a triangle is less than to prepare it.
+        // Estimating a triangle is less work than preparing it.
         done = std::min(most, preparation_->work());
         estimate_.advance(part);
         if (!estimate_.is_done()) break;

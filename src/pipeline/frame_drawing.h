@@ -19,11 +19,11 @@ class FrameDrawing {
     FrameDrawing(const FrameDrawing&) = delete; // its parts refer to each other
     FrameDrawing& operator=(const FrameDrawing&) = delete;
 
-    /// Begins a frame in place of the last one. The scene must live as long as it is drawn.
+    /// Begins a frame, replacing the last one. The scene must live until it is drawn.
     void begin(const Scene& scene, const Settings& settings);
 
     /// Does the next part.
-    /// @param most about how much work that may be
+    /// @param most about how much work that can be
     /// @return about how much it was
     double advance(double most);
 
@@ -39,7 +39,7 @@ class FrameDrawing {
     enum class DrawingStage : std::uint8_t { prepared, estimated, drawn, done };
 
     Frame frame_;
-    Occluders occluders_; ///< a shadow map is used again as long as it fits
+    Occluders occluders_; ///< a shadow map is reused as long as it fits
     std::optional<FramePreparation> preparation_;
     FrameWork estimate_;
     Replay replay_{0}; ///< without copies of earlier moments

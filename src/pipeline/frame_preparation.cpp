@@ -9,13 +9,13 @@ namespace rasterwalk {
 
 namespace {
 
-/// What a vertex and a triangle cost beside a fragment. Of a vertex most is the memory that it
-/// takes, if there was none before.
+/// The cost of a vertex and a triangle, relative to a fragment. Most of a vertex's is its memory,
+/// if that is newly allocated.
 constexpr double vertex_preparation = 25;
 constexpr double triangle_preparation = 40;
 
-/// Takes the scene as it is, or what tessellation makes of it. That is kept as long as it is the
-/// same: while the camera moves, nothing is cut again.
+/// Takes the scene itself, or its tessellation. That is kept as long as it is the same: while the
+/// camera moves, nothing is divided again.
 void take_scene(const Scene& scene, int tessellation, Frame& frame) {
     const int parts = tessellation_of(scene, tessellation);
     const TessellatedScene* const known = frame.tessellated.get();
@@ -86,7 +86,7 @@ void FramePreparation::make_polygons(std::size_t count) {
         frame_->polygons.push_back(make(static_cast<int>(frame_->polygons.size())));
 }
 
-/// Reject, clip, cull and project. What is cut has its corners appended to the frame's.
+/// Reject, clip, cull and project. The corners of a cut polygon are appended to the frame's.
 Polygon FramePreparation::make(int triangle) {
     Polygon polygon{static_cast<int>(frame_->vertices.size()), 0, Rejection::none, false};
     if (asks_corners_) {
@@ -116,7 +116,7 @@ void FramePreparation::clip(int triangle, Polygon& polygon) {
     const Clipped clipped = frame_->stages.clip(corners_, volume_, nullptr);
     polygon.rejection = clipped.rejection;
     if (corners_.size() < least_corners) polygon.rejection = Rejection::clipped_away;
-    // Of what nothing is drawn is shown as the scene has it.
+    // A triangle that is not drawn is shown as it is in the scene.
     polygon.is_cut = clipped.is_cut && polygon.rejection == Rejection::none;
 }
 

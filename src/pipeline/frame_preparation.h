@@ -9,18 +9,18 @@
 namespace rasterwalk {
 
 /// The vertices and polygons of a frame on their way: each vertex of the mesh is shaded and
-/// projected once, then each triangle goes through reject, clip and cull. Done in as many parts as
-/// one likes it comes to the same. Mesh and frame must live as long.
+/// projected once, then each triangle goes through reject, clip and cull. The result does not
+/// depend on how many parts this is done in. Mesh and frame must outlive it.
 class FramePreparation {
   public:
-    /// Empties the frame of vertices and polygons. Its stages must have been chosen.
+    /// Removes the frame's vertices and polygons. Its stages must have been chosen.
     FramePreparation(const Mesh& mesh, const VertexRules& rules, Frame& frame);
 
-    /// Goes on as far as the limit allows. What is more than `most` is begun all the same: nothing
-    /// can be shown of a frame that is not prepared.
+    /// Goes on as far as the limit allows. Work above `most` is begun all the same: a frame that is
+    /// not prepared cannot be shown.
     void advance(const WorkLimit& limit = {});
 
-    /// Until then the frame is of no use to anyone.
+    /// Until then the frame must not be used.
     bool is_done() const;
 
     /// How much work the whole preparation is.
@@ -38,12 +38,12 @@ class FramePreparation {
     ViewVolume volume_;
     SightRays rays_;
     glm::mat3 rotation_;
-    bool asks_corners_;               ///< for them alone the corners are gathered
-    std::vector<ClipVertex> corners_; ///< of the polygon on its way
+    bool asks_corners_;               ///< only then are the corners gathered
+    std::vector<ClipVertex> corners_; ///< of the current polygon
 };
 
-/// Takes the scene, or what tessellation makes of it, into a frame in place of what is there, whose
-/// memory is used again, and begins its preparation.
+/// Puts the scene, or its tessellation, into a frame, reusing its memory, and begins its
+/// preparation.
 FramePreparation begin_frame(const Scene& scene, const Settings& settings,
                              const ReplaceStages& replace, Frame& frame);
 

@@ -12,7 +12,8 @@
 
 namespace rasterwalk {
 
-/// By which rules the planes are begun and shown; the functions are those of the table of stages.
+/// The rules by which the planes are begun and shown; the functions are those of the table of
+/// stages.
 struct PictureRules {
     float depth_clear = 0.0f;                ///< of the depth buffer where nothing was drawn
     ClipDepth depth_kind = ClipDepth::inv_z; ///< what it holds
@@ -38,7 +39,7 @@ struct Framebuffer {
         return column >= origin.x && column < origin.x + size.width && row >= origin.y &&
                row < origin.y + size.height;
     }
-    /// Where this pixel of the picture stands in the planes.
+    /// Where this pixel of the picture is in the planes.
     std::size_t at(int column, int row) const {
         return static_cast<std::size_t>(row - origin.y) * static_cast<std::size_t>(size.width) +
                static_cast<std::size_t>(column - origin.x);
@@ -50,12 +51,12 @@ struct Framebuffer {
 };
 
 /// Makes the framebuffer black, empty and of this size, for the pixels of the picture from
-/// `origin`. What is to be drawn in: see clear() with a frame.
+/// `origin`. To draw a frame into it, see clear() with a frame.
 void clear(Framebuffer& framebuffer, Viewport size, glm::ivec2 origin = {0, 0},
            const PictureRules& rules = {});
 
-/// Is this the depth of something that lies within sight, not behind the camera or beyond the far
-/// plane? Under 1/z all that is positive.
+/// Is this a depth within sight, not behind the camera or beyond the far plane? For 1/z, any
+/// positive one.
 constexpr bool is_depth(float depth, ClipDepth kind) {
     return is_nearer(depth, farthest_depth(kind), kind);
 }
@@ -65,8 +66,8 @@ inline bool has_depth(const Framebuffer& framebuffer, float depth) {
     return is_depth(depth, framebuffer.rules.depth_kind) && depth != framebuffer.rules.depth_clear;
 }
 
-/// The depth of a pixel as it lies in the depth buffer, which may be transposed: then it is another
-/// pixel's. Where that pixel is not in the planes, what an empty buffer holds.
+/// The depth stored for a pixel in the depth buffer, which may be transposed: then it is another
+/// pixel's. If that pixel is not in the planes, the value of an empty buffer.
 float stored_depth(const Framebuffer& framebuffer, int column, int row);
 
 } // namespace rasterwalk

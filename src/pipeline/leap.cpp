@@ -24,7 +24,7 @@ StepRange step_in_phase(const PhaseInfo& info, const PhaseMoments& phase, int or
     return {*(behind - 1), *behind};
 }
 
-/// Goes on within a triangle; what is left of the steps is left in `steps`.
+/// Goes on within a triangle; `steps` receives the steps left over.
 /// @returns the number of the moment; the triangle's count if it is not far enough
 int leap_within(const TriangleMoments& moments, int ordinal, std::int64_t& steps,
                 Granularity step) {
@@ -45,7 +45,7 @@ Cursor leap_triangles(const Frame& frame, const Cursor& from, std::int64_t trian
     return t < frame.triangle_count() ? Cursor{t, Phase::vertices, 0, 0} : cursor_end;
 }
 
-/// The step that time has come to, if it has come this far in a triangle.
+/// The step that time has reached, if it has come this far in a triangle.
 /// @param at    in moments, with a fraction
 /// @param least where the step begins at the earliest
 Instant instant_at(const Timeline& timeline, int triangle, double at, int least, Granularity step) {

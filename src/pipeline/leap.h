@@ -1,6 +1,6 @@
 #pragma once
 
-// Long ways in time: many steps at once, and parts of the frame as long as a play takes for them.
+// Long jumps in time: many steps at once, and running on by an amount of playing time.
 
 #include <array>
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace rasterwalk {
 
-/// Where a moment's step stands among the moments of its triangle: from `begin` up to `end`.
+/// Where a moment's step is among the moments of its triangle: from `begin` up to `end`.
 struct StepRange {
     int begin = 0;
     int end = 0; ///< > begin
@@ -20,9 +20,9 @@ struct StepRange {
 /// @param ordinal 0 to moments.count - 1, see Timeline::ordinal()
 StepRange step_around(const TriangleMoments& moments, int ordinal, Granularity step);
 
-/// So many steps of this size on: where as many calls of Timeline::next() would lead. Leaps over
-/// triangles by their counts: costs the rows of each that it passes, and with steps of a whole
-/// triangle only a look whether it has any. Of no steps, the moment at or after the cursor.
+/// Goes this many steps of this size on: where as many calls of Timeline::next() would lead. Leaps
+/// over triangles by their counts: costs the rows of each that it passes, and with steps of a whole
+/// triangle only a check whether it has any. For 0 steps, the moment at or after the cursor.
 Cursor leap(const Timeline& timeline, const Cursor& cursor, std::int64_t steps, Granularity step);
 
 /// How far time has run: a moment, and how much has passed of the step that begins there.
@@ -33,9 +33,9 @@ struct Instant {
     friend bool operator==(const Instant&, const Instant&) = default;
 };
 
-/// Lets time run on by the time of so many triangles: all that have moments take equally long, and
-/// so do all moments of one. Comes to rest at the beginning of a step of this size. Costs the rows
-/// of two triangles, however many lie between.
+/// Lets time run on by the time of this many triangles: all that have moments take equally long,
+/// and so do all moments of one. Stops at the beginning of a step of this size. Costs the rows of
+/// two triangles, however many are in between.
 /// @param triangles >= 0, with a fraction
 Instant run_on(const Timeline& timeline, const Instant& from, double triangles, Granularity step);
 
@@ -47,10 +47,10 @@ struct FrameLength {
     double of(Granularity step) const { return steps[static_cast<std::size_t>(step)]; }
 };
 
-/// Counts the steps of a frame; of a frame of many triangles those of some, for an estimate.
+/// Counts the steps of a frame; for a frame of many triangles those of some, as an estimate.
 FrameLength frame_length(const Timeline& timeline);
 
-/// As many triangles are counted exactly.
+/// Up to this many triangles are counted exactly.
 inline constexpr int counted_triangles = 32;
 
 } // namespace rasterwalk

@@ -35,14 +35,14 @@ inline Fragment mark_of(const RowEnd& end, int row) {
     return {end.column, row, end.depth, end.inv_w, end.z, end.varyings};
 }
 
-/// One fragment, in the moment in which it is drawn. Points, edge samples and row ends that are
-/// put on the screen are fragments too.
+/// One fragment, at the moment it is drawn. Points, edge samples and row ends that are put on the
+/// screen are fragments too.
 struct FragmentEvent {
-    Cursor cursor; ///< the piece of work that it is
+    Cursor cursor; ///< its piece of work
     Fragment fragment;
     Fate fate = Fate::written;
     float depth = 0.0f;  ///< its value for the depth buffer
-    float stored = 0.0f; ///< the depth buffer's value before
+    float stored = 0.0f; ///< the depth buffer's previous value
     glm::vec3 before{0.0f};
     glm::vec3 after{0.0f};
     float alpha = 1.0f; ///< how opaque it is, see FragmentAlpha
@@ -53,25 +53,25 @@ constexpr bool is_depth_tested(Fate fate) {
     return fate == Fate::written || fate == Fate::depth_failed;
 }
 
-/// One sample of an edge, in the moment in which it is entered in the row table.
+/// One sample of an edge, at the moment it is entered in the row table.
 struct SampleEvent {
     Cursor cursor;
     EdgeSample sample;
 };
 
-/// One pixel of the box, in the moment in which it is asked whether it is covered.
+/// One pixel of the box, at the moment it is tested for coverage.
 struct TestEvent {
     Cursor cursor;
     PixelTest test;
 };
 
-/// One edge at one plane, in the moment in which it is clipped.
+/// One edge at one plane, at the moment it is clipped.
 struct ClipEvent {
     Cursor cursor;
     ClipStep step;
 };
 
-/// One triangle, in the moment in which it is asked whether it shows its back.
+/// One triangle, at the moment it is tested for showing its back.
 struct CullEvent {
     Cursor cursor;
     CullTest test;
@@ -81,18 +81,18 @@ struct CullEvent {
 class Observer {
   public:
     virtual ~Observer() = default;
-    /// A vertex as the scene gives it, before clipping; one behind the camera has no pixel.
+    /// A vertex of the scene, before clipping; one behind the camera has no pixel.
     virtual void vertex(const Cursor&, const ProjectedVertex&) {}
     virtual void clip_step(const ClipEvent&) {}
     virtual void cull(const CullEvent&) {}
     virtual void edge_sample(const SampleEvent&) {}
     virtual void pixel_test(const TestEvent&) {}
     virtual void fragment(const FragmentEvent&) {}
-    /// False spares draw() the telling of edge samples.
+    /// False spares draw() from reporting edge samples.
     virtual bool wants_edge_samples() const { return false; }
-    /// False spares draw() the telling of tested pixels.
+    /// False spares draw() from reporting tested pixels.
     virtual bool wants_pixel_tests() const { return false; }
-    /// False spares draw() the telling of clipping and culling.
+    /// False spares draw() from reporting clipping and culling.
     virtual bool wants_clipping() const { return false; }
 };
 

@@ -6,7 +6,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// All that the pixels of a triangle can reach: its box, and a little more.
+/// Everything the pixels of a triangle can reach: its box, and a little more.
 Rectangle reach_of(const Frame& frame, int triangle) {
     const Rectangle box = frame.stages.polygon_box(frame.triangle_vertices(triangle),
                                                    edge_rules(frame.settings), frame.stages);
@@ -24,7 +24,7 @@ bool is_in(const Rectangle& area, const ScreenVertex& vertex) {
            vertex.row < area.bottom;
 }
 
-/// Does a mark lie in the scissor that is put where clipping has left no corner?
+/// Is a mark in the scissor that is drawn where clipping has left no corner?
 bool has_mark_of_cut(const Drawing& d, int triangle) {
     if (d.frame.settings.stage != Stage::points || !d.frame.is_cut(triangle)) return false;
     for (int v = 0; v < triangle_corners; ++v) {

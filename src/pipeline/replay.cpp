@@ -9,17 +9,16 @@ namespace rasterwalk {
 
 namespace {
 
-/// Marks lie at least this far apart: as much work as it takes to put back a copy of 500 x 500
-/// pixels.
+/// Marks lie at least this far apart: the work of restoring a copy of 500 x 500 pixels.
 constexpr double smallest_spacing = 50'000;
 
-/// The copies that are laid on the first way lie at least this far apart, and as far as this part
-/// of the frame: so far that the drawing is not much slower for them, and so near that a jump back
-/// takes no longer than the drawing did.
+/// The copies made during the first pass are at least this far apart, and at least this part of the
+/// frame: so far that they hardly slow the drawing, and so near that a jump back takes no longer
+/// than the drawing did.
 constexpr double first_way_spacing = 500'000;
 constexpr double first_way_part = 1.0 / 3.0;
 
-/// Over more triangles than this it is not worth asking which pixels have changed.
+/// For more triangles than this it is not worth finding out which pixels have changed.
 constexpr int most_triangles_asked = 8;
 
 std::int64_t area(const Rectangle& r) {
@@ -30,7 +29,7 @@ Rectangle whole_picture(const Frame& frame) {
     return {0, 0, frame.settings.viewport.width, frame.settings.viewport.height};
 }
 
-/// The same moment; at the beginning of a triangle, as a cursor behind the previous triangle, so
+/// The same moment; at the beginning of a triangle, as a cursor after the previous triangle, so
 /// that draw() leaves the row table of this one alone.
 Cursor behind_triangles_before(const Cursor& cursor) {
     const bool is_begin = cursor.phase == Phase::vertices && cursor.index <= 0 && cursor.step <= 0;
@@ -53,7 +52,7 @@ void Replay::begin(const Frame& frame, FrameWork& work) {
     begin_clear();
 }
 
-/// What is drawn in waits to be cleared, where that is all that has to be done.
+/// The framebuffer waits to be cleared, if that is all that has to be done.
 void Replay::begin_clear() {
     cursor_ = tallied_ = cursor_begin;
     tally_ = {};
@@ -65,7 +64,7 @@ void Replay::begin_clear() {
     if (may_wait) {
         uncleared_ = around(uncleared_, touched_);
     } else {
-        owners_ = -1; // if memory runs out here, the next frame is cleared whole
+        owners_ = -1; // if memory runs out here, the next frame is cleared completely
         clear(framebuffer_, *frame_);
         uncleared_ = {};
         begun_ = whole_picture(*frame_);
@@ -99,7 +98,7 @@ void Replay::place_marks() {
     const double total = work_.total();
     const double spacing = std::max(smallest_spacing, total / (static_cast<double>(room) + 1.0));
     const double first_way = std::max(first_way_spacing, first_way_part * total);
-    double last = 0.0; // work before the last mark that is laid on the first way
+    double last = 0.0; // work before the last mark laid in the first pass
     for (double next = spacing; next < total && marks_.size() < room; next += spacing) {
         Mark mark;
         mark.cursor = work_.at(next);
@@ -133,7 +132,7 @@ const Framebuffer& Replay::toward(const Cursor& cursor, const WorkLimit& limit) 
         const Rectangle drawn =
             changed_between(std::min(before, cursor_), std::max(before, cursor_));
         changed_ = around(changed_, drawn);
-        // A transposed depth buffer is written elsewhere.
+        // A transposed depth buffer is written in other places.
         const bool is_in_place = framebuffer_.rules.depth_cell == PictureRules{}.depth_cell;
         touched_ = around(touched_, is_in_place ? drawn : whole_picture(*frame_));
     }
@@ -152,19 +151,19 @@ void Replay::go_back(const Cursor& cursor, const Mark* mark, const WorkLimit& li
         has_gone_back_ = true;
         return;
     }
-    // All other pixels are as they are at `cursor` already.
+    // All other pixels are already as they are at `cursor`.
     draw(*frame_, {from, cursor, changed}, framebuffer_);
     cursor_ = cursor;
 }
 
-/// How far toward the cursor the limit allows to draw; further than now, unless that is the cursor.
+/// How far toward the cursor the limit allows drawing; further than now, unless that is the cursor.
 Cursor Replay::part_end(const Cursor& cursor, const WorkLimit& limit) const {
     const double begun = work_.before(cursor_), missing = work_.before(cursor) - begun;
-    // Of a large frame the last part is no larger than the others.
+    // In a large frame the last part is no larger than the others.
     const double part = limit.of(work_.total());
     if (part >= missing) return cursor;
     Cursor end = work_.at(begun + part);
-    // Where the estimate does not lead on, a row is drawn, or the triangle to its end.
+    // If the estimate does not get further, a row is drawn, or the triangle to its end.
     if (end <= cursor_) {
         const Cursor row{cursor_.triangle, Phase::rows, cursor_.index + 1, 0};
         const bool is_divided = cursor_.phase == Phase::rows && work_.before(row) > begun;
@@ -173,7 +172,7 @@ Cursor Replay::part_end(const Cursor& cursor, const WorkLimit& limit) const {
     return std::min(cursor, end);
 }
 
-/// The last mark with a copy that is not after the cursor; null: there is none.
+/// The last mark with a copy at or before the cursor; null: there is none.
 const Replay::Mark* Replay::last_laid(const Cursor& cursor) const {
     const Mark* last = nullptr;
     for (const Mark& mark : marks_) {
@@ -184,7 +183,7 @@ const Replay::Mark* Replay::last_laid(const Cursor& cursor) const {
 }
 
 /// A rectangle with all pixels that the moments from `from` up to `to` can have changed; the whole
-/// picture where it is not worth asking.
+/// picture if it is not worth finding out.
 Rectangle Replay::changed_between(const Cursor& from, const Cursor& to) const {
     const Rectangle whole = whole_picture(*frame_);
     const int first_triangle = std::max(from.triangle, 0);
@@ -221,7 +220,7 @@ Rectangle Replay::changed_between(const Cursor& from, const Cursor& to) const {
     return 2 * area(changed) > area(whole) ? whole : changed;
 }
 
-/// Gives the pixels the values of a mark's copy; of the beginning, where it is null.
+/// Gives the pixels the values of a mark's copy; if it is null, those of the beginning.
 void Replay::restore(const Rectangle& pixels, const Mark* mark) {
     if (pixels.left >= pixels.right) return;
     const auto count = static_cast<std::size_t>(pixels.right - pixels.left);
@@ -252,7 +251,7 @@ Framebuffer Replay::spare_copy() {
     return copy;
 }
 
-/// Draws from where the framebuffer stands to the cursor, and lays copies on the way.
+/// Draws from where the framebuffer is to the cursor, making copies on the way.
 void Replay::lay_and_draw(const Cursor& cursor) {
     Mark* last_passed = nullptr;
     for (Mark& mark : marks_) {
@@ -260,7 +259,7 @@ void Replay::lay_and_draw(const Cursor& cursor) {
     }
     for (Mark& mark : marks_) {
         if (mark.cursor <= cursor_ || mark.cursor > cursor || mark.is_laid()) continue;
-        // One a call, the one that lies nearest to where someone is at work.
+        // One per call, the one nearest to the user's place.
         const bool is_wanted = mark.on_first_way || (has_gone_back_ && &mark == last_passed);
         if (!is_wanted) continue;
         draw_on(mark.cursor);
@@ -270,7 +269,7 @@ void Replay::lay_and_draw(const Cursor& cursor) {
     draw_on(cursor);
 }
 
-/// Draws from where the framebuffer stands to the cursor.
+/// Draws from where the framebuffer is to the cursor.
 void Replay::draw_on(const Cursor& cursor) {
     if (cursor_ < tallied_) {
         const Cursor to = std::min(cursor, tallied_);

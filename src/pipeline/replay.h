@@ -12,31 +12,31 @@
 
 namespace rasterwalk {
 
-/// The framebuffer of a frame at any moment. Forwards it draws on from where it stands. Backwards
-/// it takes the pixels that have changed since from a copy of an earlier moment, and draws those
-/// again: a step back costs what it undoes.
+/// The framebuffer of a frame at any moment. Forward, it draws on from where it is. Backward, it
+/// takes the pixels that have changed since from a copy of an earlier moment, and redraws those: a
+/// step back costs what it undoes.
 ///
-/// Copies (keyframes) lie at marks that are evenly spread over the work of the frame, as many as
-/// the budget holds. In a frame of much work one or two are laid on the way of the first drawing,
-/// the others, one a call, once someone has gone back.
+/// Copies (keyframes) are made at marks spread evenly over the work of the frame, as many as the
+/// budget holds. In a frame of much work one or two are made during the first drawing, the others,
+/// one per call, after the first step back.
 class Replay {
   public:
     explicit Replay(std::size_t budget_bytes = std::size_t{64} << 20) : budget_(budget_bytes) {}
 
-    /// Starts over with this frame, which must live as long as the replay uses it.
+    /// Starts over with this frame, which must live while the replay uses it.
     void begin(const Frame& frame);
 
-    /// The same with its work, which is estimated already; `work` gets the memory of the previous
-    /// frame's in exchange.
+    /// The same with its work already estimated; `work` gets the memory of the previous frame's in
+    /// exchange.
     void begin(const Frame& frame, FrameWork& work);
 
     /// The framebuffer with everything before `cursor` drawn; valid until the next call.
     const Framebuffer& at(const Cursor& cursor) { return toward(cursor, {}); }
 
     /// Goes toward the cursor as far as the limit allows, and stays where it is if it is_held().
-    /// The framebuffer has everything before drawn() drawn; valid until the next call.
-    /// As long as it is not clear, it is cleared first, even if it is_held(): until then it has,
-    /// where it is not empty, pixels of the previous frame.
+    /// The framebuffer has everything before drawn() drawn; valid until the next call. As long as
+    /// it is not clear, it is cleared first, even if it is_held(): until then its non-empty pixels
+    /// can be those of the previous frame.
     const Framebuffer& toward(const Cursor& cursor, const WorkLimit& limit);
     const Cursor& drawn() const { return cursor_; }
 
@@ -45,15 +45,14 @@ class Replay {
     /// Does the framebuffer have everything before the cursor, and nothing else?
     bool is_at(const Cursor& cursor) const { return is_clear() && cursor_ == cursor; }
 
-    /// Is there more left to draw up to the cursor than the limit allows to begin?
+    /// Is more left to draw up to the cursor than the limit allows to begin?
     bool is_held(const Cursor& cursor, const WorkLimit& limit) const;
 
-    /// All pixels that the last call has changed lie in this rectangle, of any plane; after the
-    /// first one since begin() also those that begin() has.
+    /// All pixels that the last call has changed in any plane lie in this rectangle; after the
+    /// first call since begin(), also those that begin() has changed.
     const Rectangle& changed() const { return changed_; }
 
-    /// What has been drawn of the frame so far, everything once, and the moment up to which that
-    /// was.
+    /// The tally of the frame so far, counting everything once, and the moment it has reached.
     const DrawTally& tally() const { return tally_; }
     const Cursor& tallied() const { return tallied_; }
 
@@ -66,8 +65,8 @@ class Replay {
   private:
     struct Mark {
         Cursor cursor;
-        bool on_first_way = false; ///< to be laid before anyone has gone back
-        Framebuffer copy;          ///< of this moment; without pixels as long as it is not laid
+        bool on_first_way = false; ///< to be made before any step back
+        Framebuffer copy;          ///< of this moment; without pixels until it is made
 
         bool is_laid() const { return !copy.depth.empty(); }
     };
@@ -91,7 +90,7 @@ class Replay {
     Rectangle uncleared_; ///< pixels of the previous frame lie in it
     Rectangle touched_;   ///< all pixels that are not empty lie in it, or in uncleared_
     Rectangle begun_;     ///< what begin() has changed, until changed() reports it
-    int owners_ = 0;      ///< triangles that the owners of the previous frame were among
+    int owners_ = 0;      ///< number of triangles of the previous frame's owners
     DrawTally tally_;
     Cursor tallied_ = cursor_begin;
     std::vector<Mark> marks_;        ///< in order of time

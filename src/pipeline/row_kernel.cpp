@@ -16,13 +16,13 @@ namespace rasterwalk {
 namespace {
 
 /// Pixels that take each step together: enough for the widest instructions, and few enough for all
-/// their values to lie in the nearest cache.
+/// their values to fit in the nearest cache.
 constexpr std::size_t block_size = 32;
 
 template <class T>
 using Block = std::array<T, block_size>;
 
-/// Walks along a row: the running values of Interpolate, for the depth, the weight and these
+/// A walk along a row: the running values of Interpolate, for the depth, the weight and these
 /// varyings.
 template <glm::vec3 Varyings::*... carried>
 class RowWalk {
@@ -43,7 +43,7 @@ class RowWalk {
         }
     };
 
-    /// Stands at the first pixel of the part.
+    /// Starts at the first pixel of the part.
     RowWalk(const RowPart& part, const Stages& stages) : value_(values_at(part.left, stages)) {
         if (part.first + part.drawn == 1) return; // no step is taken
         const Values end = values_at(part.right, stages);
@@ -54,7 +54,7 @@ class RowWalk {
             add_step();
     }
 
-    /// Puts down the values of the next `count` pixels.
+    /// Stores the values of the next `count` pixels.
     void walk(std::size_t count, Walked& walked) {
         for (std::size_t i = 0; i < count; ++i) {
             for (std::size_t k = 0; k < size; ++k)
@@ -84,7 +84,7 @@ class RowWalk {
     Values value_, step_{};
 };
 
-/// Without light, or with one for the whole triangle.
+/// Without light, or with one light value for the whole triangle.
 struct OneColour {
     using Walk = RowWalk<>;
 
@@ -113,7 +113,7 @@ struct VertexLight {
 /// A function of the slot light_side.
 using LightSide = decltype(Stages::light_side);
 
-/// Light per pixel where all corners have one normal.
+/// Light per pixel if all corners have the same normal.
 template <LightSide side>
 struct FlatPixelLight {
     using Walk = RowWalk<&Varyings::position_world>;
@@ -134,7 +134,7 @@ struct FlatPixelLight {
     SightRays rays_;
 };
 
-/// Light per pixel with a normal that is interpolated.
+/// Light per pixel with an interpolated normal.
 template <LightSide side>
 struct BentPixelLight {
     using Walk = RowWalk<&Varyings::position_world, &Varyings::normal>;
@@ -155,7 +155,7 @@ struct BentPixelLight {
     SightRays rays_;
 };
 
-/// The planes from the first pixel of a block on.
+/// The planes, starting at the first pixel of a block.
 struct BlockPlanes {
     BlockPlanes(Framebuffer& target, std::size_t pixel)
         : colour(&target.colour[pixel]), depth(&target.depth[pixel]), owner(&target.owner[pixel]),
@@ -204,7 +204,7 @@ void put_pixels(const BlockColours& colours, const Block<int>& passed, bool have
                 std::size_t count, int triangle, const BlockPlanes& at) {
     for (std::size_t i = 0; i < count; ++i)
         at.owner[i] = passed[i] != 0 ? triangle : at.owner[i];
-    // Colours lie three floats apart: only without a choice are several put at once.
+    // Colours are three floats apart: several are stored at once only if there is no choice.
     if (have_all_passed) {
         for (std::size_t i = 0; i < count; ++i)
             at.colour[i] = colours.at(i);
@@ -258,7 +258,7 @@ bool has_lab_rows(const Frame& frame) {
     return is_walked && is_tested && !frame.blends;
 }
 
-/// Has no surface anything but one reflectance, and light but the lab's?
+/// Do all surfaces have just one reflectance each, and the lab's light?
 bool has_lab_surfaces(const Frame& frame) {
     const Stages& stages = frame.stages;
     const bool is_plain = !is_textured(frame) && !frame.bends && occluders_of(frame) == nullptr;

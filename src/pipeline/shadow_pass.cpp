@@ -13,7 +13,7 @@ Settings shadow_face_settings(const glm::vec3& lamp, int face, int resolution) {
     settings.coverage = Coverage::edge_functions;
     settings.fill_rule = FillRule::top_left;
     settings.snap = Snap::subpixel;
-    // All planes: what is close beside the lamp would fall millions of texels away.
+    // All planes: things close to the lamp would otherwise fall millions of texels away.
     settings.clip = Clip::all;
     settings.near = shadow_near;
     settings.far = 1e7f;

@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Fragments of a row table that are walked and fall beside what the bounds test lets through.
+/// Fragments of a row table that are walked and fail the bounds test.
 std::int64_t count_outside(const Frame& frame, const PolygonRows& rows) {
     const Rectangle area = drawn_area(frame);
     const Rectangle walked = frame.stages.walked_area(frame.settings.viewport);

@@ -9,13 +9,13 @@ namespace rasterwalk {
 /// What draw() did with the triangles that it did not skip. Row tables are counted for triangles
 /// that begin in the window, so the tallies of consecutive windows can be added.
 struct DrawTally {
-    std::int64_t fragments = 0;         ///< that fell in the framebuffer and the scissor
-    std::int64_t fragments_outside = 0; ///< beside the picture, of whole triangles
+    std::int64_t fragments = 0;         ///< inside the framebuffer and the scissor
+    std::int64_t fragments_outside = 0; ///< outside the picture, of whole triangles
     std::int64_t samples_outside = 0; ///< edge samples outside their row table, of whole triangles
     int triangles_outside = 0;        ///< triangles with such samples
     int first_outside = -1;           ///< the first of them; -1: there is none
     std::int64_t shaded = 0;          ///< fragments whose colour was worked out, drawn or not
-    std::int64_t rows_looked_at = 0;  ///< rows asked by the edge samples of whole triangles
+    std::int64_t rows_looked_at = 0;  ///< rows looked at by the edge samples of whole triangles
     std::int64_t pixels_tested = 0;   ///< of whole triangles, in the picture, by edge functions
     std::int64_t unset_rows = 0;      ///< rows without a sample that are drawn all the same
     std::int64_t depth_outside = 0;   ///< tested fragments whose pixel has no depth cell
@@ -25,13 +25,13 @@ struct DrawTally {
 
 DrawTally& operator+=(DrawTally& sum, const DrawTally& part);
 
-/// What the row tables of the triangles from `first` on come to, without drawing them.
+/// The tally of the row tables of triangle `first` and those after it, without drawing them.
 DrawTally tally_rows(const Frame& frame, int first);
 
 /// Are rows that no edge sample has reached drawn all the same?
 bool draws_unset_rows(const Frame& frame);
 
-/// Counts what the row table of a triangle took, and what is wrong with it.
+/// Counts the work of a triangle's row table, and what is wrong with it.
 /// @param draws_unset draws_unset_rows() of the frame
 void count_rows(const Frame& frame, const PolygonRows& rows, int triangle, bool draws_unset,
                 DrawTally& tally);

@@ -10,7 +10,7 @@ bool is_in_window(const DrawWindow& window, const Cursor& cursor) {
     return cursor >= window.from && cursor < window.to;
 }
 
-/// Gives each step its moment. A function that comes to a plane twice goes on counting there.
+/// Gives each step its moment. If a function gets to a plane twice, the count goes on there.
 class ClipTelling : public ClipSink {
   public:
     ClipTelling(const Drawing& d, int triangle) : d_(d), triangle_(triangle) {}

@@ -1,7 +1,7 @@
 #pragma once
 
-// The tests of edge functions as moments: coverage has solved them row by row; here they are
-// reported pixel by pixel.
+// The tests of edge functions as moments: coverage has already solved them row by row; here they
+// are reported pixel by pixel.
 
 #include <cstdint>
 

@@ -33,7 +33,7 @@ void find_clip_steps(const Frame& frame, int triangle, PhaseMoments& moments) {
         moments.add({0, steps});
 }
 
-/// The samples of each edge of what is drawn; makes the row table.
+/// The samples of each edge that is drawn; makes the row table.
 void find_samples(const Frame& frame, int triangle, PolygonRows& rows, PhaseMoments& moments) {
     SampleCounts counts;
     counts.samples.assign(frame.triangle_vertices(triangle).size(), 0);
@@ -103,7 +103,7 @@ Cursor piece_begin(Cursor cursor, Granularity step) {
     return cursor;
 }
 
-/// A cursor behind every moment of the piece of size `step` that holds the moment.
+/// A cursor after every moment of the piece of size `step` that holds the moment.
 Cursor behind_piece(Cursor cursor, Granularity step) {
     switch (step) {
     case Granularity::moment:
@@ -134,7 +134,7 @@ int ordinal_at_or_after(int index, int step, const PhaseMoments& m) {
     return ordinal + std::clamp(step, steps.first, steps.first + steps.count) - steps.first;
 }
 
-/// The same of the triangle; m.count if no moment is left.
+/// The same for the triangle; m.count if no moment is left.
 int ordinal_at_or_after(const Cursor& cursor, const TriangleMoments& m) {
     int ordinal = 0;
     for (const PhaseInfo& info : phase_list) {
@@ -263,7 +263,7 @@ Cursor Timeline::at_place(double place) const {
     if (!(at < triangles)) return cursor_end;
     const int triangle = static_cast<int>(at);
     if (!frame_->has_moments(triangle)) return at_or_after(begin_of(triangle));
-    // place() and its way back lose a little; no more than this part of a moment.
+    // place() and its inverse lose a little; no more than this fraction of a moment.
     constexpr double slack = 0.01;
     const int count = moments(triangle).count;
     const int ordinal = static_cast<int>((at - triangle) * count + slack);

@@ -1,14 +1,14 @@
 #pragma once
 
 // The moments of a frame: which cursors exist, and how to go from one to another. The moments of a
-// triangle go through the phases of phase_list: its three vertices; where planes cut it, each edge
-// at each of them; where something culls, the answer; then, from stage `edges` on, the samples of
-// the edges of what is left, or, where edge functions find the pixels, every pixel of the box that
-// they ask; then in stage `rows` one moment for every row, in which its two ends are shown, and
-// from stage `fill` on one moment for every fragment. Rows and fragments beyond the picture have no
-// moments, nor has a triangle that is left out; one that clip or cull have taken away ends there.
-// Every question costs at most a triangle or two: the samples of their edges and their rows, or the
-// rows of their boxes.
+// triangle go through the phases of phase_list: its three vertices; if planes cut it, each edge at
+// each of them; if something culls, the answer; then, from stage `edges` onward, the samples of the
+// edges of what is left or, if edge functions find the pixels, every pixel of the box that they
+// test; then in stage `rows` one moment for every row, which shows its two ends, and from stage
+// `fill` onward one moment for every fragment. Rows and fragments outside the picture have no
+// moments, nor does a triangle that is left out; one removed by clip or cull ends there. Every
+// question costs at most a triangle or two: the samples of their edges and their rows, or the rows
+// of their boxes.
 
 #include <array>
 #include <cstdint>
@@ -36,15 +36,15 @@ static_assert(words_match<Granularity>);
 
 /// The moments of one phase of a triangle.
 struct PhaseMoments {
-    /// The steps of a piece that are moments: of a row, and of one of the box what of it is tested,
-    /// the columns counted from its left end that lie in the picture. 0 where the piece has no
+    /// The steps of a piece that are moments: for a row, the columns, counted from its left end,
+    /// that lie in the picture; for a row of the box, only those tested. 0 if the piece has no
     /// moments.
     struct Steps {
         int first = 0;
         int count = 0;
     };
     std::vector<Steps> pieces;
-    std::vector<int> before{0}; ///< moments of all pieces before; one entry more than pieces
+    std::vector<int> before{0}; ///< moments of all earlier pieces; one entry more than pieces
 
     int count() const { return before.back(); }
     void clear();
@@ -83,7 +83,7 @@ class Timeline {
     double place(const Cursor& cursor) const;
     Cursor at_place(double place) const;
 
-    /// The moments of a triangle; none of one that is left out. Valid until the next question.
+    /// The moments of a triangle; none if it is left out. Valid until the next question.
     const TriangleMoments& moments(int triangle) const;
 
     /// Number of a moment within its triangle, from 0, and back.

@@ -11,14 +11,14 @@ namespace rasterwalk {
 
 namespace {
 
-/// What an edge sample, and a triangle by itself, cost beside a fragment.
+/// The cost of an edge sample, and of a triangle itself, relative to a fragment.
 constexpr double sample_work = 2;
 constexpr double triangle_work = 20;
 
-/// What a fragment costs more that sends a ray to the lamp.
+/// The extra cost of a fragment that sends a ray to the lamp.
 constexpr double shadow_ray_work = 15;
 
-/// What it costs to estimate a triangle.
+/// The cost of estimating a triangle.
 constexpr double estimate_work = 10;
 
 /// Triangles of more work than this are divided by rows.
@@ -50,7 +50,7 @@ Box in_picture(const Box& box, Viewport picture) {
     return part_in(box, {0, 0, picture.width, picture.height});
 }
 
-/// Of a polygon without dents, as a fan of triangles about its first corner.
+/// For a polygon without dents, as a fan of triangles about its first corner.
 double twice_the_area(PolygonCorners v) {
     double area = 0.0;
     for_each_fan_corners(v.size(), [&](std::size_t a, std::size_t b, std::size_t c) {
@@ -65,7 +65,7 @@ double samples_of(const Box& box) {
     return 2.0 * std::max(box.width(), box.height());
 }
 
-/// The fragments of a drawn triangle. Its box is taken to be filled evenly.
+/// The fragments of a drawn triangle. Its box is assumed to be filled evenly.
 FragmentEstimate fragments_of(const Frame& frame, int triangle) {
     if (!has_fragments(frame.settings.stage)) return {};
     const PolygonCorners v = frame.triangle_vertices(triangle);

@@ -11,33 +11,33 @@
 
 namespace rasterwalk {
 
-/// How much one call of a function may do: what is estimated at no more than `at_once` it does as a
-/// whole, of anything larger only a part of about `slice`, and what is more than `most` it does not
-/// begin at all. Without limits: everything.
+/// How much one call of a function may do: it does work estimated at no more than `at_once`
+/// completely, of anything larger only a part of about `slice`, and does not begin work of more
+/// than `most` at all. Without limits: everything.
 struct WorkLimit {
     double at_once = std::numeric_limits<double>::infinity();
     double slice = std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
 
-    /// How much of this work may be done.
+    /// How much of this work one call may do.
     double of(double work) const { return work <= at_once ? work : slice; }
 };
 
-/// How many rows of a picture one call may go through.
+/// How many rows of a picture one call may handle.
 /// @param of_pixel the work of a pixel
 /// @param done     rows that are done
-/// @return at least one of those that are left
+/// @return at least one, if any are left
 int rows_within(const WorkLimit& limit, double of_pixel, Viewport size, int done);
 
-/// The limit of each kind of work in one update of the window: the lessons' scenes are drawn at
-/// once, what is larger about a hundredth of a second at a time. An update does several kinds, and
-/// is to take no longer than 50 milliseconds.
+/// The limit of each kind of work in one update of the window: the lessons' scenes are drawn in one
+/// go, larger ones about a hundredth of a second at a time. An update does several kinds, and
+/// should take no longer than 50 milliseconds.
 inline constexpr WorkLimit frame_limit{.at_once = 1'000'000.0, .slice = 1'000'000.0};
 
 /// How many fragments a frame makes, estimated from the areas of its triangles.
 struct FragmentEstimate {
-    double all = 0.0;        ///< that are walked: of whole triangles, as in the lab's loop
-    double in_picture = 0.0; ///< of those only what falls in the picture: that is drawn
+    double all = 0.0;        ///< all that are walked: of whole triangles, as in the lab's loop
+    double in_picture = 0.0; ///< only those in the picture, which are drawn
 
     double share_outside() const { return all > 0.0 ? 1.0 - in_picture / all : 0.0; }
 };
@@ -45,7 +45,7 @@ struct FragmentEstimate {
 /// The work of a frame, triangle by triangle.
 class FrameWork {
   public:
-    /// Estimates the work of this frame, which must live as long as it is asked about.
+    /// Estimates the work of this frame, which must live as long as this is used.
     void begin(const Frame& frame);
 
     /// The same in parts: empties it, and then estimates as much of the frame as the limit allows.
@@ -58,7 +58,7 @@ class FrameWork {
 
     double total() const { return before_.empty() ? 0.0 : before_.back(); }
 
-    /// None in a stage that draws marks alone.
+    /// None in a stage that draws only marks.
     const FragmentEstimate& fragments() const { return fragments_; }
 
     /// The work of everything before the cursor.
@@ -71,7 +71,7 @@ class FrameWork {
   private:
     const Frame* frame_ = nullptr;
     FragmentEstimate fragments_;
-    std::vector<double> before_; ///< work of all triangles before; one entry more than triangles
+    std::vector<double> before_; ///< work of all earlier triangles; one entry more than triangles
 };
 
 } // namespace rasterwalk

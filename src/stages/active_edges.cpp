@@ -42,7 +42,7 @@ SpanList common(const SpanList& a, const SpanList& b) {
     return both;
 }
 
-/// Has the polygon an inside? It has none where all its corners lie on a line.
+/// Does the polygon have an inside? It has none if all its corners lie on a line.
 bool has_inside(std::span<const GridPoint> points) {
     for (std::size_t i = 2; i < points.size(); ++i) {
         if (double_area(points[0], points[i - 1], points[i]) != 0) return true;
@@ -53,7 +53,7 @@ bool has_inside(std::span<const GridPoint> points) {
 /// Goes down a polygon row by row.
 class ActiveEdges {
   public:
-    /// @param points where the vertices stand
+    /// @param points where the vertices are
     ActiveEdges(PolygonCorners vertices, std::span<const GridPoint> points, const EdgeRules& rules,
                 const Stages& stages)
         : carried_(rules.carried) {
@@ -73,14 +73,14 @@ class ActiveEdges {
                   [](const DownEdge& a, const DownEdge& b) { return a.top.y > b.top.y; });
     }
 
-    /// The stretches of the next row, which must lie below all rows before.
+    /// The stretches of the next row, which must lie below all earlier rows.
     SpanList in_row(int row) {
         const std::int64_t y = pixel_centre(row);
         for (; !to_come_.empty() && to_come_.back().top.y <= y; to_come_.pop_back())
             active_.push_back(to_come_.back());
         std::erase_if(active_, [y](const DownEdge& edge) { return edge.bottom.y < y; });
-        // What lies just below the row's centres, and just above: an edge counts at its upper end
-        // in the one, and at its lower end in the other.
+        // The edges just below the row's centres, and those just above: an edge counts at its upper
+        // end in the first case, and at its lower end in the second.
         const auto below = [&] {
             return spans_of(row, [y](const DownEdge& edge) { return y < edge.bottom.y; });
         };
@@ -108,7 +108,7 @@ class ActiveEdges {
         for (std::size_t i = 1; i < crossings.size(); i += 2) {
             const RowCrossing &left = crossings[i - 1], &right = crossings[i];
             PixelSpan pixels = pixels_between(left, right, owned_);
-            // Where two stretches meet in a centre that both own, the first has it.
+            // If two stretches meet at a centre that both own, the first one gets it.
             if (!spans.empty())
                 pixels.first = std::max(pixels.first, spans.back().right.column + 1);
             if (pixels.is_empty()) continue;

@@ -1,20 +1,20 @@
 #pragma once
 
-// Blending: what is half transparent is laid over what its pixel shows.
+// Blending: a half-transparent fragment is laid over what its pixel shows.
 //
 // In:  the colour of a fragment, its alpha, and the colour that the pixel has.
 // Out: the pixel's new colour.
-// Picture: tinted glass before a wall. Of the light that reaches the eye the part alpha comes from
-//          the glass and the rest, 1 - alpha, from the wall behind it.
+// Picture: tinted glass in front of a wall. Of the light that reaches the eye the part alpha comes
+//          from the glass and the rest, 1 - alpha, from the wall behind it.
 //
 //     new = alpha * fragment + (1 - alpha) * pixel
 //
 // Colours are not premultiplied: the fragment has its colour as if it were opaque. Light adds up in
-// linear channels, as here, and not in those of a file that is bent for the eye.
+// linear channels, as here, not in the encoded ones of an image file.
 //
-// The order counts: red glass over blue glass is another colour than blue over red. So what is
+// The order counts: red glass over blue glass is a different colour from blue over red. So what is
 // behind must be drawn first. The depth buffer does not help. A pane writes its depth like a wall,
-// and hides what is drawn behind it later.
+// and hides anything behind it that is drawn later.
 //
 // The classic mistakes are the two shares the wrong way round, and triangles that share an edge and
 // both draw it: at alpha 1/2 that edge is covered by 3/4.

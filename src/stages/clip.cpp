@@ -10,14 +10,14 @@ namespace rasterwalk {
 
 namespace {
 
-/// How far from the picture's middle the sides of the guard band lie: at half of what project()
-/// bears, so that rounding cannot push a cut corner over its limit.
+/// How far from the picture's middle the sides of the guard band lie: at half of what project() can
+/// take, so that rounding cannot push a cut corner over its limit.
 constexpr float guard_band_distance = max_pixel_distance / 2.0f;
 
-/// The planes near and far: z - n and f - z of camera space, from what clip space has of z.
+/// The planes near and far: z - n and f - z of camera space, from the z of clip space.
 std::array<glm::vec4, 2> depth_planes(const VertexRules& rules) {
     const Projection& projection = rules.projection;
-    // Where the third coordinate is 0 at one plane, it has this slope toward the other one.
+    // The third coordinate is 0 at one plane, and has this slope toward the other.
     const float from_near = view_length(rules) / clip_w(rules.far, projection);
     const float from_far = view_length(rules) / clip_w(rules.near, projection);
     switch (projection.clip_depth) {
@@ -45,18 +45,18 @@ ClipPlanes planes(const VertexRules& rules, float left, float right, float top, 
             glm::vec4{0.0f, -1.0f, 0.0f, bottom}};
 }
 
-/// The planes with their sides so many pixels beside the picture.
+/// The planes with their sides this many pixels outside the picture.
 ClipPlanes planes_beside_picture(const VertexRules& rules, float pixels) {
     const glm::vec2 middle = viewport_middle(rules);
     const glm::vec2 rest = glm::vec2(rules.viewport.width, rules.viewport.height) - middle;
     return planes(rules, middle.x + pixels, rest.x + pixels, middle.y + pixels, rest.y + pixels);
 }
 
-/// Cuts by the first `count` planes. What is given in pixels has no view volume.
+/// Cuts by the first `count` planes. A polygon given in pixels has no view volume.
 Clipped clip_by(const ViewVolume& volume, const ClipPlanes& planes, std::size_t count,
                 std::vector<ClipVertex>& corners, ClipSink* sink) {
     if (volume.rules.space == SceneSpace::pixels) return {};
-    // What is no number lies on no side; project() says so of it.
+    // NaN is on neither side of a plane; project() reports it.
     const auto is_finite = [](const ClipVertex& v) { return std::isfinite(v.position_clip.w); };
     if (!std::all_of(corners.begin(), corners.end(), is_finite)) return {};
     if (sink != nullptr) sink->begin_planes(planes, count);
@@ -74,7 +74,7 @@ Clipped clip_by(const ViewVolume& volume, const ClipPlanes& planes, std::size_t 
         const bool is_any_within = std::any_of(corners.begin(), corners.end(), is_within);
         clip_by_plane(corners, planes, static_cast<ClipPlane>(p), kept, sink);
         corners.swap(kept);
-        // What only touches the plane has no area inside.
+        // A polygon that only touches the plane has no area inside.
         if (!is_any_within) {
             clipped.rejection = Rejection::clipped_away;
             break;
@@ -120,8 +120,8 @@ ClipVertex cut_edge(const ClipVertex& inside, const ClipVertex& outside, double 
 
 namespace {
 
-/// The new corner of an edge that this plane cuts. Of an edge that is too large for float both
-/// distances are taken in double, as long as they have the same signs there.
+/// The new corner of an edge that this plane cuts. For an edge too large for float both distances
+/// are taken in double, as long as they have the same signs there.
 ClipVertex cut_at_plane(const glm::vec4& plane, const ClipVertex& inside,
                         const ClipVertex& outside) {
     const auto exact = [&](const ClipVertex& v) {

@@ -1,20 +1,20 @@
 #pragma once
 
-// Clip: which part of a polygon lies in the view.
+// Clip: which part of a polygon lies inside the view.
 //
 // In:  the corners of a polygon in clip space.
-// Out: the corners of what is left of it, any number of them; or why nothing is.
-// Picture: planes cut off what lies outside, one after the other; each can take a corner away and
-//          put two new ones in its place. A triangle has at most nine corners behind six planes.
+// Out: the corners of what is left of it, any number of them; or why nothing is left.
+// Picture: one plane after another cuts off what lies outside; each can take a corner away and put
+//          two new ones in its place. A triangle has at most nine corners after six planes.
 //
-// It happens before the division: behind the camera w is negative, the division turns left to right
-// and near to far, and no cut on the screen can undo that. The lab clips nothing. What reaches
-// beside the picture is drawn up to its border, pixel by pixel; a polygon with a vertex on or
-// behind the camera plane is left out whole, since project() has no pixel for it.
+// It happens before the division: behind the camera w is negative, the division swaps left with
+// right and near with far, and no cut on the screen can undo that. The lab clips nothing. A polygon
+// that sticks out of the picture is drawn up to its border, pixel by pixel; a polygon with a vertex
+// on or behind the camera plane is left out altogether, since project() has no pixel for it.
 //
-// The classic mistakes: to cut after the division; to measure t from the wrong end, so that two
-// neighbours disagree about the edge they share; and to leave out the triangle of which one corner
-// lies outside.
+// The classic mistakes are cutting after the division; measuring t from the wrong end, so that two
+// neighbours disagree about the edge they share; and leaving out a whole triangle because one
+// corner lies outside.
 //
 // Source: Sutherland and Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17(1),
 // 1974; in clip space: Blinn and Newell, "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
@@ -32,7 +32,7 @@
 
 namespace rasterwalk {
 
-/// The planes of the view volume, in the order in which they cut.
+/// The planes of the view volume, in the order they cut.
 enum class ClipPlane : std::uint8_t { near, far, left, right, top, bottom };
 template <>
 inline constexpr auto enum_words<ClipPlane> = word_list("near", "far", "left", "right", "top",
@@ -41,23 +41,23 @@ static_assert(words_match<ClipPlane>);
 
 inline constexpr std::size_t clip_plane_count = enum_words<ClipPlane>.size();
 
-/// Every plane by its coefficients in clip space, indexed by ClipPlane: dot(plane, position_clip)
+/// The planes by their coefficients in clip space, indexed by ClipPlane: dot(plane, position_clip)
 /// is positive inside, 0 on the plane and negative outside. For the near and the far plane it is a
-/// distance in world units, for the others w times one in pixels.
+/// distance in world units, for the others w times a distance in pixels.
 using ClipPlanes = std::array<glm::vec4, clip_plane_count>;
 
 /// The planes through the camera and the picture's borders, and those at `near` and `far`.
 ClipPlanes view_planes(const VertexRules& rules);
 
-/// Like view_planes(), with the four sides two pixels farther out: vertices are cut to whole
-/// pixels, toward the middle, and the samples of edges once more. What lies beyond is never seen.
+/// Like view_planes(), with the four sides two pixels farther out: vertices are truncated to whole
+/// pixels, toward the middle, and so are the samples of edges. Anything beyond is never seen.
 ClipPlanes outer_planes(const VertexRules& rules);
 
-/// Like view_planes(), with the four sides as far out as the arithmetic behind bears. What lies
+/// Like view_planes(), with the four sides as far out as the later arithmetic can take. Anything
 /// between them and the picture is left to the bounds test.
 ClipPlanes guard_band_planes(const VertexRules& rules);
 
-/// What rejecting and clipping ask of every polygon of a frame: its planes are found once.
+/// What rejecting and clipping need for every polygon of a frame: the planes are found once.
 struct ViewVolume {
     explicit ViewVolume(const VertexRules& of)
         : rules(of), view(view_planes(of)), outer(outer_planes(of)),
@@ -67,8 +67,9 @@ struct ViewVolume {
     ClipPlanes view, outer, guard_band;
 };
 
-/// Is a place so far out that a float of its size has no place left for 1/256 of a pixel? There one
-/// clips in double. Elsewhere float is exact enough, and every number comes out of its formula.
+/// Is a place so far out that a float of its size has no bits left for 1/256 of a pixel? There
+/// clipping is done in double. Elsewhere float is exact enough, and every number follows from its
+/// formula.
 inline bool is_too_large_for_float(const ClipVertex& vertex) {
     constexpr float largest = 65536.0f; // 2^16, and 24 bits
     const glm::vec4& p = vertex.position_clip;
@@ -76,8 +77,8 @@ inline bool is_too_large_for_float(const ClipVertex& vertex) {
            std::abs(p.w) > largest;
 }
 
-/// How far a vertex lies on the inner side of a plane; only of a vertex that is too large for float
-/// is it no float.
+/// How far a vertex lies on the inner side of a plane; worked out in double only if the vertex is
+/// too large for float.
 inline double wide_inner_distance(const glm::vec4& plane, const ClipVertex& vertex) {
     const glm::vec4& p = vertex.position_clip;
     if (is_too_large_for_float(vertex)) return glm::dot(glm::dvec4(plane), glm::dvec4(p));
@@ -91,7 +92,7 @@ inline float inner_distance(const glm::vec4& plane, const ClipVertex& vertex) {
 
 /// Where an edge meets a plane: t = d_inside / (d_inside - d_outside), 0 at the corner inside and 1
 /// at the one outside.
-/// @param d_inside, d_outside of the two corners: not negative, and negative
+/// @param d_inside, d_outside of the two corners: 0 or more, and below 0
 template <class Real>
 constexpr Real cut_place(Real d_inside, Real d_outside) {
     return d_inside / (d_inside - d_outside);
@@ -104,11 +105,11 @@ constexpr Real cut_place(Real d_inside, Real d_outside) {
 ClipVertex cut_edge(const ClipVertex& inside, const ClipVertex& outside, double d_inside,
                     double d_outside);
 
-/// What one plane does with one edge of the polygon, in the moment in which it does it. It passes
-/// on the corner `from` if that lies inside, and behind it the new corner if the edge is cut.
+/// What one plane does with one edge of the polygon, at the moment it does it. It passes on the
+/// corner `from` if that lies inside, followed by the new corner if the edge is cut.
 struct ClipStep {
     ClipPlane plane = ClipPlane::near;
-    int from = 0, to = 0;             ///< its corners, of the polygon as it was before this plane
+    int from = 0, to = 0;             ///< its corners, in the polygon before this plane
     float d_from = 0.0f, d_to = 0.0f; ///< their inner distances from the plane
     bool is_from_inside = false, is_to_inside = false;
     bool keeps_from = false; ///< the corner `from` is passed on
@@ -120,12 +121,12 @@ struct ClipStep {
     int kept_count() const { return (keeps_from ? 1 : 0) + (is_cut ? 1 : 0); }
 };
 
-/// Receives what clipping does to a polygon, while it does it. A plane with the whole polygon on
-/// its inner side has no work and is not reported.
+/// Receives what clipping does to a polygon, step by step. A plane with the whole polygon on its
+/// inner side has no work and is not reported.
 class ClipSink {
   public:
     virtual ~ClipSink() = default;
-    /// The first `count` of these planes are those that cut. Not called where nothing cuts.
+    /// The first `count` of these planes are those that cut. Not called if nothing cuts.
     virtual void begin_planes(const ClipPlanes& planes, std::size_t count) {
         static_cast<void>(planes);
         static_cast<void>(count);
@@ -136,30 +137,30 @@ class ClipSink {
         static_cast<void>(corners);
     }
     virtual void clip_step(const ClipStep& step) = 0;
-    /// The polygon after it; of what only touches the plane fewer than three corners, or no area.
+    /// The polygon after it; if it only touches the plane, fewer than three corners, or no area.
     virtual void end_plane(ClipPlane plane, std::span<const ClipVertex> corners) {
         static_cast<void>(plane);
         static_cast<void>(corners);
     }
 };
 
-/// One plane of Sutherland and Hodgman: what of the polygon lies on its inner side.
-/// @param result receives the corners; other memory than `corners`
+/// One plane of Sutherland and Hodgman: the part of the polygon on its inner side.
+/// @param result receives the corners; must not be the memory of `corners`
 /// @param sink   receives each edge; or null
 void clip_by_plane(std::span<const ClipVertex> corners, const ClipPlanes& planes, ClipPlane plane,
                    std::vector<ClipVertex>& result, ClipSink* sink = nullptr);
 
-/// Fewer corners than these are no polygon.
+/// Fewer corners than this are not a polygon.
 inline constexpr std::size_t least_corners = 3;
 
 /// What clipping does to a polygon.
 struct Clipped {
     Rejection rejection = Rejection::none; ///< why it is not drawn, or none
-    bool is_cut = false;                   ///< its corners are no longer those that were given
+    bool is_cut = false;                   ///< its corners are no longer the given ones
 };
 
 /// Every polygon stays as it is.
-/// @param corners at least three, in order; they are replaced by those of what is left
+/// @param corners at least three, in order; replaced by the corners of what is left
 /// @param sink    receives each edge at each plane; or null
 inline Clipped clip_nothing(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                             ClipSink* sink = nullptr) {
@@ -169,7 +170,7 @@ inline Clipped clip_nothing(std::vector<ClipVertex>& corners, const ViewVolume& 
     return {};
 }
 
-/// Cuts by the near plane alone: enough that the division is safe.
+/// Cuts by the near plane alone: enough to make the division safe.
 Clipped clip_near(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                   ClipSink* sink = nullptr);
 

@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The words of a way of culling.
+/// How a way of culling puts its answer in words.
 struct CullWords {
     std::string_view measure, front, back;
 };
@@ -29,7 +29,7 @@ CullWords corner_words(const SightRays& rays) {
 constexpr CullWords area_words{"area times w", "its corners go round clockwise on the screen",
                                "its corners go round counterclockwise on the screen"};
 
-/// @param test receives words and answer, or null; the values stand in it
+/// @param test receives words and answer, or null; it already has the values
 Rejection back_facing_if(bool is_back, const CullWords& words, CullTest* test) {
     if (test != nullptr) {
         test->measure = words.measure;
@@ -42,7 +42,7 @@ Rejection back_facing_if(bool is_back, const CullWords& words, CullTest* test) {
 } // namespace
 
 SightRays sight_rays(const VertexRules& rules) {
-    // Of a row vector times R, z is the product with the last column.
+    // In a row vector times R, z is the product with the last column.
     return {rules.camera.position, camera_rotation(rules.camera)[2], rules.projection.mix};
 }
 
@@ -74,7 +74,7 @@ Varyings as_one_face(std::span<const ClipVertex> corners) {
         return v.varyings.normal != face.normal;
     });
     if (!is_bent) return face;
-    // Newell's sum, so that three corners in a line, as clipping leaves them, do no harm.
+    // Newell's sum, so three corners in a line, which clipping can leave, do no harm.
     glm::vec3 across(0.0f);
     for_each_fan_corners(corners.size(), [&](std::size_t, std::size_t last, std::size_t next) {
         across += glm::cross(corners[next].varyings.position_world - face.position_world,

@@ -1,20 +1,20 @@
 #pragma once
 
-// Cull: is a polygon to be drawn at all?
+// Cull: should a polygon be drawn at all?
 //
 // In:  the corners of a polygon in clip space.
 // Out: why it is not drawn, or none.
-// Picture: of a closed body one sees only the sides that face the camera; on the screen their
-//          corners go round the other way than those of the sides that show their backs.
+// Picture: of a closed body you see only the sides that face the camera; on the screen their
+//          corners go round in the opposite direction from those of the sides that face away.
 //
-// The lab culls nothing: the walls of its room are seen from inside, and either side is drawn.
+// The lab culls nothing: the walls of its room are seen from inside, and both sides are drawn.
 //
-// One can also ask every fragment, by its interpolated normal. That follows a smooth body to the
+// You can also test every fragment, by its interpolated normal. That follows a smooth body to the
 // pixel, but every row is walked before anything is left out.
 //
-// The classic mistake is to ask for the angle to the direction in which the camera looks: under
-// perspective one also sees sides that look past the camera. What counts is the way from the camera
-// to the surface.
+// The classic mistake is to use the angle to the direction in which the camera looks: under
+// perspective you also see some sides whose normals point along it. What counts is the direction
+// from the camera to the surface.
 //
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // section 15.4, back-face culling. The area of a polygon in homogeneous coordinates: Olano and
@@ -29,11 +29,11 @@
 
 namespace rasterwalk {
 
-/// What a way of culling has looked at, and what it took it for. Only reports ask for it.
+/// What a way of culling has looked at, and what it decided. Only reports ask for it.
 struct CullTest {
     std::string_view measure; ///< what the values are: "dot(n, p - C)"; empty: nothing was measured
     std::string_view reason;  ///< why it is a front or a back, after a colon
-    std::vector<float> values; ///< of the polygon, or of each corner that was asked
+    std::vector<float> values; ///< of the polygon, or of each corner tested
     bool is_back = false;      ///< it is culled
 };
 
@@ -41,12 +41,12 @@ struct Stages;
 
 /// The rays along which the camera sees: what "toward the camera" means under every projection.
 struct SightRays {
-    glm::vec3 camera{0.0f};  ///< where those of perspective meet, in the world
-    glm::vec3 forward{0.0f}; ///< the way the camera looks, length 1; those of orthographic run so
-    float mix = 0.0f;        ///< 0: perspective; 1: orthographic; between: the way between
+    glm::vec3 camera{0.0f};  ///< where the rays of perspective meet, in the world
+    glm::vec3 forward{0.0f}; ///< the way the camera looks, length 1; orthographic rays run this way
+    float mix = 0.0f;        ///< 0: perspective; 1: orthographic; between: a mixture
 };
 
-/// Those of a frame: to be found once, since they take the camera's rotation.
+/// The rays of a frame: find them once, since they need the camera's rotation.
 SightRays sight_rays(const VertexRules& rules);
 
 /// The ray of sight that meets a point in the world, away from the camera.
@@ -57,13 +57,13 @@ inline glm::vec3 sight_ray(const glm::vec3& position_world, const SightRays& ray
 }
 
 /// dot(n, p - C): positive if the normal points away from the camera. Where rays are parallel,
-/// under orthographic projection, the way they run stands for p - C; between the two, the mixture
-/// of both. sight_measure() writes it down.
-/// @param varyings its normal and its place in the world, of a vertex or of a fragment
+/// under orthographic projection, their direction replaces p - C; between the two, it is the
+/// mixture of both. sight_measure() writes it down.
+/// @param varyings of a vertex or a fragment: its normal and its place in the world
 float away_from_camera(const Varyings& varyings, const SightRays& rays);
 
-/// The first corner's varyings, with the normal of the whole polygon: where the corners lean each
-/// to another side, the one across their places.
+/// The first corner's varyings, with the normal of the whole polygon: if the corners' normals
+/// differ, the one worked out from their places.
 Varyings as_one_face(std::span<const ClipVertex> corners);
 
 /// What away_from_camera() works out with these rays: "dot(n, p - C)", "dot(n, forward)" or the
@@ -83,19 +83,20 @@ inline Rejection cull_nothing(std::span<const ClipVertex> corners, const VertexR
     return Rejection::none;
 }
 
-/// By the normal of the surface: it is a back if that points away from the camera,
-/// away_from_camera() > 0. In world space. It is the normal of the first corner, or where those of
-/// the corners differ, the one across their places.
+/// By the normal of the surface: it is a back if the normal points away from the camera,
+/// away_from_camera() > 0. In world space. It is the normal of the first corner or, if the corners'
+/// normals differ, the one worked out from their places.
 Rejection cull_by_face_normal(std::span<const ClipVertex> corners, const VertexRules& rules,
                               const SightRays& rays, CullTest* test = nullptr);
 
 /// By the order of the corners on the screen: the front goes round clockwise, y down, which is a
-/// positive area. Where a corner lies behind the camera there is no such order, and it is drawn.
+/// positive area. If a corner lies behind the camera there is no such order, and the polygon is
+/// drawn.
 Rejection cull_by_screen_area(std::span<const ClipVertex> corners, const VertexRules& rules,
                               const SightRays& rays, CullTest* test = nullptr);
 
 /// By the normals of all corners: it is a back if each of them points away from the camera. A
-/// smooth body keeps the faces of its outline.
+/// smooth body keeps the faces along its outline.
 Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const VertexRules& rules,
                                  const SightRays& rays, CullTest* test = nullptr);
 
@@ -111,15 +112,14 @@ inline bool keep_fragment(const Fragment& fragment, const SightRays& rays, const
     return false;
 }
 
-/// By the normal that was interpolated to the fragment: it belongs to a back, and is not drawn, if
-/// that points the way from the camera to the fragment's own place, as away_from_camera() has it.
-/// In world space.
+/// By the fragment's interpolated normal: it belongs to a back, and is not drawn, if that normal
+/// points away from the camera at the fragment's own place, by away_from_camera(). In world space.
 /// @param rays   of the frame
 /// @param stages the table whose function divides the varyings by their weight
 bool cull_by_fragment_normal(const Fragment& fragment, const SightRays& rays, const Stages& stages);
 
-/// Twice the area of the polygon on the screen in square pixels, times the w of three corners a
-/// triangle of its fan; the sign is that of the area where every w is positive.
+/// Twice the area of the polygon on the screen in square pixels, times the w of the three corners,
+/// for each triangle of its fan; it has the sign of the area if every w is positive.
 float screen_area_sign(std::span<const ClipVertex> corners, const VertexRules& rules);
 
 } // namespace rasterwalk

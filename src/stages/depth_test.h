@@ -1,7 +1,7 @@
 #pragma once
 
-// The depth test: is this fragment nearer than what the pixel already shows? The field calls the
-// depth buffer a z-buffer.
+// The depth test: is this fragment nearer than what the pixel already shows? The depth buffer is
+// also called a z-buffer.
 //
 // In:  a fragment and the value stored in the depth buffer.
 // Out: yes or no, and the value that is stored if yes.
@@ -9,17 +9,17 @@
 //          surface is, as 1/z. It starts at 0, infinitely far; larger is nearer.
 //
 // Why 1/z: under perspective it is 1/z, not z, that changes in equal steps along a row. The classic
-// mistake is to interpolate z itself; the room hides it, and slanted surfaces that cross show it.
+// mistake is to interpolate z itself; the room hides it, but slanted surfaces that cross show it.
 // Others are a test the wrong way round, a buffer that does not start at "infinitely far", and the
 // two indices in the wrong order.
 //
 // Where two surfaces are nearly equally near, rounding decides from pixel to pixel: z-fighting. An
-// epsilon says how much nearer the second one must be; what stands out by less is lost with it.
+// epsilon says how much nearer the second one must be; relief smaller than that is lost.
 //
-// Graphics cards hold ndc z instead, a straight line of 1/z from 0 at the near plane to 1 at the
+// Graphics cards store ndc z instead, which is linear in 1/z, from 0 at the near plane to 1 at the
 // far one: there smaller is nearer, and the buffer starts at 1. A float has most of its steps near
 // 0, ndc z most of its values near 1; so it is often reversed, 1 near and 0 far. In 24 or 16 bits
-// the steps are even, and only the planes decide how long one is at some z.
+// the steps are even, and only the two planes decide how long a step is at a given z.
 //
 // Source: the z-buffer is from Catmull, A Subdivision Algorithm for Computer Display of Curved
 // Surfaces, dissertation, University of Utah, 1974. That 1/z is linear on the screen: Blinn,
@@ -37,7 +37,7 @@ namespace rasterwalk {
 /// What the depth test says about a fragment.
 struct DepthResult {
     float depth = 0.0f;  ///< the fragment's value for the depth buffer
-    bool passed = false; ///< the fragment is to be drawn over what is stored
+    bool passed = false; ///< the fragment is drawn over what is stored
 };
 
 /// What the depth buffer holds.
@@ -45,33 +45,33 @@ struct DepthRules {
     Projection projection;           ///< its clip_depth is the quantity
     float near = 0.1f, far = 100.0f; ///< of the view volume
     int bits = 0;                    ///< of its whole numbers, 1 to 24; 0: it holds floats
-    float epsilon = 0.0f;            ///< how much nearer is nearer, of that quantity; 0 or more
+    float epsilon = 0.0f;            ///< how much nearer counts as nearer, in that unit; 0 or more
 };
 
-/// The nearer one is drawn: passes if the interpolated 1/z is larger than what is stored.
+/// The nearer one is drawn: it passes if the interpolated 1/z is larger than what is stored.
 inline DepthResult depth_test(const Fragment& fragment, float stored, const DepthRules&) {
     return {fragment.depth, fragment.depth > stored};
 }
 
-/// Which of the 2^bits values, from 0 up, a buffer of so many bits, 1 to 24, holds for a depth from
-/// 0 to 1: the nearest. They are spread evenly; what is beyond 0 or 1 is held as these.
+/// Which of its 2^bits values, counted from 0, a buffer of 1 to 24 bits stores for a depth from 0
+/// to 1: the nearest. They are spread evenly; depths beyond 0 or 1 are stored as 0 or 1.
 inline int depth_step(float depth, int bits) {
     const int largest = (1 << bits) - 1;
-    // Written so that NaN, which no comparison admits, is held as 0.
+    // Written so that NaN, which fails every comparison, is stored as 0.
     const double inside = depth > 0.0f ? (depth < 1.0f ? double{depth} : 1.0) : 0.0;
-    // In double: a float has not room for 24 bits and half a step.
+    // In double: a float has no room for 24 bits and half a step.
     return static_cast<int>(std::floor(inside * largest + 0.5));
 }
 
-/// Which of its values a buffer of whole numbers holds for a depth. 1/z is at most 1/near in the
-/// view: they are spread over that. NaN is held as what is farthest.
+/// Which of its values a buffer of whole numbers stores for a depth. 1/z is at most 1/near in the
+/// view, so they are spread over that. NaN is stored as farthest.
 inline int held_step(float depth, const DepthRules& rules) {
     const ClipDepth kind = rules.projection.clip_depth;
     const float shown = std::isnan(depth) ? farthest_depth(kind) : depth;
     return depth_step(kind == ClipDepth::inv_z ? shown * rules.near : shown, rules.bits);
 }
 
-/// A depth as the buffer holds it.
+/// A depth as the buffer stores it.
 inline float held_depth(float depth, const DepthRules& rules) {
     if (rules.bits == 0) return depth;
     const int largest = (1 << rules.bits) - 1;
@@ -79,19 +79,19 @@ inline float held_depth(float depth, const DepthRules& rules) {
     return rules.projection.clip_depth == ClipDepth::inv_z ? part / rules.near : part;
 }
 
-/// The nearer one is drawn, whatever the buffer holds. In a buffer of whole numbers what lies
-/// closer together than one of its steps is equally near, and the one drawn first stays. Under
-/// perspective a step is small near the camera and large far away: surfaces there flicker through
-/// each other.
+/// The nearer one is drawn, whatever the buffer holds. In a buffer of whole numbers, depths that
+/// fall on the same step are equally near, and the fragment drawn first stays. Under perspective a
+/// step is small near the camera and large far away: surfaces there flicker through each other.
 inline DepthResult depth_test_as_held(const Fragment& fragment, float stored,
                                       const DepthRules& rules) {
     const float depth = held_depth(fragment.depth, rules);
     return {depth, is_nearer(depth, stored, rules.projection.clip_depth)};
 }
 
-/// The one that is nearer by more than epsilon is drawn: what is hardly nearer counts as equally
-/// near, and the one drawn first stays. Source: OpenGL 4.6 and D3D11.3 do the like from the side of
-/// the fragment ("depth offset", "depth bias"), with a share for the slope of its surface as well.
+/// The one that is nearer by more than epsilon is drawn: one that is barely nearer counts as
+/// equally near, and the one drawn first stays. Source: OpenGL 4.6 and D3D11.3 do something similar
+/// by shifting the fragment's depth ("depth offset", "depth bias"), with a part for the slope of
+/// its surface as well.
 inline DepthResult depth_test_with_epsilon(const Fragment& fragment, float stored,
                                            const DepthRules& rules) {
     const ClipDepth kind = rules.projection.clip_depth;

@@ -23,14 +23,14 @@ GridPoint centre_of(int column, int row) {
     return {pixel_centre(column), pixel_centre(row)};
 }
 
-/// The polygon's edge that an edge of a triangle of the fan lies on. Of several on a line the one
-/// that meets the fan's corner.
+/// The polygon's edge that an edge of a triangle of the fan lies on. If several lie on one line,
+/// the one that meets the fan's corner.
 int polygon_edge(const FanTriangle& fan, std::size_t i, int corner_count) {
     if (fan.is_inner[i]) return -1;
     return i == 2 ? corner_count - 1 : fan.corners[i];
 }
 
-/// The columns of a row of the box in which each E is at least so much, by solving E for the
+/// The columns of a row of the box in which each E is at least this large, by solving E for the
 /// column.
 /// @param least the smallest E that an edge lets pass
 template <class Least>
@@ -81,8 +81,8 @@ void mix_corners(const std::array<RowEnd, edge_function_count>& corners, const W
             [&](auto& value, const auto& sum, const auto& r) { value = sum + r * w[2]; });
 }
 
-/// The corners of a triangle of the fan, in the order of its weights: edge i lies opposite of the
-/// corner behind the next.
+/// The corners of a triangle of the fan, in the order of its weights: edge i lies opposite the
+/// corner after the next.
 std::array<RowEnd, edge_function_count> corner_values(const TestedPolygon& polygon,
                                                       const TestedTriangle& triangle) {
     const auto corner = [&](std::size_t i) {
@@ -132,7 +132,7 @@ PixelTest test_pixel(const TestedPolygon& polygon, int triangle, int column, int
 Weights barycentric_weights(const EdgeValues& e, std::int64_t area) {
     if (area == 0) return {};
     const float whole = static_cast<float>(area);
-    // Edge 0 runs from corner 0 to 1 and lies opposite of corner 2.
+    // Edge 0 runs from corner 0 to 1 and lies opposite corner 2.
     return {static_cast<float>(e[1]) / whole, static_cast<float>(e[2]) / whole,
             static_cast<float>(e[0]) / whole};
 }
@@ -151,7 +151,7 @@ ColumnRange covered_columns(const TestedTriangle& triangle, int row) {
     ColumnRange covered = solved_columns(triangle, row, [](const EdgeFunction& edge) {
         return std::int64_t{edge.owns_points ? 0 : 1};
     });
-    // Solved without regard to the fan's corner, which is never between two pixels inside.
+    // Solved without regard to the fan's corner, which never lies between two pixels inside.
     const auto takes_corner = [&](int column) {
         return triangle.gives_away_corner(triangle.values_at(centre_of(column, row)));
     };

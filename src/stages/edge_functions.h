@@ -1,32 +1,31 @@
 #pragma once
 
-// Edge functions: pixels are asked three questions.
+// Edge functions: each pixel answers three questions.
 //
 // In:  the corners of a polygon on the screen.
 // Out: which pixels of its box lie inside, and how much each corner weighs there.
-// Picture: an edge divides the plane in two halves. Its edge function is positive on one side,
-//          negative on the other and 0 on the edge; a triangle is what lies on the inner side of
-//          all three.
+// Picture: an edge divides the plane into two halves. Its edge function is positive on one side,
+//          negative on the other and 0 on the edge; a triangle is the part on the inner side of all
+//          three.
 //
 //     E(x, y) = (x_b - x_a) (y - y_a) - (y_b - y_a) (x - x_a)
 //
-// E is also twice the area of the triangle of the edge and the point. The three of them add up to
-// twice the area of the whole, and each one's share of it is the weight of the opposite corner: the
-// barycentric coordinates. They mix the values of the corners: depth, 1/w, varyings.
+// E is also twice the area of the triangle that the edge makes with the point. The three E add up
+// to twice the area of the whole, and each one's share of that is the weight of the opposite
+// corner: the barycentric coordinates. They mix the values of the corners: depth, 1/w, varyings.
 //
-// The corners lie on the grid of snap.h and pixels are asked at their centres, so E is a whole
-// number, without error: of two triangles that share an edge the one has E and the other -E. From
-// one pixel to the next E grows by the same amount, so a row costs an addition for each edge and
-// pixel.
+// The corners lie on the grid of snap.h and pixels are tested at their centres, so E is a whole
+// number, without error: of two triangles that share an edge, one has E and the other -E. From one
+// pixel to the next E grows by the same amount, so a row costs one addition per edge and pixel.
 //
-// Not every pixel of the box has to be asked. Each edge crosses a row at one place, and E is 0 or
+// Not every pixel of the box has to be tested. Each edge crosses a row at one place, and E is 0 or
 // more only on one side of it; so all three together leave an interval of columns. There the tests
-// go on to say who gets the pixels with E = 0, and beyond it they could only have said no.
+// still decide which triangle gets the pixels with E = 0; beyond it they could only have said no.
 //
-// A polygon of more corners is taken as a fan of triangles about its first corner. That is right
-// where it is convex; the snap can bend it inward (fan.h).
+// A polygon of more corners is treated as a fan of triangles about its first corner. That is right
+// if it is convex; the snap can bend it inward (fan.h).
 //
-// The classic mistakes are corners that go round the other way, for which everything is outside;
+// The classic mistakes are corners that go round the other way, so that everything is outside;
 // samples at the pixel's corner instead of its centre; and a fill rule that gives a shared edge to
 // both neighbours, or to neither (fill_rule.h).
 //
@@ -54,21 +53,21 @@ struct Row;
 class SampleSink;
 struct Stages;
 
-/// The edge function of one edge. In 256ths of a pixel; E in 65536ths of a square pixel.
+/// The edge function of one edge. Lengths in 256ths of a pixel; E in 65536ths of a square pixel.
 struct EdgeFunction {
     GridPoint from;
     EdgeDirection way;
-    bool owns_points = false; ///< what lies on the edge is inside
+    bool owns_points = false; ///< points on the edge are inside
     int number = -1;          ///< of the polygon's edges; -1: an inner edge of the fan
 
     /// E at a point.
     std::int64_t at(const GridPoint& p) const {
         return way.dx * (p.y - from.y) - way.dy * (p.x - from.x);
     }
-    /// What E grows by from a pixel to the one on its right, or below.
+    /// How much E grows from a pixel to the one on its right, or below.
     std::int64_t one_right() const { return -way.dy * grid_parts; }
     std::int64_t one_down() const { return way.dx * grid_parts; }
-    /// Does a point of this E lie on the inner side?
+    /// Does a point with this E lie on the inner side?
     bool admits(std::int64_t e) const { return e > 0 || (e == 0 && owns_points); }
 };
 
@@ -76,13 +75,13 @@ inline constexpr std::size_t edge_function_count = 3;
 using EdgeValues = std::array<std::int64_t, edge_function_count>;
 using Weights = std::array<float, edge_function_count>;
 
-/// E in square pixels, for the eye.
+/// E in square pixels, to be shown.
 constexpr double in_square_pixels(std::int64_t e) {
     return static_cast<double>(e) / static_cast<double>(grid_parts * grid_parts);
 }
 
-/// A triangle of the fan. Edge i goes from corner i to the next; where the corners go round
-/// counterclockwise each edge is turned, so that inside is where E is positive.
+/// A triangle of the fan. Edge i goes from corner i to the next; if the corners go round
+/// counterclockwise each edge is reversed, so that E is positive inside.
 struct TestedTriangle {
     std::array<int, edge_function_count> corners{}; ///< of the polygon
     std::array<EdgeFunction, edge_function_count> edges;
@@ -103,7 +102,7 @@ struct TestedTriangle {
     }
 };
 
-/// Columns of a row, from the first to the last; none where the first lies behind the last.
+/// Columns of a row, from the first to the last; none if the first lies after the last.
 struct ColumnRange {
     int first = 0, last = -1;
 
@@ -116,37 +115,37 @@ constexpr ColumnRange in_columns(const ColumnRange& range, const Rectangle& area
     return {std::max(range.first, area.left), std::min(range.last, area.right - 1)};
 }
 
-/// In the slot tested_columns: all that a row has in the box of a triangle of the fan.
+/// In the slot tested_columns: all columns that a row has in the box of a triangle of the fan.
 ColumnRange columns_of_box(const TestedTriangle& triangle, int row);
 
 /// In the slot tested_columns: those in which all three E are 0 or more, by the places at which the
-/// edges cross the row of pixel centres. None of a triangle without area, which covers nothing.
+/// edges cross the row of pixel centres. None for a triangle without area, which covers nothing.
 ColumnRange columns_between_crossings(const TestedTriangle& triangle, int row);
 
 /// A polygon whose pixels are tested.
 struct TestedPolygon {
-    std::vector<RowEnd> corners; ///< their values; the columns say nothing
+    std::vector<RowEnd> corners; ///< their values; the columns are not used
     std::vector<TestedTriangle> triangles;
     /// Which pixels of a row of a triangle's box are tested: the slot of the table.
     decltype(&columns_of_box) tested_columns = columns_of_box;
 };
 
-/// One row of the box of one triangle of the fan: the tests are counted in such rows, those of a
+/// One row of the box of one triangle of the fan: the tests are counted by such rows, those of a
 /// triangle from the top, one triangle after the other. In a row they are counted from the left of
-/// the box, whether what lies there is tested or not: so a number means the same pixel however the
-/// box is walked.
+/// the box, whether the pixels there are tested or not, so a number means the same pixel however
+/// the box is walked.
 struct TestedRow {
     int triangle = 0;        ///< of the fan
     int row = 0;             ///< of the picture
-    int left = 0, right = 0; ///< of the box: columns of its first pixel and behind its last
-    ColumnRange tested;      ///< of these the ones that are tested
+    int left = 0, right = 0; ///< of the box: the columns of its first pixel and just after its last
+    ColumnRange tested;      ///< those of them that are tested
 };
 
 int tested_row_count(const TestedPolygon& polygon);
 /// @param index 0 <= index < tested_row_count()
 TestedRow tested_row(const TestedPolygon& polygon, int index);
 
-/// What is found out about one pixel.
+/// The results for one pixel.
 struct PixelTest {
     int triangle = 0;                             ///< of the fan
     std::array<int, edge_function_count> edges{}; ///< their numbers, see EdgeFunction
@@ -154,29 +153,29 @@ struct PixelTest {
     EdgeValues e{}; ///< of the edges, at the pixel's centre: 65536ths of a square pixel
     std::array<bool, edge_function_count> passes{}; ///< it lies on the edge's inner side
     Weights weights{};                              ///< of the corners; below 0 beyond an edge
-    bool is_given_corner = false; ///< it lies in the fan's corner, which the fill rule gives away
-    bool is_inside = false;       ///< it passes all three, of a triangle with an area, and is not
+    bool is_given_corner = false; ///< it lies on the fan's corner, which the fill rule gives away
+    bool is_inside = false;       ///< it passes all three, in a triangle with an area, and is not
                                   ///< such a corner
 
     friend bool operator==(const PixelTest&, const PixelTest&) = default;
 };
 
-/// Asks a pixel whether a triangle of the fan covers it, by the functions of the table.
+/// Tests whether a triangle of the fan covers a pixel, by the functions of the table.
 PixelTest test_pixel(const TestedPolygon& polygon, int triangle, int column, int row,
                      const Stages& stages);
 
-/// The weight of each corner: E of the opposite edge as a part of the sum of all three. In float;
-/// at a point inside each is from 0 to 1, and their sum is 1 but for the last bits.
-/// @param area the sum; where it is 0 no corner has a weight
+/// The weight of each corner: E of the opposite edge as a fraction of the sum of all three. In
+/// float; at a point inside, each is from 0 to 1, and their sum is 1 except for the last bits.
+/// @param area the sum; if it is 0 no corner has a weight
 Weights barycentric_weights(const EdgeValues& e, std::int64_t area);
 
 /// The columns of a row whose pixels lie inside a triangle of the fan, by solving E for the column:
 /// the same pixels that test_pixel() finds one by one.
 ColumnRange covered_columns(const TestedTriangle& triangle, int row);
 
-/// The triangle of the fan that a pixel of the polygon's rows belongs to: the first that it lies
-/// inside. Where the snap has bent the polygon inward a row may hold a pixel more; that goes with
-/// the first triangle that has an area.
+/// The triangle of the fan that a pixel of the polygon's rows belongs to: the first one that it
+/// lies inside. Where the snap has bent the polygon inward a row can have an extra pixel, which
+/// goes with the first triangle that has an area.
 const TestedTriangle& triangle_of_pixel(const TestedPolygon& polygon, int column, int row);
 
 /// The values of a triangle of the fan at a pixel, as the end of a row.
@@ -189,8 +188,8 @@ RowEnd weighted_end(const TestedPolygon& polygon, const TestedTriangle& triangle
 void set_up_tests(PolygonCorners vertices, const Stages& stages, TestedPolygon& polygon);
 
 /// The slot compute_polygon_rows: the first and the last pixel inside in every row of the box, and
-/// the polygon's edge functions. There are no edge samples to tell of: what is done is test_pixel()
-/// of the pixels of the box that are tested.
+/// the polygon's edge functions. There are no edge samples to report: the work is test_pixel() for
+/// each tested pixel of the box.
 void rows_by_edge_functions(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
                             PolygonRows& rows, SampleSink* sink);
 

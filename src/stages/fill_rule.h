@@ -1,17 +1,17 @@
 #pragma once
 
-// The fill rule: whom does a point belong to that lies exactly on an edge?
+// The fill rule: which polygon owns a point exactly on an edge?
 //
 // In:  the direction of an edge, of a polygon whose corners go round clockwise on the screen.
 // Out: whether the points of the edge belong to the polygon.
-// Picture: two tiles with a joint between them. Each pixel on the joint is to be laid by one of the
-//          two tiles, and by one only.
+// Picture: two tiles with a joint between them. Each pixel on the joint must belong to one of the
+//          two tiles, and to one only.
 //
-// By the top-left rule a polygon owns its top edges and its left edges. What is the left edge of
-// one triangle is the right edge of its neighbour, so a shared edge has exactly one owner.
+// By the top-left rule a polygon owns its top edges and its left edges. The left edge of one
+// triangle is the right edge of its neighbour, so a shared edge has exactly one owner.
 //
-// The classic mistakes are >= for all edges, which draws the joint twice, and > for all, which
-// leaves holes in it.
+// The classic mistakes are using >= for all edges, which draws the joint twice, and > for all,
+// which leaves holes in it.
 //
 // Source: Microsoft, Direct3D 11.3 Functional Specification, section 3.4.2.1, triangle
 // rasterization rules: the top-left rule.
@@ -20,7 +20,8 @@
 
 namespace rasterwalk {
 
-/// The way from an edge's first corner to its second, y down, with the inside on the right hand.
+/// The direction from an edge's first corner to its second, y down, with the inside on the right
+/// hand.
 struct EdgeDirection {
     std::int64_t dx = 0, dy = 0;
 };
@@ -46,8 +47,8 @@ constexpr bool owns_top_left(const EdgeDirection& edge) {
 inline constexpr EdgeDirection left_side{0, -1}, right_side{0, 1}, top_side{1, 0},
     bottom_side{-1, 0};
 
-/// Are there edges that own their points? If not, no corner lies inside either, also where only
-/// inner edges of a fan meet it.
+/// Do any edges own their points? If not, no corner lies inside either, even one that only inner
+/// edges of a fan meet.
 constexpr bool owns_any(bool (*owns)(const EdgeDirection&)) {
     return owns(left_side) || owns(right_side) || owns(top_side) || owns(bottom_side);
 }

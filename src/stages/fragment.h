@@ -11,7 +11,7 @@ struct Fragment {
     int row = 0;
     float depth = 0.0f; ///< for the depth buffer, interpolated, see ClipDepth; in the lab 1/z
     float inv_w = 0.0f; ///< 1/w of clip space, the weight of the varyings; in the lab 1/z
-    float z = 0.0f;     ///< z in camera space, interpolated as if linear: right at vertices only
+    float z = 0.0f;     ///< camera-space z, interpolated as if linear: right at vertices only
     Varyings varyings;
 
     friend bool operator==(const Fragment&, const Fragment&) = default;

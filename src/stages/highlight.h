@@ -2,15 +2,16 @@
 
 // The highlight: the mirror image of the lamp in a surface that is not quite a mirror.
 //
-// In:  the light's terms at a point, the normal, the way to the eye, and how the surface shines.
+// In:  the light's terms at a point, the normal, the direction to the eye, and how the surface
+//      shines.
 // Out: the light of the highlight, red green blue, with every term on the way.
 // Picture: h points halfway between lamp and eye. If the surface were tilted so that its normal is
 //          h, you would see the lamp in it as in a mirror; the farther n is from h, the less of it
 //          you see. The exponent says how fast that goes.
 //
-// The classic mistakes: no test of n . l, so that a back shines through; h not made unit length, so
-// that the exponent works on a number up to 2; an interpolated normal that is too short, of which a
-// high exponent leaves next to nothing halfway between the vertices.
+// The classic mistakes are no test of n . l, so that a back shines through; h not made unit length,
+// so that the exponent works on a number up to 2; and an interpolated normal that is too short, so
+// that a high exponent leaves next to nothing halfway between the vertices.
 //
 // Source: J. F. Blinn, "Models of Light Reflection for Computer Synthesized Pictures", SIGGRAPH
 // 1977, after B. T. Phong, "Illumination for Computer Generated Pictures", Communications of the
@@ -26,8 +27,8 @@
 
 namespace rasterwalk {
 
-/// Every number on the way to the highlight. All zero where there is none: the lamp stands behind
-/// the surface, or there is no direction to it or to the eye.
+/// Every number on the way to the highlight. All zero where there is none: the lamp is behind the
+/// surface, or there is no direction to it or to the eye.
 struct HighlightTerms {
     glm::vec3 to_light{0.0f};  ///< l, of unit length
     glm::vec3 to_eye{0.0f};    ///< v, of unit length
@@ -37,7 +38,7 @@ struct HighlightTerms {
     glm::vec3 reflected{0.0f}; ///< S = specular * lamp's power * (power / area)
 };
 
-/// What the highlight is worked out from, beside the light's terms.
+/// What the highlight is worked out from, in addition to the light's terms.
 struct HighlightPoint {
     glm::vec3 normal{0.0f}; ///< as the light has it
     glm::vec3 to_eye{0.0f}; ///< from the point toward the eye, any length

@@ -28,7 +28,7 @@ int exact_pixel(int a, int b, int i, int n, Rounding rounding) {
     return a;
 }
 
-/// Puts down the values on which a walk stands; varyings that are not carried are left alone.
+/// Stores the values a walk has reached; varyings that are not carried are left alone.
 void put_sample(const LineStep& at, const LinePart& part, LineSample& sample) {
     sample.x = at.x;
     sample.y = at.y;
@@ -41,7 +41,7 @@ void put_sample(const LineStep& at, const LinePart& part, LineSample& sample) {
             [](auto& value, const auto& now, const auto&) { value = now; });
 }
 
-/// The values with which a walk begins.
+/// The values a walk begins with.
 LineStep values_at(const LineEnd& end) {
     return {end.x, end.y, end.depth, end.inv_w, end.z, end.varyings};
 }

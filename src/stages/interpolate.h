@@ -1,19 +1,19 @@
 #pragma once
 
-// Interpolate: from one pixel to another in equal steps. The field calls it a DDA, a digital
+// Interpolate: from one pixel to another in equal steps. Its usual name is DDA, digital
 // differential analyser.
 //
-// In:  two ends and how many samples there shall be, both ends included.
+// In:  two ends and the number of samples, both ends included.
 // Out: the samples, one after the other: place, 1/z and all varyings.
 // Picture: a string of beads between two pixels; edges and rows are both drawn with it.
 //
 // The lab adds the step to a running value, in float, and lets the conversion to int cut off the
 // fraction. The classic mistake is to trust it: after a hundred additions the value that should be
-// 7 is 6.99998, is cut to 6, and the line ends one pixel short of its end point.
+// 7 is 6.99998 and is truncated to 6, and the line ends one pixel short of its end point.
 //
 // Source: the DDA is in every textbook, for example Foley, van Dam, Feiner, Hughes, Computer
-// Graphics: Principles and Practice, 2nd edition, section 3.2.1. How to walk lines in whole
-// numbers, without the error, is in lines.h.
+// Graphics: Principles and Practice, 2nd edition, section 3.2.1. lines.h walks lines in whole
+// numbers, without the error.
 
 #include <cstdint>
 #include <span>
@@ -39,10 +39,10 @@ static_assert(words_match<Rounding>);
 /// A whole pixel from a real coordinate; |value| must be below 2^31.
 int to_pixel(float value, Rounding rounding);
 
-/// Where a line begins or ends: a real place, and the values that are walked from there to the
-/// other end. Edges go from vertex to vertex, rows from their left to their right end.
+/// Where a line begins or ends: a real-valued place, and the values that go from there to the other
+/// end. Edges go from vertex to vertex, rows from their left to their right end.
 struct LineEnd {
-    float x = 0.0f, y = 0.0f; ///< pixels; parts of a pixel are possible
+    float x = 0.0f, y = 0.0f; ///< pixels, with fractions
     float depth = 0.0f, inv_w = 0.0f, z = 0.0f;
     Varyings varyings;
 };
@@ -75,7 +75,7 @@ struct LinePart {
 };
 
 /// `count` samples in a buffer that grows and never shrinks: making new ones for each line takes
-/// longer than filling them. They hold whatever the previous line has left there.
+/// longer than filling them. They hold whatever the previous line left there.
 std::span<LineSample> samples_of(std::vector<LineSample>& buffer, int count);
 
 /// (b - a) / (count - 1) for the place and for every value that is carried.
@@ -87,10 +87,10 @@ LineStep line_step(const LineEnd& a, const LineEnd& b, const LinePart& part);
 void interpolate(const LineEnd& a, const LineEnd& b, const LineStep& step, const LinePart& part,
                  std::span<LineSample> result);
 
-/// The lab's Interpolate for those who keep no sample: the running values themselves.
+/// The lab's Interpolate for callers that keep no samples: the running values themselves.
 class RunningSample {
   public:
-    /// Stands at the first sample of the line. What is not carried stays as `a` has it.
+    /// Starts at the first sample of the line. Varyings that are not carried stay as `a` has them.
     RunningSample(const LineEnd& a, const LineEnd& b, const LinePart& part)
         : values_(a), step_(line_step(a, b, part)) {}
 
@@ -119,8 +119,8 @@ void interpolate_by_multiplying(const LineEnd& a, const LineEnd& b, const LineSt
 void mix_ends(const LineEnd& a, const LineEnd& b, const LinePart& part,
               std::span<LineSample> result);
 
-/// The same samples with pixels by fractions of whole numbers, without any error; the values as
-/// a (1 - t) + b t. For lines that end on whole pixels.
+/// The same samples, with pixels worked out as fractions of whole numbers, without any error, and
+/// values as a (1 - t) + b t. For lines that end on whole pixels.
 void interpolate_exactly(const LineEnd& a, const LineEnd& b, const LineStep& step,
                          const LinePart& part, std::span<LineSample> result);
 

@@ -7,9 +7,9 @@
 // Picture: the lamp's power spreads over a sphere; what arrives is divided by the sphere's area
 //          4 pi r^2 and weakened by the slant of the surface, the cosine between r and n.
 //
-// The classic mistakes: r not of unit length in the cosine, 1/r^3 for 1/r^2, no 4 pi, and adding
-// the indirect light outside the reflectance, so that a black wall glows. Turn r round, and only
-// the sides that face away from the lamp are lit.
+// The classic mistakes are r not of unit length in the cosine, 1/r^3 for 1/r^2, no 4 pi, and adding
+// the indirect light outside the reflectance, so that a black wall glows. Negate r, and only the
+// sides that face away from the lamp are lit.
 //
 // Source: the cosine is Lambert's law, J. H. Lambert, Photometria, 1760: a Lambertian surface looks
 // equally bright from everywhere. Worked out at the vertices and interpolated it is Gouraud shading
@@ -28,9 +28,9 @@
 
 namespace rasterwalk {
 
-/// The normal as the light asks for it. Light is worked out in the world here, where the normals
-/// are. A program that works it out before the camera turns them there, as directions: w = 0. That
-/// changes no angle, and so no light.
+/// The normal as the light needs it. Light is worked out in world space here, where the normals
+/// are. A program that works it out in camera space rotates them there, as directions with w = 0.
+/// That changes no angle, and so no light.
 inline glm::vec3 light_normal(const glm::vec3& normal, const Camera&) {
     return normal;
 }
@@ -42,8 +42,8 @@ inline glm::vec3 unit_normal(const glm::vec3& interpolated) {
     return length > 0.0f ? interpolated / length : glm::vec3(0.0f);
 }
 
-// Other laws of fall-off, for programs whose power is no power but a brightness: over what it is
-// spread at a distance.
+// Other laws of fall-off, for programs whose power is really a brightness: the area it is spread
+// over at a distance.
 
 /// 1/r^2 without a sphere.
 inline float area_without_4pi(float distance2, float) {
@@ -58,7 +58,7 @@ inline float area_of_one(float, float) {
     return 1.0f;
 }
 
-/// Every number on the way to the reflected light, in the order in which they arise.
+/// Every number on the way to the reflected light, in the order they are worked out.
 struct LightTerms {
     glm::vec3 to_light{0.0f};  ///< from the point to the lamp, world units
     float distance2 = 0.0f;    ///< |to_light|^2
@@ -79,7 +79,7 @@ inline LightTerms reflected_light(const glm::vec3& position_world, const glm::ve
     const float distance = std::sqrt(terms.distance2);
     terms.sphere_area = 4.0f * pi * terms.distance2;
     if (terms.distance2 > 0.0f) {
-        // In this order NaN, from a place too far away for floats, becomes 0.
+        // In this order NaN, from a place too far away for float, becomes 0.
         terms.cosine = std::max(0.0f, glm::dot(terms.to_light, normal) / distance);
         terms.direct = light.power * (terms.cosine / terms.sphere_area);
     }

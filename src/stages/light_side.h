@@ -5,14 +5,14 @@
 // In:  a place, its normal, and the rays along which the camera sees.
 // Out: the factor by which the light multiplies that normal, 1 or -1.
 // Picture: a wall of no thickness has two sides. Lit on one, its back is as dark as if the lamp
-//          stood behind it; lit on both, the side that the camera sees is lit, whichever it is.
+//          were behind it; lit on both, the side that the camera sees is lit, whichever it is.
 //
-// The classic mistake: to turn the normal by the lamp in place of the eye, abs(n . l), so that
+// The classic mistake is to flip the normal toward the lamp instead of the eye, abs(n . l), so that
 // light comes through the wall.
 //
 // Source: two-sided lighting, The OpenGL Graphics System: A Specification, version 2.1, section
-// 2.14.1. There a whole triangle is turned, by the way its corners go round on the screen; here
-// each point whose light is worked out, by its own normal.
+// 2.14.1. There a whole triangle is flipped, depending on which way its corners go round on the
+// screen; here each lit point, by its own normal.
 
 #include <glm/geometric.hpp>
 

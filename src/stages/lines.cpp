@@ -13,7 +13,7 @@ int sign(int value) {
     return (value > 0 ? 1 : 0) - (value < 0 ? 1 : 0);
 }
 
-/// Where a walk in whole pixels stands.
+/// The current pixel of a walk in whole pixels.
 struct Pixel {
     int x = 0, y = 0;
 };
@@ -31,7 +31,7 @@ void take_step(const LineFrame& line, PixelStep step, Pixel& pixel) {
     pixel.y += is_diagonal ? line.diagonal_y : line.straight_y;
 }
 
-/// What a sample decides; the last one has nowhere to go.
+/// The step decided at a sample; the last one has nowhere to go.
 template <class Number>
 void note(Number before, Number after, PixelStep step, std::size_t i,
           std::span<LineDecision> decisions) {
@@ -110,7 +110,7 @@ void line_by_dda(const LineEnd& a, const LineEnd& b, const LinePart& part, const
     Pixel pixel{static_cast<int>(a.x), static_cast<int>(a.y)};
     float place = line.is_steep ? a.x : a.y;
     for (std::size_t i = 0; i < result.size(); ++i) {
-        // Along the shorter axis the sample stands where the float is, else on its pixel.
+        // Along the shorter axis the sample is where the float is, along the longer on its pixel.
         (line.is_steep ? pixel.x : pixel.y) = to_pixel(place, Rounding::round);
         put_place(pixel, result[i]);
         (line.is_steep ? result[i].x : result[i].y) = place;

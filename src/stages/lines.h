@@ -7,17 +7,17 @@
 // Picture: you walk from one pixel to the next. Each step goes straight on along the longer axis,
 //          or diagonally; a single number, the decision variable, says which.
 //
-// Interpolate adds a fraction to a float and cuts it. Bresenham asks only whether the line passes
-// above or below the middle between the two next pixels, and keeps the answer up to date by adding
-// whole numbers: nothing is rounded, so nothing is lost, and the last sample is the end point for
-// certain.
+// Interpolate adds a fraction to a float and truncates it. Bresenham asks only whether the line
+// passes above or below the middle between the two next pixels, and keeps the answer up to date by
+// adding whole numbers: nothing is rounded, so nothing is lost, and the last sample is the end
+// point for certain.
 //
 // The classic mistake is to write it for lines that go right and gently down, the first of eight
-// octants, and to feed it all the others. The other is to forget half of what a diagonal step does
-// to the decision.
+// octants, and to feed it all the others. Another is to forget half of what a diagonal step does to
+// the decision.
 //
-// The values along an edge, 1/z and the varyings, are the same for the three: sample i of n + 1 has
-// the share i / n of the way along the longer axis, and its values are a (1 - t) + b t with this t.
+// The values along an edge, 1/z and the varyings, are the same for these three: sample i of n + 1
+// is at t = i / n of the way along the longer axis, and its values are a (1 - t) + b t.
 //
 // Source: Bresenham, "Algorithm for computer control of a digital plotter", IBM Systems Journal
 // 4(1), 1965. Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd
@@ -33,7 +33,7 @@ namespace rasterwalk {
 
 struct Stages;
 
-/// Where a line goes from a sample to the next.
+/// Where a line goes from one sample to the next.
 enum class PixelStep : std::uint8_t {
     none,     ///< nowhere: it is the last sample
     straight, ///< one pixel along the longer axis
@@ -43,8 +43,8 @@ template <>
 inline constexpr auto enum_words<PixelStep> = word_list("none", "straight", "diagonal");
 static_assert(words_match<PixelStep>);
 
-/// What a line decides at a sample. The decision variable of Bresenham is the doubled one of
-/// midpoint; that of the DDA is the float that it adds up, pixels along the shorter axis.
+/// What a line decides at a sample. Bresenham's decision variable is twice the midpoint line's; the
+/// DDA's is the float that it adds up, in pixels along the shorter axis.
 struct LineDecision {
     double before = 0.0; ///< at this sample; it decides
     double after = 0.0;  ///< at the next sample; at the last one the same as before
@@ -53,8 +53,8 @@ struct LineDecision {
     friend bool operator==(const LineDecision&, const LineDecision&) = default;
 };
 
-/// An edge as all octants see it: so many pixels along its longer axis and so many along the other,
-/// and what the two steps add to column and row.
+/// An edge in terms that fit all octants: its pixels along the longer axis and along the other, and
+/// what the two steps add to column and row.
 struct LineFrame {
     int longer = 0, shorter = 0; ///< pixels, 0 <= shorter <= longer
     int straight_x = 0, straight_y = 0;
@@ -87,16 +87,16 @@ void line_by_bresenham(const LineEnd& a, const LineEnd& b, const LinePart& part,
 /// The midpoint line. f(x, y) = s x - l y is 0 on the line, positive on the side of the straight
 /// step and negative on the other; d is f(x + 1, y + 1/2), at the middle between the two next
 /// pixels, kept up to date by additions of s or s - l. Where d <= 0 the step is straight, else
-/// diagonal. The same pixels as Bresenham's except where two are equally near: there it goes
-/// straight. The last sample is b.
+/// diagonal. It takes the same pixels as Bresenham's except where two are equally near: there it
+/// goes straight. The last sample is b.
 void line_by_midpoint(const LineEnd& a, const LineEnd& b, const LinePart& part,
                       const Stages& stages, std::span<LineSample> result,
                       std::span<LineDecision> decisions);
 
 /// The digital differential analyser, DDA: a pixel along the longer axis with each step, and one
 /// float addition of the slope along the shorter, rounded to the nearest, halves upward. It adds up
-/// errors as Interpolate does, but they matter only halfway between two pixels, and the end of
-/// an edge is far from there: where both ends have coordinates of at most 2048 it arrives.
+/// errors as Interpolate does, but they matter only halfway between two pixels, and the end of an
+/// edge is far from there: if both ends have coordinates of at most 2048 it reaches its end.
 void line_by_dda(const LineEnd& a, const LineEnd& b, const LinePart& part, const Stages& stages,
                  std::span<LineSample> result, std::span<LineDecision> decisions);
 

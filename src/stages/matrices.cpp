@@ -15,7 +15,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A matrix of rows r0, r1, r2, which are multiplied with the point after it is moved by -eye.
+/// A matrix with rows r0, r1, r2, applied to the point after it is moved by -eye.
 glm::dmat4 rows_after_translation(const glm::dmat3& rows_as_columns, const glm::dvec3& eye) {
     const glm::dmat3 turn = glm::transpose(rows_as_columns);
     glm::dmat4 matrix(turn);
@@ -23,12 +23,12 @@ glm::dmat4 rows_after_translation(const glm::dmat3& rows_as_columns, const glm::
     return matrix;
 }
 
-/// How far ndc is stretched over the picture: half of its sides, pixels.
+/// How far ndc is stretched over the picture: half its sides, in pixels.
 glm::dvec2 half_of(const Viewport& viewport) {
     return {viewport.width / 2.0, viewport.height / 2.0};
 }
 
-/// The third coordinate as ClipDepth wants it, from clip space with that of ndc z.
+/// The third coordinate as ClipDepth wants it, from clip space that has the one of ndc z.
 double depth_for(ClipDepth wanted, const glm::dvec4& clip) {
     switch (wanted) {
     case ClipDepth::inv_z:
@@ -62,7 +62,7 @@ glm::dmat4 projection_matrix(const VertexRules& rules) {
         picture_scale(rules.camera.focal_length, rules.viewport, rules.projection);
     const glm::dvec2 scale = picture.scale / half, shift = picture.shift / half;
     const double w_far = clip_w(far, mix);
-    // Written in rows, as it is read, and then turned into glm's columns.
+    // Written in rows, as you read it, and then transposed into glm's columns.
     return glm::transpose(glm::dmat4{{scale.x, 0.0, shift.x * (1.0 - mix), shift.x * mix},
                                      {0.0, scale.y, shift.y * (1.0 - mix), shift.y * mix},
                                      {0.0, 0.0, w_far / length, -w_far * near / length},
@@ -88,8 +88,8 @@ ClipVertex vertex_shader_by_matrices(const Vertex& vertex, const glm::mat3& rota
                                      VertexSpaces* spaces) {
     if (rules.space == SceneSpace::pixels)
         return vertex_shader(vertex, rotation, rules, stages, spaces);
-    // A program multiplies the matrices with each other once a frame, and each vertex by the
-    // product; here they stay apart, as the spaces do. Tm is done: the scene is read with every
+    // A real program multiplies the matrices together once per frame, and each vertex by the
+    // product; here they stay separate, like the spaces. Tm is done: the scene is read with every
     // object in the world.
     const glm::dvec3 eye(rules.camera.position), world(vertex.position);
     const glm::dvec4 camera =

@@ -8,27 +8,27 @@
 //
 //     window = Ts . (division by w) . Tp . Tv . Tm . p
 //
-//     Tm  model        object -> world     where the object stands, see scene/model.h
-//     Tv  view         world  -> camera    the world moved and turned before the camera
+//     Tm  model        object -> world     where the object is, see scene/model.h
+//     Tv  view         world  -> camera    the world moved and turned in front of the camera
 //     Tp  projection   camera -> clip      the view volume made a box, once it is divided by w
 //     Ts  viewport     ndc    -> window    the box -1..1 spread over the pixels
 //
 // A 3x3 matrix cannot move: it leaves the origin where it is. A fourth coordinate w = 1 gives the
-// movement something to be multiplied with; with w = 0 the same matrix takes a direction, which is
-// turned but not moved.
+// movement something to be multiplied with; with w = 0 the same matrix transforms a direction,
+// which is turned but not moved.
 //
 // The lab's line p = (v - C) R is Tv; its f x/z is Tp and the division; its + W/2 is Ts. The same
-// numbers come out. They are computed in double here, since a product of matrices rounds at other
-// places than the lab does. Each matrix is rounded once, at its end; the lab rounds each step to
-// float. So a vertex that lies within rounding of a border between two pixels can fall on its other
-// side. No vertex of the room does.
+// numbers come out. They are computed in double here, since a product of matrices rounds in
+// different places from the lab. Each matrix is rounded once, at its end; the lab rounds each step
+// to float. So a vertex within rounding error of a border between two pixels can end up on the
+// other side of it. No vertex of the room does.
 //
-// The lab cuts f x/z off before W/2 is added, so that is done after the chain as well: of Ts only
-// the scale is done in clip space, where it is the same as behind the division, and the shift by
-// W/2 follows the cut, in project(). The clip space of this program therefore counts pixels.
+// The lab truncates f x/z before adding W/2, so the same is done after the chain: only the scale of
+// Ts is applied in clip space, where it has the same effect as after the division, and the shift by
+// W/2 follows the truncation, in project(). The clip space of this program therefore counts pixels.
 //
-// The classic mistakes: T R for R T, which walks round the room where it should turn the head; the
-// translation in the bottom row, where it spoils w and moves nothing; w = 1 for a normal.
+// The classic mistakes are T R for R T, which walks round the room instead of turning the head; the
+// translation in the bottom row, where it spoils w and moves nothing; and w = 1 for a normal.
 //
 // Vectors are columns here, M p, as in most books and in glm. With rows, as in the lab, every
 // matrix is transposed and the order of the product is reversed.
@@ -57,12 +57,13 @@ glm::dmat4 look_at_matrix(const glm::dvec3& eye, const glm::dvec3& direction, co
 
 /// Tp, from camera space to clip space: divided by w, x and y go from -1 to 1 over the picture, and
 /// z from 0 at the near plane to 1 at the far one. Perspective, orthographic or between, by
-/// rules.projection.mix. With rules.projection.box it is what glFrustum and glOrtho make, but for
-/// the signs of y and z.
+/// rules.projection.mix. With rules.projection.box it is the matrix of glFrustum and glOrtho,
+/// except for the signs of y and z.
 glm::dmat4 projection_matrix(const VertexRules& rules);
 
 /// Ndc z of a point at this depth in front of the camera: 0 at the near plane, 1 at the far one.
-/// Under perspective f/(f - n) (1 - n/z): half of the range is used up at twice the near plane.
+/// Under perspective f/(f - n) (1 - n/z): half of the range is used up at about twice the near
+/// distance.
 double ndc_depth(double z, const VertexRules& rules);
 
 /// Ts, from NDC to the window in pixels: x_window = x_ndc W/2 + W/2 with the lab's whole W/2, and

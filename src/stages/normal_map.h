@@ -1,30 +1,30 @@
 #pragma once
 
-// Normal maps: the normal of a surface bent from texel to texel, so that a flat wall takes the
-// light as if it had bumps.
+// Normal maps: the normal of a surface bent from texel to texel, so that a flat wall is lit as if
+// it had bumps.
 //
 // In:  the normal of the surface, the directions in which u and v grow on it, a colour of the map.
 // Out: another normal, unit length.
-// Picture: each texel is a small arrow that stands on the surface. The map knows it in the
-//          surface's own axes: x along u, y toward the top of the texture, z away from the surface;
-//          so the same map serves a wall, a floor and a ball.
+// Picture: each texel is a small arrow standing on the surface. The map stores it in the surface's
+//          own axes: x along u, y toward the top of the texture, z away from the surface; so the
+//          same map serves a wall, a floor and a ball.
 //
 // Tangent t, bitangent b and normal n are these axes in the world. t is the direction of u, made
-// perpendicular to n; b stands on both. Which of its two directions it has, v says: where a texture
-// is laid on in mirror image, the side is the other one. The handedness is the sign that tells.
+// perpendicular to n; b is perpendicular to both. v decides which of its two directions b has: if a
+// texture is laid on mirrored, it is the other one. The handedness is the sign that says which.
 //
-// A colour c holds an arrow as (arrow + 1) / 2, since it cannot be below 0. In bytes there is no
-// middle: (128, 128, 255) leans by a third of a degree. Green runs up here, toward smaller v, as
-// OpenGL's programs have it; a map made for green that runs down turns bumps into dents.
+// A colour c stores an arrow as (arrow + 1) / 2, since it cannot be below 0. Bytes have no exact
+// middle: (128, 128, 255) leans by a third of a degree. Green runs up here, toward smaller v, as is
+// usual with OpenGL; a map made for green that runs down turns bumps into dents.
 //
-// Light and normal must meet in one space. Either the arrow is taken to the world, a t + b b' + c
-// n, or the ways to the lamp and to the eye are taken to tangent space, by the inverse of the
-// matrix whose columns are the axes. Its columns are perpendicular and of unit length, so the
-// inverse is the transpose: three dot products. The slant is the same, since such a matrix changes
-// no angle.
+// Light and normal must meet in one space. Either the arrow is taken to the world,
+// a t + b b' + c n, or the directions to the lamp and to the eye are taken to tangent space, by the
+// inverse of the matrix whose columns are the axes. Its columns are perpendicular and of unit
+// length, so the inverse is the transpose: three dot products. The cosines are the same, since such
+// a matrix changes no angle.
 //
-// The classic mistakes: to use the colour as it is, without 2 c - 1; to turn green; b = n x t
-// without the sign, so that mirrored halves of a model are lit from the wrong side.
+// The classic mistakes are using the colour unchanged, without 2 c - 1; flipping green; and
+// b = n x t without the sign, so that mirrored halves of a model are lit from the wrong side.
 //
 // Source: J. F. Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978; M. Peercy, J. Airey,
 // B. Cabral, "Efficient Bump Mapping Hardware", SIGGRAPH 1997, on tangent space and on light in it;
@@ -49,8 +49,8 @@ template <>
 inline constexpr auto enum_words<NormalMapUse> = word_list("on", "off");
 static_assert(words_match<NormalMapUse>);
 
-/// How far and whither the world is left while a texture is crossed on a triangle, once along u and
-/// once along v; world units. Both 0 where the triangle has no area in the texture.
+/// How far, and which way, you go in the world when you cross the texture of a triangle once along
+/// u and once along v; world units. Both 0 if the triangle has no area in the texture.
 struct UvDirections {
     glm::vec3 along_u{0.0f}, along_v{0.0f};
 
@@ -67,18 +67,18 @@ struct TangentFrame {
     glm::vec3 normal{0.0f};    ///< of the surface
 };
 
-/// The direction of u without what of it runs along the normal; not unit length.
+/// The direction of u without its part along the normal; not unit length.
 inline glm::vec3 tangent_on_surface(const UvDirections& uv, const glm::vec3& normal) {
     return uv.along_u - normal * glm::dot(normal, uv.along_u);
 }
 
-/// How far v grows along n x t: below 0 where the texture is laid on as it is, above 0 where it is
+/// How far v grows along n x t: below 0 if the texture is laid on unmirrored, above 0 if it is
 /// mirrored.
 inline float v_across(const UvDirections& uv, const TangentFrame& axes) {
     return glm::dot(glm::cross(axes.normal, axes.tangent), uv.along_v);
 }
 
-/// 1, or -1 where the texture is laid on in mirror image; 0 where that cannot be said.
+/// 1, or -1 if the texture is laid on mirrored; 0 if there is no telling.
 inline float handedness(const UvDirections& uv, const TangentFrame& axes) {
     const float across = v_across(uv, axes);
     return across < 0.0f ? 1.0f : across > 0.0f ? -1.0f : 0.0f;
@@ -97,41 +97,41 @@ TangentFrame tangent_frame_with(const UvDirections& uv, const glm::vec3& normal)
     return axes;
 }
 
-/// The same with the side that v says.
+/// The same with the side that v gives.
 inline TangentFrame tangent_frame(const UvDirections& uv, const glm::vec3& normal) {
     return tangent_frame_with<handedness>(uv, normal);
 }
 
-/// The arrow that a colour of a normal map stands for, 2 c - 1: in the surface's own axes, about
+/// The arrow that a colour of a normal map stands for, 2 c - 1, in the surface's own axes; roughly
 /// unit length.
 inline glm::vec3 arrow_of_texel(const glm::vec3& colour) {
     return 2.0f * colour - 1.0f;
 }
 
-/// The arrow in the world, made unit length: the normal that the light asks for. Where there are no
-/// axes, or the arrow has no length, the normal stays as it is.
+/// The arrow in the world, made unit length: the normal that the light needs. If there are no axes,
+/// or the arrow has no length, the normal is unchanged.
 glm::vec3 bent_normal(const glm::vec3& arrow, const TangentFrame& axes);
 
-/// A point's own space, in which light can be worked out in place of the world.
+/// A point's own space, in which light can be worked out instead of in the world.
 struct TangentSpace {
-    TangentFrame axes;      ///< in the world, perpendicular to each other and of unit length
-    glm::vec3 normal{0.0f}; ///< that the normal map gives, along these axes; unit length
+    TangentFrame axes;      ///< in the world, perpendicular and of unit length
+    glm::vec3 normal{0.0f}; ///< the normal map's, along these axes; unit length
 };
 
 /// In the slot light_space: none, the light is worked out in the world.
 std::optional<TangentSpace> world_space(const glm::vec3& arrow, const TangentFrame& axes);
 
-/// In the slot light_space: the surface's own axes, with the arrow as it is but for its length.
+/// In the slot light_space: the surface's own axes, with the arrow unchanged but for its length.
 ///
-/// Only axes that are perpendicular and of unit length leave lengths and angles as they are. Where
-/// the normal is not of unit length, as under light.renormalize=off, those of the surface are not
-/// such axes, and no inverse helps: with M for the matrix that has them as columns, r . (M a) is
-/// (M^T r) . a, and M^T is not the inverse of M then. So t stays; b, which is perpendicular to it,
-/// and what of n is perpendicular to both, are made unit length, and the arrow is written along
-/// these three. For axes that are good already that changes nothing but the last bits. The inverse
-/// of the result is its transpose, and the light is that in the world in every case.
-/// @return none where the surface has no axes or the arrow no length: then its normal stays as it
-///         is, in the world
+/// Only axes that are perpendicular and of unit length preserve lengths and angles. If the normal
+/// is not of unit length, as under light.renormalize=off, the surface's axes are not like that, and
+/// no inverse helps: with M for the matrix that has them as columns, r . (M a) is (M^T r) . a, and
+/// M^T is not the inverse of M then. So t stays; b, which is perpendicular to it, and the part of n
+/// perpendicular to both are made unit length, and the arrow is written along these three. For axes
+/// that are good already that changes only the last bits. The inverse of the result is its
+/// transpose, and the light is always the same as in the world.
+/// @return none if the surface has no axes or the arrow no length: then its normal is unchanged, in
+///         the world
 std::optional<TangentSpace> tangent_space(const glm::vec3& arrow, const TangentFrame& axes);
 
 /// A direction of the world along axes that are perpendicular and of unit length: by the inverse of
@@ -143,13 +143,13 @@ inline glm::vec3 along_axes(const glm::vec3& direction, const TangentFrame& axes
 
 /// How axes are made perpendicular and of unit length, see tangent_space().
 struct SquaredAxes {
-    float lean = 0.0f;       ///< t . n; 0 but for rounding where n has unit length
+    float lean = 0.0f;       ///< t . n; 0 except for rounding if n has unit length
     float width = 0.0f;      ///< |b|
     glm::vec3 upright{0.0f}; ///< n - t (t . n)
     float height = 0.0f;     ///< its length
     TangentFrame axes;       ///< made so
 
-    /// An arrow along the axes that were given, along those that were made; not unit length.
+    /// An arrow along the given axes, written along the ones made; not unit length.
     glm::vec3 arrow(const glm::vec3& given) const {
         return {given.x + given.z * lean, given.y * width, given.z * height};
     }

@@ -9,7 +9,7 @@ namespace rasterwalk {
 namespace {
 
 float length_between(float near, float far) {
-    // Planes that lie on each other would leave a division by 0.
+    // Planes that coincide would cause a division by 0.
     constexpr float smallest = 1e-6f;
     const float length = far - near;
     return length == 0.0f ? smallest : length;

@@ -37,10 +37,10 @@ glm::vec3 painted(const glm::vec3& colour, const Fragment& fragment, const Surfa
 
 glm::vec3 pixel_shader(const Fragment& fragment, const Surface& surface, const PixelRules& rules,
                        const Stages& stages) {
-    // Only what is read is divided: the pixel shader pays for no other varying.
+    // Only the varyings that are read are divided: the pixel shader pays for no others.
     switch (rules.shading) {
     case Shading::unlit:
-    case Shading::flat: // surface_shader() knows it
+    case Shading::flat: // surface_shader() has it
         break;
     case Shading::gouraud:
         return textured(fragment.varyings.illumination / weight_of(fragment, stages), fragment,

@@ -4,12 +4,12 @@
 //
 // In:  a fragment with its interpolated varyings, the surface it belongs to, the lamp.
 // Out: a colour, red green blue; not clamped.
-// Picture: flat colour, or the light that the vertices brought along, or light worked out afresh
-//          from the fragment's own place in the room.
+// Picture: flat colour, or the light that the vertices brought along, or light worked out from the
+//          fragment's own place in the room.
 //
 // With perspective-correct interpolation the varyings arrive as q/z, and q = (q/z) / (1/z) undoes
 // it here. The classic mistake is to interpolate q itself: then every wall has a kink along its
-// diagonal, because its two triangles bend the light differently.
+// diagonal, because its two triangles interpolate differently.
 //
 // Source: P. S. Heckbert, H. P. Moreton, "Interpolation for Polygon Texture Mapping and Shading",
 // State of the Art in Computer Graphics, 1991; J. F. Blinn, "Hyperbolic Interpolation", IEEE
@@ -30,20 +30,20 @@ namespace rasterwalk {
 
 struct Stages;
 
-/// What is the same for all fragments of a triangle.
+/// What all fragments of a triangle have in common.
 struct Surface {
     glm::vec3 normal{0.0f};
     glm::vec3 reflectance{1.0f};
     const Texture* texture = nullptr; ///< or none
     TextureSlope texture_slope{};     ///< over the polygon; only where there is one of the maps
     float alpha = 1.0f;               ///< below 1: blended, see blend.h
-    // Of surfaces that the lab does not have, see surface_shader.h:
+    // For surfaces beyond the lab's, see surface_shader.h:
     Shine shine{};
-    CornerDifferences differences{};     ///< what travels from the vertices, in place of the above
+    CornerDifferences differences{};     ///< values from the vertices that replace the above
     glm::vec3 flat_light{0.0f};          ///< of the whole triangle, under flat shading
-    const Texture* normal_map = nullptr; ///< that bends its normals, or none
+    const Texture* normal_map = nullptr; ///< the one that bends its normals, or none
     UvDirections uv_directions{};        ///< only where there is a normal map
-    /// What the alpha of its texture does; off also where that is opaque.
+    /// What the alpha of its texture does; also off if that is opaque.
     TextureAlpha texture_alpha = TextureAlpha::off;
 };
 
@@ -76,7 +76,7 @@ constexpr float varying_weight(float zinv) {
     return zinv;
 }
 
-/// By what a fragment divides its varyings, as the table has it.
+/// What a fragment's varyings are divided by, as the table has it.
 float weight_of(const Fragment& fragment, const Stages& stages);
 
 /// The varyings of a fragment as q: divided by their weight.
@@ -88,15 +88,15 @@ TexturePlace place_in_texture(const Fragment& fragment, const Surface& surface,
 
 /// How opaque a fragment is, and whether it is drawn at all.
 struct FragmentAlpha {
-    float alpha = 1.0f;  ///< 0 (clear) to 1 (opaque); of one that is cut out that of its texture
+    float alpha = 1.0f;  ///< 0 (clear) to 1 (opaque); if it is cut out, the texture's
     bool is_cut = false; ///< discarded, before the depth test
 };
 
-/// The alpha of a fragment: its surface's, and what the texture says where it is asked.
+/// The alpha of a fragment: its surface's, and the texture's where that is used.
 FragmentAlpha fragment_alpha(const Fragment& fragment, const Surface& surface,
                              const Stages& stages);
 
-/// A colour of the surface, times that of its texture: a white surface is painted by it. As Kd and
+/// A colour of the surface times its texture's: the texture paints a white surface. As Kd and
 /// map_Kd are combined: Alias/Wavefront, Object Files and MTL material format, 1995.
 glm::vec3 painted(const glm::vec3& colour, const Fragment& fragment, const Surface& surface,
                   const Stages& stages);

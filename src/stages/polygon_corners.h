@@ -12,15 +12,15 @@
 
 namespace rasterwalk {
 
-/// The corners of a polygon on the screen, in order. Refers to vertices that lie side by side, or
-/// to three of a mesh by their numbers; they must live as long. As cheap to copy as a std::span.
+/// The corners of a polygon on the screen, in order. Refers to vertices in a contiguous range, or
+/// to three of a mesh by their numbers; they must outlive it. As cheap to copy as a std::span.
 class PolygonCorners {
   public:
     PolygonCorners() = default;
 
-    // Any list of vertices is taken for the corners that it holds.
+    // Any list of vertices may serve as the corners it holds.
     // NOLINTBEGIN(google-explicit-constructor)
-    /// Vertices that lie side by side, all of them.
+    /// All vertices of a contiguous range.
     PolygonCorners(std::span<const ScreenVertex> vertices)
         : side_by_side_(vertices.data()), size_(vertices.size()) {}
     PolygonCorners(const std::vector<ScreenVertex>& vertices)
@@ -49,7 +49,7 @@ class PolygonCorners {
   private:
     const ScreenVertex* side_by_side_ = nullptr;
     const ProjectedVertex* of_mesh_ = nullptr;
-    const int* numbers_ = nullptr; ///< in the mesh; null: the vertices lie side by side
+    const int* numbers_ = nullptr; ///< in the mesh; null: the vertices are contiguous
     std::size_t size_ = 0;
 };
 
@@ -76,7 +76,7 @@ class PolygonCorners::Iterator {
         ++place_;
         return before;
     }
-    /// Both must be of the same corners.
+    /// Both must belong to the same corners.
     friend bool operator==(const Iterator& a, const Iterator& b) { return a.place_ == b.place_; }
 
   private:

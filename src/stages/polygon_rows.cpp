@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Fills in what a sink gets of a sample. It is reused for each, since varyings take long to copy.
+/// Fills in what a sink gets for a sample. It is reused for each, since varyings are slow to copy.
 void note(const LineSample& sample, bool has_varyings, EdgeSample& told) {
     told.x = sample.x;
     told.y = sample.y;
@@ -23,7 +23,7 @@ std::span<LineDecision> decisions_of(PolygonRows& rows, int count) {
 }
 
 /// Enters a sample, if the table has its row.
-/// @param enter_in puts the sample at an end of its row: void (RowEnd&)
+/// @param enter_in sets an end of the sample's row: void (RowEnd&)
 template <class EnterIn>
 RowWrite enter_sample(int column, int row, EnterIn enter_in, const Stages& stages,
                       PolygonRows& rows) {
@@ -46,8 +46,8 @@ RowWrite enter_sample(int column, int row, EnterIn enter_in, const Stages& stage
     return write;
 }
 
-/// Does a running value make the samples of an edge, and do rows take all of it? Then none need be
-/// kept.
+/// Do the samples of an edge come from a running value, and do rows take them all? Then none need
+/// be kept.
 bool has_running_samples(const Stages& stages) {
     return stages.line == line_by_interpolate && stages.line_step == line_step &&
            stages.interpolate == interpolate && stages.row_end == row_end;

@@ -1,19 +1,19 @@
 #pragma once
 
-// The row table: where every row of a polygon begins and ends. The field calls this scan
-// conversion, a row of it a span and the whole a span or edge table.
+// The row table: where every row of a polygon begins and ends. The usual names are scan conversion
+// for this, span for a row, and span or edge table for the whole.
 //
 // In:  the projected vertices of a polygon.
-// Out: two arrays with one entry a row: leftPixels and rightPixels of the lab.
-// Picture: every edge walks its samples; each sample says to its row "I am at column x", and the
-//          row keeps the smallest column it has heard as its left end and the largest as its right.
+// Out: two arrays with one entry per row: leftPixels and rightPixels of the lab.
+// Picture: every edge walks its samples; each sample tells its row "I am at column x", and the row
+//          keeps the smallest column it has heard of as its left end and the largest as its right.
 //
-// Before the first sample a row is empty in a curious way: its left end stands at +INT_MAX and its
+// Before the first sample a row is empty in a curious way: its left end is at +INT_MAX and its
 // right end at -INT_MAX, so that any sample is an improvement. The classic mistakes are start
 // values that are not extreme, a table with one row too few, rows that take the column of a sample
 // and not its other values, and trusting that each sample falls in one of the table's rows: with
-// accumulated floats a few percent of edges leave it, and a program without a guard writes to row
-// -1. Putting such a sample in the nearest row hides the mistake and spoils that row.
+// accumulated floats a few percent of edges leave the table, and a program without a guard writes
+// to row -1. Putting such a sample in the nearest row hides the mistake and spoils that row.
 //
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // section 3.6, filling polygons span by span.
@@ -34,21 +34,21 @@ namespace rasterwalk {
 
 struct Stages;
 
-/// The left end of a row that no sample has reached yet; the right end then stands at -empty_left.
+/// The left end of a row that no sample has reached yet; the right end is then at -empty_left.
 inline constexpr int empty_left = INT_MAX;
 inline constexpr int empty_right = -INT_MAX;
 
 /// One row of pixels for every row that the polygon's vertices span.
 struct PolygonRows {
-    int first_row = 0;            ///< row of the picture that left[0] and right[0] are
+    int first_row = 0;            ///< row of the picture of left[0] and right[0]
     std::vector<RowEnd> left;     ///< the lab's leftPixels
     std::vector<RowEnd> right;    ///< the lab's rightPixels
     int outside = 0;              ///< samples that fell above or below the table; never written
-    std::int64_t looked_at = 0;   ///< rows that were asked on the samples' way to their own
+    std::int64_t looked_at = 0;   ///< rows looked at before the samples found theirs
     std::vector<LineSample> line; ///< room for the samples of an edge; kept to save allocations
     std::vector<LineDecision> decisions; ///< room too, used only if there is a sink
     std::vector<GridPoint> points;       ///< room for the snapped corners
-    TestedPolygon tested; ///< where edge functions made the rows; else without triangles
+    TestedPolygon tested; ///< if edge functions made the rows; else without triangles
 
     int size() const { return static_cast<int>(left.size()); }
     bool is_empty_row(int index) const { return left[index].column > right[index].column; }
@@ -69,41 +69,41 @@ struct EdgeSample {
     int sample = 0;           ///< of the edge
     float x = 0.0f, y = 0.0f; ///< its real place before rounding, pixels
     Fragment fragment;        ///< its pixel, 1/z and varyings
-    LineDecision decision;    ///< where the line goes from there; Interpolate decides nothing
+    LineDecision decision;    ///< where the line goes next; Interpolate decides nothing
     RowWrite write;           ///< what it did
 };
 
-/// Receives what compute_polygon_rows does, while it does it.
+/// Receives what compute_polygon_rows does, step by step.
 class SampleSink {
   public:
     virtual ~SampleSink() = default;
     /// The empty table, before the first sample.
     virtual void begin_rows(const PolygonRows&) {}
     virtual void edge_sample(const EdgeSample&) = 0;
-    /// The finished table, of coverage that enters no samples and tells of nothing else.
+    /// The finished table, from coverage that enters no samples and reports nothing else.
     virtual void rows_without_samples(const PolygonRows&) {}
 };
 
 /// The rules by which edges become rows.
 struct EdgeRules {
-    Rounding rounding = Rounding::truncate; ///< of what Interpolate answers
+    Rounding rounding = Rounding::truncate; ///< of Interpolate's results
     int picture_width = 0;                  ///< pixels
     VaryingSet carried = VaryingSet::all(); ///< the varyings that are wanted
 
     friend bool operator==(const EdgeRules&, const EdgeRules&) = default;
 };
 
-/// Where a row of the picture stands in the table.
+/// Where a row of the picture is in the table.
 struct FoundRow {
     int index = -1;    ///< in the table; -1: the table has no such row
-    int looked_at = 1; ///< rows that were asked
+    int looked_at = 1; ///< rows that were looked at
 };
 
-/// All pixels that the rows of a polygon can reach, but for the rounding errors of the walk.
+/// All pixels that the rows of a polygon can reach, apart from the rounding errors of the walk.
 Rectangle polygon_box(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages);
 
-/// Gives the table so many empty rows, `first_row` of the picture and those below it. The values at
-/// the ends of an empty row say nothing.
+/// Gives the table `count` empty rows, `first_row` of the picture and those below it. The values at
+/// the ends of an empty row mean nothing.
 void empty_table(int first_row, int count, PolygonRows& rows);
 
 /// Empties the table and gives it one row for every row between the highest and the lowest vertex.

@@ -15,7 +15,7 @@ ProjectedVertex rejected(Rejection rejection) {
     return vertex;
 }
 
-/// Written so that NaN, which no comparison admits, is too far out as well.
+/// Written so that NaN, which fails every comparison, is too far out as well.
 bool is_too_far_out(const glm::vec2& projected, float inv_w) {
     return !(std::abs(projected.x) <= max_pixel_distance &&
              std::abs(projected.y) <= max_pixel_distance && std::isfinite(inv_w));
@@ -52,7 +52,7 @@ glm::ivec2 viewport_middle(const VertexRules& rules) {
 ScreenPlace snap_to_pixel(const glm::vec2& projected, glm::ivec2 middle, const VertexRules& rules) {
     ScreenPlace place;
     place.position = projected + glm::vec2(middle);
-    // A place that is given as a pixel is its centre.
+    // A place given as a pixel is that pixel's centre.
     if (rules.space == SceneSpace::pixels) place.position += 0.5f;
     place.pixel = {snap(projected.x, middle.x, rules.rounding),
                    snap(projected.y, middle.y, rules.rounding)};

@@ -21,7 +21,7 @@ Rectangle walk_in_picture(Viewport picture) {
 float encode_srgb(float channel) {
     constexpr float end_of_line = 0.0031308f;
     if (!(channel > end_of_line)) return 12.92f * channel;
-    // In double: in float 1.055 - 0.055 is a hair less than 1, and white would be byte 254.
+    // In double: in float, 1.055 - 0.055 is a hair less than 1, and white would be byte 254.
     return static_cast<float>(1.055 * double{std::pow(channel, 1.0f / 2.4f)} - 0.055);
 }
 

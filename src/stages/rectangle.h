@@ -16,7 +16,7 @@ constexpr bool is_empty(const Rectangle& r) {
     return r.left >= r.right || r.top >= r.bottom;
 }
 
-/// What both have in common; empty if that is nothing.
+/// The part common to both; empty if there is none.
 constexpr Rectangle intersection(const Rectangle& a, const Rectangle& b) {
     return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
             std::min(a.bottom, b.bottom)};

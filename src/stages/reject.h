@@ -1,6 +1,6 @@
 #pragma once
 
-// Reject: does a polygon lie outside as a whole?
+// Reject: does a polygon lie entirely outside?
 //
 // In:  the corners of a polygon in clip space.
 // Out: why it is not drawn, or none.
@@ -8,11 +8,11 @@
 //          that all corners have in common names a plane beyond which the whole polygon lies:
 //          reject it. No bit anywhere: it lies inside, accept it. Otherwise it may have to be cut.
 //
-// That the corners have no bit in common does not mean that a part is inside: a triangle can pass
-// by a corner of the view. Clipping finds nothing of it.
+// No common bit does not mean that a part is inside: a triangle can pass by a corner of the view.
+// Clipping then leaves nothing of it.
 //
-// "Cheap clipping" cuts nothing at all: it rejects by the codes, and of the other polygons it walks
-// the rows only as far as the picture reaches, see walk_in_picture().
+// "Cheap clipping" cuts nothing at all: it rejects by the codes, and walks the rows of the other
+// polygons only as far as the picture reaches, see walk_in_picture().
 //
 // Source: the codes are those of D. Cohen and I. Sutherland for lines: Newman and Sproull,
 // Principles of Interactive Computer Graphics, 1973.
@@ -24,7 +24,7 @@
 
 namespace rasterwalk {
 
-/// One bit for each plane: bit i is that of ClipPlane i.
+/// One bit for each plane: bit i is for ClipPlane i.
 using Outcode = std::uint8_t;
 
 /// The planes beyond which a vertex lies.
@@ -38,8 +38,8 @@ inline Rejection reject_nothing(std::span<const ClipVertex> corners, const ViewV
     return Rejection::none;
 }
 
-/// By the codes: outside if all corners lie beyond the same of the outer planes, so that nothing is
-/// rejected that would be seen. In pixel space nothing is.
+/// By the codes: outside if all corners lie beyond the same outer plane, so nothing visible is
+/// rejected. In pixel space nothing is rejected.
 Rejection reject_by_outcodes(std::span<const ClipVertex> corners, const ViewVolume& volume);
 
 } // namespace rasterwalk

@@ -1,6 +1,6 @@
 #pragma once
 
-// Why a triangle is not drawn: every reason, and every word that is said about it.
+// Why a triangle is not drawn: every reason, and all its words.
 
 #include <array>
 #include <cstdint>
@@ -15,7 +15,7 @@ enum class Rejection : std::uint8_t {
     not_finite,       ///< a coordinate is not a number, or infinite
     behind_camera,    ///< z <= 0 in camera space: on or behind the camera plane
     too_far_out,      ///< projected farther from the middle than max_pixel_distance
-    taken_for_behind, ///< its column is -1, which is the mark for "behind the camera": mistake B14
+    taken_for_behind, ///< its column is -1, the mark for "behind the camera": mistake B14
     outside,          ///< all corners lie beyond the same plane of the view volume
     clipped_away,     ///< nothing is left of it after clipping
     back_facing,      ///< it shows its back, and backs are culled
@@ -27,10 +27,10 @@ struct RejectionWords {
     Rejection rejection;
     std::string_view name;     ///< in data: "behind_camera"
     std::string_view sentence; ///< after a colon: "a vertex lies on or behind the camera plane"
-    std::string_view of_many;  ///< the same of several triangles
+    std::string_view of_many;  ///< the same for several triangles
     std::string_view cause;    ///< the same as a noun, short
     std::string_view detail;   ///< the same as a noun, at length
-    bool is_always_counted;    ///< data name its count even if it is 0
+    bool is_always_counted;    ///< its count is in data even if it is 0
 };
 
 /// Every reason; indexed by Rejection. The minus sign of a sentence is the ASCII one.
@@ -88,10 +88,10 @@ constexpr const RejectionWords& words(Rejection rejection) {
     return rejection_list[static_cast<std::size_t>(rejection)];
 }
 
-/// What has become of a triangle on its way to the picture. Its corners are those of the scene, but
-/// where clipping has cut it and left any number of others.
+/// A triangle on its way to the picture. Its corners are the scene's, unless clipping has cut it
+/// and left any number of others.
 struct Polygon {
-    int first = 0; ///< where it is cut, its first corner in the list of such corners
+    int first = 0; ///< if it is cut, its first corner in the list of such corners
     int count = 0; ///< corners; the edges go from each to the next and from the last to the first
     Rejection rejection = Rejection::none; ///< why it is not drawn, or none
     bool is_cut = false;                   ///< its corners are no longer those of the scene

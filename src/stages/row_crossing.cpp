@@ -19,8 +19,8 @@ RowEnd mix(const Values& a, const Values& b, float t, VaryingSet carried) {
     return mixed;
 }
 
-/// The first pixel whose centre does not lie before a coordinate, ceil(x - 1/2).
-/// @param is_beyond the coordinate itself lies a little behind what it says
+/// The first pixel whose centre is at or after a coordinate, ceil(x - 1/2).
+/// @param is_beyond the true coordinate lies slightly beyond the given one
 int first_pixel(std::int64_t coordinate, bool is_beyond) {
     return pixel_at(coordinate - grid_parts / 2 + (is_beyond ? 0 : -1)) + 1;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where an edge crosses the row of centres of a row of pixels: what scan conversion and the active
-// edge list have in common. Everything in whole numbers, on the grid of snap.h.
+// Where an edge crosses the row of centres of a row of pixels: the part that scan conversion and
+// the active edge list share. Everything is in whole numbers, on the grid of snap.h.
 
 #include <cstdint>
 
@@ -15,31 +15,31 @@ namespace rasterwalk {
 /// An edge that is not level, from its upper end down.
 struct DownEdge {
     GridPoint top, bottom;
-    const ScreenVertex* at_top = nullptr; ///< the corner that stands there
+    const ScreenVertex* at_top = nullptr; ///< the corner there
     const ScreenVertex* at_bottom = nullptr;
-    bool is_inner = false; ///< of a fan: no edge of the polygon
+    bool is_inner = false; ///< of a fan: not an edge of the polygon
 
     bool reaches(std::int64_t y) const { return top.y <= y && y <= bottom.y; }
 };
 
-/// A corner of a polygon, and where it stands on the grid.
+/// A corner of a polygon, and where it is on the grid.
 struct SnappedCorner {
     const ScreenVertex& vertex;
     GridPoint point;
 };
 
-/// The edge between two corners, which must live as long; level if both have the same y.
+/// The edge between two corners, which must outlive it; level if both have the same y.
 DownEdge down_edge(const SnappedCorner& a, const SnappedCorner& b);
 
 /// The first and the last row of pixels whose centres lie from one height to another, both
-/// included: ceil(y - 1/2) and floor(y - 1/2). Of columns the same.
+/// included: ceil(y - 1/2) and floor(y - 1/2). The same for columns.
 int first_row_from(std::int64_t y);
 int last_row_to(std::int64_t y);
 
 /// A place on a row of centres: whole + part / parts, in 256ths of a pixel, 0 <= part < parts.
 struct RowCrossing {
     std::int64_t whole = 0, part = 0, parts = 1;
-    const DownEdge* edge = nullptr; ///< that crosses
+    const DownEdge* edge = nullptr; ///< the one that crosses
     float down = 0.0f;              ///< how much of its way down the row lies, 0 to 1
 
     double x() const {
@@ -50,17 +50,18 @@ struct RowCrossing {
     }
 };
 
-/// Where the edge crosses this height; it must reach it, not be level, and live as long.
+/// Where the edge crosses this height; it must reach that height, not be level, and outlive the
+/// result.
 RowCrossing crossing_at(const DownEdge& edge, std::int64_t y);
 
 /// The pixels of a row whose centres lie between two crossings: from ceil(x_left - 1/2) to
-/// ceil(x_right - 1/2) - 1. That is so where the left one owns its points and the right one does
-/// not; else it begins behind, or ends with, a centre that is met exactly.
+/// ceil(x_right - 1/2) - 1. That is if the left one owns its points and the right one does not;
+/// otherwise the pixels begin after, or end with, a centre that is met exactly.
 struct OwnedEnds {
     bool left = true, right = false;
 };
 struct PixelSpan {
-    int first = 0, last = -1; ///< columns; there are none where the first lies behind the last
+    int first = 0, last = -1; ///< columns; none if the first lies after the last
 
     bool is_empty() const { return first > last; }
 };
@@ -77,7 +78,7 @@ class ValuesBetween {
 
   private:
     double from_, width_; ///< 256ths of a pixel
-    RowEnd left_, right_; ///< the columns say nothing
+    RowEnd left_, right_; ///< the columns are not used
     VaryingSet carried_;
 };
 

@@ -9,15 +9,15 @@ struct RowEnd {
     int column = 0;
     float depth = 0.0f; ///< for the depth buffer, see ClipDepth; in the lab 1/z
     float inv_w = 0.0f; ///< 1/w of clip space, the weight of the varyings; in the lab 1/z
-    float z = 0.0f;     ///< z in camera space, interpolated as if linear: right at vertices only
+    float z = 0.0f;     ///< camera-space z, interpolated as if linear: right at vertices only
     Varyings varyings;
 
     friend bool operator==(const RowEnd&, const RowEnd&) = default;
 };
 
-/// Puts a sample of an edge at the end of a row, or into what a sink gets of it.
+/// Puts a sample of an edge at the end of a row, or into what a sink gets for it.
 /// @param values       of the sample
-/// @param has_varyings false: none are carried, and what is there of them stays as it was
+/// @param has_varyings false: none are carried, and those already there stay as they were
 template <class Values, class End>
 void enter(int column, const Values& values, bool has_varyings, End& end) {
     end.column = column;

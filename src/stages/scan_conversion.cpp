@@ -19,16 +19,17 @@ struct HalfSides {
     OwnedEnds owned; ///< inner edges of a fan go by the top-left rule
 };
 
-/// What is the same for all triangles of a polygon.
+/// What all triangles of a polygon have in common.
 struct ScanConversion {
     OwnedEnds owned;
     bool owns_top, owns_bottom; ///< the points of level edges
-    GridPoint corner;           ///< about which the fan is laid
+    GridPoint corner;           ///< that the fan is laid about
     bool owns_corner;
     VaryingSet carried;
     PolygonRows& rows;
 
-    /// Lays a row of pixels. What other triangles of the polygon have laid there it lengthens.
+    /// Lays a row of pixels. A row already laid there by other triangles of the polygon is
+    /// lengthened.
     void lay_row(const HalfSides& sides, int row) {
         const std::int64_t y = pixel_centre(row);
         const RowCrossing left = crossing_at(sides.left, y);
@@ -48,14 +49,14 @@ struct ScanConversion {
     }
 };
 
-/// The first row that does not begin before a height; of an edge there that is level and does not
-/// own its points, behind it.
+/// The first row whose centres are not above a height; below it, if a level edge there does not own
+/// its points.
 int first_row_below(std::int64_t y, bool is_owned) {
     const int row = first_row_from(y);
     return !is_owned && pixel_centre(row) == y ? row + 1 : row;
 }
 
-/// The corners of a triangle from top to bottom; of two at one height the first stays first.
+/// The corners of a triangle from top to bottom; of two at the same height the first stays first.
 std::array<std::size_t, 3> from_top_to_bottom(const FanTriangle& triangle) {
     std::array<std::size_t, 3> order{0, 1, 2};
     const auto sort_pair = [&](std::size_t upper, std::size_t lower) {
@@ -68,7 +69,7 @@ std::array<std::size_t, 3> from_top_to_bottom(const FanTriangle& triangle) {
     return order;
 }
 
-/// Does the box of a triangle hold the centre of any pixel? Those of a dense mesh often hold none.
+/// Does the box of a triangle hold the centre of any pixel? In a dense mesh they often hold none.
 bool holds_centre(const FanTriangle& triangle) {
     const auto [a, b, c] = triangle.points;
     return first_row_from(std::min({a.y, b.y, c.y})) <= last_row_to(std::max({a.y, b.y, c.y})) &&
@@ -85,7 +86,7 @@ void convert_triangle(const FanTriangle& triangle, PolygonCorners vertices,
     };
     const auto edge_between = [&](std::size_t a, std::size_t b) {
         DownEdge edge = down_edge(corner(a), corner(b));
-        // Edge i begins at corner i; of two corners the one that the other follows.
+        // Edge i begins at corner i: of the two corners, the one followed by the other.
         edge.is_inner = triangle.is_inner[(a + 1) % 3 == b ? a : b];
         return edge;
     };

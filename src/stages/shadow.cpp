@@ -10,7 +10,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What slanted light adds to the bias: over a texel the depth of such a surface changes by the
+/// The bias with what slanted light adds: over a texel, the depth of the surface changes by the
 /// texel's size times the tangent of the slant.
 float bias_at(const ShadowPoint& point, float depth, int resolution, const ShadowRules& rules) {
     if (rules.slope_bias == 0.0f) return rules.bias;
@@ -49,7 +49,7 @@ int shadow_face_of(const glm::vec3& from_lamp) {
 
 glm::vec2 shadow_place(const glm::vec3& seen, int resolution) {
     const float focal_length = 0.5f * static_cast<float>(resolution);
-    const int half = resolution / 2; // as viewport_middle() has it
+    const int half = resolution / 2; // like viewport_middle()
     const auto middle = static_cast<float>(half);
     const float inv_z = 1.0f / seen.z;
     return {focal_length * seen.x * inv_z + middle, focal_length * seen.y * inv_z + middle};
@@ -57,9 +57,9 @@ glm::vec2 shadow_place(const glm::vec3& seen, int resolution) {
 
 namespace {
 
-/// The texel of a coordinate, moved to the border where it lies beyond.
+/// The texel of a coordinate, moved to the border if it lies beyond.
 int texel_at(float place, int resolution) {
-    // Cut before it becomes whole: what is too large for an int has no whole number.
+    // Clamped before the conversion: a number too large for an int cannot be converted.
     const float whole = std::floor(place);
     return whole > 0.0f ? static_cast<int>(std::min(whole, static_cast<float>(resolution - 1))) : 0;
 }
@@ -89,7 +89,7 @@ ShadowTerms shadow_by_map(const ShadowPoint& point, const Occluders& occluders,
     const glm::vec3 from_lamp = point.position_world - map.lamp;
     const int which = shadow_face_of(from_lamp);
     const ShadowFace& face = map.faces[static_cast<std::size_t>(which)];
-    // 0 is added so that no part is −0.
+    // 0 is added so that no component is −0.
     const glm::vec3 seen = from_lamp * face.axes + 0.0f;
     // At the lamp itself there is no direction.
     if (!(seen.z > 0.0f)) return terms;

@@ -2,15 +2,15 @@
 
 // Shadow: how much of the lamp's light arrives at a point.
 //
-// In:  a point of a surface that faces the lamp, the lamp, and what may stand between.
+// In:  a point of a surface that faces the lamp, the lamp, and what may be in between.
 // Out: the share of the lamp's power that arrives, and what keeps the rest away.
-// Picture: look from the point to the lamp. By ray that is just what is done. By map the lamp has
-//          looked first, all around, and has noted how far it sees in each direction: what is
-//          farther away than that lies in shadow.
+// Picture: look from the point to the lamp. A ray does just that. For a map the lamp has looked
+//          first, all around, and has noted how far it sees in each direction: anything farther
+//          away than that is in shadow.
 //
-// A float is not the point that is meant but one close by, above the surface or below. So a ray
-// begins a little above the surface, by `offset`; and a map is asked with a `bias`, a distance too
-// small to count, because all points that fall in one texel are compared with one depth.
+// A point in floats is not the exact one but one close by, above or below the surface. So a ray
+// begins a little above the surface, by `offset`; and a map is compared with a `bias`, a distance
+// too small to count, because all points that fall in one texel are compared with one depth.
 //
 // The classic mistakes: no bias, and a surface shades itself in stripes (acne); too much of it, and
 // shadows come loose from what casts them (peter panning); a ray that goes on beyond the lamp.
@@ -35,11 +35,11 @@ namespace rasterwalk {
 
 struct Stages;
 
-/// How it is asked what stands between.
+/// The rules for finding what is in between.
 struct ShadowRules {
-    float offset = 0.001f;   ///< of a ray's beginning from the surface, world units
-    float bias = 0.05f;      ///< of a map: how far behind what it saw nothing is dark yet
-    float slope_bias = 0.0f; ///< added to the bias: texels, times the tangent of the light's slant
+    float offset = 0.001f;   ///< of a ray's start from the surface, world units
+    float bias = 0.05f;      ///< of a map: how far beyond the depth it saw a point is still lit
+    float slope_bias = 0.0f; ///< added to the bias: texels times the tangent of the light's slant
 
     friend bool operator==(const ShadowRules&, const ShadowRules&) = default;
 };
@@ -58,24 +58,25 @@ inline constexpr std::array<const char*, shadow_face_count> shadow_face_names{"+
 /// What the lamp sees in the direction of one face: a depth buffer.
 struct ShadowFace {
     glm::mat3 axes{1.0f};         ///< columns: right, down and forward in the world
-    std::vector<float> inv_depth; ///< 1/z of each texel, row after row; 0: nothing is there
+    std::vector<float> inv_depth; ///< 1/z of each texel, row by row; 0: nothing is there
 };
 
 /// The depth that the lamp sees all around.
 struct ShadowMap {
-    glm::vec3 lamp{0.0f}; ///< where it stood when the map was drawn
+    glm::vec3 lamp{0.0f}; ///< where it was when the map was drawn
     int resolution = 0;   ///< texels along each side of a face
     std::array<ShadowFace, shadow_face_count> faces;
 };
 
-/// What may stand between a point and the lamp. A ray asks the triangles, a map only the map.
+/// What may be between a point and the lamp. A ray is tested against the triangles; the map needs
+/// only itself.
 struct Occluders {
     std::shared_ptr<const TriangleTree> triangles;
     std::shared_ptr<const ShadowMap> map;
     ShadowRules rules;
 };
 
-/// A point that is asked about. It faces the lamp.
+/// A point to be tested. It faces the lamp.
 struct ShadowPoint {
     glm::vec3 position_world{0.0f};
     glm::vec3 normal{0.0f}; ///< of unit length
@@ -86,7 +87,7 @@ struct ShadowPoint {
 /// One comparison with a texel of the map.
 struct ShadowTexel {
     int column = 0, row = 0;
-    float inv_depth = 0.0f; ///< 1/z of what the lamp saw there; 0: nothing
+    float inv_depth = 0.0f; ///< 1/z of the surface the lamp saw there; 0: none
     bool is_lit = true;
 };
 
@@ -96,25 +97,24 @@ inline constexpr int most_shadow_texels = 4;
 /// Every number on the way to the share of light.
 struct ShadowTerms {
     bool is_asked = false; ///< false: nothing casts a shadow, or the point faces away
-    ShadowPoint point{};   ///< that was asked about
+    ShadowPoint point{};   ///< the point tested
     float lit = 1.0f;      ///< the share of the lamp's power that arrives, 0..1
     // By ray:
     WorldRay ray{};
-    TriangleHit hit{}; ///< the first triangle that stands between
+    TriangleHit hit{}; ///< the first triangle in between
     // By map:
-    int face = -1;         ///< in which the point lies; -1: no map is asked
-    glm::vec3 seen{0.0f};  ///< the point from the lamp: right, down and forward of that face
+    int face = -1;         ///< in which the point lies; -1: no map is used
+    glm::vec3 seen{0.0f};  ///< the point seen from the lamp: right, down and forward of that face
     glm::vec2 place{0.0f}; ///< the same in texels from the left and from the top
-    float bias = 0.0f;     ///< in force here
-    float compared = 0.0f; ///< its depth less the bias: dark if the lamp saw something nearer
+    float bias = 0.0f;     ///< the one used here
+    float compared = 0.0f; ///< its depth minus the bias: dark if the lamp saw something nearer
     std::array<ShadowTexel, most_shadow_texels> texels{};
     int texel_count = 0;
 
     bool is_dark() const { return lit < 1.0f; }
 };
 
-/// The way on which something may stand: from a little above the surface to the lamp, and no
-/// farther.
+/// The stretch to be tested: from a little above the surface to the lamp, and no farther.
 inline WorldRay shadow_ray(const ShadowPoint& point, float offset) {
     const glm::vec3 from = point.position_world + offset * point.normal;
     return {from, point.lamp - from, 1.0f};
@@ -123,23 +123,24 @@ inline WorldRay shadow_ray(const ShadowPoint& point, float offset) {
 /// Nothing casts a shadow: the lab.
 ShadowTerms no_shadow(const ShadowPoint& point, const Occluders& occluders, const Stages& stages);
 
-/// Asks the triangles of the scene. Needs Occluders::triangles.
+/// Tests the triangles of the scene. Needs Occluders::triangles.
 ShadowTerms shadow_by_ray(const ShadowPoint& point, const Occluders& occluders,
                           const Stages& stages);
 
-/// Asks the map. Needs Occluders::map.
+/// Uses the map. Needs Occluders::map.
 ShadowTerms shadow_by_map(const ShadowPoint& point, const Occluders& occluders,
                           const Stages& stages);
 
-/// The tangent of the slant of light, by which slope_bias is multiplied. Nearly along the surface
-/// it would have no end, and there is hardly any light: there it stays what it is at 0.01.
+/// The tangent of the slant of light, by which slope_bias is multiplied. For light nearly along the
+/// surface it would grow without limit, and there is hardly any light: below a cosine of 0.01 it
+/// stays the same.
 float shadow_slope(float cosine);
 
-/// The face of a map in which a direction from the lamp lies: that of its longest part.
+/// The face of a map in which a direction from the lamp lies: that of its largest component.
 int shadow_face_of(const glm::vec3& from_lamp);
 
-/// Where a place in the space of a face falls, in texels from the left and from the top. As the
-/// face is drawn: with a focal length of half a side, so that it sees 90 degrees.
+/// Where a place in the space of a face falls, in texels from the left and from the top. Like the
+/// drawing of the face, this has a focal length of half a side, so that it sees 90 degrees.
 /// @param seen right, down, forward; forward above 0
 glm::vec2 shadow_place(const glm::vec3& seen, int resolution);
 
@@ -148,7 +149,7 @@ glm::vec2 shadow_place(const glm::vec3& seen, int resolution);
 using ShadowTexels = std::array<glm::ivec2, most_shadow_texels>;
 /// The one in which it lies.
 int nearest_shadow_texel(const glm::vec2& place, int resolution, ShadowTexels& texels);
-/// The four around it. At the border of a face those within it take the place of those beyond.
+/// The four around it. At the border of a face, texels inside it replace those beyond.
 int four_shadow_texels(const glm::vec2& place, int resolution, ShadowTexels& texels);
 
 } // namespace rasterwalk

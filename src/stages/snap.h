@@ -1,14 +1,14 @@
 #pragma once
 
-// Snap: on which points of a grid the corners of a polygon stand when its pixels are found.
+// Snap: the grid points at which a polygon's corners are when its pixels are found.
 //
-// In:  a vertex on the screen: its real place, and the whole pixel that it falls in.
+// In:  a vertex on the screen: its unrounded place, and the whole pixel that it falls in.
 // Out: a point in whole 256ths of a pixel.
-// Picture: graph paper. Between its lines there is nothing, so every computation behind can be done
+// Picture: graph paper. Between its lines there is nothing, so every later computation can be done
 //          in whole numbers, and two triangles that share an edge agree about it to the bit.
 //
-// The lab snaps to whole pixels: walls jump by a pixel when the camera creeps. Hardware keeps 8
-// bits of the fraction.
+// The lab snaps to whole pixels: walls jump by a pixel when the camera moves slowly. Hardware keeps
+// 8 bits of the fraction.
 //
 // The classic mistake is to keep the floats: whether a point lies on an edge then depends on the
 // corner at which the computation begins.
@@ -39,8 +39,8 @@ struct GridPoint {
     friend bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
-/// Where a pixel is asked whether it is covered: half a pixel to the right of its left side and
-/// below its top.
+/// Where a pixel is tested for coverage: half a pixel to the right of its left side and below its
+/// top.
 constexpr std::int64_t pixel_centre(int column_or_row) {
     return grid_parts * column_or_row + grid_parts / 2;
 }
@@ -50,7 +50,7 @@ constexpr std::int64_t double_area(const GridPoint& a, const GridPoint& b, const
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// The column or row in which a coordinate lies; a border belongs to the pixel behind it.
+/// The column or row in which a coordinate lies; a border belongs to the pixel after it.
 int pixel_at(std::int64_t coordinate);
 
 /// At the centre of the whole pixel that the vertex was rounded to.
@@ -62,16 +62,16 @@ GridPoint snap_to_sixteenth(const ScreenVertex& vertex);
 /// To the nearest 256th of a pixel, in the same way.
 GridPoint snap_to_subpixel(const ScreenVertex& vertex);
 
-/// Where the corners of a polygon stand, by the slot `snap`.
-/// @param points receives them, in place of what it holds
+/// Where the corners of a polygon are, by the slot `snap`.
+/// @param points receives them, replacing its contents
 void snap_corners(PolygonCorners vertices, const Stages& stages, std::vector<GridPoint>& points);
 
 /// All pixels that the box of these points touches.
 /// @param points at least one
 Rectangle touched_pixels(std::span<const GridPoint> points);
 
-/// All pixels that the box of the snapped corners touches: the slot polygon_box of coverage that
-/// begins at the grid.
+/// All pixels that the box of the snapped corners touches: the slot polygon_box for coverage that
+/// starts from the grid.
 Rectangle snapped_box(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages);
 
 } // namespace rasterwalk

@@ -6,10 +6,10 @@
 // Out: how many fragments the row has, and how many of them are drawn.
 // Picture: a row of bricks from the left end to the right one, both included: right - left + 1.
 //
-// The classic mistakes: `<` for `<=`, which leaves out the last column and opens gaps between
-// neighbours; to leave out rows of a single pixel, which takes off the tips; to draw rows that no
-// sample has reached, where right - left + 1 does not fit an int; and to multiply the varyings by
-// 1/z a second time here, although the vertices did it already.
+// The classic mistakes are `<` for `<=`, which leaves out the last column and opens gaps between
+// neighbours; leaving out rows of a single pixel, which takes off the tips; drawing rows that no
+// sample has reached, where right - left + 1 does not fit an int; and multiplying the varyings by
+// 1/z a second time here, although the vertices have already done it.
 //
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // section 3.6.3, on spans and which of their ends belong to them.
@@ -33,7 +33,7 @@ constexpr int drawn_pixels(int pixel_count) {
     return pixel_count;
 }
 
-/// An end of a row as the walk along the row is given it: as the table has it.
+/// An end of a row as passed to the walk along the row: as the table has it.
 inline RowEnd span_end(const RowEnd& end) {
     return end;
 }
@@ -44,11 +44,11 @@ struct Row {
     const RowEnd& right;
     int row = 0;                           ///< of the picture
     int count = 0;                         ///< pixels from end to end
-    const TestedPolygon* tested = nullptr; ///< whose row it is, where edge functions made it
+    const TestedPolygon* tested = nullptr; ///< whose row it is, if edge functions made it
 };
 
 /// The fragments `first`, `first` + 1, ... of a row, counted from its left end: as many as `result`
-/// holds. They stand in the row's own columns; their values are walked from end to end.
+/// holds. They are in the row's own columns; their values are walked from end to end.
 void row_fragments(const Stages& stages, const Row& row, int first, VaryingSet carried,
                    std::span<LineSample> result);
 

@@ -1,9 +1,9 @@
 #pragma once
 
-// The one table of the functions that carry out the pipeline. What draws and what shows the drawing
-// both ask this table; so another function in a slot changes all of it alike. The mistakes of the
-// laboratory are such functions, in src/mistakes; which of them stand in the table follows from the
-// settings, in settings/choose_stages.h.
+// The one table of the functions that carry out the pipeline. The code that draws and the code that
+// shows the drawing both use this table, so a different function in a slot changes both alike. The
+// mistakes of the laboratory are such functions, in src/mistakes; settings/choose_stages.h puts
+// them in the table according to the settings.
 
 #include "stages/blend.h"
 #include "stages/clip.h"
@@ -39,13 +39,13 @@ struct Stages {
     decltype(&rasterwalk::rotate_to_camera) rotate_to_camera = rasterwalk::rotate_to_camera;
     decltype(&rasterwalk::to_clip_space) to_clip_space = rasterwalk::to_clip_space;
 
-    // Asked by vertex_shader_by_matrices().
+    // Used by vertex_shader_by_matrices().
     decltype(&rasterwalk::view_matrix) view_matrix = rasterwalk::view_matrix;
 
     decltype(&reject_nothing) reject = reject_nothing;
     decltype(&clip_nothing) clip = clip_nothing;
     decltype(&cull_nothing) cull = cull_nothing;
-    // Asked of each fragment, before the depth test.
+    // Called for each fragment, before the depth test.
     decltype(&keep_fragment) cull_fragment = keep_fragment;
 
     // Project: division, viewport transform and snap.
@@ -58,17 +58,17 @@ struct Stages {
     // Light, at vertices or at pixels.
     decltype(&rasterwalk::light_normal) light_normal = rasterwalk::light_normal;
     decltype(&rasterwalk::reflected_light) reflected_light = rasterwalk::reflected_light;
-    // Asked at vertices, and at pixels by surface_shader() alone.
+    // Called at vertices, and at pixels by surface_shader() alone.
     decltype(&side_of_normal) light_side = side_of_normal;
-    // Asked by surface_shader() alone.
+    // Called by surface_shader() alone.
     decltype(&rasterwalk::unit_normal) unit_normal = rasterwalk::unit_normal;
     decltype(&rasterwalk::highlight) highlight = rasterwalk::highlight;
     decltype(&rasterwalk::arrow_of_texel) arrow_of_texel = rasterwalk::arrow_of_texel;
     decltype(&rasterwalk::tangent_frame) tangent_frame = rasterwalk::tangent_frame;
     decltype(&world_space) light_space = world_space;
 
-    // Shadow: how much of the lamp's light arrives, asked by surface_light() where something may
-    // stand between; the way on which it may, and the texels of a map that are looked at.
+    // Shadow: how much of the lamp's light arrives, called by surface_light() if something may be
+    // in between; the ray to be tested, and the texels of a map that are looked at.
     decltype(&no_shadow) shadow = no_shadow;
     decltype(&rasterwalk::shadow_ray) shadow_ray = rasterwalk::shadow_ray;
     decltype(&nearest_shadow_texel) shadow_texels = nearest_shadow_texel;
@@ -88,15 +88,15 @@ struct Stages {
     int (*drawn_pixels)(int pixel_count) = rasterwalk::drawn_pixels;
     decltype(&rasterwalk::row_fragments) row_fragments = rasterwalk::row_fragments;
 
-    // Of coverage that asks pixels at their centres.
+    // For coverage that tests pixels at their centres.
     GridPoint (*snap)(const ScreenVertex& vertex) = snap_to_centre;
     bool (*edge_owns_points)(const EdgeDirection& edge) = owns_inclusive;
     decltype(&barycentric_weights) weights = barycentric_weights;
-    // Which pixels of a box edge functions ask. The picture is the same, the work is not: a
+    // Which pixels of a box edge functions test. The picture is the same, the work is not: a
     // function here may leave out only pixels that lie outside.
     decltype(&columns_of_box) tested_columns = columns_of_box;
 
-    // The samples of an edge; the lab's function asks the two slots of Interpolate.
+    // The samples of an edge; the lab's function calls the two slots of Interpolate.
     decltype(&line_by_interpolate) line = line_by_interpolate;
 
     // Interpolate: along edges and along rows.
@@ -104,36 +104,36 @@ struct Stages {
     decltype(&rasterwalk::interpolate) interpolate = rasterwalk::interpolate;
     RowEnd (*span_end)(const RowEnd& end) = rasterwalk::span_end;
     float (*varying_weight)(float zinv) = rasterwalk::varying_weight;
-    // By what a fragment divides its varyings; rightly by the weight that the vertices gave them.
+    // What a fragment divides its varyings by; correctly, the weight that the vertices gave them.
     float (*recovery_weight)(float zinv) = rasterwalk::varying_weight;
 
     decltype(&rasterwalk::depth_test) depth_test = rasterwalk::depth_test;
     decltype(&rasterwalk::depth_cell) depth_cell = rasterwalk::depth_cell;
 
-    // Who replaces the pixel shader by one that reads other varyings replaces varyings_read too.
+    // With a pixel shader that reads different varyings, varyings_read must be replaced too.
     decltype(&rasterwalk::pixel_shader) pixel_shader = rasterwalk::pixel_shader;
     VaryingSet (*varyings_read)(Shading shading) = rasterwalk::varyings_read;
 
     // Texture lookup: which level suits a footprint, where a place lies among the texels, which
-    // texel stands beyond the border, how it is read, and which texels are mixed.
+    // texel is used beyond the border, how it is read, and which texels are mixed.
     decltype(&rasterwalk::texture_level) texture_level = rasterwalk::texture_level;
     decltype(&rasterwalk::texel_place) texel_place = rasterwalk::texel_place;
     decltype(&rasterwalk::read_texel) read_texel = rasterwalk::read_texel;
     int (*wrap_texel)(int texel, int count) = wrap_repeat;
     decltype(&sample_nearest) sample_texture = sample_nearest;
 
-    // Asked of each fragment of what is half transparent, before it is put.
+    // Called for each half-transparent fragment, before it is put.
     decltype(&blend_over) blend = blend_over;
 
-    // Put pixel: which pixels there are, and what a channel becomes.
+    // Put pixel: which pixels there are, and how a channel is encoded.
     decltype(&rasterwalk::drawn_area) drawn_area = rasterwalk::drawn_area;
     ScreenRules screen;
 
     friend bool operator==(const Stages&, const Stages&) = default;
 };
 
-/// Calls the function in a slot. Those that are most likely to stand there are called by name, so
-/// that the compiler can inline them: a call by pointer takes longer than a depth test.
+/// Calls the function in a slot. The likeliest ones are called by name, so that the compiler can
+/// inline them: a call by pointer takes longer than a depth test.
 template <auto likely, auto... others, class... Arguments>
 auto call(decltype(likely) slot, const Arguments&... arguments) {
     if (slot == likely) return likely(arguments...);
@@ -159,12 +159,12 @@ void row_fragments_with(const Stages& stages, const Row& row, int first, Varying
     }
 }
 
-/// The varyings that edges and rows carry where no texture is shown: what the pixel shader and the
-/// culling of fragments read, and those that are always carried.
+/// The varyings that edges and rows carry if no texture is shown: those that the pixel shader and
+/// the culling of fragments read, and those that are always carried.
 VaryingSet carried_varyings(const Stages& stages, Shading shading);
 
-/// Has the pixel a cell in a depth buffer of the picture's size? What would be read and written
-/// outside of it is under guard: nothing is stored there, and everything is nearer.
+/// Does the pixel have a cell in a depth buffer of the picture's size? Access outside it is
+/// guarded: nothing is stored there, and everything is nearer.
 inline bool has_depth_cell(const Stages& stages, int column, int row, Viewport picture) {
     const glm::ivec2 cell = stages.depth_cell(column, row);
     return cell.x >= 0 && cell.x < picture.width && cell.y >= 0 && cell.y < picture.height;
@@ -180,13 +180,13 @@ struct RowSpan {
 /// How the stages draw a row of a table, 0 <= index < rows.size().
 RowSpan row_span(const Stages& stages, const PolygonRows& rows, int index);
 
-/// Does coverage walk the edges, sample by sample? Else it asks pixels at their centres.
+/// Does coverage walk the edges, sample by sample? If not, it tests pixels at their centres.
 bool walks_edges(const Stages& stages);
 
 /// The table with coverage that walks edges: the same, or with the lab's row table in its place.
 Stages walking_edges(const Stages& stages);
 
-/// Does coverage ask pixels of a box one by one, so that each that is asked is a moment?
+/// Does coverage test the pixels of a box one by one, so that each test is a moment?
 bool tests_pixels(const Stages& stages);
 
 } // namespace rasterwalk

@@ -76,7 +76,7 @@ bool is_of_use(const StageInfo& info, const Scene& scene) {
 
 bool is_computed_in(int place, const StripStep& step) {
     int last = strip_place(step);
-    // Of alternatives only the one that is drawn.
+    // Of several alternatives, only the one that is drawn.
     if (place == last) return true;
     while (stage_list()[static_cast<std::size_t>(last)].join == StripJoin::alternative)
         --last;

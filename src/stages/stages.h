@@ -1,6 +1,6 @@
 #pragma once
 
-// The stages of the lab, in order, and the steps of the strip that leads through them.
+// The stages of the lab, in order, and the steps of the strip that takes you through them.
 
 #include <array>
 #include <compare>
@@ -17,7 +17,8 @@ enum class Stage : std::uint8_t { points, edges, rows, fill, depth, shade };
 /// A step of the strip: how far, and with which shading. In the order of the strip.
 struct StripStep {
     Stage stage = Stage::points;
-    /// What stage `shade` computes. Before it no light is computed, and a step has the usual one.
+    /// What stage `shade` computes. In earlier stages no light is computed, and a step has the
+    /// usual one.
     Shading shading = Shading::phong;
 
     static const StripStep vertex_light, pixel_light;
@@ -39,13 +40,13 @@ enum class StripJoin : std::uint8_t {
 struct StageInfo {
     StripStep step;
     StripJoin join = StripJoin::begins_group;
-    bool needs_depth = false;   ///< of no use to a scene in pixels, which has no depth and no light
+    bool needs_depth = false;   ///< no use to a scene in pixels, which has no depth and no light
     std::string_view name;      ///< as in settings and on the command line: "vertex_light"
     std::string_view title;     ///< on the button
     std::string_view summary;   ///< one sentence
     std::string_view menu_help; ///< a shorter one, in the menu
-    std::string_view section;   ///< where the lab treats it
-    std::string_view tab;       ///< of the inspector, which speaks of what it draws
+    std::string_view section;   ///< where the lab covers it
+    std::string_view tab;       ///< of the inspector, which shows what it draws
 };
 
 inline constexpr int stage_count = 7;
@@ -53,18 +54,18 @@ inline constexpr int stage_count = 7;
 /// The steps of the strip in its order; each has another step.
 const std::array<StageInfo, stage_count>& stage_list();
 
-/// The place of a step in the list, from 0; for a shading that has no step of its own that of the
-/// last step of its stage.
+/// The place of a step in the list, from 0; if its shading has no step, the place of the last step
+/// of its stage.
 int strip_place(const StripStep& step);
 
-/// Can the scene use this step?
+/// Is this step of use to the scene?
 bool is_of_use(const StageInfo& info, const Scene& scene);
 
 /// Does the picture of a step contain the work of this place of the list? It is that step itself,
-/// or comes before it and is no other way to do what it does.
+/// or comes before it and is not an alternative to it.
 bool is_computed_in(int place, const StripStep& step);
 
-/// The step of this name; null if there is no such step.
+/// The step of this name; null if there is none.
 const StageInfo* find_stage(std::string_view name);
 
 /// Does the stage fill triangles, so that there are fragments?

@@ -19,7 +19,7 @@ SurfaceLight surface_light(const SurfacePoint& point, const Light& light, const 
     if (point.space)
         arriving.position = along_axes(light.position - point.position_world, point.space->axes);
     result.diffuse = stages.reflected_light(place, normal, point.reflectance, arriving);
-    // From behind no light comes, whatever stands there.
+    // No light comes from behind, whatever is there.
     if (occluders != nullptr && result.diffuse.cosine > 0.0f) {
         result.shadow = stages.shadow(
             {point.position_world, point.normal, light.position, result.diffuse.cosine}, *occluders,
@@ -47,7 +47,7 @@ glm::vec3 reflectance_at(const Fragment& fragment, const Surface& surface, const
 
 SurfacePoint surface_point(const Fragment& fragment, const Surface& surface, const Camera& camera,
                            const Stages& stages) {
-    // Only what is read is divided.
+    // Only the varyings that are read are divided.
     const float weight = weight_of(fragment, stages);
     SurfacePoint point{fragment.varyings.position_world / weight, surface.normal,
                        reflectance_at(fragment, surface, stages), surface.shine};
@@ -61,7 +61,7 @@ SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const P
                        const Stages& stages) {
     SurfacePoint point = surface_point(fragment, surface, rules.camera, stages);
     point.reflectance = textured(point.reflectance, fragment, surface, stages);
-    // Which side it is the surface says, not its bumps: from behind, a bump is a dent.
+    // The surface decides which side it is, not its bumps: from behind, a bump is a dent.
     const float side = stages.light_side(point.position_world, point.normal, rules.rays);
     if (surface.normal_map != nullptr) point = mapped_point(point, fragment, surface, stages);
     point.normal = side * point.normal;

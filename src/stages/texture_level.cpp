@@ -11,8 +11,8 @@ namespace rasterwalk {
 
 namespace {
 
-/// Where a corner stands for the pixels of its polygon, pixels; the lab's walks go from whole
-/// pixel to whole pixel.
+/// Where a corner is, for the pixels of its polygon, in pixels; the lab's walks go from whole pixel
+/// to whole pixel.
 glm::dvec2 standing_place(const ScreenVertex& vertex, const Stages& stages) {
     if (walks_edges(stages)) return {vertex.column, vertex.row};
     const GridPoint point = stages.snap(vertex);
@@ -29,7 +29,7 @@ struct ScreenTriangle {
     double area;
 };
 
-/// What a value that is linear on the screen grows by along x and along y.
+/// How much a value that is linear on the screen grows along x and along y.
 template <class Value>
 std::array<Value, 2> change_per_pixel(const ScreenTriangle& t, const Value& a, const Value& b,
                                       const Value& c) {

@@ -4,15 +4,15 @@
 //
 // In:  how u/z, v/z and 1/z change over the screen, and where a fragment lies in the texture.
 // Out: how far one pixel reaches in the texture, and the level whose texels are about as large.
-// Picture: a pixel as a window frame laid on the texture, pulled long where the surface recedes.
+// Picture: a pixel as a window frame laid on the texture, stretched where the surface recedes.
 //
 // Along a row, and along a column, u/z and 1/z change in equal steps, the same over the whole
-// polygon. So at every pixel the change of u itself is that of a quotient:
+// polygon. So at every pixel u itself changes like a quotient:
 //
 //     u = (u/z) / (1/z)      du/dx = (d(u/z)/dx - u d(1/z)/dx) / (1/z)
 //
 // The footprint has two sides: how far the place moves, in texels, to the next column and to the
-// next row. The level is log2 of the longer one: 0 where a pixel is a texel, 1 where it is two.
+// next row. The level is log2 of the longer one: 0 if a pixel spans one texel, 1 if it spans two.
 //
 // The classic mistake is to take the difference of u between two pixels across the seam of a
 // texture, from 0.99 to 0.01: one column of pixels then shows the smallest level.
@@ -34,7 +34,8 @@ struct Stages;
 
 /// What is added to the carried place in the texture and to its weight from a pixel to the one on
 /// its right, and to the one below: the same over a whole polygon. With perspective-correct
-/// interpolation these are u/z, v/z and 1/z; with affine u, v and 1, which does not change.
+/// interpolation the place is u/z, v/z and the weight 1/z; with affine they are u, v and 1, which
+/// does not change.
 struct TextureSlope {
     glm::vec2 texcoord_right{0.0f}, texcoord_down{0.0f};
     float weight_right = 0.0f, weight_down = 0.0f;
@@ -43,11 +44,11 @@ struct TextureSlope {
 };
 
 /// The slope over a polygon, by the largest triangle of its fan: all of them lie in one plane. All
-/// 0 where none has an area on the screen.
+/// 0 if none has an area on the screen.
 TextureSlope texture_slope(PolygonCorners vertices, const Stages& stages);
 
 /// How far the place in the texture moves from a pixel to the one on its right, and to the one
-/// below: derivatives, parts of the texture's width and height.
+/// below: derivatives, as fractions of the texture's width and height.
 struct Footprint {
     glm::vec2 right{0.0f}, down{0.0f};
 
@@ -60,8 +61,8 @@ struct TexturePlace {
     Footprint footprint;
 };
 
-/// @param carried the place as it is carried, u/z and v/z
-/// @param weight  by which it is carried, 1/z; not 0
+/// @param carried the carried place, u/z and v/z
+/// @param weight  it is carried with, 1/z; not 0
 TexturePlace texture_place(const glm::vec2& carried, float weight, const TextureSlope& slope);
 
 /// The length of one side of a footprint in texels of the texture itself.
@@ -70,8 +71,8 @@ float side_in_texels(const glm::vec2& side, const TextureLevel& base);
 /// The logarithm of a number above 0, base 2, rounded to float only at the end.
 float log2_of(float number);
 
-/// The level that suits a footprint: log2 of its longer side in texels. From 0, also where a texel
-/// is larger than a pixel, to the last level; 0 where the footprint is no number.
+/// The level that suits a footprint: log2 of its longer side in texels. From 0, also if a texel is
+/// larger than a pixel, to the last level; 0 if the footprint is NaN.
 float texture_level(const Footprint& footprint, const Texture& texture);
 
 } // namespace rasterwalk

@@ -9,19 +9,19 @@ namespace rasterwalk {
 
 namespace {
 
-/// What is left of a texel's number when whole lines are taken away, from 0 on.
+/// A texel's number modulo the line's length, 0 or more.
 int rest_from_zero(int texel, int count) {
     const int rest = texel % count;
     return rest < 0 ? rest + count : rest;
 }
 
-/// Two texels side by side, and how much the second counts.
+/// Two adjacent texels, and how much the second counts.
 struct TexelPair {
     int first, second;
     float share;
 };
 
-/// The two between whose centres a coordinate lies.
+/// The two texels between whose centres a coordinate lies.
 TexelPair pair_round(float coordinate, TextureDirection direction, int count,
                      const Stages& stages) {
     const float from_centre =
@@ -32,7 +32,7 @@ TexelPair pair_round(float coordinate, TextureDirection direction, int count,
             from_centre - before};
 }
 
-/// Adds the four texels of one level round a place to a colour.
+/// Adds the four texels around a place in one level to a colour.
 /// @param share of the level
 void add_four(const Texture& texture, int level, const glm::vec2& texcoord, float share,
               const Stages& stages, glm::vec3& colour, TakenTexels* taken) {

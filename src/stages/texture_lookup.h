@@ -8,18 +8,18 @@
 //          of its square: its centre lies at (i + 1/2) / n.
 //
 // Nearest takes the texel in whose square the place lies. Bilinear takes the four whose centres
-// stand round it, each by how near it is along both axes; that is right while a pixel is not larger
-// than a texel. Where it is larger, most texels would be passed over and the picture glitters; so
-// the mip chain holds smaller pictures, and the level is taken whose texels are about as large as
-// the pixel. Mipmap takes the nearest level, which shows a seam where the next one begins;
+// surround it, each by how near it is along both axes; that is right as long as a pixel is not
+// larger than a texel. If it is larger, most texels would be passed over and the picture would
+// glitter; so the mip chain holds smaller pictures, and the level is used whose texels are about as
+// large as the pixel. Mipmap takes the nearest level, which shows a seam where the next one begins;
 // trilinear mixes the two levels between which the footprint lies.
 //
-// Beyond the texture the wrap says which texel stands there: the texture again, its border on and
-// on, or its mirror image.
+// Beyond the texture, the wrap says which texel is used: the texture repeats, its border goes on,
+// or its mirror image follows.
 //
-// The classic mistakes: centres at i / n, so that bilinear moves the texture by half a texel; v
-// from the bottom where the rows begin at the top; wrapping u instead of the texel's number, so
-// that the last texel does not mix with the first.
+// The classic mistakes are centres at i / n, so that bilinear moves the texture by half a texel; v
+// from the bottom although the rows begin at the top; and wrapping u instead of the texel's number,
+// so that the last texel does not mix with the first.
 //
 // Source: The OpenGL Graphics System, version 4.6 (core profile), sections 8.14.2, coordinate
 // wrapping and texel selection, and 8.14.3, mipmapping; L. Williams, "Pyramidal Parametrics",
@@ -44,16 +44,16 @@ static_assert(words_match<TextureUse>);
 /// Which texels colour a fragment.
 enum class TextureFilter : std::uint8_t {
     nearest,   ///< the one in which it lies
-    bilinear,  ///< the four round it
-    mipmap,    ///< the four round it, of the level nearest to its footprint
-    trilinear, ///< the four round it of each of the two levels next to its footprint
+    bilinear,  ///< the four around it
+    mipmap,    ///< the four around it, in the level nearest to its footprint
+    trilinear, ///< the four around it in each of the two levels next to its footprint
 };
 template <>
 inline constexpr auto enum_words<TextureFilter> = word_list("nearest", "bilinear", "mipmap",
                                                             "trilinear");
 static_assert(words_match<TextureFilter>);
 
-/// What lies beyond the borders of a texture.
+/// What comes beyond the borders of a texture.
 enum class TextureWrap : std::uint8_t {
     repeat, ///< the texture again
     clamp,  ///< the texels of its border
@@ -65,24 +65,24 @@ static_assert(words_match<TextureWrap>);
 
 /// What the alpha of a texture does to a fragment.
 enum class TextureAlpha : std::uint8_t {
-    cut_out, ///< below `cut_out_limit` the fragment is discarded, or else it is as
-             ///< opaque as its surface
-    blend,   ///< it multiplies the alpha with which the fragment is blended
+    cut_out, ///< below `cut_out_limit` the fragment is discarded, else it is as opaque as its
+             ///< surface
+    blend,   ///< it multiplies the alpha that the fragment is blended with
     off,     ///< nothing: every texel is opaque
 };
 template <>
 inline constexpr auto enum_words<TextureAlpha> = word_list("cut_out", "blend", "off");
 static_assert(words_match<TextureAlpha>);
 
-/// Less alpha than this and a fragment is cut out: the alpha test of OpenGL 1.0, with GL_GEQUAL and
-/// this reference value.
+/// With less alpha than this a fragment is cut out: the alpha test of OpenGL 1.0, with GL_GEQUAL
+/// and this reference value.
 inline constexpr float cut_out_limit = 0.5f;
 
 /// A texel that a fragment took.
 struct TakenTexel {
     int level = 0;
-    int column = 0, row = 0; ///< in the level; by mistake B67 below 0
-    float weight = 0.0f;     ///< 0..1; those of all that a fragment takes add up to 1
+    int column = 0, row = 0; ///< in the level; below 0 with mistake B67
+    float weight = 0.0f;     ///< 0..1; those of all texels that a fragment takes add up to 1
     glm::vec3 colour{0.0f};
 
     friend bool operator==(const TakenTexel&, const TakenTexel&) = default;
@@ -98,14 +98,14 @@ struct TakenTexels {
     const TakenTexel* end() const { return list.data() + count; }
 };
 
-/// The number of the texel that stands in place `texel` of a line of `count` texels, count > 0:
-/// from 0 on for every texel, also below 0 and beyond the last.
+/// The number of the texel at place `texel` of a line of `count` texels, count > 0. It is 0 or more
+/// for every place, even below 0 and beyond the last.
 int wrap_repeat(int texel, int count);
 int wrap_clamp(int texel, int count);
 int wrap_mirror(int texel, int count);
 
-/// Where a texture coordinate lies among `count` texels: texel i goes from i to i + 1. What is no
-/// number, or too large to be counted, lies at 0.
+/// Where a texture coordinate lies among `count` texels: texel i goes from i to i + 1. NaN, or a
+/// coordinate too large to be counted, lies at 0.
 float among_texels(float coordinate, int count);
 
 /// The two directions in a texture.
@@ -117,7 +117,7 @@ inline float texel_place(float coordinate, TextureDirection, int count) {
     return among_texels(coordinate, count);
 }
 
-/// The colour of a texel, as it stands in a level.
+/// The colour of a texel, as stored in a level.
 /// @param column 0 <= column < level.width
 /// @param row    0 <= row < level.height
 inline glm::vec3 read_texel(const TextureLevel& level, int column, int row) {
@@ -136,11 +136,11 @@ glm::vec3 sample_mipmap(const Texture& texture, const TexturePlace& place, const
 glm::vec3 sample_trilinear(const Texture& texture, const TexturePlace& place, const Stages& stages,
                            TakenTexels* taken);
 
-/// The alpha of a texture at a place, 0 to 1: that of the texels whose colours are mixed there, by
+/// The alpha of a texture at a place, 0 to 1: from the texels whose colours are mixed there, with
 /// the same weights.
 float sample_alpha(const Texture& texture, const TexturePlace& place, const Stages& stages);
 
-/// The level nearest to one between levels; halfway, it is the larger picture, as in OpenGL.
+/// The whole level nearest to a level; halfway between two, the larger picture, as in OpenGL.
 int nearest_level(float level);
 
 } // namespace rasterwalk

@@ -12,11 +12,11 @@ namespace rasterwalk {
 
 namespace {
 
-/// A box of no more triangles is not divided.
+/// A box of no more triangles than this is not divided.
 constexpr int few_triangles = 4;
 
-/// By this part of its coordinates a box is larger than what is in it. The places at which rays
-/// meet triangles are off by some units in the last place; no box may miss one for that.
+/// A box is larger than its contents by this fraction of its coordinates. The places at which rays
+/// meet triangles are off by some units in the last place; no box may miss one because of that.
 constexpr float box_margin = 1e-5f;
 
 RayTriangle ray_triangle(const Mesh& mesh, int triangle) {
@@ -24,7 +24,7 @@ RayTriangle ray_triangle(const Mesh& mesh, int triangle) {
     return {a, mesh.corner(triangle, 1).position - a, mesh.corner(triangle, 2).position - a};
 }
 
-/// Does the ray come through the box before t?
+/// Does the ray pass through the box before t?
 bool passes(const WorldRay& ray, const glm::vec3& low, const glm::vec3& high, float before) {
     float enters = 0.0f, leaves = before;
     for (int i = 0; i < 3; ++i) {
@@ -111,7 +111,7 @@ void TriangleTree::ask(const WorldRay& ray, int triangle, TriangleHit& hit) cons
 TriangleHit TriangleTree::first_hit(const WorldRay& ray) const {
     TriangleHit hit;
     if (triangles_.empty()) return hit;
-    // Halving makes no more than 20 levels of a million triangles.
+    // Halving a million triangles makes no more than 20 levels.
     std::array<int, 64> waiting{};
     int count = 0;
     waiting[static_cast<std::size_t>(count++)] = 0;

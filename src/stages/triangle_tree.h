@@ -3,13 +3,13 @@
 // Which triangle of a scene a ray meets first.
 //
 // In:  the triangles in world space, and a ray.
-// Out: the triangle that it meets nearest to its beginning, and where.
-// Picture: boxes in boxes, the triangles in the innermost. A ray that misses a box misses all that
-//          is in it, so nearly all triangles need not be asked. With a box or without, the answer
-//          is the same.
+// Out: the triangle that it meets nearest to its start, and where.
+// Picture: boxes in boxes, the triangles in the innermost. A ray that misses a box misses
+//          everything in it, so nearly all triangles need no test. With boxes or without, the
+//          answer is the same.
 //
-// The classic mistakes: a ray that is not ended, so that what lies beyond its end counts as well;
-// and one that begins on a surface and meets that surface first.
+// The classic mistakes are a ray without an end, so that triangles beyond its end count as well;
+// and a ray that begins on a surface and meets that surface first.
 //
 // Source: T. Moeller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal
 // of Graphics Tools 2(1), 1997; boxes in boxes: S. M. Rubin, T. Whitted, "A 3-Dimensional
@@ -34,12 +34,12 @@ struct WorldRay {
 /// Where a ray meets a triangle.
 struct TriangleHit {
     int triangle = -1;                                ///< of the mesh; -1: it meets none
-    float t = std::numeric_limits<float>::infinity(); ///< of the place, see WorldRay
+    float t = std::numeric_limits<float>::infinity(); ///< of that place, see WorldRay
 
     bool is_hit() const { return triangle >= 0; }
 };
 
-/// A triangle as a ray asks for it: a corner, and the ways from there to the other two.
+/// A triangle as a ray needs it: a corner, and the vectors from there to the other two.
 struct RayTriangle {
     glm::vec3 a{0.0f}, ab{0.0f}, ac{0.0f};
 
@@ -47,7 +47,8 @@ struct RayTriangle {
 };
 
 /// Where the line of a ray meets a triangle, from either side; its edges belong to it.
-/// @return t of the place, or infinity: outside, beside the ray's stretch, or along the triangle
+/// @return t of that place, or infinity: outside, beyond the ray's ends, or parallel to the
+///         triangle
 float meeting_of(const WorldRay& ray, const RayTriangle& triangle);
 
 /// The triangles of a mesh in boxes.
@@ -55,10 +56,10 @@ class TriangleTree {
   public:
     explicit TriangleTree(const Mesh& mesh);
 
-    /// The triangle that the ray meets first; of several at the same place the first of the mesh.
+    /// The triangle that the ray meets first; of several at the same place, the first in the mesh.
     TriangleHit first_hit(const WorldRay& ray) const;
 
-    /// The same by asking every triangle.
+    /// The same by testing every triangle.
     TriangleHit first_hit_of_all(const WorldRay& ray) const;
 
     /// Are these the triangles of that mesh, at the same places?
@@ -74,7 +75,7 @@ class TriangleTree {
     void ask(const WorldRay& ray, int triangle, TriangleHit& hit) const;
 
     std::vector<RayTriangle> triangles_; ///< in the order of the mesh
-    std::vector<int> order_;             ///< the same as they lie in the boxes
+    std::vector<int> order_;             ///< the same, in the order of the boxes
     std::vector<Box> boxes_;             ///< the first holds everything
 };
 

@@ -5,9 +5,9 @@
 // With perspective-correct interpolation every member holds q/z instead of q on its way through
 // edges and rows, and the pixel shader divides.
 //
-// To add one: a member of the struct, its pointer in varying_members, its entry in varying_list.
-// What forgets a step does not compile. The operators, the walks along edges and rows, the graph,
-// the reports, the panels and the comparison of two runs follow from these three.
+// To add one: a member of the struct, its pointer in varying_members, its entry in varying_list. A
+// step left out does not compile. The operators, the walks along edges and rows, the graph, the
+// reports, the panels and the comparison of two runs follow from these three.
 
 #include <array>
 #include <cstdint>
@@ -89,8 +89,8 @@ constexpr int varying_index(Value Varyings::*wanted) {
     return index;
 }
 
-/// Some of the varyings. A walk carries only those that are asked for; the others stay as they were
-/// at its beginning, and nothing is paid for them.
+/// Some of the varyings. A walk carries only those asked for; the others stay as they were at its
+/// start, and cost nothing.
 struct VaryingSet {
     std::uint32_t bits = 0;
 
@@ -115,7 +115,7 @@ constexpr void each_in(VaryingSet set, Varyings& into, const Varyings& a, const 
     });
 }
 
-/// What is said about one component of a varying.
+/// The words for one component of a varying.
 struct VaryingComponent {
     std::string_view id;           ///< "z_world"
     std::string_view name;         ///< "z world"
@@ -125,17 +125,17 @@ struct VaryingComponent {
 
 /// Where a varying is carried and shown.
 enum class VaryingUse : std::uint8_t {
-    by_shader, ///< carried and shown only where the pixel shader reads it
-    listed,    ///< carried where the pixel shader reads it, shown in every stage
+    by_shader, ///< carried and shown only if the pixel shader reads it
+    listed,    ///< carried if the pixel shader reads it, shown in every stage
     always,    ///< carried and shown in every stage
 };
 
-/// What is known of a varying beside its type.
+/// What is known about a varying apart from its type.
 struct VaryingInfo {
     std::string_view name;  ///< of the member
     std::string_view word;  ///< in a sentence: "its light is ..."
     std::string_view space; ///< in which its components are measured
-    bool is_light = false;  ///< compared as what is seen: by a part of full light, not of itself
+    bool is_light = false;  ///< compared as it is seen: relative to full light, not to itself
     VaryingUse use = VaryingUse::by_shader;
     std::array<VaryingComponent, 3> components; ///< `count` of them
     int count = 0;

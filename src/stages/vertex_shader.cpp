@@ -31,7 +31,7 @@ SeenVertex seen_by_camera(const glm::vec3& position_world, const glm::mat3& rota
     return seen;
 }
 
-/// In a scene in pixel space x and y are columns and rows already: there is no camera.
+/// In a scene in pixel space x and y are already columns and rows: there is no camera.
 SeenVertex given_in_pixels(const glm::vec3& position, const VertexRules& rules) {
     return {{position, position}, {position.x, position.y, clip_z(position.z, rules), position.z}};
 }
@@ -59,7 +59,7 @@ CameraPlace to_camera_space(const glm::vec3& position_world, const Camera& camer
 SurfaceLight light_at_vertex(const Vertex& vertex, const VertexRules& rules, const Stages& stages) {
     const glm::vec3 normal = stages.light_normal(vertex.normal, rules.camera);
     const SurfacePoint point{vertex.position, normal, vertex.reflectance, vertex.shine};
-    // Which way the camera looks takes sines, and only highlights and lit backs ask.
+    // The camera's direction costs sines, and only highlights and lit backs need it.
     const bool is_asked =
         rules.light.model != LightModel::lambert || stages.light_side != side_of_normal;
     const SightRays rays = is_asked ? sight_rays(rules) : SightRays{};

@@ -6,8 +6,8 @@
 
 namespace rasterwalk {
 
-/// Memory that begins at a whole line of the processor's cache, so that a load of many lanes never
-/// takes two.
+/// Memory that begins at a line of the processor's cache, so that a load of many lanes never needs
+/// two lines.
 template <class Value>
 struct CacheAligned {
     using value_type = Value;

@@ -26,7 +26,7 @@ RASTERWALK_INLINE Ints packed(const Colour3& colour) {
     return to_ints(colour.red) << 16 | to_ints(colour.green) << 8 | to_ints(colour.blue);
 }
 
-/// Puts down a group of colours: the first `count` of them.
+/// Stores a group of colours: the first `count` of them.
 RASTERWALK_INLINE void store_colours(const Ints& colours, int count, std::uint32_t* to) {
     if (count >= lane_count)
         store(colours, to);
@@ -34,7 +34,7 @@ RASTERWALK_INLINE void store_colours(const Ints& colours, int count, std::uint32
         store_where(first_lanes(count), colours, to);
 }
 
-/// The number of the texel in place `texel` of a line of `count`, as stages/texture_lookup.h.
+/// The number of the texel at place `texel` of a line of `count`, as in stages/texture_lookup.h.
 RASTERWALK_INLINE std::int32_t wrapped(std::int32_t texel, std::int32_t count, Wrap wrap) {
     if (wrap == Wrap::clamp) return texel < 0 ? 0 : texel >= count ? count - 1 : texel;
     const std::int32_t period = wrap == Wrap::mirror ? 2 * count : count;
@@ -46,7 +46,7 @@ RASTERWALK_INLINE std::int32_t wrapped(std::int32_t texel, std::int32_t count, W
 /// The colour of a texture at a place in each lane.
 RASTERWALK_INLINE Colour3 texture_colour(const Texels& texture, const View& view, const Floats& u,
                                          const Floats& v) {
-    // Beyond this a place is none, as in among_texels().
+    // Beyond this there is no place, as in among_texels().
     const auto place = [](const Floats& coordinate, std::int32_t count) {
         const Floats at = coordinate * static_cast<float>(count);
         const Ints is_small = (bits_of(at) & all(0x7fffffff)) < bits_of(all(0x1p30f));

@@ -12,22 +12,21 @@ namespace rasterwalk {
 
 namespace {
 
-/// A corner of what is left: a vertex of the mesh, or a place between others with values of its
-/// own.
+/// A corner of what is left: a vertex of the mesh, or a place between others with its own values.
 struct CutCorner {
     glm::dvec3 place; ///< in the camera's space
     fast::Record normal, colour, texcoord;
     fast::VertexLight light;
-    glm::vec3 reflected; ///< of the light at it, where corners have colours and light
+    glm::vec3 reflected; ///< of the light at it, if corners have colours and light
     std::int32_t vertex; ///< of the mesh; -1: none
 };
 
-/// Light is worked out at vertices, and vertices have colours of their own.
+/// Is light worked out at vertices, and do vertices have their own colours?
 bool has_lit_colours(const FastMesh& mesh, const fast::View& view) {
     return view.light_at == fast::LightAt::vertices && !mesh.colours.empty();
 }
 
-/// What a white corner reflects of its light, beside the highlight.
+/// The light that a white corner reflects, without the highlight.
 glm::vec3 arriving_light(const fast::VertexLight& light, const fast::View& view) {
     glm::vec3 arriving;
     for (int i = 0; i < 3; ++i)
@@ -43,7 +42,7 @@ fast::Record mix(const fast::Record& p, const fast::Record& q, float t) {
 /// Where a plane meets the edge between two corners.
 /// @param a, b their distances from the plane, one of them below 0
 CutCorner cut_edge(const CutCorner& p, double a, const CutCorner& q, double b) {
-    // In one order, from whichever side the edge is come to.
+    // In one order, whichever triangle the edge belongs to.
     const auto key = [](const CutCorner& c) { return std::tuple(c.place.x, c.place.y, c.place.z); };
     if (key(q) < key(p)) return cut_edge(q, b, p, a);
     const double t = a / (a - b);
@@ -62,9 +61,9 @@ CutCorner cut_edge(const CutCorner& p, double a, const CutCorner& q, double b) {
 
 using CutPolygon = std::vector<CutCorner>;
 
-/// The part of a polygon on the side of a plane on which `distance` is not below 0. A vertex that
-/// is on the screen stays, whatever rounding and the margin of the guard band say: neighbours that
-/// are not cut have their edges there.
+/// The part of a polygon on the side of a plane where `distance` is not below 0. A vertex on the
+/// screen stays, whatever rounding and the margin of the guard band say: neighbours that are not
+/// cut have their edges there.
 template <class Distance>
 CutPolygon cut(const CutPolygon& polygon, Distance distance) {
     const auto distance_of = [&](const CutCorner& corner) {
@@ -105,7 +104,7 @@ CutCorner corner_of(const FastMesh& mesh, const fast::View& view, std::int32_t v
 }
 
 CutPolygon cut_to_view(CutPolygon polygon, const fast::View& view) {
-    // A little less than the guard band, so that rounding leads nowhere beyond it.
+    // A little less than the guard band, so that rounding cannot go beyond it.
     const double f = view.focal_length, guard = fast::guard_band - 1.0;
     const double left = guard + view.middle[0], right = guard - view.middle[0];
     const double top = guard + view.middle[1], bottom = guard - view.middle[1];
@@ -116,8 +115,8 @@ CutPolygon cut_to_view(CutPolygon polygon, const fast::View& view) {
     return cut(polygon, [&](const glm::dvec3& p) { return bottom * p.z - f * p.y; });
 }
 
-/// A colour that reflects so much of the light. Light goes from corner to corner as a whole: the
-/// product of two mixtures, of light and of colour, would be another.
+/// A colour that reflects this much of the light. Reflected light is interpolated as a whole: the
+/// product of light and colour, each interpolated, would be different.
 fast::Record colour_of(const CutCorner& corner, const fast::View& view) {
     const glm::vec3 arriving = arriving_light(corner.light, view);
     const auto share = [&](int i) {

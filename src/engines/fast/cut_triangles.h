@@ -8,11 +8,11 @@
 
 namespace rasterwalk {
 
-/// Cuts triangles that reach behind the near plane, or farther out than the guard band, and adds
-/// what is left of them to the mesh, as a fan of triangles. Two triangles that share an edge are
-/// cut at the same place.
-/// @param numbers of triangles of the mesh, whose vertices have been projected, and lit where the
-///                view asks for that
+/// Cuts triangles that reach behind the near plane or beyond the guard band, and adds what is left
+/// of them to the mesh, as a fan of triangles. Two triangles that share an edge are cut at the same
+/// place.
+/// @param numbers of triangles of the mesh, whose vertices have been projected, and lit if the view
+///                asks for that
 ///
 /// Source: I. E. Sutherland, G. W. Hodgman, "Reentrant Polygon Clipping", Communications of the ACM
 /// 17(1), 1974.

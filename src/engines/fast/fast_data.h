@@ -1,25 +1,25 @@
 #pragma once
 
-// What the loops of the fast engine read and write. They are compiled once for each level of
-// instructions (fast_loops.h), so this header holds plain data alone: an inline function here would
-// be one function for all levels, compiled for any of them.
+// The data that the loops of the fast engine read and write. The loops are compiled once for each
+// level of instructions (fast_loops.h), so this header holds only plain data: an inline function
+// here would be one function for all levels, compiled for any of them.
 
 #include <cstdint>
 
 namespace rasterwalk::fast {
 
-/// The most lanes of any level. Arrays that are gone through in lanes have room for this many more.
+/// The most lanes of any level. Arrays that loops go through in lanes have room for this many more.
 inline constexpr int most_lanes = 16;
 
-/// Screen coordinates are whole numbers of 256ths of a pixel, y down.
+/// Screen coordinates are whole 256ths of a pixel, y down.
 inline constexpr int subpixel_bits = 8;
 inline constexpr int subpixels = 1 << subpixel_bits;
 
-/// Vertices are drawn as they are up to so many pixels from the picture's corner; triangles that
-/// go farther are cut.
+/// Vertices are drawn uncut up to this many pixels from the picture's corner; triangles that go
+/// farther are cut.
 inline constexpr float guard_band = 8192.0f;
 
-/// Four numbers side by side, so that one load takes all of them.
+/// Four adjacent numbers, so that one load takes all of them.
 struct alignas(16) Record {
     float a, b, c, d;
 };
@@ -30,25 +30,25 @@ struct alignas(16) ScreenVertex {
     float inv_z;       ///< 1/z of the camera's space; see the two marks
     float unused;
 };
-/// In place of 1/z: the vertex lies nearer than the near plane, or beyond the guard band.
+/// Marks in place of 1/z: the vertex is nearer than the near plane, or beyond the guard band.
 inline constexpr float behind_near = 0.0f, beyond_guard = -1.0f;
 
-/// A triangle: for each corner how many bytes its records lie behind the first, and its material.
-/// All that belongs to a vertex is a record of 16 bytes.
+/// A triangle: for each corner the offset in bytes of its records from the first, and its material.
+/// All data of a vertex are in records of 16 bytes.
 struct alignas(16) Corners {
     std::int32_t a, b, c, material;
 };
 inline constexpr int record_size = 16;
 static_assert(sizeof(Record) == record_size && sizeof(Corners) == record_size);
 
-/// What light a vertex gets, before power and reflectance: see light_vertices().
+/// The light a vertex gets, before power and reflectance: see light_vertices().
 struct alignas(16) VertexLight {
     float diffuse, highlight;
     float unused[2];
 };
 static_assert(sizeof(ScreenVertex) == record_size && sizeof(VertexLight) == record_size);
 
-/// A texture of 8 bits a channel, 0x00BBGGRR.
+/// A texture with 8 bits per channel, 0x00BBGGRR.
 struct Texels {
     const std::uint32_t* texels;
     std::int32_t width, height;
@@ -63,30 +63,29 @@ struct Material {
     std::int32_t texture;     ///< -1: none
 };
 
-/// What lies beyond the borders of a texture, in the order of TextureWrap.
+/// What comes beyond the borders of a texture, in the order of TextureWrap.
 enum class Wrap : std::int32_t { repeat, clamp, mirror };
 
 /// Where light is worked out.
 enum class LightAt : std::int32_t { nowhere, vertices, pixels };
 
-/// The mesh in arrays, each number of all vertices side by side. From triangle_count on stand the
-/// triangles that cutting has made for one picture, and their vertices stand behind those of the
-/// scene.
+/// The mesh in arrays, one for each number of the vertices. The triangles that cutting has made for
+/// one picture start at triangle_count, and their vertices follow those of the scene.
 struct Mesh {
     const float *x, *y, *z;  ///< world
     const Record* normals;   ///< world, unit length; d is 0
-    const Record* colours;   ///< reflectance; null where no material has colours
+    const Record* colours;   ///< reflectance; null if no material has colours
     const Record* texcoords; ///< a = u, b = v; null without textures
     const float* exponents;  ///< of the highlight at each vertex; null without
     const Corners* triangles;
     const Material* materials;
     const Texels* textures;
     ScreenVertex* screen;
-    VertexLight* light;          ///< only where LightAt is vertices
+    VertexLight* light;          ///< only if LightAt is vertices
     std::int32_t triangle_count; ///< without those of cutting
 };
 
-/// What is the same for a whole picture.
+/// Values that are the same for a whole picture.
 struct View {
     std::int32_t width, height;
     float eye[3];       ///< world
@@ -109,7 +108,7 @@ struct TriangleList {
     std::int32_t count;
 };
 
-/// The triangles that can reach some rows of the picture, by their size on the screen.
+/// The triangles that can reach a band of rows, by their size on the screen.
 struct BandLists {
     std::int32_t first_row, end_row;
     TriangleList* tiny;   ///< up to tiny_size on both sides: lanes are triangles
@@ -126,7 +125,7 @@ inline constexpr int large_edges = 4;
 /// A large triangle, row by row between its edges; or two that form a convex quadrilateral in one
 /// plane with one light.
 struct LargeTriangle {
-    std::int32_t number; ///< of two: the first's
+    std::int32_t number; ///< for two: the first's
     std::int32_t first_row, end_row;
     double edge_x[large_edges], edge_y[large_edges], edge_slope[large_edges];
     std::int32_t edge_is_left[large_edges];
@@ -139,31 +138,31 @@ struct LargeTriangle {
     float reach_start[3], reach_right[3], reach_down[3];
     float reach_square;        ///< of reach_right
     float gain[3], ambient[3]; ///< red green blue, of 255
-    std::int32_t may_be_white; ///< can a channel come to more than 255?
+    std::int32_t may_be_white; ///< can a channel exceed 255?
 };
 
 /// How many rows the large triangles are worked out for at a time.
 inline constexpr int block_rows = 16;
 
-/// What a large triangle is in each row of a block.
+/// A large triangle in each row of a block.
 struct alignas(64) LargeRows {
-    std::int32_t begin[block_rows], end[block_rows]; ///< columns; none where end <= begin
+    std::int32_t begin[block_rows], end[block_rows]; ///< columns; none if end <= begin
     float inv_z[block_rows];                         ///< at column 0
     float quadratic_0[block_rows], quadratic_1[block_rows];
     const LargeTriangle* triangle;
 };
 
 /// A pixel of the visibility buffer: 1/z in the upper half, as the bits of a float, and the
-/// complement of a triangle's number in the lower. Of two triangles at a pixel the larger number is
-/// seen: the nearer one, and of two that are equally near the one that comes first. 0: nothing.
+/// complement of a triangle's number in the lower. The largest number at a pixel is visible: the
+/// nearest triangle, and the first one if two are equally near. 0: nothing.
 using Visible = std::int64_t;
 
 /// Where a picture is drawn.
 struct Planes {
     std::int32_t stride;   ///< numbers from row to row, in all planes
     std::uint32_t* colour; ///< 0x00RRGGBB
-    Visible* visible;      ///< of tiny, small and medium triangles; null where there are none
-    /// 1/z and owner; a block of rows for all where they are not kept.
+    Visible* visible;      ///< of tiny, small and medium triangles; null if there are none
+    /// 1/z and owner; one block of rows for all if they are not kept.
     float* inv_z;
     std::int32_t* owner; ///< while a row is drawn: a triangle of the mesh whose colour is not yet
                          ///< worked out, ~t for a triangle t of the scene whose colour is, or
@@ -172,14 +171,14 @@ struct Planes {
 };
 inline constexpr std::int32_t no_owner = INT32_MIN;
 
-/// A band of rows, and the room in which it is worked out.
+/// A band of rows, and the working memory for it.
 struct Band {
     std::int32_t first_row, end_row;
     const LargeTriangle* large; ///< nearest first
     std::int32_t large_count;
     LargeRows* rows;              ///< room for large_count
     const std::int32_t* source;   ///< numbers of the mesh's triangles in the scene
-    const std::int32_t* cut_from; ///< of those that cutting has made: the mesh's
+    const std::int32_t* cut_from; ///< of the triangles made by cutting: the mesh's
 };
 
 /// The loops, as compiled for one level.
@@ -188,8 +187,8 @@ struct Loops {
     void (*project_vertices)(const Mesh&, const View&, std::int32_t first, std::int32_t count);
     /// Light per vertex of the same vertices.
     void (*light_vertices)(const Mesh&, const View&, std::int32_t first, std::int32_t count);
-    /// Adds triangles to the lists of the bands that they can reach; to `cut` those with a corner
-    /// that is no place on the screen.
+    /// Adds triangles to the lists of the bands that they can reach, and to `cut` those with a
+    /// corner that has no place on the screen.
     void (*sort_triangles)(const Mesh&, const View&, std::int32_t first, std::int32_t end,
                            const BandLists* bands, std::int32_t band_count, TriangleList& cut);
     /// Triangles of each size into the visibility buffer.

@@ -73,7 +73,7 @@ struct FastEngine::State {
             std::int32_t* const begin = memory.data();
             list = {begin, begin + room, begin + 2 * room, begin + 3 * room, 0};
         }
-        /// The lanes behind the last are read, but not drawn.
+        /// The lanes after the last are read, but not drawn.
         void pad() {
             for (std::int32_t* of : {list.number, list.a, list.b, list.c})
                 std::fill_n(of + list.count, most_lanes, 0);
@@ -83,7 +83,7 @@ struct FastEngine::State {
         }
     };
 
-    /// What one thread has found of the triangles of one band.
+    /// The triangles of one band that one thread has found.
     struct FoundTriangles {
         Triangles tiny, small, medium, large;
     };
@@ -91,7 +91,7 @@ struct FastEngine::State {
     State(FastMesh to_draw, const FastOptions& with)
         : options(with), loops(loops_of(with.level)), mesh(std::move(to_draw)), pool(with.threads) {
         const auto bands = static_cast<std::size_t>(band_count());
-        // One more than there are threads: what cutting makes is sorted by itself.
+        // One more than there are threads: the triangles made by cutting are sorted separately.
         found.resize((bands + 1) * bands);
         cut.resize(bands);
         large.resize(bands);
@@ -115,16 +115,16 @@ struct FastEngine::State {
     FastOptions options;
     const fast::Loops& loops;
     FastMesh mesh;
-    std::vector<int> borders;          ///< rows at which bands begin, and the height behind them
+    std::vector<int> borders;          ///< rows at which bands begin, then the height
     std::vector<double> band_seconds;  ///< that the bands of the last picture took
     std::vector<FoundTriangles> found; ///< by thread, and then by band
     std::vector<Triangles> cut;        ///< by thread
-    std::vector<std::vector<fast::LargeTriangle>> large; ///< by band, as all that follows
+    std::vector<std::vector<fast::LargeTriangle>> large; ///< by band, like all that follows
     std::vector<AlignedVector<fast::LargeRows>> rows;
     AlignedVector<fast::Visible> visible;
-    std::vector<AlignedVector<float>> row_inv_z; ///< a block of rows, where no planes are kept
+    std::vector<AlignedVector<float>> row_inv_z; ///< a block of rows, if no planes are kept
     std::vector<AlignedVector<std::int32_t>> row_owner;
-    WorkerPool pool; ///< the last: its threads end before what they work on
+    WorkerPool pool; ///< last: its threads end before the data they work on
 };
 
 void FastEngine::State::sort(const fast::View& view, int thread, const Share& triangles) {
@@ -213,8 +213,8 @@ void FastEngine::State::draw_band(const fast::View& view, int band, fast::Planes
     band_seconds[b] = seconds_since(start);
 }
 
-/// Bands that would have taken the same time, as far as the last picture tells: each row of a band
-/// counts as much as the others of it.
+/// Bands that would have taken the same time, judging by the last picture: all rows of a band count
+/// the same.
 void FastEngine::State::set_borders(int height) {
     const auto bands = static_cast<std::size_t>(band_count());
     std::vector<int> next(bands + 1, height);
@@ -235,7 +235,7 @@ void FastEngine::State::set_borders(int height) {
             before += band_seconds[in++];
         const double share = (wanted * total - before) / std::max(band_seconds[in], 1e-9);
         const int row = borders[in] + static_cast<int>(share * (borders[in + 1] - borders[in]));
-        // Half of the way: what one picture tells is not all that is true.
+        // Halfway: a single picture is no safe measure.
         next[b] = std::clamp((row + borders[b]) / 2, next[b - 1], height);
     }
     borders = std::move(next);
@@ -267,7 +267,7 @@ void FastEngine::draw(const fast::View& view, FastPicture& picture) {
     State& s = *state_;
     const auto lanes = static_cast<std::size_t>(most_lanes);
     picture.size = {view.width, view.height};
-    // A group of lanes may begin at the last pixel of a row.
+    // A group of lanes can begin at the last pixel of a row.
     picture.stride = (static_cast<std::size_t>(view.width) + 2 * lanes - 1) / lanes * lanes;
     const std::size_t pixels = picture.stride * static_cast<std::size_t>(view.height);
     s.set_borders(view.height);

@@ -1,10 +1,10 @@
 #pragma once
 
-// The fast engine: the same picture as the steps, without steps. What a student walks through, the
-// row table, its samples and fragments, does not exist here; what is left is the picture, the depth
+// The fast engine: the same picture as the steps, without steps. The row table, samples and
+// fragments that a student walks through do not exist here; what remains is the picture, the depth
 // of each pixel, and which triangle it shows.
 //
-// It draws a scene as often as is asked for: with another camera, lamp or size.
+// It draws a scene any number of times, with different cameras, lamps or sizes.
 
 #include <cstdint>
 #include <memory>
@@ -21,7 +21,7 @@ namespace rasterwalk {
 struct FastOptions {
     SimdLevel level = best_simd_level(); ///< one of simd_levels()
     int threads = 1;                     ///< at least 1
-    bool keeps_planes = true;            ///< inv_z and owner are wanted, not the picture alone
+    bool keeps_planes = true;            ///< inv_z and owner are wanted, not just the picture
 };
 
 /// A picture in rows of `stride` pixels, of which the first `size.width` are the picture.
@@ -46,12 +46,12 @@ class FastEngine {
     FastEngine(FastEngine&&) noexcept;
     FastEngine& operator=(FastEngine&&) noexcept;
 
-    /// Draws the scene. What fast_engine_refuses() names is drawn as if it were not asked for.
-    /// @param picture its memory is used again
+    /// Draws the scene. Settings that fast_engine_refuses() names are ignored.
+    /// @param picture its memory is reused
     void draw(const Settings& settings, FastPicture& picture);
     void draw(const fast::View& view, FastPicture& picture);
 
-    /// What is drawn; it may be another between two pictures.
+    /// The mesh that is drawn; it may be changed between two pictures.
     FastMesh& mesh();
 
   private:

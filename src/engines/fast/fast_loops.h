@@ -13,14 +13,14 @@
 //   finish_rows        the same for large triangles, row by row; then the
 //                      colour of each pixel, once                          lanes are pixels
 //
-// Visibility comes first, and light is worked out only for what is seen: 1/z and owner form a
+// Visibility comes first, and light is worked out only for visible pixels: 1/z and owner form a
 // visibility buffer. Coverage follows one rule everywhere: the centre of a pixel is tested against
-// each edge without any rounding error, and a centre on an edge belongs to the triangle of which it
-// is a top or a left edge.
+// each edge without any rounding error, and a centre on an edge belongs to the triangle that has it
+// as a top or a left edge.
 //
 // Source: J. Pineda, "A Parallel Algorithm for Polygon Rasterization", Computer Graphics 22(4),
 // SIGGRAPH 1988; C. A. Burns, W. A. Hunt, "The Visibility Buffer", Journal of Computer Graphics
-// Techniques 2(2), 2013. Lanes that are triangles: M. Abrash, "Rasterization on Larrabee", 2009,
+// Techniques 2(2), 2013. On lanes that are triangles: M. Abrash, "Rasterization on Larrabee", 2009,
 // has the pixels of one triangle in lanes, which small triangles leave empty.
 
 #include "engines/fast/fast_data.h"
@@ -33,7 +33,7 @@ namespace {
 
 using namespace rasterwalk::fast;
 
-/// What is seen of a row without the large triangles.
+/// The visible part of a row without the large triangles.
 RASTERWALK_INLINE void begin_row(const View& view, std::int32_t row, const Planes& planes,
                                  bool has_owner, const RowPlanes& to) {
     if (planes.visible == nullptr) {
@@ -56,7 +56,7 @@ RASTERWALK_INLINE void begin_row(const View& view, std::int32_t row, const Plane
     }
 }
 
-/// Owners as they are kept: whatever was put is ~t.
+/// Owners in their final form: those already drawn are ~t.
 RASTERWALK_INLINE void keep_owners(const View& view, std::int32_t* owner) {
     for (std::int32_t x = 0; x < view.width; x += lane_count) {
         const Ints of = load(owner + x);
@@ -83,7 +83,7 @@ void finish_rows(const Mesh& mesh, const View& view, const Band& band, const Pla
         const std::int32_t end =
             block + block_rows < band.end_row ? block + block_rows : band.end_row;
         const auto row_planes = [&](std::int32_t row) {
-            // One row of memory for all, where nothing of it is looked at again.
+            // One row of memory for all rows, if none is looked at again.
             const std::int32_t kept = keeps_owner ? row : leaves_light ? row - block : 0;
             const std::int64_t offset = static_cast<std::int64_t>(kept) * planes.stride;
             return RowPlanes{planes.inv_z + offset, planes.owner + offset,
@@ -103,8 +103,8 @@ void finish_rows(const Mesh& mesh, const View& view, const Band& band, const Pla
             }
         }
         if (leaves_light) {
-            // Strip by strip: rows above each other show the same triangles, whose corners are then
-            // still near at hand.
+            // Strip by strip: neighbouring rows show the same triangles, whose corners are then
+            // still in the cache.
             for (std::int32_t x = 0; x < view.width; x += strip_width) {
                 const std::int32_t right =
                     x + strip_width < view.width ? x + strip_width : view.width;

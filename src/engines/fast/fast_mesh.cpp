@@ -14,14 +14,14 @@ namespace {
 /// Larger places would leave the range of floats on their way to the screen.
 constexpr float largest_place = 1e15f;
 
-/// What no calculation can go wrong with: 0 in place of what is no number.
+/// A value safe for every calculation: 0 in place of NaN or anything too large.
 float tame(float value) {
     return std::abs(value) <= largest_place ? value : 0.0f;
 }
 fast::Record record(const glm::vec3& v) {
     return {tame(v.x), tame(v.y), tame(v.z), 0.0f};
 }
-/// Shares of light, from which bytes are made without asking whether they are below 0.
+/// Shares of light; bytes are made from them without checking for values below 0.
 glm::vec3 shares(const glm::vec3& v) {
     constexpr float largest_share = 1e6f;
     return glm::clamp(glm::vec3(tame(v.x), tame(v.y), tame(v.z)), 0.0f, largest_share);
@@ -65,8 +65,8 @@ void add_vertices(const Mesh& mesh, FastMesh& fast) {
     }
 }
 
-/// Materials that are alike become one, as far as a small table remembers them: where nearly every
-/// triangle has its own, to remember all would take longer than everything else.
+/// Equal materials become one, as far as a small table remembers them: if nearly every triangle has
+/// its own, remembering all would take longer than everything else.
 class MaterialList {
   public:
     explicit MaterialList(std::vector<fast::Material>& list) : list_(list) {}

@@ -12,9 +12,9 @@
 
 namespace rasterwalk {
 
-/// A scene as the loops of the fast engine read it: each number of all vertices side by side. Once
-/// made it serves every picture of the scene. What cutting adds for one picture stands at the ends
-/// of the lists.
+/// A scene as the loops of the fast engine read it: one array for each number of the vertices. Once
+/// made it serves every picture of the scene. Cutting adds its triangles for one picture at the
+/// ends of the lists.
 struct FastMesh {
     FastMesh() = default;
     // Textures point to their texels, which a copy would not have.
@@ -25,31 +25,31 @@ struct FastMesh {
     AlignedVector<fast::Record> normals, colours, texcoords;
     AlignedVector<float> exponents; ///< empty: nothing shines
     AlignedVector<fast::Corners> triangles;
-    std::vector<std::int32_t> source;   ///< of each of the scene's: its number there
-    std::vector<std::int32_t> cut_from; ///< of each that cutting has made: the one it is a part of
+    std::vector<std::int32_t> source;   ///< the scene's number of each triangle
+    std::vector<std::int32_t> cut_from; ///< of each made by cutting: the one it is a part of
     std::vector<fast::Material> materials;
     std::vector<std::vector<std::uint32_t>> texels; ///< of each texture of the scene
     std::vector<fast::Texels> textures;
     AlignedVector<fast::ScreenVertex> screen;
     AlignedVector<fast::VertexLight> light;
     std::int32_t vertex_count = 0;   ///< of the scene, and of padding up to whole lanes
-    std::int32_t triangle_count = 0; ///< of the scene, as far as they can be drawn
+    std::int32_t triangle_count = 0; ///< those of the scene that can be drawn
 
-    /// Takes away what cutting has added.
+    /// Removes what cutting has added.
     void drop_cut();
-    /// Where the arrays lie now.
+    /// The arrays at their current places.
     fast::Mesh view();
 };
 
-/// Can a vertex be drawn here? Not where a coordinate is no number, or so large that it would leave
-/// the range of floats on its way to the screen.
+/// Can a vertex be drawn here? Not if a coordinate is NaN, or so large that it would leave the
+/// range of floats on its way to the screen.
 bool is_place(const glm::vec3& place);
 
-/// Triangles with a corner that is no place are left out.
+/// Triangles with a corner that fails is_place() are left out.
 FastMesh fast_mesh(const Scene& scene);
 
-/// The places of a mesh alone, and no triangles between them yet; those are to be of material 0,
-/// which is white.
+/// Only the places of a mesh, without triangles between them yet; those must have material 0, which
+/// is white.
 FastMesh fast_mesh_of_places(const Mesh& mesh);
 
 } // namespace rasterwalk

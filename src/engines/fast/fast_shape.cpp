@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// In place of a material: a corner is no place.
+/// In place of a material: a corner fails is_place().
 constexpr std::int32_t not_drawn = -1;
 
 std::vector<fast::Corners> corners_of_all(const Mesh& mesh) {

@@ -1,7 +1,7 @@
 #pragma once
 
 // Where surfaces are, not how they look: depth and owners from the fast engine, for views that
-// colour what is seen by their own rules.
+// colour surfaces by their own rules.
 
 #include <cstdint>
 #include <span>
@@ -16,13 +16,13 @@ namespace rasterwalk {
 
 class FastShape {
   public:
-    /// Takes the places of the mesh, which need not live longer.
+    /// Copies the places of the mesh, which need not live on.
     explicit FastShape(const Mesh& mesh);
 
-    /// Draws some of the triangles, both sides of each; those with a corner that is no place are
-    /// left out.
+    /// Draws some of the triangles, both sides of each; those with a corner that fails is_place()
+    /// are left out.
     /// @param numbers of triangles of the mesh
-    /// @param picture its inv_z and owner are what was asked for; its colour means nothing
+    /// @param picture receives inv_z and owner; its colour means nothing
     void draw(const FastEye& eye, std::span<const std::int32_t> numbers, FastPicture& picture);
 
   private:

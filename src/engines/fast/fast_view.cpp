@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A word of a setting that asks for what the engine has not.
+/// Is this word of a setting chosen? The engine does not have what it asks for.
 bool is_asked(std::string_view name, std::string_view word, const Settings& settings) {
     const Setting* setting = find_setting(name);
     return setting != nullptr && value_text(*setting, settings) == word;
@@ -49,7 +49,7 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
     if (settings.cull != Cull::none && settings.cull != Cull::screen_area)
         return unknown("any culling except cull=screen_area");
     if (settings.clip >= Clip::whole_only) return unknown("mistakes in clipping");
-    // What is right by the lab's rules: everything else is a mistake, or another way to be right.
+    // The right values by the lab's rules: any other is a mistake, or another right way.
     for (const auto& [name, right] :
          {std::pair<std::string_view, std::string_view>{"depth_test", "inverse_z"},
           {"depth_format", "inv_z"},

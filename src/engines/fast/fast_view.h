@@ -12,23 +12,23 @@
 
 namespace rasterwalk {
 
-/// Why the fast engine cannot draw this: a sentence without a point at its end that names the
-/// setting; empty if it can. It draws surfaces by rules of its own for pixels and edges: a pixel is
-/// covered if its centre is, edges belong to the triangle of which they are a top or a left edge,
-/// corners stand on 256ths of a pixel, and what lies behind the near plane is cut off.
+/// Why the fast engine cannot draw this: a sentence, without the full stop, that names the setting;
+/// empty if it can. It draws surfaces by its own rules for pixels and edges: a pixel is covered if
+/// its centre is, edges belong to the triangle that has them as a top or a left edge, corners are
+/// on 256ths of a pixel, and parts behind the near plane are cut off.
 std::string fast_engine_refuses(const Scene& scene, const Settings& settings);
 
-/// Camera, light and rules as the loops take them.
+/// Camera, light and rules as the loops need them.
 fast::View fast_view(const Settings& settings);
 
-/// A pinhole camera alone.
+/// Just a pinhole camera.
 struct FastEye {
     Viewport size;
     glm::vec3 position{0.0f};
     glm::mat3 rotation{1.0f};  ///< R, for row vectors
     float focal_length = 1.0f; ///< pixels
     glm::vec2 middle{0.0f};    ///< where it looks, pixels from the picture's corner
-    float near = 1e-3f;        ///< what is nearer is cut off, world units
+    float near = 1e-3f;        ///< anything nearer is cut off, world units
 };
 
 /// The view of it, without light and textures; it culls nothing.

@@ -1,14 +1,14 @@
 #pragma once
 
-// Lanes: several numbers side by side, on which one instruction works.
+// Lanes: several adjacent numbers that one instruction works on.
 //
-// Each fast_loops_*.cpp defines how many lanes there are (RASTERWALK_LANES), and whether
-// instructions are named where the compiler does not find them by itself
-// (RASTERWALK_NAMES_INSTRUCTIONS). All of it is in an unnamed namespace, because each level needs
-// lanes of its own.
+// Each fast_loops_*.cpp defines how many lanes there are (RASTERWALK_LANES), and whether it names
+// instructions that the compiler does not find (RASTERWALK_NAMES_INSTRUCTIONS). All of it is in an
+// unnamed namespace, because each level needs its own lanes.
 //
 // These are the vector types that g++ and clang++ share: + - * / < work on all lanes; a comparison
-// gives -1 where it is true and 0 elsewhere, so masks are whole numbers that & | ~ combine.
+// gives -1 in lanes where it is true and 0 in the others, so masks are whole numbers that & | ~
+// combine.
 
 #include <cstdint>
 
@@ -28,7 +28,8 @@ typedef std::int32_t Ints __attribute__((vector_size(4 * RASTERWALK_LANES)));
 /// Half as many lanes, of twice the size.
 typedef std::int64_t Longs __attribute__((vector_size(4 * RASTERWALK_LANES)));
 
-// Lists of lanes for __builtin_shufflevector(), which takes them from two vectors side by side.
+// Lists of lanes for __builtin_shufflevector(), which takes them from two vectors, one after the
+// other.
 #if RASTERWALK_LANES == 16
 #define RASTERWALK_LOWER_OF_BOTH 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23
 #define RASTERWALK_UPPER_OF_BOTH 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31
@@ -110,7 +111,7 @@ RASTERWALK_INLINE Ints floor_of(const Floats& lanes) {
     const Ints whole = to_ints(lanes);
     return whole + (to_floats(whole) > lanes);
 }
-/// The bits of floats as whole numbers: of numbers from 0 on they have the same order.
+/// The bits of floats as whole numbers: from 0 up, they have the same order.
 RASTERWALK_INLINE Ints bits_of(const Floats& lanes) {
     return (Ints)lanes;
 }
@@ -133,7 +134,7 @@ RASTERWALK_INLINE Ints upper_halves(const LongLanes& lanes) {
     return __builtin_shufflevector((Ints)lanes.first, (Ints)lanes.second, RASTERWALK_ODD);
 }
 
-/// A bit for each lane of which the highest bit is set, the first lane in the lowest bit.
+/// A bit for each lane, set if the lane's highest bit is; the first lane in the lowest bit.
 RASTERWALK_INLINE std::uint32_t sign_bits(const Ints& lanes) {
 #if RASTERWALK_NAMES_INSTRUCTIONS && RASTERWALK_LANES == 16
     return _mm512_movepi32_mask((__m512i)lanes);
@@ -155,8 +156,8 @@ RASTERWALK_INLINE Ints first_lanes(int count) {
     return lane_numbers() < all(count);
 }
 
-/// Puts down the lanes of a mask, and leaves what stands beside them. The memory of all lanes must
-/// be there; what the others hold is written again unchanged where there is no masked store.
+/// Stores the lanes of a mask, and leaves the memory of the others unchanged. That memory must
+/// exist, because without a masked store its old values are written back.
 template <class Lanes, class Number>
 RASTERWALK_INLINE void store_where(const Ints& mask, const Lanes& lanes, Number* to) {
     static_assert(sizeof(Number) == 4);
@@ -176,7 +177,7 @@ RASTERWALK_INLINE void store_where(const Ints& mask, std::uint32_t bits, const L
         store_where(mask, lanes, to);
 }
 
-/// 1 / sqrt(x), to about 12 bits where the processor has that.
+/// 1 / sqrt(x), to about 12 bits if the processor has that.
 RASTERWALK_INLINE Floats rough_inverse_root(const Floats& x) {
 #if RASTERWALK_NAMES_INSTRUCTIONS && RASTERWALK_LANES == 16
     return (Floats)_mm512_rsqrt14_ps((__m512)x);
@@ -197,8 +198,8 @@ RASTERWALK_INLINE Floats inverse_root(const Floats& x) {
     return rough * (1.5f - 0.5f * x * rough * rough);
 }
 
-/// Lanes as numbers to be looked up one by one. They go through memory: to take them out of the
-/// vector, as g++ would like to, takes two instructions each that wait for each other.
+/// Lanes as numbers to be looked up one by one. They go through memory: taking each out of the
+/// vector, as g++ would, needs two dependent instructions.
 RASTERWALK_INLINE void spill(const Ints& lanes, std::int32_t (&to)[lane_count]) {
     store(lanes, to);
     asm volatile("" : "+m"(to));
@@ -214,7 +215,7 @@ RASTERWALK_INLINE Ints offsets_of(const Ints& numbers) {
     return numbers << 4;
 }
 
-/// A record for each lane: the one that begins so many bytes behind the first.
+/// A record for each lane: the one that begins this many bytes after the first.
 RASTERWALK_INLINE RecordLanes load_records(const void* records, const std::int32_t* offsets) {
     const char* const from = static_cast<const char*>(records);
     RecordLanes lanes;
@@ -270,7 +271,7 @@ RASTERWALK_INLINE RecordLanes load_records(const void* records, const std::int32
     return lanes;
 }
 
-/// Puts the lanes of a set of bits one after the other. Room for all lanes must be there.
+/// Stores the lanes of a set of bits one after the other. There must be room for all lanes.
 /// @param spilled the same lanes in memory
 RASTERWALK_INLINE void append(const Ints& lanes, const std::int32_t (&spilled)[lane_count],
                               std::uint32_t bits, std::int32_t* to) {

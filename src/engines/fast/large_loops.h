@@ -10,10 +10,10 @@ namespace {
 
 using namespace rasterwalk::fast;
 
-/// What a large triangle is in the rows of a block. A row's pixels are those whose centres lie from
-/// the left edge on up to before the right one; both are worked out in double, where no place that
-/// is not on the edge is so near to it that rounding could move it there: edges start at 256ths of
-/// a pixel and are not higher than 2^22 of them, so such a place is at least 2^-31 away.
+/// A large triangle in the rows of a block. A row's pixels are those whose centres lie at or after
+/// the left edge and before the right one. Both are worked out in double, where no centre off an
+/// edge is so near to it that rounding could move it there: edges start at 256ths of a pixel and
+/// are not higher than 2^22 of them, so such a centre is at least 2^-31 away.
 RASTERWALK_INLINE void cross_block(const LargeTriangle& triangle, std::int32_t first_row,
                                    std::int32_t width, LargeRows& rows) {
     constexpr double half_and_less = 0.5 + 0x1p-33;
@@ -67,22 +67,22 @@ RASTERWALK_INLINE void cross_block(const LargeTriangle& triangle, std::int32_t f
     }
 }
 
-/// Where a row is drawn, from its first pixel on.
+/// The planes of a row, starting at its first pixel.
 struct RowPlanes {
     float* inv_z;
     std::int32_t* owner;
     std::uint32_t* colour;
 };
 
-/// Goes along a row of a large triangle, lane_count pixels at a time, and calls
-/// draw(mask, bits, x, inv_z, column) for those that are nearer than what is there.
+/// Goes along a row of a large triangle, lane_count pixels at a time, and calls draw(mask, bits, x,
+/// inv_z, column) for the nearer ones.
 template <class Draw>
 RASTERWALK_INLINE void walk_row(const LargeRows& rows, int k, float* inv_z, Draw draw) {
     const std::int32_t begin = rows.begin[k], end = rows.end[k];
     if (begin >= end) return;
     const float step = static_cast<float>(rows.triangle->z_right);
     const Ints lanes = lane_numbers();
-    // From a whole line of memory on.
+    // Start at a line of the cache.
     std::int32_t x = begin & ~(lane_count - 1);
     Floats depth = to_floats(lanes + (x - begin)) * step + rows.inv_z[k];
     Floats column = to_floats(lanes + x);
@@ -107,7 +107,8 @@ template <bool has_owner, bool may_be_white>
 RASTERWALK_INLINE void draw_flat_row_as(const LargeRows& rows, int k, std::int32_t number_in_scene,
                                         const RowPlanes& row) {
     const LargeTriangle& triangle = *rows.triangle;
-    // Taken before the loop: it writes to memory, and the compiler cannot know that not to these.
+    // Loaded before the loop: it writes to memory, and the compiler cannot know that these stay
+    // unchanged.
     const Floats q0 = all(rows.quadratic_0[k]), q1 = all(rows.quadratic_1[k]),
                  q2 = all(triangle.reach_square);
     const Colour3 gain{all(triangle.gain[0]), all(triangle.gain[1]), all(triangle.gain[2])};
@@ -129,11 +130,12 @@ RASTERWALK_INLINE void draw_flat_row_as(const LargeRows& rows, int k, std::int32
              });
 }
 
-/// A row of a triangle whose light has a closed form: large_triangle.h. Its colour is put at once,
-/// and light is worked out again where something nearer follows: the nearest triangles come first.
+/// A row of a triangle whose light has a closed form: large_triangle.h. Its colour is stored at
+/// once, and light is worked out again if something nearer follows: the nearest triangles come
+/// first.
 RASTERWALK_INLINE void draw_flat_row(const LargeRows& rows, int k, std::int32_t number_in_scene,
                                      bool has_owner, const RowPlanes& row) {
-    // A loop each, so that none asks at every pixel.
+    // Separate loops, so that none has to check at every pixel.
     if (has_owner)
         draw_flat_row_as<true, true>(rows, k, number_in_scene, row);
     else if (rows.triangle->may_be_white != 0)
@@ -142,7 +144,7 @@ RASTERWALK_INLINE void draw_flat_row(const LargeRows& rows, int k, std::int32_t 
         draw_flat_row_as<false, false>(rows, k, number_in_scene, row);
 }
 
-/// A row of any other: whose pixels they are is noted, and shade_row() finds it there.
+/// A row of any other: its pixels only note their owner, for shade_row() to find.
 RASTERWALK_INLINE void draw_row(const LargeRows& rows, int k, const RowPlanes& row) {
     const Ints owner = all(rows.triangle->number);
     walk_row(rows, k, row.inv_z,

@@ -35,7 +35,7 @@ glm::dvec3 to_camera(const glm::dvec3& v, const fast::View& view) {
             glm::dot(v, vector(view.axes[2]))};
 }
 
-/// The first row whose centre does not lie above a height.
+/// The first row whose centre is not above a height.
 int first_row_from(double y) {
     return static_cast<int>(std::ceil(y - 0.5));
 }
@@ -43,7 +43,7 @@ int first_row_from(double y) {
 void add_edge(const Corner& from, const Corner& to, bool is_clockwise,
               fast::LargeTriangle& triangle) {
     if (from.place.y == to.place.y) return;
-    // Always from above to below, so that both triangles at an edge have the same line.
+    // Always from top to bottom, so that both triangles at an edge have the same line.
     const bool is_down = from.place.y < to.place.y;
     const glm::dvec2 &top = is_down ? from.place : to.place,
                      &bottom = is_down ? to.place : from.place;
@@ -54,7 +54,7 @@ void add_edge(const Corner& from, const Corner& to, bool is_clockwise,
     triangle.edge_is_left[e] = is_down != is_clockwise ? 1 : 0;
 }
 
-/// The plane through the corners: 1/z at the centre of pixel (0, 0), and what it grows by.
+/// The plane through the corners: 1/z at the centre of pixel (0, 0), and how much it grows.
 void set_depth(const std::array<Corner, 3>& corners, double double_area,
                fast::LargeTriangle& triangle) {
     const auto& [a, b, c] = corners;
@@ -66,7 +66,7 @@ void set_depth(const std::array<Corner, 3>& corners, double double_area,
         a.inv_z + (0.5 - a.place.x) * triangle.z_right + (0.5 - a.place.y) * triangle.z_down;
 }
 
-/// Is the light of the triangle that of a plane with one normal?
+/// Is the triangle lit like a plane with one normal?
 bool is_flat(const fast::Corners& corners, const fast::Material& material, const FastMesh& mesh,
              const fast::View& view) {
     if (view.light_at != fast::LightAt::pixels ||
@@ -141,9 +141,9 @@ void set_flat_light(const Plane& plane, const fast::Material& material, const fa
     set(reach_along(ray_down), triangle.reach_down);
     triangle.reach_square = static_cast<float>(glm::dot(reach, reach));
     constexpr double pi = 3.14159265358979323846;
-    // Nowhere on the plane is more light than below the lamp: 1 / height^2. In float it comes to a
-    // little more; to how much is not known where the lamp is so low that reach^2 is the small
-    // difference of large numbers.
+    // The most light on the plane is right below the lamp: 1 / height^2. In float it can be a
+    // little more; how much is unknown if the lamp is so low that reach^2 is the small difference
+    // of large numbers.
     const double most_light = is_lit ? 1.25 / (height * height) : 0.0;
     triangle.may_be_white = is_lit && height < 0.01 * glm::length(lamp) ? 1 : 0;
     for (int i = 0; i < 3; ++i) {
@@ -175,8 +175,8 @@ double double_area(const Corner& a, const Corner& b, const Corner& c) {
     return ab.x * ac.y - ab.y * ac.x;
 }
 
-/// Two triangles as one polygon, if they lie on the two sides of an edge and nothing of them is
-/// bent inward: the pixels between its four edges are then those of both.
+/// Two triangles as one polygon, if they lie on opposite sides of an edge and together are convex:
+/// the pixels between the four edges are then those of both.
 std::optional<std::array<Corner, 4>> quadrilateral(const Triangle& p, const Triangle& q) {
     const auto are_same = [](const Corner& a, const Corner& b) {
         return a.place == b.place && a.inv_z == b.inv_z;
@@ -215,7 +215,7 @@ void set_edges(std::span<const Corner> corners, bool is_clockwise, int height,
     }
 }
 
-/// One triangle of the mesh; none if it shows no side.
+/// One triangle of the mesh; none if it is edge on or culled.
 std::optional<fast::LargeTriangle> large_triangle(std::int32_t number, const fast::View& view,
                                                   const FastMesh& mesh) {
     const fast::Corners& triangle = mesh.triangles[static_cast<std::size_t>(number)];
@@ -235,7 +235,7 @@ std::optional<fast::LargeTriangle> large_triangle(std::int32_t number, const fas
     return set;
 }
 
-/// Draws the second with the first, if that is the same.
+/// Joins the second to the first, if that draws the same.
 bool join(const fast::LargeTriangle& second, const fast::View& view, const FastMesh& mesh,
           fast::LargeTriangle& first) {
     if (first.has_flat_light == 0 || second.has_flat_light == 0) return false;
@@ -255,7 +255,7 @@ bool join(const fast::LargeTriangle& second, const fast::View& view, const FastM
 void set_up_large(std::span<const std::int32_t> numbers, const fast::View& view,
                   const FastMesh& mesh, bool joins_two, std::vector<fast::LargeTriangle>& large) {
     large.clear();
-    bool may_join = false; // to the last one
+    bool may_join = false; // with the last one
     for (const std::int32_t number : numbers) {
         const std::optional<fast::LargeTriangle> next = large_triangle(number, view, mesh);
         if (!next) continue;

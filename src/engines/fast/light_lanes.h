@@ -40,7 +40,7 @@ RASTERWALK_INLINE Floats exp2_of(const Floats& given) {
     return series * floats_of((whole + 127) << 23);
 }
 
-/// What of the light does not depend on power and reflectance.
+/// The parts of the light that do not depend on power and reflectance.
 struct LightShares {
     Floats diffuse;   ///< max(n . l, 0) / (4 pi r^2)
     Floats highlight; ///< max(n . h, 0)^e / (4 pi r^2), only where n . l > 0
@@ -55,7 +55,7 @@ constexpr float one_over_4_pi = 0.0795774715f;
 RASTERWALK_INLINE LightShares light_shares(const Vector3& to_lamp, const Floats& scale,
                                            const Vector3& normal, const Vector3& to_eye,
                                            bool has_highlights, const Floats& exponent) {
-    // At the lamp itself there is no direction to it, and no light.
+    // At the lamp itself there is no direction, and no light.
     const Floats least = all(1e-30f);
     const Floats r2 = dot(to_lamp, to_lamp), n2 = dot(normal, normal);
     const Floats inv_r = inverse_root(larger(r2, least)), inv_n = inverse_root(larger(n2, least));

@@ -1,6 +1,6 @@
 #pragma once
 
-// The colours of what is seen, where no closed form has them.
+// The colours of visible pixels that have no closed form.
 
 #include "engines/fast/colour_lanes.h"
 #include "engines/fast/fast_data.h"
@@ -25,7 +25,7 @@ RASTERWALK_INLINE std::int32_t end_of_run(const std::int32_t* owner, std::int32_
     return end;
 }
 
-/// What the weights of the corners make of their values.
+/// The corners and their weights, to mix values with.
 struct CornerLanes {
     std::int32_t a[lane_count], b[lane_count], c[lane_count];
     Floats weight_a, weight_b, weight_c;
@@ -41,7 +41,7 @@ struct CornerLanes {
     }
 };
 
-/// R of each corner, mixed: where corners have reflectances of their own.
+/// R of each corner, mixed: if corners have their own reflectances.
 RASTERWALK_INLINE Colour3 mix_light_of_colours(const CornerLanes& at, const Mesh& mesh,
                                                const View& view) {
     Colour3 sum{};
@@ -59,7 +59,7 @@ RASTERWALK_INLINE Colour3 mix_light_of_colours(const CornerLanes& at, const Mesh
     return sum;
 }
 
-/// What is the same for a row of the picture.
+/// Values that are the same for a row of the picture.
 struct RowRays {
     float start[3], right[3]; ///< the ray through the centre of pixel x: start + x right
     float row_centre;         ///< 256ths
@@ -126,7 +126,7 @@ RASTERWALK_INLINE void shade_group(const Mesh& mesh, const View& view, const Row
         const bool shines = of.has_highlight != 0 && view.has_highlights != 0;
         Colour3 lit;
         if (view.light_at == LightAt::vertices) {
-            // Light goes from corner to corner as a whole: with the reflectance, and the highlight.
+            // Light is interpolated as a whole: with the reflectance, and the highlight.
             lit = of.has_colours != 0 ? mix_light_of_colours(at, mesh, view)
                                       : reflected(shares,
                                                   {all(of.reflectance[0]), all(of.reflectance[1]),
@@ -162,7 +162,7 @@ RASTERWALK_INLINE std::int32_t number_in_scene(const Mesh& mesh, const Band& ban
     return band.source[number];
 }
 
-/// Light and texture of what has none yet.
+/// Light and texture for pixels that have none yet.
 /// @param x, right the columns of a strip
 RASTERWALK_INLINE void shade_row(const Mesh& mesh, const View& view, const Band& band,
                                  std::int32_t row, std::int32_t x, std::int32_t right,

@@ -9,7 +9,7 @@ namespace rasterwalk {
 #if defined(RASTERWALK_X86_LOOPS)
 namespace {
 
-/// What belongs to x86-64-v3 and __builtin_cpu_supports() has no name for under clang 14.
+/// The parts of x86-64-v3 that __builtin_cpu_supports() has no name for under clang 14.
 bool has_rest_of_v3() {
     unsigned a = 0, b = 0, c = 0, d = 0;
     constexpr unsigned movbe = 1u << 22, f16c = 1u << 29, lzcnt = 1u << 5;
@@ -24,7 +24,7 @@ std::vector<SimdLevel> simd_levels() {
     std::vector<SimdLevel> levels{SimdLevel::scalar};
 #if defined(RASTERWALK_X86_LOOPS)
     levels.push_back(SimdLevel::sse2);
-    // All that the loops are compiled for: what -march=x86-64-v3 and -v4 allow.
+    // Everything the loops are compiled for: what -march=x86-64-v3 and -v4 allow.
     __builtin_cpu_init();
     const bool has_v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                         __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which instructions of the processor the loops of the fast engine are compiled for.
+// The processor instructions that the loops of the fast engine are compiled for.
 
 #include <cstdint>
 #include <string_view>
@@ -10,12 +10,12 @@
 
 namespace rasterwalk {
 
-/// The loops are the same at every level; only how many lanes they have, and which instructions the
-/// compiler may take for them, differs.
+/// The loops are the same at every level; only the number of lanes and the instructions that the
+/// compiler may use differ.
 enum class SimdLevel : std::uint8_t {
-    scalar, ///< plain C++ of 4 lanes: what the compiler makes of it for any processor
-    sse2,   ///< 4 lanes: what every x86 of 64 bits can do
-    clones, ///< plain C++ of 8 lanes, compiled for x86-64-v3: nothing is written for the processor
+    scalar, ///< plain C++ with 4 lanes, compiled for any processor
+    sse2,   ///< 4 lanes: instructions that every 64-bit x86 has
+    clones, ///< plain C++ with 8 lanes, compiled for x86-64-v3, without intrinsics
     avx2,   ///< 8 lanes, with fused multiply-add: x86-64-v3
     avx512, ///< 16 lanes: x86-64-v4
 };
@@ -24,8 +24,7 @@ inline constexpr auto enum_words<SimdLevel> = word_list("scalar", "sse2", "clone
                                                         "avx512");
 static_assert(words_match<SimdLevel>);
 
-/// The levels that this build has and this processor can run, from the first to the last; never
-/// empty.
+/// The levels that this build has and this processor can run, in order; never empty.
 std::vector<SimdLevel> simd_levels();
 
 /// The last of them.

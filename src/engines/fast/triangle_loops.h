@@ -1,6 +1,6 @@
 #pragma once
 
-// Triangles by their size, and which pixels those cover that are not large.
+// Triangles by their size, and the pixels that all but the large ones cover.
 
 #include "engines/fast/fast_data.h"
 #include "engines/fast/lanes.h"
@@ -28,7 +28,7 @@ RASTERWALK_INLINE TriangleLanes load_triangles(const Mesh& mesh, const std::int3
     }
     return triangle;
 }
-/// Those from place i of a list on.
+/// Those of a list, starting at place i.
 RASTERWALK_INLINE TriangleLanes load_triangles(const Mesh& mesh, const TriangleList& list,
                                                std::int32_t i) {
     return load_triangles(mesh, list.a + i, list.b + i, list.c + i);
@@ -43,12 +43,12 @@ RASTERWALK_INLINE Lanes largest(const Lanes (&of)[3]) {
     return larger(of[0], larger(of[1], of[2]));
 }
 
-/// The first pixel whose centre does not lie before a coordinate.
+/// The first pixel whose centre is at or after a coordinate.
 RASTERWALK_INLINE Ints first_pixel(const Ints& coordinate) {
     return (coordinate + (subpixels / 2 - 1)) >> subpixel_bits;
 }
 
-/// The pixels that a triangle in each lane can cover; none where width or height is not above 0.
+/// The pixels that a triangle in each lane can cover; none unless width and height are above 0.
 struct BoxLanes {
     Ints left, top, width, height;
 };
@@ -115,13 +115,13 @@ void sort_triangles(const Mesh& mesh, const View& view, std::int32_t first, std:
     }
 }
 
-/// Three edge functions and the plane of 1/z of a triangle in each lane, at the first pixel of what
-/// the picture shows of its box. Each edge lies opposite of the corner of its number.
+/// Three edge functions and the plane of 1/z of a triangle in each lane, at the first pixel of its
+/// box in the picture. Each edge lies opposite the corner with its number.
 struct SetUpLanes {
-    Ints edge[3];           ///< at least 0 inside: 1 is taken away where the edge is not owned
-    Ints right[3], down[3]; ///< what an edge function grows by
+    Ints edge[3];           ///< 0 or more inside: 1 is subtracted if the edge is not owned
+    Ints right[3], down[3]; ///< how much an edge function grows
     Floats inv_z, inv_z_right, inv_z_down;
-    Floats nearest, farthest; ///< 1/z of the corners: no pixel is beyond them
+    Floats nearest, farthest; ///< 1/z of the corners: all pixels are between them
     Ints is_front;            ///< corners go round clockwise on the screen
     Ints has_area;
 };
@@ -139,7 +139,7 @@ RASTERWALK_INLINE SetUpLanes set_up(const TriangleLanes& given, const BoxLanes& 
     SetUpLanes set;
     set.is_front = area > Ints{};
     set.has_area = area != Ints{};
-    // Corners that go round the other way: the second and the third change places.
+    // If the corners go round the other way, the second and the third are swapped.
     const Ints turned = area < Ints{};
     const auto change = [&](auto& second, auto& third) {
         const auto kept = second;
@@ -170,13 +170,13 @@ RASTERWALK_INLINE SetUpLanes set_up(const TriangleLanes& given, const BoxLanes& 
     return set;
 }
 
-/// Is the triangle of a lane drawn, as far as its sides tell?
+/// Is the triangle of a lane drawn, judging by its side?
 RASTERWALK_INLINE Ints is_shown(const SetUpLanes& set, const View& view) {
     return view.culls_backs != 0 ? set.is_front : set.has_area;
 }
 
-/// The rows of a box that bands above have drawn. 1/z is counted from the first row in the picture,
-/// not in the band: else the bits of a picture would depend on where its bands begin.
+/// The rows of a box that belong to bands above. 1/z is counted from the first row in the picture,
+/// not in the band: otherwise the bits of a picture would depend on where its bands begin.
 RASTERWALK_INLINE Ints rows_above(const BoxLanes& box, const Band& band, SetUpLanes& set) {
     const Ints rows = larger(all(band.first_row) - box.top, Ints{});
     for (int e = 0; e < 3; ++e)
@@ -184,11 +184,12 @@ RASTERWALK_INLINE Ints rows_above(const BoxLanes& box, const Band& band, SetUpLa
     return rows;
 }
 
-/// Triangles of at most `size` pixels on each side, which all lanes go through pixel by pixel.
+/// Triangles of at most `size` pixels on each side, all lanes going through them pixel by pixel.
 template <int size>
 RASTERWALK_INLINE void draw_boxes(const Mesh& mesh, const View& view, const TriangleList& list,
                                   const Band& band, const Planes& planes) {
-    // So many pixels of each triangle are tested before any is drawn: a bit for each lane of each.
+    // This many pixels of each triangle are tested before any is drawn: a bit for each lane of
+    // each.
     constexpr int tests = 4;
     static_assert(size * size % tests == 0 && tests % size == 0 && tests * lane_count <= 64);
     std::int32_t pixels[tests * lane_count];
@@ -246,7 +247,7 @@ void draw_small(const Mesh& mesh, const View& view, const TriangleList& list, co
     draw_boxes<small_size>(mesh, view, list, band, planes);
 }
 
-/// Puts down the larger number of each pair.
+/// Stores the larger number of each pair.
 RASTERWALK_INLINE void store_larger(const LongLanes& lanes, Visible* to) {
     store_longs(larger(lanes.first, load_longs(to)), to);
     store_longs(larger(lanes.second, load_longs(to + lane_count / 2)), to + lane_count / 2);
@@ -302,7 +303,7 @@ void draw_medium(const Mesh& mesh, const View& view, const TriangleList& list, c
                         ~((e0 | e1 | e2) >> 31) & (lanes < all(width[t] - column));
                     if (sign_bits(is_inside) != 0) {
                         const Floats mine = smaller(larger(z, farthest), nearest);
-                        // Beside the triangle stands 0, which is never seen.
+                        // Outside the triangle the value is 0, which is never visible.
                         store_larger(join_halves(number & is_inside, bits_of(mine) & is_inside),
                                      seen + column);
                     }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is done to each vertex, once.
+// The work done once per vertex.
 
 #include "engines/fast/fast_data.h"
 #include "engines/fast/lanes.h"
@@ -10,7 +10,7 @@ namespace {
 
 using namespace rasterwalk::fast;
 
-/// To the nearest 256th, halves up, as stages/snap.h.
+/// To the nearest 256th, halves up, as in stages/snap.h.
 RASTERWALK_INLINE Ints to_subpixels(const Floats& pixels) {
     return floor_of(pixels * static_cast<float>(subpixels) + 0.5f);
 }
@@ -27,7 +27,7 @@ void project_vertices(const Mesh& mesh, const View& view, std::int32_t first, st
         const Floats scale = inv_z * view.focal_length;
         const Floats column = along(view.axes[0]) * scale + view.middle[0];
         const Floats row = along(view.axes[1]) * scale + view.middle[1];
-        // As whole numbers, in which what is no number is larger than any.
+        // Compared as whole numbers, where NaN is larger than any number.
         const Ints is_near = bits_of(depth) < bits_of(all(view.near));
         const Ints no_sign = all(0x7fffffff);
         const Ints guard = bits_of(all(guard_band));

@@ -16,7 +16,7 @@ WorkerPool::WorkerPool(int count) {
         for (int i = 1; i < count; ++i)
             threads_.emplace_back([this, i] { wait_for_work(i); });
     } catch (...) {
-        end(); // those that could be started
+        end(); // ends those that could be started
         throw;
     }
 }

@@ -11,7 +11,7 @@
 namespace rasterwalk {
 
 /// Threads that wait for work. They stay awake for a moment, since the next step of a picture
-/// follows at once, and then sleep. PinnedThreads can hold them to processors.
+/// follows at once, and then sleep. PinnedThreads can pin them to processors.
 class WorkerPool {
   public:
     /// @param count threads that work, the caller's among them; at least 1
@@ -22,8 +22,8 @@ class WorkerPool {
 
     int count() const { return static_cast<int>(threads_.size()) + 1; }
 
-    /// Calls work(i) for 0 <= i < count(), each on a thread of its own, and waits for all. If one
-    /// of them throws, all come to their end first; then the first exception is thrown here.
+    /// Calls work(i) for 0 <= i < count(), each on its own thread, and waits for all. If one of
+    /// them throws, all finish first; then the first exception is rethrown here.
     void run(const std::function<void(int)>& work);
 
   private:
