@@ -7,9 +7,9 @@
 
 namespace rasterwalk {
 
-/// What of a surface need not be worked out at each pixel.
+/// What need not be computed at each pixel of a surface.
 struct SurfaceFacts {
-    bool is_flat = true;        ///< the corners of each triangle have one normal
+    bool is_flat = true;        ///< all corners of a triangle have one normal
     bool has_one_colour = true; ///< the whole scene has one reflectance
 };
 
