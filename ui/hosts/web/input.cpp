@@ -22,7 +22,7 @@ struct Held {
 };
 Held held;
 
-/// Notes what an event presses or releases. Returns false if it already was.
+/// Notes what an event presses or releases. Returns false if that changes nothing.
 bool take(const PageEvent& event, Held& now) {
     if (event.kind == PageEvent::Kind::button) {
         return std::exchange(now.buttons[static_cast<std::size_t>(event.code)], event.is_down) !=
