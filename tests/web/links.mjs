@@ -4,7 +4,7 @@ import {serve, Visit} from './browser.mjs';
 import {equal, holds, note, test} from './checks.mjs';
 import {comparePicture} from './pictures.mjs';
 
-/// What a wrong link is told.
+/// What is said about a wrong link.
 const wrongLinks = [
     ['lesson=nonsense', "there is no lesson 'nonsense'"],
     ['lesson=05-row-tabel', "Did you mean '05-row-table'?"],
@@ -40,7 +40,7 @@ const wrongLinks = [
     ['&'.repeat(8000), 'which is not a name and a value'],
 ];
 
-/// Those that are opened in a page of their own, too.
+/// Those that are also opened in a new page.
 const hostileLinks = /^scene=(\.\.|https)|^stage=%zz|^render=|^a{9}/;
 
 async function checkRefusal(program, link, words) {

@@ -6,14 +6,14 @@ import {equal, holds, test} from './checks.mjs';
 const kept = (program, name) => program.page.evaluate(name =>
     Object.entries(localStorage).find(([key]) => key.endsWith(':' + name))?.[1] ?? '', name);
 
-/// The steps of a lesson that were on show, as they are kept.
+/// The steps of a lesson that were shown, as they are kept.
 const keptSteps = async (program, lesson) => {
     const text = await kept(program, 'progress.toml');
     const at = text.indexOf(`[lessons.${lesson}]`);
     return at < 0 ? [] : JSON.parse(/steps = (\[[^\]]*\])/.exec(text.slice(at))?.[1] ?? '[]');
 };
 
-/// As if the window were on another screen; then the mouse moves.
+/// Acts as if the window were on a different screen, and moves the mouse.
 async function usePixels(program, factor) {
     await program.protocol.send('Emulation.setDeviceMetricsOverride', {width: 1600, height: 1000, deviceScaleFactor: factor, mobile: false});
     await program.page.mouse.move(3, 3);

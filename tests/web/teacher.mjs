@@ -1,4 +1,4 @@
-// A copy of the site with a lesson, a scene and a model of its own.
+// A copy of the site with an added lesson, scene and model.
 
 import {copyFileSync, cpSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -29,7 +29,7 @@ set = ["stage=pixel_light"]
 It goes on with a model.
 `;
 
-/// Copies the site and lays the files of the teacher into it; `lines` stand in lessons/own.txt.
+/// Copies the site and adds the teacher's files to it; `lines` go into lessons/own.txt.
 async function ownSite(place, name, lines) {
     const folder = join(place.folder, name);
     cpSync(place.site.folder, folder, {recursive: true});
@@ -86,7 +86,7 @@ export function testTeacher(place) {
         } catch (fault) {
             note(`${JSON.stringify(lines)}: ${fault.message}`);
         } finally {
-            // That a file is not there is told where the teacher looks for it.
+            // A missing file is reported where the teacher looks for it.
             visit.messages = visit.messages.filter(text => !/^lessons: the list holds|404/.test(text));
             visit.requests = [];
             await visit.close();

@@ -1,21 +1,21 @@
 'use strict';
 // The page around the program: listens to the browser, and does what the program asks of it.
-// page.cpp is the other half. It comes before rasterwalk.js, which takes up `Module`.
+// page.cpp is the other half. This file comes before rasterwalk.js, which reads `Module`.
 
-// ---- What the program asks of the page -----------------------------------------------------------
+// ---- What the program calls ----------------------------------------------------------------------
 
 const canvas = document.getElementById('canvas');
 const sentence = document.getElementById('sentence');
 const chooser = document.getElementById('chooser');
 const typing = document.getElementById('typing');
 
-// Pages of one site keep what they keep apart.
+// Each page of a site keeps its own files.
 const storePrefix = 'rasterwalk:' + new URL('.', location.href).pathname + ':';
 const stateFolder = '/state/rasterwalk';
 const keptFiles = ['progress.toml', 'window.toml'];
 
 const page = {
-    frames: 0, // for tests: how many were asked for
+    frames: 0, // for tests: how many were requested
 
     copy(text) {
         const byHand = () => {
@@ -38,7 +38,7 @@ const page = {
         link.click();
         setTimeout(() => URL.revokeObjectURL(link.href), 60000);
     },
-    // Returns false where the browser keeps nothing.
+    // Returns false if the browser keeps nothing.
     keep(path) {
         try {
             const name = path.slice(path.lastIndexOf('/') + 1);
@@ -50,7 +50,7 @@ const page = {
         }
     },
     setCursor(name) { canvas.style.cursor = name; },
-    // A screen without keys brings some up.
+    // A device without a keyboard shows one.
     setTyping(isTyping) {
         if (!lastPointerWasTouch) return;
         typing.value = typingMark;
@@ -62,10 +62,10 @@ const page = {
         try {
             if (fragment !== location.hash) history.replaceState(null, '', fragment || location.pathname + location.search);
         } catch (fault) {
-            addressTimer = setTimeout(() => page.setAddress(fragment), 1000); // browsers allow so many at a time
+            addressTimer = setTimeout(() => page.setAddress(fragment), 1000); // browsers allow only so many at a time
         }
     },
-    // The first sentence says why there is nothing else.
+    // Only the first sentence is shown: it says why there is nothing else.
     say(text) {
         if (isTold) return;
         isTold = true;
@@ -114,7 +114,7 @@ function drawFrame() {
 
 const longestText = 100000; // letters that a function of page.cpp takes
 
-// Calls a function of page.cpp. What ends the program is said instead of a page that stands still.
+// Calls a function of page.cpp. If the program ends, the page says why instead of freezing.
 function call(name, ...values) {
     if (!isRunning) return Infinity;
     const types = values.map(value => typeof value === 'string' ? 'string' : 'number');
@@ -143,7 +143,7 @@ function tell(name, ...values) {
 
 // ---- Keys ----------------------------------------------------------------------------------------
 
-// As ui/widgets/keys.h numbers them.
+// Keys by their numbers in ui/widgets/keys.h.
 const namedKeys = {
     Escape: 256, Enter: 257, Tab: 258, Backspace: 259, Insert: 260, Delete: 261,
     ArrowRight: 262, ArrowLeft: 263, ArrowDown: 264, ArrowUp: 265,
@@ -156,11 +156,11 @@ const codedKeys = {
     NumpadSubtract: 333, NumpadAdd: 334, NumpadEnter: 335,
 };
 const writtenKeys = {',': 44, '-': 45, '.': 46, '+': 61, '=': 61, '[': 91, ']': 93};
-// With Ctrl the rest is the browser's: a new tab, reload, find, zoom. Ctrl+V brings what is pasted.
+// With Ctrl all other keys belong to the browser: a new tab, reload, find, zoom. Ctrl+V sends a paste event.
 const commandKeys = new Set(['A', 'C', 'O', 'S', 'X', 'Y', 'Z', ','].map(key => key.charCodeAt(0))
     .concat([263, 262, 264, 265, 257, 268, 269, 259, 261, 290]));
 
-// A letter is the one that is written on the key; where that is no Latin one, its place counts.
+// A letter is the one printed on the key; if that is not Latin, the key's position counts.
 function keyOf(event) {
     if (event.code.startsWith('Numpad') && codedKeys[event.code]) return codedKeys[event.code];
     if (event.key in namedKeys) return namedKeys[event.key];
@@ -173,7 +173,7 @@ function keyOf(event) {
     return codedKeys[event.code] || 0;
 }
 
-// There Option with a key writes what others write with AltGr.
+// On a Mac, Option with a key writes what AltGr writes elsewhere.
 const isMac = /Mac|iPhone|iPad/.test(navigator.platform);
 
 function onKey(event) {
@@ -185,7 +185,7 @@ function onKey(event) {
     const key = keyOf(event);
     if (!isDown && event.key === 'Meta') tell('web_leave');
     if (!event.repeat) tell('web_key', key, isDown, ctrl, event.shiftKey, alt);
-    // While Command is held macOS does not say that other keys are released.
+    // While Command is held, macOS does not report the release of other keys.
     if (isDown && event.metaKey && key) tell('web_key', key, false, ctrl, event.shiftKey, alt);
     const isLetter = [...event.key].length === 1;
     const isWritten = isDown && isLetter && !ctrl && (!alt || isMac) && document.activeElement !== typing;
@@ -197,12 +197,12 @@ function onKey(event) {
 
 // ---- Mouse, pen and fingers ----------------------------------------------------------------------
 
-const programButtons = [[1, 0], [2, 1], [4, 2]]; // bits of the browser: left, right, middle; and the program's
+const programButtons = [[1, 0], [2, 1], [4, 2]]; // the browser's bits: left, right, middle; and the program's numbers
 let heldButtons = 0; // bits
 const fingers = new Map(); // by id: where they are
 let lastPointerWasTouch = false;
 
-// With several buttons the browser says that one of them is another by a move.
+// While a button is held, the browser reports changes of the others by move events.
 function setButtons(buttons) {
     for (const [bit, button] of programButtons)
         if ((buttons ^ heldButtons) & bit) tell('web_button', button, Boolean(buttons & bit));
@@ -213,7 +213,7 @@ function place(event) {
     return [event.clientX * devicePixelRatio, event.clientY * devicePixelRatio];
 }
 
-// The middle of two fingers, and how far they are apart.
+// The middle of two fingers, and how far apart they are.
 function pairOf() {
     const [a, b] = [...fingers.values()];
     return {x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, distance: Math.hypot(a[0] - b[0], a[1] - b[1])};
@@ -221,12 +221,12 @@ function pairOf() {
 
 function onDown(event) {
     lastPointerWasTouch = event.pointerType === 'touch';
-    if (lastPointerWasTouch) event.preventDefault(); // no mouse after it, which would take the focus from a field
+    if (lastPointerWasTouch) event.preventDefault(); // no mouse event after it, which would take the focus from a field
     if (document.activeElement !== typing) canvas.focus();
     canvas.setPointerCapture(event.pointerId);
     if (lastPointerWasTouch) fingers.set(event.pointerId, place(event));
     if (fingers.size > 1) {
-        // The first finger was no click: it is let go where nothing is.
+        // The first finger was not a click: it is released where nothing is.
         tell('web_pointer', -1e9, -1e9);
         setButtons(0);
         return;
@@ -264,11 +264,11 @@ function onUp(event) {
     tell('web_pointer', ...place(event));
     if (event.type === 'pointercancel') tell('web_leave');
     setButtons(wasFinger ? 0 : event.buttons);
-    // What the tap brings up is known before this event is over: only then may a page show the keys.
+    // What the tap opens must be known before this event is over: only during it may a page show the keyboard.
     for (let i = 0; wasFinger && i < 3; ++i) drawFrame();
 }
 
-// What the keys of a screen write: behind a mark, so that a Backspace has something to take away.
+// What an on-screen keyboard writes goes after a mark, so that Backspace has something to delete.
 const typingMark = '\u200b';
 
 function takeTyped() {
@@ -288,14 +288,14 @@ function onWheel(event) {
 
 // ---- Files of the student ------------------------------------------------------------------------
 
-const largestFiles = 512 * 2 ** 20; // bytes, of all that is opened
+const largestFiles = 512 * 2 ** 20; // bytes, of everything opened
 const longRead = 4 * 2 ** 20; // bytes from which reading takes a while
 
-// What is opened of several files: a view or a lesson before a scene, a scene before its model.
+// Which of several files is opened: a view or a lesson before a scene, a scene before its model.
 const openedFirst = [/\.walk\.toml$/i, /(^|\/)\d\d-[^/]*\.md$/i, /\.toml$/i, /\.obj$/i, /./];
 let openedCount = 0, openedSize = 0;
 
-// Files that come together lie together: a scene finds its model, a model its textures.
+// Files that arrive together are kept together: a scene finds its model, a model its textures.
 async function openFiles(files, isResult) {
     if (!files.length) return;
     const size = files.reduce((sum, {file}) => sum + file.size, 0);
@@ -327,7 +327,7 @@ const mostEntries = 1000; // of a folder
 
 const pictures = count => count > 0 ? new Promise(requestAnimationFrame).then(() => pictures(count - 1)) : null;
 
-// All files of what was dropped, folders too: [{name, file}].
+// All files that were dropped, including those in folders: [{name, file}].
 async function filesOf(entry, folder = '') {
     if (entry.isFile) {
         const file = await new Promise((done, failed) => entry.file(done, failed));
@@ -360,9 +360,9 @@ async function onDrop(event) {
 
 // ---- Files of the page ---------------------------------------------------------------------------
 
-// lessons/files.txt lists what lies in the folder lessons of the page and does not come with
-// rasterwalk.data: a path a line, and its size if that is known. lessons/own.txt, if it is there, lists
-// what somebody has added. Texts are fetched at once, the rest when the program looks at it.
+// lessons/files.txt lists the files in the page's folder lessons that do not come with rasterwalk.data:
+// a path a line, and its size if that is known. lessons/own.txt, if it exists, lists added files. Texts
+// are fetched immediately, the rest when the program reads them.
 const lists = ['files.txt', 'own.txt'];
 
 const fetchText = path => fetch(addressOf(path), {cache: 'no-cache'}).then(answer => answer.ok ? answer.arrayBuffer() : null).catch(() => null);
@@ -370,7 +370,7 @@ const fetchText = path => fetch(addressOf(path), {cache: 'no-cache'}).then(answe
 async function listedFiles() {
     const texts = await Promise.all(lists.map(fetchText));
     const lines = texts.flatMap(text => text ? new TextDecoder().decode(text).split(/\r?\n/) : []);
-    // In the order of the paths a file comes before what takes it for a folder.
+    // In the order of the paths a file comes before any path that uses it as a folder.
     const entries = lines.map(entryOf).filter(Boolean).sort((a, b) => a.path < b.path ? -1 : a.path > b.path ? 1 : 0);
     await Promise.all(entries.filter(({path}) => /\.(md|toml)$/.test(path)).map(async entry => {
         const text = await fetchText(entry.path);
@@ -380,7 +380,7 @@ async function listedFiles() {
     return entries;
 }
 
-// Only files in that folder: they have an ending, so no line takes a folder for one.
+// Only files in that folder: they must have an ending, so that no line names a folder.
 function entryOf(line) {
     const [, path, size] = /^\s*(?:\.\/)?([^#\s].*?)(?:\s+(\d+))?\s*$/.exec(line) || [];
     if (!path) return null;
@@ -394,7 +394,7 @@ const addressOf = path => 'lessons/' + path.split('/').map(encodeURIComponent).j
 function fetchNow(path) {
     const request = new XMLHttpRequest();
     request.open('GET', addressOf(path), false);
-    // Bytes: a request that is waited for cannot ask for an ArrayBuffer.
+    // Bytes as text: a synchronous request cannot ask for an ArrayBuffer.
     request.overrideMimeType('text/plain; charset=x-user-defined');
     request.send();
     if (request.status !== 200) throw new Error(String(request.status));
@@ -469,12 +469,12 @@ async function start() {
     wake();
 }
 
-// On another screen, or zoomed, the canvas has other pixels, though its size stays.
+// On a different screen, or when zoomed, the canvas has different pixels, although its size stays.
 function watchPixels() {
     try {
         new ResizeObserver(wake).observe(canvas, {box: 'device-pixel-content-box'});
     } catch (fault) {
-        // Safari does not count these; there it is seen with the next event.
+        // Safari cannot observe this; there the change is noticed with the next event.
     }
 }
 
@@ -493,7 +493,7 @@ function listen() {
     window.addEventListener('contextmenu', event => event.preventDefault());
     window.addEventListener('dragover', event => event.preventDefault());
     window.addEventListener('drop', onDrop);
-    // Another page of the program has kept something: the next to keep something adds to it.
+    // Another page of the program has kept something: what this page keeps next adds to it.
     window.addEventListener('storage', event => {
         const name = keptFiles.find(kept => event.key === storePrefix + kept);
         if (name && event.newValue !== null) FS.writeFile(stateFolder + '/' + name, event.newValue);
