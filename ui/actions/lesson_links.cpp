@@ -151,8 +151,7 @@ void point_as_step_does(Ui& ui) {
     lesson.of_step_in = place;
 }
 
-/// Of what is pointed at: the thing itself, or the first in it that can have the frame; null if
-/// none can.
+/// What is pointed at, or the first thing in it that can have the frame; null if none can.
 const Stop* first_stop_in(const Ui& ui, const Stop& pointed) {
     const WidgetPlace& all = pointed.second;
     if (all.id != 0) return &pointed;

@@ -107,7 +107,7 @@ float corner_width(const Ui& ui, float window_width) {
                : fitting_corners(ui, room, ranks_of_narrow(ui)).width;
 }
 
-/// A part of the top line, in a window of its own.
+/// A part of the top line, in its own window.
 void begin_part(const Ui& ui, const char* name, const Area& area) {
     ImGui::SetNextWindowPos(area.position);
     ImGui::SetNextWindowSize(area.size);

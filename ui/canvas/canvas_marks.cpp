@@ -160,7 +160,7 @@ void draw_vertices(const Marks& m, int triangle, PolygonCorners vertices) {
     const glm::mat3 rotation = camera_rotation(frame.settings.camera);
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     const Viewport size = frame.settings.viewport;
-    // Of a triangle that was cut, the corners drawn are not those of the scene.
+    // For a triangle that was cut, the corners drawn are not the scene's.
     const bool is_whole = !frame.is_cut(triangle);
     for (int v = 0; v < static_cast<int>(vertices.size()); ++v) {
         const ImVec2 pixel = m.at(vertices[v]);

@@ -346,7 +346,7 @@ void draw_cells(Ui& ui, const Pane& seen, const std::vector<VertexLabel>& labels
     if (fates.empty() && canvas.numbers == CellNumbers::none) return;
     find_lines(cells);
 
-    // So many rows at once that their corners fit in a draw list, whatever stands in the cells.
+    // As many rows together as fit in a draw list with their corners, whatever is in the cells.
     const bool has_tests = shows_test_numbers(ui);
     const int most_cells = has_tests ? 400 : 1200;
     const int step = std::max(most_cells / (columns.last - columns.first), 1);

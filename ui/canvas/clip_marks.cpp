@@ -91,8 +91,7 @@ void draw_seen_edge(const Marks& m, const CutCorner& a, const CutCorner& b, ImU3
     m.list->AddLine(line->from, line->to, colour, width * m.u);
 }
 
-/// The triangle before any plane, in the colour of what is taken away: what is left is drawn over
-/// it.
+/// The uncut triangle, in the colour of what is taken away: what is left is drawn over it.
 void draw_outline_before(const Marks& m, const ClipHistory& history) {
     const std::vector<CutCorner> corners = given_corners(history);
     for (std::size_t i = 0; i < corners.size(); ++i) {

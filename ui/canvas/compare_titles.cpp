@@ -24,7 +24,7 @@ float letter_side(const Ui& ui) {
     return std::round(20.0f * ui.options.text_scale);
 }
 
-/// Between the picture and the border at which the title stands, screen pixels.
+/// Space between the picture and the border that the title is at, screen pixels.
 float room_beside(const Ui& ui, bool of_b, const TitlePlace& title) {
     const PicturePlace& place =
         of_b && ui.compare.place_of_b ? *ui.compare.place_of_b : ui.canvas.place;

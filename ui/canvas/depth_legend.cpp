@@ -88,7 +88,7 @@ void draw_bars(const Ui& ui, ImDrawList* list, const Plot& plot) {
         const float top = plot.strip_top - height;
         list->AddRectFilled({left, top}, {left + width, plot.strip_top}, colour);
         if (share <= 1.0) continue;
-        // A gap says that the bar goes on.
+        // A gap shows that the bar continues.
         list->AddRectFilled({left, top + 4.0f * u}, {left + width, top + 6.0f * u},
                             packed(p.canvas));
     }

@@ -56,7 +56,7 @@ std::string weight_word(const Table& t) {
     return std::string(weight_name(t.ui.results.a.frame));
 }
 
-/// One end of a row: its column in the colour of who wrote it, who that was, and its weight.
+/// One end of a row: its column in the colour of what wrote it, the name of that, and its weight.
 void draw_end(const Table& t, int index, bool is_left) {
     const Palette& p = palette(t.ui.options.theme);
     const RowHistory& history = t.ui.results.a.rows;

@@ -19,7 +19,7 @@ struct ClipPage {
     const ClipHistory& history;
     std::optional<ClipProgress> progress; ///< while clipping is at work
     std::string number;                   ///< id of the formula that is explained
-    bool has_moved = false;               ///< has the cursor just come to a step of clipping?
+    bool has_moved = false;               ///< has the cursor just reached a step of clipping?
 
     const Palette& palette() const;
     /// Is this step of a plane still to come?

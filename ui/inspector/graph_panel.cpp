@@ -82,7 +82,7 @@ void draw_row_choice(Ui& ui, int index, const char* where) {
     const std::string shortest = "x " + number;
     const float words = text_width(row_words) + gap + text_width(shortest) + gap;
     const float all = ImGui::GetContentRegionAvail().x;
-    // In a narrow page the list has a line of its own.
+    // In a narrow page the list has its own line.
     const bool has_list = is_low && words + list + gap + arrows <= all;
     const float width = arrows + (has_list ? list + gap : 0.0f);
     const bool names_triangle = is_low && text_width(triangle) + words + width <= all;

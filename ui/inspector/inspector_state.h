@@ -89,7 +89,7 @@ struct InspectView {
 
 /// What the sheet of settings was opened for, and what was changed by then.
 struct SettingsSheet {
-    int frame = -2; ///< of ImGui, the last in which it was drawn
+    int frame = -2; ///< the frame of ImGui in which it was last drawn
     std::string lesson;
     int step = 0;
     std::vector<std::string_view> changed; ///< they come first

@@ -83,7 +83,7 @@ struct LabLook {
     std::string result_path;  ///< of the student's own result, as typed
     std::string watched_path; ///< of the result last asked for: it is watched
     FileState watched;        ///< that file, when it was last checked
-    LabReference reference;   ///< what was last asked for
+    LabReference reference;   ///< the one last requested
     int frames_to_result = 0; ///< it is diagnosed when this falls to 0 from 1; until then it waits
     std::string result_fault; ///< why the file in its current state could not be diagnosed
     bool is_given_up = false; ///< a check was given up after the current answer

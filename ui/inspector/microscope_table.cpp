@@ -126,7 +126,7 @@ void draw_sample(Ui& ui, const SampleColumns& columns, int index, int current, i
     }
     if (has(columns, drift_column)) {
         ImGui::TableNextColumn();
-        // For a line that decides, half a pixel is usual; otherwise, a millionth.
+        // With a decision variable half a pixel is usual; without one, a millionth.
         right_aligned(edge.has_decision_variable() ? with_minus_signs(significant(c.drift, 3))
                                                    : drift_text(c.drift),
                       c.drift == 0.0 ? p.dim : ink);

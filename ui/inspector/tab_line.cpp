@@ -29,7 +29,7 @@ bool draw_word(Ui& ui, const std::string& name, std::string_view word, std::stri
     return pressed;
 }
 
-/// What chose the tab shown: words for the right end of the line.
+/// Who chose the tab shown: words for the right end of the line.
 struct Chooser {
     std::string said;   ///< first, quiet
     std::string action; ///< a link after it; empty: none

@@ -93,7 +93,7 @@ int draw_head(Ui& ui, const Head& head, float width, Area& words) {
     return wanted;
 }
 
-/// The card has a window of its own, which scrolls below the head.
+/// The card has its own window, which scrolls below the head.
 void begin_card_window(Ui& ui, float width) {
     const float scroll_bar = ImGui::GetStyle().ScrollbarSize;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));

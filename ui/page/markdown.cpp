@@ -201,7 +201,7 @@ void keep_lines_whole(Ui& ui, const MarkdownPage& page, const Sight& sight) {
     const std::vector<PagePiece>& pieces = page.layout.pieces;
     for (const PageShape& shape : page.layout.shapes) {
         if (shape.kind != PageShape::Kind::card || !is_near(shape.low.y, shape.high.y)) continue;
-        // Of a box, at least the first line that is not a heading in small letters.
+        // For a box, at least the first line that is not a heading in small letters.
         const auto first = std::find_if(pieces.begin(), pieces.end(), [&](const PagePiece& piece) {
             return piece.at.y >= shape.low.y && piece.font != PageFont::small;
         });

@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 // Numbers as the tables show them, with true minus signs.
 
-/// Nine digits tell every float from its neighbours.
+/// Nine digits distinguish every float from its neighbours.
 std::string nine_digits_shown(float value);
 
 /// The same for a narrow column: a remainder near zero gets three digits.

@@ -23,7 +23,7 @@ struct Ui;
 /// @param scale new pixels for each old one, above 0
 Image small_picture(const Image& image, float scale);
 
-/// The largest picture of which every pixel is read, pixels.
+/// The largest picture whose every pixel is read, pixels.
 inline constexpr std::int64_t largest_looked_through = 1'000'000;
 
 /// Brings the texture of a small picture up to date. At rest there is nothing to do.
