@@ -41,7 +41,7 @@ constexpr float least_outside = 440.0f; ///< width of the outside view, design p
 /// Around everything in the canvas, design pixels.
 constexpr glm::vec2 canvas_padding{12.0f, 10.0f};
 
-/// The part of the canvas that the picture fills next to the row table, above the line that
+/// The part of the canvas left for the picture, next to the row table and above the line that
 /// explains the cells.
 Pane seen_of_canvas(const Ui& ui, const Pane& canvas) {
     const std::optional<RowTablePlace>& table = ui.canvas.row_table;

@@ -17,7 +17,7 @@ struct LabAnswer;
 /// the lesson that explains it.
 std::string remedy_of(Ui& ui, const Bug& bug);
 
-/// Keeps the line just drawn in sight if it belongs to the mistake whose card is shown.
+/// Keeps the line just drawn in sight: that of the mistake whose card is shown.
 /// @param below what must be visible below the line, screen pixels
 void keep_in_sight(Ui& ui, const Bug& chosen, float below);
 

@@ -36,7 +36,7 @@ void begin_sheet(Ui& ui, const SheetLook& look, ImVec2 window) {
         ImGui::SetNextWindowSizeConstraints({0, 0}, room);
         flags |= ImGuiWindowFlags_AlwaysAutoResize;
     }
-    // The topmost of two open sheets is in front.
+    // The sheet of keys is in front of any other that is open.
     if (look.sheet == Sheet::keys) ImGui::SetNextWindowFocus();
     ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.options.theme).card);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);

@@ -207,7 +207,7 @@ void draw_tall_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     draw_way_button(ui, card, {inner, control});
 }
 
-/// From this height a line of a small window has room for more than its title, design pixels.
+/// Heights of a line in a small window, design pixels: the largest, and the least with a point.
 constexpr float largest_low_card = 96.0f;
 constexpr float roomy_low_card = 80.0f;
 
