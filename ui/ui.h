@@ -1,7 +1,6 @@
 #pragma once
 
-// The state of the whole interface: that of its parts, each of which stands in the folder of its
-// part.
+// The state of the whole interface: the state of its parts, each in its own folder.
 
 #include <filesystem>
 #include <memory>
@@ -32,11 +31,11 @@ struct PictureShelf; // ui/widgets/pictures.h
 /// A scene that comes with the program.
 struct SceneEntry {
     std::filesystem::path file;
-    std::string title; ///< its name, or that of the file where the scene cannot be read
+    std::string title; ///< its name, or the file's if the scene cannot be read
 };
 
-/// The interface: what the student sets (session), what follows from it (results), and what only
-/// concerns the screen.
+/// The interface: what the student sets (session), what follows from it (results), and the state of
+/// the screen alone.
 struct Ui {
     Session session;
     Results results;
@@ -50,7 +49,7 @@ struct Ui {
     std::unordered_map<std::string, WidgetPlace> widgets; ///< drawn in this frame, by name
     Focus focus;
     std::vector<WholeLines> whole_lines;    ///< the last is the innermost
-    std::shared_ptr<PictureShelf> pictures; ///< that the lessons show
+    std::shared_ptr<PictureShelf> pictures; ///< shown in the lessons
     bool follow_cursor = false; ///< the cursor moved: tables scroll to what was just written
     std::vector<SceneEntry> scene_files; ///< of the Scene menu, read when it opens
     CanvasState canvas;

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Plants shared functions in objects of loops, and asks loop_symbols.sh whether it finds them.
+# Plants shared functions in objects of loops, and checks that loop_symbols.sh finds them.
 #   check_loop_symbols.sh NM COMPILER FOLDER
 set -u
 nm=${1:?NM is missing} compiler=${2:?COMPILER is missing} folder=${3:?FOLDER is missing}

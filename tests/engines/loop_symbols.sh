@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Does any level of the fast engine's loops define what other objects may use in its place?
+# Does any level of the fast engine's loops define symbols that other objects may use?
 #   loop_symbols.sh NM OBJECT...
-# Each level is compiled for other instructions. Of a weak symbol, as inline functions and templates are, the linker
-# keeps one for the whole program: compiled for a newer processor it ends the program on an older one. So an object of
-# fast_loops_LEVEL.cpp has one global symbol, LEVEL_loops(), or nothing at all where its processor is not built for.
-# Other objects are not looked at. Prints a sentence for each fault; exits 1 if there is one, 2 if nothing was there.
+# Each level is compiled for different instructions. The linker keeps one copy of a weak symbol, such as an inline
+# function or a template, for the whole program: compiled for a newer processor it would end the program on an older
+# one. So an object of fast_loops_LEVEL.cpp has one global symbol, LEVEL_loops(), or none at all if its processor is not
+# built for. Other objects are not checked. Prints a sentence for each fault; exits 1 if there is one, 2 if there was
+# nothing to check.
 set -u
 nm=${1:?NM is missing}
 shift
@@ -17,7 +18,7 @@ for object in "$@"; do
     symbols=$("$nm" --defined-only --demangle "$object" 2>/dev/null) || { echo "$object: cannot be read" >&2; exit 2; }
     looked_at=$((looked_at + 1))
     [ -z "$symbols" ] && [ "$level" != scalar ] && continue
-    # Small letters are local, but for u, v and w, which are shared or weak.
+    # Small letters are local, except u, v and w, which are shared or weak.
     faults+=$(awk -v file="$file" -v own="rasterwalk::fast::${level}_loops()" '
         { kind = $2; name = $0; sub(/^[^ ]* *[A-Za-z] /, "", name) }
         kind == "T" && name == own { has_own = 1; next }

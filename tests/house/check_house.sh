@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Shows that the house test can fail: builds small houses with one fault each and asks for its place.
+# Shows that the house test can fail: builds small houses with one fault each and checks that it is found.
 set -u
 house=$(cd "$(dirname "$0")" && pwd)/house.sh
 tree=$(mktemp -d)
@@ -20,7 +20,7 @@ flags() { # FLAGS [FILE]
     printf '[\n{\n  "directory": "/",\n  "command": "c++ %s -c a.cpp",\n  "file": "%s"\n}\n]\n' \
         "$1" "${2:-$tree/src/scene/a.cpp}" >"$tree/compile_commands.json"
 }
-# expect WHAT: the house is refused, and the answer contains WHAT; with WHAT empty it is accepted.
+# expect WHAT: the house is refused, and the answer contains WHAT; if WHAT is empty, it is accepted.
 expect() {
     answer=$("$house" "$tree" "$tree/compile_commands.json")
     code=$?
@@ -33,7 +33,7 @@ expect() {
     fi
     failed=1
 }
-# faulty FILE LINE WANTED: a house in order but for FILE, which has LINE as its second line.
+# faulty FILE LINE WANTED: a house in order except for FILE, which has LINE as its second line.
 faulty() {
     new_house
     printf '#pragma once\n%s\n' "$2" >"$tree/$1"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The order of the house: which way includes run, and with which flags the core is compiled.
+# The order of the house: which way includes run, and the flags that the core is compiled with.
 #   house.sh ROOT [COMPILE_COMMANDS]
 # ROOT holds src/ and ui/; COMPILE_COMMANDS is the compile_commands.json of a build of it.
 # Prints file:line and a sentence for each fault; exits 1 if there is one, 2 if there was nothing to read.
@@ -15,7 +15,7 @@ if [ ${#files[@]} -eq 0 ]; then
 fi
 
 # The order of the folders: an include may not go to a later line, nor to a neighbour on the same line.
-# `ui` is ui/ui.h, the state of the whole face; `state` are the states of its parts, ui/*/*_state.h.
+# `ui` is ui/ui.h, the state of the whole interface; `state` is the states of its parts, ui/*/*_state.h.
 order='
     base
     scene
@@ -98,7 +98,7 @@ if [ -n "$commands" ]; then
         echo "$commands: cannot be read" >&2
         exit 2
     fi
-    # One entry a source file, its command on one line and its "file" after it.
+    # An entry for each source file, its command on one line and its "file" after it.
     flags=$(awk -v root="$(pwd)" '
         /^[ \t]*"command":/ { command = $0; line = FNR }
         /^[ \t]*"file":/ {
@@ -107,7 +107,7 @@ if [ -n "$commands" ]; then
             # Or the file that includes all sources of a folder of the core.
             if (index(file, root "/src/") != 1 && file !~ /\/rasterwalk_(core|drawing|engines|following|telling)\.dir\/Unity\/[^\/]*$/) next
             ++core
-            # The loops of the fast engine promise no bits.
+            # The loops of the fast engine do not promise the same bits.
             if (file ~ /\/src\/engines\/fast\/fast_loops_[a-z0-9]*\.cpp$/) next
             if (match(command, /-ffast-math|-Ofast|-funsafe-math-optimizations|-fassociative-math|-ffp-contract=(fast|on)/))
                 printf "%s:%d: %s is compiled with %s\n", FILENAME, line, file, substr(command, RSTART, RLENGTH)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# check_bless.sh PICTURE_TESTS: where a shot cannot be taken, blessing ends with 1 and names it last; the shots
-# before and after it are taken all the same. What a version of Dear ImGui draws otherwise goes into its own folder.
+# check_bless.sh PICTURE_TESTS: if a shot cannot be taken, blessing ends with 1 and names it last; the shots before and
+# after it are still taken. What a version of Dear ImGui draws differently goes into its own folder.
 set -u
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -21,7 +21,7 @@ output=$("$1" "--shots=$folder/shots.txt" --bless bless-before 2>&1)
 code=$?
 [ $code -eq 0 ] || fault "Where no shot failed, the exit code must be 0."
 
-# take CODE WHY ARGUMENTS...: the first picture, with another one of its name drawn here.
+# take CODE WHY ARGUMENTS...: takes the first picture, with a different one of the same name drawn here.
 program=$1
 take() {
     output=$("$program" "--shots=$folder/shots.txt" "${@:3}" bless-before 2>&1)

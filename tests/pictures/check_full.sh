@@ -1,6 +1,6 @@
 #!/bin/sh
 # check_full.sh WINDOW_PROGRAM OFFSCREEN_PROGRAM
-# What is printed where there is no room is exit code 4 and a sentence, whatever was asked for.
+# Printing where there is no room ends with exit code 4 and a sentence, whatever the command.
 set -u
 fault=0
 
@@ -18,7 +18,7 @@ expect_refusal() { # program and arguments
 
 for arguments in --help --version settings presets bugs facts lessons stats "stats --help" "rows 10,5 5,10 15,15" \
   "triangle 7" "pixel 250,400" compare "settings --json"; do
-  # shellcheck disable=SC2086 # words of their own
+  # shellcheck disable=SC2086 # separate words
   expect_refusal "$1" $arguments
 done
 expect_refusal "$2" --help

@@ -1,6 +1,6 @@
 #!/bin/sh
 # check_libraries.sh WINDOW_PROGRAM OSMESA_PROGRAM...
-# The window's program has libGL and no libOSMesa; the others libOSMesa, and neither libGL nor GLFW.
+# The window's program has libGL and no libOSMesa; the others have libOSMesa, and neither libGL nor GLFW.
 set -eu
 fault=0
 

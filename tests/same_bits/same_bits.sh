@@ -1,21 +1,21 @@
 #!/usr/bin/env bash
 # Compiles the drawing core under several compilers and flags and compares what they draw, bit by bit.
 #   same_bits.sh ROOT FOLDER      FOLDER takes the objects, programs and hashes
-# SAME_BITS_LEVELS=all asks -O2 too. SAME_BITS_FLAGS replaces the flag that keeps the bits; `SAME_BITS_FLAGS=-ffp-contract=fast` shows that the test can fail.
+# SAME_BITS_LEVELS=all tests -O2 too. SAME_BITS_FLAGS replaces the flag that keeps the bits; `SAME_BITS_FLAGS=-ffp-contract=fast` shows that the test can fail.
 set -u
 root=${1:?ROOT is missing}
 folder=${2:?FOLDER is missing}
 keeps_bits=${SAME_BITS_FLAGS--ffp-contract=off}
 compilers=(g++ clang++)
-levels=("-O0" "-O3 -march=native") # the ends: what is between them draws like both
+levels=("-O0" "-O3 -march=native") # the extremes: levels between them draw like both
 [ "${SAME_BITS_LEVELS:-}" = all ] && levels=("-O0" "-O2" "-O3 -march=native")
 cd "$root" || exit 2
 mkdir -p "$folder" || exit 2
 
-# All that is drawn, and how: these folders in the order of the house, whole.
+# Everything that draws: these folders in the order of the house, whole.
 folders=(base scene stages mistakes settings pipeline picture)
 launcher=$(command -v ccache || true)
-# The packages of the core; what is not used of them costs nothing.
+# The packages of the core; unused parts of them cost nothing.
 packages=(fmt nlohmann_json stb tomlplusplus)
 libraries="-Wl,--as-needed $(pkg-config --libs "${packages[@]}")" || exit 2
 common="-std=c++20 $keeps_bits -Isrc $(pkg-config --cflags "${packages[@]}")"
@@ -35,7 +35,7 @@ sources_of() {
         done
     done
 }
-# compile: all sources in $folder under all variants; what takes longest comes first.
+# compile: all sources in $folder under all variants; the longest come first.
 compile() {
     local i compiler source variant
     for ((i = ${#levels[@]} - 1; i >= 0; --i)); do

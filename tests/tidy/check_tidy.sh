@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Shows that tidy.py can find faults: builds a small tree, plants one at a time and asks for its place.
+# Shows that tidy.py can find faults: builds a small tree, plants one at a time and checks that it is found.
 #   check_tidy.sh CLANG_TIDY_FILE
 set -u
 config=${1:?the .clang-tidy to ask with is missing}
@@ -44,7 +44,7 @@ expect 0 "0 files remembered, 0 analyzed, 3 left for another time" analyzer -1
 expect 0 "0 files remembered, 3 analyzed" analyzer
 expect 0 "3 files remembered, 0 analyzed" analyzer 60
 
-# What a header changes is asked again of those that read it.
+# After a change in a header, the files that read it are checked again.
 echo "int half(int side);" >>src/scene/size.h
 expect 0 "1 files remembered, 2 analyzed" analyzer
 expect 0 "3 files in 2 units, 1 remembered" checks folders
@@ -58,7 +58,7 @@ sed -i 's/-std=c++20/-std=c++17/g' compile_commands.json
 expect 0 "0 files remembered, 3 analyzed" analyzer
 expect 0 "3 files in 2 units." checks folders
 
-# A fault of the text, in a source and in a header.
+# A fault in the text, in a source and in a header.
 new_tree
 echo "int BadName() { return 3; }" >>src/scene/twice.cpp
 for _ in first again; do
@@ -68,14 +68,14 @@ new_tree
 echo "inline int BadName() { return 3; }" >>src/scene/size.h
 expect 1 "src/scene/size.h:3:12: error: invalid case style" checks folders
 
-# A fault that only a path shows; what is faulty is not remembered.
+# A fault that only a path shows; faulty files are not remembered.
 new_tree
 echo "int at(bool known) { int* place = nullptr; int there = 1; if (known) place = &there; return *place; }" >>src/stages/edge.cpp
 expect 0 "3 files in 2 units" checks folders
 expect 1 "src/stages/edge.cpp:2:" analyzer
 expect 1 "NullDereference" analyzer
 
-# Two helpers of one name are no fault: the files are asked apart, also where the names were not seen before.
+# Two helpers of one name are no fault: the files are checked separately, even if the clash was not foreseen.
 new_tree
 for file in size twice; do
     echo "namespace { int helper() { return 3; } } int $file() { return helper(); }" >>"src/scene/$file.cpp"
@@ -91,7 +91,7 @@ for file in size twice; do
 done
 expect 0 "3 files in 2 units." checks folders
 
-# So is a name that a header gives to something else.
+# The same for a name that a header gives to something else.
 new_tree
 printf '#pragma once\nstruct Side {\n    int length = 0;\n};\n' >src/stages/side.h
 printf '#include "stages/side.h"\n\nint length_of(Side side) { return side.length; }\n' >>src/stages/edge.cpp
@@ -101,7 +101,7 @@ mv src/stages/edge.cpp src/scene/edge.cpp
 sed -i 's,stages/edge.cpp,scene/edge.cpp,g' compile_commands.json
 expect 0 "3 files in 2 units." checks folders
 
-# Two programs, each with a main and with a folder of its own on its command line.
+# Two programs, each with a main and with a different macro on its command line.
 new_tree
 for file in size twice; do
     echo "int main() { return 0; }" >>"src/scene/$file.cpp"

@@ -4,15 +4,15 @@
     tidy.py checks   COMPILE_COMMANDS FOLDER      everything but the analyzer, many sources at a time
     tidy.py analyzer COMPILE_COMMANDS [SECONDS]   the path-sensitive analyzer, file by file
 
-COMPILE_COMMANDS is a compile_commands.json with an entry for each source; .clang-tidy stands in the
-current folder. FOLDER takes the files that each include many sources: to look at the headers of the
-standard library takes ten times as long as to look at ours, so they are looked at a few times only.
+COMPILE_COMMANDS is a compile_commands.json with an entry for each source; .clang-tidy is in the
+current folder. FOLDER receives the files that each include many sources: checking the headers of the
+standard library takes ten times as long as checking ours, so they are checked only a few times.
 
-What was found in order is remembered in $XDG_CACHE_HOME/rasterwalk-tidy, by a hash of all that the
-answer depends on. With SECONDS the analyzer begins no further file after that time, and says how many
-are left; the files that were changed last come first.
+Results without findings are remembered in $XDG_CACHE_HOME/rasterwalk-tidy, by a hash of everything
+they depend on. With SECONDS the analyzer begins no further file after that time, and says how many
+are left; the files changed last come first.
 
-Exit codes: 0 in order, 1 something was found, 2 wrong usage, 77 this version of clang-tidy is not asked.
+Exit codes: 0 in order, 1 something was found, 2 wrong usage, 77 this version of clang-tidy is not used.
 """
 
 import concurrent.futures
@@ -27,16 +27,16 @@ import subprocess
 import sys
 import time
 
-VERSION = "14"  # another one finds other things, and some of them are not there
+VERSION = "14"  # other versions find different things, some of them false
 NOT_ASKED = 77
-UNITS = 6  # of sources that are asked about as one, more where names meet; some checks take ever longer in larger ones
+UNITS = 6  # of sources checked as one, more if names clash; some checks take ever longer in larger ones
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 TYPE_NAME = re.compile(r"(?:template <[^>]*> )?(?:struct|class|union|enum class|enum|using) (\w+)")
 OTHER_NAME = re.compile(r"[\w:<>,&*\[\] ]*?[ &*](\w+(?:(?=\[| =|;|\{)|\(.*))")
 
 
 def find_tool():
-    """The path of clang-tidy, and its version in full; nothing if it is another version."""
+    """The path of clang-tidy, and its version in full; None if it is a different version."""
     for name in (f"clang-tidy-{VERSION}", "clang-tidy"):
         path = shutil.which(name)
         if path:
@@ -47,13 +47,13 @@ def find_tool():
 
 
 def read_commands(path):
-    """The compiler's arguments for each source of src/ and ui/, without what is read and written."""
+    """The compiler's arguments for each source of src/ and ui/, without input and output."""
     commands = {}
     for entry in json.loads(pathlib.Path(path).read_text()):
         source = pathlib.Path(os.path.relpath(entry["file"]))
         if source.parts[0] not in ("src", "ui"):
             continue
-        # One header, compiled for each level of instructions: the checks take vectors of lanes for what they are not.
+        # One header, compiled for each level of instructions: the checks misread vectors of lanes.
         if source.name.startswith("fast_loops_"):
             continue
         words = shlex.split(entry["command"])
@@ -67,7 +67,7 @@ def read_commands(path):
 
 
 def ask(tool, checks, source, command):
-    """What clang-tidy says of a source, and whether that is nothing."""
+    """What clang-tidy says about a source, and whether it is clean."""
     run = subprocess.run([tool, "--quiet", f"--config-file={pathlib.Path('.clang-tidy').resolve()}",
                           f"--checks={checks}", str(source), "--"] + command[1:], capture_output=True, text=True)
     return (run.stdout if run.returncode == 0 else run.stdout + run.stderr).strip(), run.returncode == 0
@@ -95,7 +95,7 @@ def jobs():
 
 
 def local_names(text):
-    """What a file declares at the margin: outside and inside a namespace without a name."""
+    """What a file declares at the left margin: outside and inside an unnamed namespace."""
     outside, inside, is_inside = set(), set(), False
     for line in text.split("\n"):
         if line == "namespace {":
@@ -110,13 +110,13 @@ def local_names(text):
 
 
 def meet(some, others):
-    """Functions of one name may stand side by side; a function and something else may not."""
+    """Functions may share a name; a function and something else may not."""
     bare = {name.split("(")[0] for name in others if "(" in name}
     return some & others or {name for name in some if "(" not in name} & bare
 
 
 class Unit:
-    """Sources that are asked about as one: none of them has a name that another would take for its own."""
+    """Sources that are checked as one: none of them has a name that clashes with another's."""
 
     def __init__(self):
         self.sources, self.read, self.owned, self.size = [], set(), set(), 0
@@ -133,7 +133,7 @@ class Unit:
 
 
 def join_commands(commands):
-    """The sources, by commands that differ in folders, macros and optimization only; all get all folders and macros."""
+    """The sources, by commands that differ only in folders, macros and optimization; all get all folders and macros."""
     joined = {}  # the other words of a command -> its folders and macros, and the sources
     for source, words in sorted(commands.items()):
         options, rest, pending = [], [], iter(words)
@@ -152,7 +152,7 @@ def join_commands(commands):
 
 
 def into_units(sources, headers):
-    """A folder stays together, but for sources whose names meet those of others."""
+    """A folder stays together, except for sources whose names clash with those of others."""
     names = {}
 
     def names_of(path):
@@ -168,7 +168,7 @@ def into_units(sources, headers):
         units.sort(key=lambda unit: unit.size)
         for source in folders[folder]:
             outside, owned = names_of(source)
-            # Of two programs each has a main.
+            # Each of two programs has a main.
             owned = owned | {name for name in outside if name.startswith("main(")}
             read = {name for path in headers.closure(source) if path != source for name in names_of(path)[0]}
             unit = next((unit for unit in units if unit.has_room_for(read, owned)), None)
@@ -204,7 +204,7 @@ def check_units(tool, version, commands, folder):
         return unity
 
     def ask_together(number, command, sources):
-        """Where they do not compile, the compiler says which cannot stand in one file: that is no fault of theirs."""
+        """If they do not compile, the compiler says which cannot share a file: that is not a fault."""
         unity = unity_of(number, sources)
         said, is_good = ask(tool, checks, unity, command)
         if "[clang-diagnostic-error]" not in said or len(sources) == 1:
@@ -220,7 +220,7 @@ def check_units(tool, version, commands, folder):
 
     def check(number, command, sources, key):
         answers = ask_together(number, command, sources)
-        # What was changed meanwhile may not be what was asked about.
+        # Files changed in the meantime may not be the ones that were checked.
         if all(is_good for _, is_good in answers) and key == unit_key(command, sources):
             (cache / key).touch()
         return answers
@@ -265,14 +265,14 @@ class Headers:
 
 
 def memory():
-    """The folder in which a file for each hash stands."""
+    """The folder with a file for each hash."""
     folder = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "rasterwalk-tidy"
     folder.mkdir(parents=True, exist_ok=True)
     return folder
 
 
 def key_of(question, files, command, version):
-    """A hash of all that an answer depends on."""
+    """A hash of everything an answer depends on."""
     key = hashlib.sha256(repr((question, command, version, [str(path) for path in files])).encode())
     for path in [pathlib.Path(__file__), pathlib.Path(".clang-tidy")] + files:
         key.update(hashlib.sha256(path.read_bytes()).digest())
@@ -280,7 +280,7 @@ def key_of(question, files, command, version):
 
 
 def analyze_files(tool, version, commands, seconds):
-    """The analyzer follows the paths through each function; of an included source it would not."""
+    """The analyzer follows the paths through each function; it would not in an included source."""
     checks = ",".join(["-*"] + re.findall(r"^\s*(clang-analyzer-[\w.]+)", pathlib.Path(".clang-tidy").read_text(),
                                           re.MULTILINE))
     cache, headers = memory(), Headers()
@@ -291,7 +291,7 @@ def analyze_files(tool, version, commands, seconds):
         if not (cache / key).exists():
             changed = max(path.stat().st_mtime for path in files)
             to_do.append((-changed, source, command, key))
-    to_do.sort(key=lambda item: item[:2])  # what was changed last, first
+    to_do.sort(key=lambda item: item[:2])  # the last changed first
     end = time.monotonic() + seconds
 
     def analyze(source, command, key):

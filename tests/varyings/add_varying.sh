@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Adds a varying to a copy of stages/varyings.h, puts that copy first on the include path, and sees
-# that the rest of the core, as it is, interpolates it, shows it and compares it. Then forgets one
-# step of the adding after the other, and sees that none of these compiles.
+# that the rest of the core, unchanged, interpolates it, shows it and compares it. Then leaves out
+# each step of the addition in turn, and sees that none of these compiles.
 #   add_varying.sh ROOT SCRATCH COMPILER
 set -eu
 root=${1:?ROOT is missing}
@@ -19,7 +19,7 @@ entry='    varying_info("heat", "heat", "kelvin", false, VaryingUse::always,\
                  {{{"heat_in", "heat in", "hi/z", "Heat that arrives."},\
                    {"heat_out", "heat out", "ho/z", "Heat that leaves."}}},\
                  varying_component<\&Varyings::heat>, \&Varyings::heat),'
-# The entry goes behind the last one, which ends the list.
+# The entry goes after the last one, which ends the list.
 add_entry='s|^                 varying_component<&Varyings::illumination>, &Varyings::illumination),|&\n'$entry'|'
 
 sed -e "$add_member" -e "$add_pointer" -e "$add_entry" "$header" > "$scratch/whole/stages/varyings.h"
@@ -46,7 +46,7 @@ for forgotten in no_member_pointer:varying_members no_entry:varying_list; do
     fi
 done
 
-# The core needs nothing else: every file of these folders as it is, in one go.
+# The core needs nothing else: every file of these folders unchanged, in one go.
 {
     echo "// The core with one varying more."
     for file in "$root"/src/scene/{scene,mesh,tessellation,texture,look_at}.cpp "$root"/src/stages/*.cpp \

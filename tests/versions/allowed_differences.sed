@@ -1,8 +1,8 @@
-# What may differ between the version before the types and the stream were made anew (commit 4727bb7) and those after
-# it. compare_versions reads the answers of both versions through this script: what is taken out or spelled alike here
-# is not a difference. Every rule says why. A record goes from ">>> invocation" to "<<< exit code".
+# What may differ between the version before the types and the stream were rewritten (commit 4727bb7) and those after
+# it. compare_versions reads the answers of both versions through this script: what is removed or spelled alike here is
+# not a difference. Every rule says why. A record goes from ">>> invocation" to "<<< exit code".
 
-# Settings that there were not: shading, and rounding in its two parts. Of each the lists have a new row, which goes.
+# Settings that did not exist: shading, and the two parts of rounding. Each has a new row in the lists, removed here.
 /^ *\{ *$/{
     :object
     /\n *\}/!{
@@ -24,13 +24,13 @@
     }
 }
 
-# The setting `shading` (when a fragment's colour is worked out) is now `depth_order`; `shading` says which light. Its old
+# The setting `shading` (when a fragment's colour is computed) is now `depth_order`; `shading` says which light. Its old
 # words are still read, and set the new one.
 s/depth_order=(after|before)_depth_test/shading=\1_depth_test/g
 s/^setting depth_order /setting shading /
 s/^(err: rasterwalk: shading cannot be '[^']*': it takes ).*/\1its words./
 
-# They stand in the tab of settings, which is longer; these steps of lessons open it.
+# They are in the Settings tab, which is longer; these steps of lessons open it.
 /^>>> (own )?rasterwalk-offscreen .*--tab settings/,/^<<< exit/{
     /^widget /d
     /^[0-9a-f]{32}  /d
@@ -40,11 +40,11 @@ s/^(err: rasterwalk: shading cannot be '[^']*': it takes ).*/\1its words./
     /^[0-9a-f]{32}  /d
 }
 
-# Time has two phases more, clip and cull; so far nothing happens in them.
+# Time has two more phases, clip and cull; so far nothing happens in them.
 s/One of: vertices clip cull edges rows end/One of: vertices edges rows end/
 
 # Text counts triangles, vertices, edges and samples from 0, as JSON and the text of moments did before, and spells their
-# names as in C++: triangles[7], vertices[0], edge 1, line[4]. Numbers that sed cannot count down by one go.
+# names as in C++: triangles[7], vertices[0], edge 1, line[4]. Numbers that sed cannot count down by one are removed.
 s/\bedge [0-9]+, (sample [0-9]+|line\[[0-9]+\]) of [0-9]+\. A: /a sample. A: /
 s/\bedge [0-9]+ has ([0-9]+) samples? in A and /an edge has \1 in A and /
 s/\b(vertex [0-9]+ of [0-9]+|vertices\[[0-9]+\]): /a vertex: /
@@ -56,7 +56,7 @@ s/^  e([0-9]+)\/s([0-9]+) at \(/  edge \1, line[\2] at (/
 s/^err: rasterwalk: sample ([0-9]+) of edge ([0-9]+) at \(/err: rasterwalk: edge \2, line[\1] at (/
 /^>>> (own )?rasterwalk pixel/,/^<<< exit/s/^ *[0-9]+  (t[0-9]+\/)/\1/
 
-# The facts on an edge's samples are named as the text of a moment names the edge; their old names counted from 1.
+# The facts about an edge's samples are named as the text of a moment names the edge; their old names counted from 1.
 /^table\.e(dge)?[0-9]\.samples /{
     N
     d
@@ -66,8 +66,8 @@ s/(Triangle of the moment|Sample of that edge|Selected triangle|Triangle that th
 # A count of one takes the singular.
 s/\bhas only 1 rows\b/has only 1 row/
 
-# Lessons are checked by the parse that draws them: a line of single dashes does not make a table, and of a formula over
-# several lines each command is named at its own line.
+# Lessons are checked by the parser that draws them: a line of single dashes does not make a table, and for a formula
+# over several lines each command is named at its own line.
 /^>>> rasterwalk check broken_lessons\/18-wide-table\.md$/,/^<<< exit/{
     /^(>>>|<<< exit)/!d
     s/^<<< exit .*/<<< exit/
@@ -75,5 +75,5 @@ s/\bhas only 1 rows\b/has only 1 row/
 /^broken_lessons\/(14-formulas\.md:1[79]: the program cannot draw|18-wide-table\.md:)/d
 /^>>> rasterwalk check broken_lessons(\/14-formulas\.md)?$/,/^<<< exit/s/^(err: rasterwalk: )[0-9]+ faults/\1faults/
 
-# What it reads, `diagnose --help` says whole.
+# `diagnose --help` says everything that it reads.
 s/^(  FILE REQUIRED .*'); - reads standard input$/\1/

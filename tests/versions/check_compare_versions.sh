@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Shows that compare_versions can fail: holds a version against itself, and against one that is wrong in one place.
+# Shows that compare_versions can fail: compares a version with itself, and with one that is wrong in one place.
 #   check_compare_versions.sh BUILD      BUILD holds rasterwalk
 set -u
 here=$(cd "$(dirname "$0")" && pwd)

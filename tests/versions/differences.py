@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints the invocations that two versions answered in different ways, each with the first line that differs.
+"""Prints the invocations that two versions answered differently, each with the first line that differs.
 usage: differences.py LIST NEW_ANSWERS OLD_ANSWERS
 An answer goes from ">>> invocation" to "<<< exit code". What LIST does not name is left out. Standard error says how
 many invocations both versions answered."""
@@ -7,7 +7,7 @@ import sys
 
 
 def records(path):
-    """The invocations of a file and their answers, one after the other."""
+    """The invocations of a file and their answers, one after another."""
     name, lines = None, []
     with open(path, "rb") as answers:
         for line in answers:
@@ -21,7 +21,7 @@ def records(path):
 
 
 def first_difference(old, new):
-    """The number of the first line that is not the same, from 1, and what stands there in both."""
+    """The number of the first line that differs, from 1, and its text in both."""
     old, new = old.splitlines(), new.splitlines()
     at = 0
     while at < min(len(old), len(new)) and old[at] == new[at]:

@@ -17,14 +17,14 @@ const types = {
     '.txt': 'text/plain; charset=utf-8', '.toml': 'text/plain; charset=utf-8',
 };
 
-/// The files of a folder, as a web server names them.
+/// The files of a folder, under the names that a web server gives them.
 export function filesOf(folder) {
     return readdirSync(folder, {recursive: true, withFileTypes: true})
         .filter(entry => entry.isFile())
         .map(entry => relative(folder, join(entry.parentPath ?? entry.path, entry.name)));
 }
 
-/// Serves a folder to this computer: {url, asked, close}. `asked` lists the paths that were asked for.
+/// Serves a folder to this computer: {url, asked, close}. `asked` lists the paths that were requested.
 export async function serve(folder, path = '/') {
     const asked = [];
     const known = new Set(filesOf(folder));
@@ -64,7 +64,7 @@ export function startBrowser() {
     });
 }
 
-/// Waits until `look` gives something true, and returns that.
+/// Waits until `look` gives something true, and returns it.
 export async function until(look, what, seconds = 20) {
     const end = performance.now() + 1000 * seconds;
     for (;;) {
@@ -76,7 +76,7 @@ export async function until(look, what, seconds = 20) {
 }
 export const pause = milliseconds => new Promise(done => setTimeout(done, milliseconds));
 
-/// Students of one site: what one of them keeps, the next finds again.
+/// A student's visit to a site: what one page keeps, the next finds again.
 export class Visit {
     static open = new Set();
 
@@ -98,7 +98,7 @@ export class Visit {
         return visit;
     }
 
-    /// The page at this place: what stands behind its #, or nothing.
+    /// The page at this place: the part after its #, or nothing.
     async go(fragment = '') {
         const program = new Program();
         program.visit = this;
@@ -109,7 +109,7 @@ export class Visit {
         return program;
     }
 
-    /// What was asked of anything but the files of the site.
+    /// Requests for anything but the files of the site.
     strangeRequests() {
         const known = new Set(['', 'lessons/own.txt', ...this.site.files].map(name => this.site.url + name.split('/').map(encodeURIComponent).join('/')));
         return this.requests.filter(url => !known.has(url.split('#')[0]) && !/^(blob:|data:)/.test(url));
@@ -135,7 +135,7 @@ export class Program {
         await this.rest();
     }
 
-    /// Waits until nothing is drawn any more, but for a text cursor that blinks.
+    /// Waits until nothing is drawn any more, except a blinking text cursor.
     async rest() {
         const isAtRest = await this.page.evaluate(() => window.eval(`(async () => {
             const end = performance.now() + 30000;
@@ -172,7 +172,7 @@ export class Program {
         return this.line('cursor');
     }
 
-    /// Where a widget can be seen: pixels of CSS; undefined where it cannot.
+    /// Where a widget can be seen: pixels of CSS; undefined if it cannot.
     async findPlace(name) {
         const parts = (await this.report()).split('\n').map(text => text.split(' '))
             .find(words => words[0] === 'widget' && words.slice(5).join(' ') === name);
@@ -189,7 +189,7 @@ export class Program {
     async has(name) {
         return await this.findPlace(name) !== undefined;
     }
-    /// The names of all widgets that begin so.
+    /// The names of all widgets that begin with this.
     async widgets(beginning = '') {
         return (await this.report()).split('\n').filter(text => text.startsWith('widget '))
             .map(text => text.split(' ').slice(5).join(' ')).filter(name => name.startsWith(beginning));
@@ -209,7 +209,7 @@ export class Program {
         await this.rest();
     }
 
-    /// Another place in the same page, as a link in it or the bar of the browser leads there.
+    /// Goes to another place in the same page, as by a link in it or the browser's address bar.
     async follow(fragment) {
         await this.followAtOnce(fragment);
         await this.rest();
@@ -255,7 +255,7 @@ export class Program {
         }
     }
 
-    /// What the browser saves while this is done: its name, and where it lies now.
+    /// What the browser saves while this is done: its name, and where it is now.
     async download(act) {
         const waiting = this.page.waitForEvent('download', {timeout: 15000});
         await act();

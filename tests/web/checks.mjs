@@ -1,4 +1,4 @@
-// Names tests with sentences, runs them one after the other, and says what was expected and what was seen.
+// Names tests with sentences, runs them one after another, and says what was expected and what was seen.
 
 const tests = [];
 let noted = [];
@@ -21,7 +21,7 @@ export function holds(condition, what) {
     if (!condition) throw new Failure(what);
 }
 
-/// A fault after which the test goes on.
+/// Notes a fault; the test continues.
 export function note(what) {
     noted.push(what);
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The commands of the browser's build, under Node, say and draw what the native ones do.
+# Under Node, the commands of the browser's build say and draw what the native ones do.
 #   tests/web/commands.sh COMMANDS_JS NATIVE [HASHES_JS NATIVE_HASHES]
 # COMMANDS_JS is build/web/rasterwalk-commands.js. With the other two the hashes of tests/same_bits are compared with
 # each other as well. What is different is printed: the command, both exit codes, and the first lines that differ.
@@ -13,7 +13,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 mkdir "$folder/home" "$folder/state"
 export RASTERWALK_LESSONS=$PWD/lessons HOME=$folder/home XDG_STATE_HOME=$folder/state LC_ALL=C.UTF-8
-# Emscripten takes a fetch of Node's own for a browser's; the parsers need more stack than Node gives.
+# Emscripten mistakes Node's own fetch for a browser's; the parsers need more stack than Node gives.
 node=(node --no-experimental-fetch --stack-size=4000)
 same=0
 different=0
@@ -43,7 +43,7 @@ both() {
 }
 stages="points edges rows fill depth vertex_light pixel_light"
 
-# ---- All commands, and what they tell of themselves
+# ---- All commands, and what they say about themselves
 both --help
 both --version
 for command in render stats rows triangle pixel compare diagnose settings presets bugs lessons check facts engines; do
@@ -97,7 +97,7 @@ for lesson in lessons/[0-9]*.md; do
 done
 for broken in tests/lessons/broken/*; do both check "$PWD/$broken"; done
 
-# ---- Faults, and what may be meant maliciously
+# ---- Faults, and possibly malicious input
 printf '[camera\nposition = 3' >"$folder/broken.toml"
 printf 'v 1 2\nf 1 2 9\nf a b c\n' >"$folder/broken.obj"
 printf 'v 0 0 0\nv 1e39 0 1\nv nan 1 inf\nv 1e-46 0x10 1.5.2\nf 1 2 3\nf -1 -2 -3\n' >"$folder/numbers.obj"

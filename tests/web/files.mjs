@@ -1,4 +1,4 @@
-// Files of the student: dropped, chosen, and handed out.
+// The student's files: dropped, chosen, and handed out.
 
 import {copyFileSync, cpSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -169,7 +169,7 @@ export function testFiles(place) {
     });
 }
 
-/// A PNG that says it has 60000 x 60000 pixels, and has none.
+/// A PNG that claims 60000 x 60000 pixels, and has none.
 function hugePicture() {
     const bytes = Buffer.from('89504e470d0a1a0a0000000d494844520000ea600000ea60080200000000000000', 'hex');
     return Buffer.concat([bytes, Buffer.from('0000000049454e44ae426082', 'hex')]);

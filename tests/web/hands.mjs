@@ -13,7 +13,7 @@ export function testHands(place) {
         equal(await program.setting('stage'), 'rows', 'the stage after a click on it');
         const {x, y} = await program.place('stage.fill');
         await program.page.evaluate(([x, y]) => {
-            // Both within one frame, as a fast hand or a slow computer has it.
+            // Both within one frame, as with a fast hand or a slow computer.
             const canvas = document.getElementById('canvas');
             const event = (type, buttons) => new PointerEvent(type, {clientX: x, clientY: y, button: 0, buttons, pointerId: 1, pointerType: 'mouse', bubbles: true});
             canvas.setPointerCapture = () => undefined;

@@ -40,7 +40,7 @@ const wrongLinks = [
     ['&'.repeat(8000), 'which is not a name and a value'],
 ];
 
-/// Those that are opened in a page of their own, too.
+/// Those that are also opened in a new page.
 const hostileLinks = /^scene=(\.\.|https)|^stage=%zz|^render=|^a{9}/;
 
 async function checkRefusal(program, link, words) {

@@ -1,2 +1,2 @@
-// Under Node the program's environment is that of the shell.
+// Under Node the program's environment is the shell's.
 Module['preRun'] = [() => Object.assign(ENV, process.env)];

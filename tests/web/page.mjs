@@ -1,7 +1,7 @@
-// The page in a real browser: what a student does, and what must come of it.
+// The page in a real browser: what a student does, and what must result from it.
 //   node tests/web/page.mjs SITE NATIVE_RASTERWALK [SHOTS_FOLDER [PATTERN...]]
-// SITE is the folder that ui/hosts/web/build writes. What goes wrong leaves a picture of the page in SHOTS_FOLDER
-// (none: -). Of the tests those run whose names match one of the patterns.
+// SITE is the folder that ui/hosts/web/build writes. A failure leaves a picture of the page in SHOTS_FOLDER
+// (none: -). Only the tests whose names match one of the patterns run.
 
 import {mkdirSync, mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
@@ -42,7 +42,7 @@ testTeacher(place);
 
 let shotCount = 0;
 
-/// What holds for every page, whatever the test was.
+/// Checks what holds for every page, whatever the test was.
 async function endVisits() {
     for (const visit of [...Visit.open]) {
         for (const message of visit.messages) note(`The page has written to the console: ${message}`);

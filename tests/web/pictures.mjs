@@ -1,4 +1,4 @@
-// What the page draws has the bits that the native program draws.
+// The page draws the same bits as the native program.
 
 import {execFile} from 'node:child_process';
 import {readdirSync, readFileSync, writeFileSync} from 'node:fs';
@@ -20,7 +20,7 @@ export async function renderNatively(place, words) {
     return readFileSync(file);
 }
 
-/// Notes what is different, if the picture of the page is not that of these words of a command line.
+/// Notes the difference, if the page's picture is not the one that these words of a command line give.
 export async function comparePicture(place, program, words) {
     const [seen, expected] = await Promise.all([program.picture(), renderNatively(place, words)]);
     if (seen.equals(expected)) return;

@@ -1,8 +1,8 @@
-// Just enough of PNG to say where two pictures part.
+// Just enough of PNG to say where two pictures differ.
 
 import {inflateSync} from 'node:zlib';
 
-/// Width, height, bytes a pixel, and rows of a PNG of 8 bits a channel without interlace; undefined for what is none.
+/// Width, height, bytes a pixel, and rows of a PNG of 8 bits a channel without interlace; undefined for anything else.
 export function readPng(bytes) {
     if (bytes.length < 33 || bytes.toString('latin1', 1, 4) !== 'PNG') return undefined;
     const parts = [];
@@ -27,7 +27,7 @@ export function readPng(bytes) {
     return {width, height, channels, rows};
 }
 
-/// Where two pictures part, as a sentence.
+/// Where two pictures differ, as a sentence.
 export function firstDifference(seen, expected) {
     const a = readPng(seen), b = readPng(expected);
     if (!a || !b) return `expected a PNG of ${expected.length} bytes, saw ${seen.length} bytes, which are ${a ? 'one' : 'none'}`;

@@ -38,7 +38,7 @@ export function testScreen(place) {
     test('A window that goes to a screen with other pixels is drawn in these with the next event', async () => {
         const program = await open('#lesson=05-row-table&step=3');
         await program.protocol.send('Emulation.setDeviceMetricsOverride', {width: 1600, height: 1000, deviceScaleFactor: 2, mobile: false});
-        // Chromium says nothing of it by itself where it is only played.
+        // Chromium does not report the change when it is only emulated.
         await program.page.mouse.move(3, 3);
         await until(async () => await program.line('window') === '3200 2000', 'the window has twice the pixels', 5);
     });

@@ -13,7 +13,7 @@ const keptSteps = async (program, lesson) => {
     return at < 0 ? [] : JSON.parse(/steps = (\[[^\]]*\])/.exec(text.slice(at))?.[1] ?? '[]');
 };
 
-/// As if the window were on another screen; then the mouse moves.
+/// Acts as if the window were on a different screen, and moves the mouse.
 async function usePixels(program, factor) {
     await program.protocol.send('Emulation.setDeviceMetricsOverride', {width: 1600, height: 1000, deviceScaleFactor: factor, mobile: false});
     await program.page.mouse.move(3, 3);

@@ -1,4 +1,4 @@
-// A copy of the site with a lesson, a scene and a model of its own.
+// A copy of the site with an added lesson, scene and model.
 
 import {copyFileSync, cpSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -29,7 +29,7 @@ set = ["stage=pixel_light"]
 It goes on with a model.
 `;
 
-/// Copies the site and lays the files of the teacher into it; `lines` stand in lessons/own.txt.
+/// Copies the site and adds the teacher's files to it; `lines` go into lessons/own.txt.
 async function ownSite(place, name, lines) {
     const folder = join(place.folder, name);
     cpSync(place.site.folder, folder, {recursive: true});

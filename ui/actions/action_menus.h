@@ -1,6 +1,6 @@
 #pragma once
 
-// The actions menu by menu, each in the order of its menu. action_table() puts them together.
+// The actions menu by menu, each list in the order of its menu. action_table() puts them together.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace rasterwalk {
 
-/// What is opened, saved, and taken back: File, Edit.
+/// What is opened, saved and undone: File, Edit.
 std::vector<Action> file_actions();
 std::vector<Action> edit_actions();
 
@@ -16,7 +16,7 @@ std::vector<Action> edit_actions();
 std::vector<Action> view_actions();
 std::vector<Action> stage_actions();
 
-/// Where in time, and beside which other run: Compare, Walk.
+/// Where in time, and compared with which other run: Compare, Walk.
 std::vector<Action> compare_actions();
 std::vector<Action> walk_actions();
 

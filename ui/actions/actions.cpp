@@ -65,7 +65,7 @@ std::string key_name(int code) {
     return std::string(1, static_cast<char>(code));
 }
 
-/// Behind the start page nothing moves.
+/// Nothing moves behind the start page.
 bool shows_on_start_page(const Action& action) {
     return action.menu == "File" || action.menu == "Help" || action.is_on_start_page;
 }

@@ -10,7 +10,7 @@ namespace rasterwalk {
 struct Scene;
 struct Ui;
 
-/// A key with the keys held beside it.
+/// A key with the modifiers held with it.
 struct Chord {
     int key = 0; ///< see ui/widgets/keys.h; 0: none
     bool ctrl = false;
@@ -21,15 +21,15 @@ struct Chord {
 /// Something that the student can do. One table feeds the keys, the menus, the tooltips and the
 /// sheet of keys.
 struct Action {
-    std::string name;  ///< by which code and tests find it
-    std::string menu;  ///< the menu it stands in; empty: none
+    std::string name;  ///< code and tests find it by this
+    std::string menu;  ///< the menu it is in; empty: none
     std::string title; ///< in the menu
     std::string help;  ///< one sentence
     Chord chord;
     std::function<void(Ui&)> run;
     std::function<bool(const Ui&)> is_on; ///< for switches; null otherwise
-    bool begins_group = false;            ///< a line stands above it in its menu
-    bool is_on_start_page = false;        ///< works there, too, as all of File and Help do
+    bool begins_group = false;            ///< a line is drawn above it in its menu
+    bool is_on_start_page = false;        ///< works there too, as all of File and Help does
 };
 
 /// All actions, in the order of the menus.
@@ -43,11 +43,11 @@ std::string tooltip_of(std::string_view action);
 std::string chord_text(const Chord& chord);
 
 /// Runs the actions whose keys were pressed, and moves camera and light while the lab's keys are
-/// held. Does nothing while text is typed or a sheet for files is up.
+/// held. Does nothing while text is typed or a sheet for files is open.
 void handle_keys(Ui& ui);
 
-/// Puts a scene that was read in place of what is shown; the lesson, which is about another, is
-/// closed. If a model has faults, session.notice names the first.
+/// Shows a scene that was read in place of the current one; the lesson, which is about the old one,
+/// is closed. If a model has faults, session.notice names the first.
 void show_opened_scene(Ui& ui, Scene scene);
 
 } // namespace rasterwalk

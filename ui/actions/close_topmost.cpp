@@ -11,8 +11,8 @@ namespace rasterwalk {
 
 namespace {
 
-/// How many menus and lists stay open: a menu within a menu, which the pointer would open again at
-/// once, takes those along from which it came.
+/// How many menus and lists stay open: closing a menu within a menu also closes those it came from,
+/// because the pointer would reopen it immediately.
 int popups_that_stay() {
     const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
     int level = open.Size - 1;

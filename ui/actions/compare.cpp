@@ -38,7 +38,7 @@ std::optional<glm::ivec2> pixel_of(const Frame& frame, const Cursor& cursor) {
     return glm::ivec2(rows.left[cursor.index].column + cursor.step, rows.first_row + cursor.index);
 }
 
-/// Run A alone in a small window would look as if nothing was compared.
+/// Run A alone in a small window would look as if nothing were being compared.
 void show_both(Ui& ui) {
     CompareView& view = ui.session.compare_view;
     if (view == CompareView::run_a && !ui.compare.has_small) view = CompareView::wipe;
@@ -47,7 +47,7 @@ void show_both(Ui& ui) {
 } // namespace
 
 const ComparePair* pair_on_show(const Session& session) {
-    // While a quiz goes on it would give the mistake away.
+    // During a quiz it would give the mistake away.
     return hides_settings(session) ? nullptr : pair_of_runs(session);
 }
 
@@ -187,7 +187,7 @@ std::string grouped(std::int64_t number) {
 
 namespace {
 
-/// What the steps are working at.
+/// What the steps are working on.
 std::string steps_words(const Results& results) {
     const auto words = [](const char* what, int done, int of) {
         return std::string(what) + " " + grouped(done) + " of " + grouped(of) + " " +
@@ -223,7 +223,7 @@ std::string work_words(const Results& results) {
 
 std::vector<std::string> difference_forms(const PixelDifference& pixels) {
     if (pixels.different == 0) return {"no pixel differs", "none differs"};
-    // What is seen comes first: it is what a picture in a file can differ in.
+    // Visible differences come first: only those can differ in a picture from a file.
     const bool is_seen = pixels.shown > 0, is_all_seen = pixels.shown == pixels.different;
     const std::int64_t number = is_seen ? pixels.shown : pixels.different;
     const bool is_one = number == 1;

@@ -7,7 +7,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A row for each way to compare.
+/// A row for each view of a comparison.
 std::vector<Action> compare_view_choices() {
     std::vector<Action> actions;
     for (const CompareViewInfo& info : compare_view_list()) {

@@ -30,8 +30,7 @@ void show_at(Ui& ui, const std::string& name) {
 
 using Stops = std::vector<const Stop*>;
 
-/// Where the way begins: in a list with the entry that holds, and else with the lesson, if there is
-/// one.
+/// Where the way begins: in a list, the chosen entry; elsewhere the lesson, if there is one.
 const Stop& first_of(const Stops& stops) {
     const auto chosen =
         std::find_if(stops.begin(), stops.end(), [](const Stop* s) { return s->second.is_chosen; });
@@ -41,8 +40,8 @@ const Stop& first_of(const Stops& stops) {
     return found == stops.end() ? *stops.front() : **found;
 }
 
-/// What takes over from a widget that has gone: the nearest one of its part, or what had the
-/// keyboard before the part was opened.
+/// What takes over from a widget that has gone: the nearest one in its part, or the one that had
+/// the keyboard before the part was opened.
 const Stop& heir(const Ui& ui, const Stops& stops) {
     const Focus& focus = ui.focus;
     if (focus.name.empty()) return first_of(stops);
@@ -62,8 +61,8 @@ const Stop& heir(const Ui& ui, const Stops& stops) {
     return nearest != nullptr ? *nearest : first_of(stops);
 }
 
-/// A menu or list that opens takes the keyboard, and gives it back. Returns true if it just did:
-/// what was drawn last is then still without the one that has it again.
+/// A menu or list that opens takes the keyboard, and gives it back. Returns true if it has just
+/// done so: what was last drawn then still lacks the widget that has it again.
 bool follow_popups(Ui& ui) {
     Focus& focus = ui.focus;
     const auto open = static_cast<std::size_t>(GImGui->OpenPopupStack.Size);
@@ -77,7 +76,7 @@ bool follow_popups(Ui& ui) {
     return true;
 }
 
-/// A click goes on by pointer, and Tab goes on from where it was.
+/// After a click the pointer takes over, and Tab goes on from where it was.
 void follow_pointer(Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     if (!io.MouseClicked[0] && !io.MouseClicked[1]) return;
@@ -93,7 +92,7 @@ void follow_pointer(Ui& ui) {
     }
 }
 
-/// Who can no longer be seen has the keyboard no longer.
+/// A widget that can no longer be seen gives up the keyboard.
 void leave_what_is_gone(Ui& ui) {
     if (!ui.focus.is_shown) return;
     const Stop* const now = stop_with_keyboard(ui);
@@ -139,7 +138,8 @@ void move_to_part(Ui& ui, const Stops& stops, int distance) {
     show_at(ui, firsts[static_cast<std::size_t>((from + distance + count) % count)]->first);
 }
 
-/// An arrow never leads to what arrows change: held a little too long, it would.
+/// An arrow never leads to a widget that takes arrows: holding it a little too long would change
+/// that.
 void move_by_arrows(Ui& ui, const Arrows& arrows) {
     const Stop* const now = stop_with_keyboard(ui);
     Stops stops = stops_of_tab(ui);
@@ -173,19 +173,20 @@ void show_where_it_is(Ui& ui) {
     if (!stops.empty()) show_at(ui, (now == nullptr ? heir(ui, stops) : first_of(stops)).first);
 }
 
-/// Of a prediction that waits for its answer: a field, a choice, or the button that gives a pixel.
+/// Is it part of a prediction that waits for its answer: a field, a choice, or the button that
+/// gives a pixel?
 bool is_answer(std::string_view name) {
     return name.starts_with("lesson.prediction.") &&
            (name.ends_with(".number") || name.ends_with(".answer") ||
             name.find(".choice.") != std::string_view::npos);
 }
 
-/// In the strip: the button of a card with a question or a task, lesson.card.2.
+/// Is it in the strip, the button of a card with a question or a task, such as lesson.card.2?
 bool is_card_of_question(std::string_view name) {
     return name.starts_with("lesson.card.") && name != "lesson.card.text";
 }
 
-/// The first answer on the page; where the strip has it on another card, the button of that card.
+/// The first answer on the page; if the strip has it on another card, that card's button.
 const Stop* first_answer(const Ui& ui, const Stops& stops) {
     const auto first = [&](const auto& is_meant) {
         const auto found = std::find_if(stops.begin(), stops.end(), is_meant);
@@ -198,8 +199,7 @@ const Stop* first_answer(const Ui& ui, const Stops& stops) {
     return first([](const Stop* s) { return is_card_of_question(s->first); });
 }
 
-/// An answer that is new on the page is what Tab leads to first, once. Returns false if there is
-/// none.
+/// Tab leads to an answer that is new on the page first, once. Returns false if there is none.
 bool move_to_new_answer(Ui& ui) {
     const Stop* const stop = first_answer(ui, stops_of_tab(ui));
     if (stop == nullptr) return false;
@@ -264,7 +264,7 @@ void take_widget_keys(Ui& ui) {
     const bool is_arrow = arrows.right != 0 || arrows.up != 0;
     const Stop* const stop = stop_with_keyboard(ui);
     if (!focus.is_shown || stop == nullptr) {
-        // Elsewhere they move the camera.
+        // Everywhere else they move the camera.
         const bool leads = ui.start.is_open || !focus.openers.empty();
         if (is_arrow && leads) show_where_it_is(ui);
         return;
@@ -280,7 +280,7 @@ void take_widget_keys(Ui& ui) {
     if (is_press && can_be_pressed(stop->second)) press(stop->second);
 }
 
-/// What scrolls there: the window of the widget that has the keyboard, or else the largest one.
+/// The window that scrolls there: that of the widget that has the keyboard, or else the largest.
 ImGuiWindow* scrolled_in(ImGuiID part, const Focus& focus) {
     const auto scrolls = [](const ImGuiWindow* w) {
         const bool is_fixed = (w->Flags & ImGuiWindowFlags_NoScrollWithMouse) != 0;
@@ -299,7 +299,7 @@ ImGuiWindow* scrolled_in(ImGuiID part, const Focus& focus) {
     return largest;
 }
 
-/// The part with the lesson, or with the page that is read in its place; 0 if there is none.
+/// The part with the lesson, or with the page shown in its place; 0 if there is none.
 ImGuiID part_of_lesson(const Ui& ui) {
     const auto found = std::find_if(ui.widgets.begin(), ui.widgets.end(), [](const Stop& stop) {
         return stop.first.starts_with("lesson.");

@@ -8,11 +8,11 @@ namespace rasterwalk {
 struct Ui;
 struct Chord;
 
-/// Takes the keys that are meant for the widget with the keyboard or lead to another one. To be
+/// Takes the keys meant for the widget with the keyboard and those that lead to another one. To be
 /// called once a frame, before anything is drawn.
 void take_focus_keys(Ui& ui);
 
-/// Is an arrow held that the focused widget takes? As long as it is, it is one change.
+/// Is an arrow held that the focused widget takes? While it is, everything counts as one change.
 bool is_moving_by_arrows(const Ui& ui);
 
 /// Is the key the focused widget's own, so that it does nothing else?

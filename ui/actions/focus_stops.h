@@ -21,18 +21,19 @@ using Stop = std::pair<const std::string, WidgetPlace>;
 /// open.
 const Stop* stop_with_keyboard(const Ui& ui);
 
-/// Where F6 leads, in the order in which it is drawn: only within the menu or list on top, if one
-/// is open, and to nothing that is below a sheet.
+/// Where F6 leads, in drawing order: only within the menu or list on top, if one is open, and never
+/// below a sheet.
 std::vector<const Stop*> stops_in_reach(const Ui& ui);
 
-/// Where Tab leads: a sheet is entered and left by F6 alone.
+/// Where Tab leads: a sheet is entered and left only by F6.
 std::vector<const Stop*> stops_of_tab(const Ui& ui);
 
-/// The sheet to read in below which a part of the window does not show at this place; null: none.
+/// The sheet that hides a part of the window at this place; null: none.
 /// @param part where the place is; its own sheet does not hide it
 const ImGuiWindow* sheet_over(const Ui& ui, ImGuiID part, const ImRect& place);
 
-/// The same for a widget; one that is scrolled away, for where it would come into view.
+/// The same for a widget; for one that is scrolled away, for the place where it would come into
+/// view.
 const ImGuiWindow* sheet_over(const Ui& ui, const WidgetPlace& widget);
 
 } // namespace rasterwalk

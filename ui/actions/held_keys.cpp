@@ -41,7 +41,7 @@ const HeldKey held_keys[] = {
     {'E', [](Settings& s, float d) { s.light.position.y += d; }},
 };
 
-/// World units, or radians, a second; and what a mere touch of the key moves at least.
+/// World units, or radians, a second; and the least that a mere touch of the key moves.
 constexpr float held_speed = 1.0f;
 constexpr float touch_distance = 0.02f;
 
@@ -49,7 +49,7 @@ bool is_arrow(int key) {
     return key >= key::right && key <= key::up;
 }
 
-/// A widget that has the keyboard has the arrows, too, and a field the letters.
+/// The arrows belong to a widget that has the keyboard, and a field has the letters.
 bool is_free(const Ui& ui, const HeldKey& held) {
     const bool is_taken = ui.focus.is_shown && is_arrow(held.key);
     return !is_taken && !belongs_to_focus(ui, {held.key});

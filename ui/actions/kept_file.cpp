@@ -40,7 +40,7 @@ void write_kept(Ui& ui, KeptFile& file, const char* what, const std::function<vo
         file.next_try = ImGui::GetTime() + seconds_between_tries;
         if (file.is_failing) return;
         file.is_failing = true;
-        // The second of them must not hide that the first is lost too, least of all progress.
+        // The second of them must not hide that the first, especially progress, is lost too.
         const bool are_both = ui.lesson.progress_file.is_failing && ui.options_file.is_failing;
         ui.session.notice = std::string(are_both ? "Progress and the look of the window" : what)
                                 .append(" will not be kept until this is fixed: ")

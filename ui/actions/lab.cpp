@@ -37,12 +37,12 @@ std::string picture_words(const LabReference& against, Viewport size) {
            size_words(usual);
 }
 
-/// Keeps what is shown side by side: the student's picture, and where it is not the right one.
+/// Keeps the two pictures shown side by side: the student's, and one of where it is wrong.
 void keep_pictures(LabLook& lab, const DiagnosisWork& work) {
     LabPictures& pictures = lab.pictures;
     pictures.own = work.picture();
     pictures.right = work.right_picture();
-    // Opacity is not looked at: a picture that says it is transparent is shown, too.
+    // Opacity is ignored: a picture that claims to be transparent is shown too.
     for (std::size_t i = 3; i < pictures.own.rgba.size(); i += 4)
         pictures.own.rgba[i] = 255;
     ++pictures.number;
@@ -52,7 +52,7 @@ void keep_pictures(LabLook& lab, const DiagnosisWork& work) {
 LabReference chosen_reference(const Session& session, bool what_is_set) {
     LabReference reference{what_is_set, session.scene, with_handout_rules(session.a.settings)};
     if (what_is_set) return reference;
-    // Nothing that a lesson has left behind counts.
+    // Nothing left behind by a lesson counts.
     Scene room = read_scene_file(lessons_folder() + "/" + std::string(usual_scene));
     if (!(*session.scene == room)) reference.scene = std::make_shared<const Scene>(std::move(room));
     reference.settings = default_settings(*reference.scene);
@@ -68,9 +68,9 @@ bool is_known(const LabLook& lab, const LabSubject& subject) {
            last->against.is_set == subject.against.is_set;
 }
 
-/// Reads the watched file, and begins to check it; rows are answered at once. Throws Error; what
-/// was going on goes on then.
-/// @param again it may be the very same: then nothing is begun
+/// Reads the watched file, and begins to check it; rows are answered immediately. Throws Error; any
+/// check in progress then goes on.
+/// @param again the file may be unchanged: then nothing is begun
 void begin_check(Ui& ui, bool again) {
     LabLook& lab = ui.lab;
     const std::string& path = lab.watched_path;
@@ -170,7 +170,7 @@ void show_candidate(Ui& ui, const Bug& bug, const Candidate& candidate) {
 
 void begin_quiz(Ui& ui) {
     LabLook& lab = ui.lab;
-    // Any number will do: it only must not be the same each time.
+    // Any number will do, as long as it is not the same each time.
     if (lab.seed == 0) lab.seed = 1000 + ImGui::GetFrameCount() * 37 % 9000;
     const auto seed = static_cast<std::uint32_t>(lab.seed);
     if (!start_quiz(ui.session, lab_bugs(ui), seed, lab.wants_two ? 2 : 1)) {
@@ -226,7 +226,7 @@ void carry_on_diagnosis(Ui& ui, const WorkLimit& limit) {
         if (reads) {
             lab.result_fault.clear();
             lab.watched = file_state(lab.watched_path);
-            // The answer takes the place of the question: in sight, and scrolled by keys.
+            // The answer takes the place of the question: in sight, and scrolled by the keys.
             if (begins) give_focus(ui, "lab.mode.result");
             if (begins || lab.reference.scene == nullptr)
                 lab.reference = chosen_reference(ui.session, lab.reference.is_set);
@@ -236,7 +236,7 @@ void carry_on_diagnosis(Ui& ui, const WorkLimit& limit) {
         }
     } catch (const Error& fault) {
         lab.result_fault = fault.what();
-        // Of a file that cannot be read now, what was read before can still be answered.
+        // If a file cannot be read now, what was read before can still be answered.
         if (!reads) lab.check = std::nullopt;
     } catch (...) { // what had no room cannot go on
         lab.check = std::nullopt;

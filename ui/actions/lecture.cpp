@@ -14,8 +14,8 @@ bool walks_through_time(const Ui& ui) {
     return ui.options.is_lecture && ui.session.lesson.empty();
 }
 
-/// Who goes on to another page has left what was framed on this one: the arrows are the camera's
-/// again, and Tab brings the frame back.
+/// Going to another page leaves the frame behind: the arrows move the camera again, and Tab brings
+/// the frame back.
 void read(Ui& ui, void (*turn)(Ui&)) {
     const auto page = [&] { return std::pair(ui.session.step, ui.lesson.strip.card); };
     const auto before = page();
@@ -29,7 +29,7 @@ void toggle_lecture(Ui& ui) {
     UiOptions& options = ui.options;
     options.is_lecture = !options.is_lecture;
     ui.style_is_stale = true;
-    // The drawer is no matter of the other mode, nor if the settings lie over it.
+    // The drawer does not carry over to the other mode, even if the settings lie over it.
     ui.lesson.drawer_is_open |= std::exchange(ui.inspector.settings_over_drawer, false);
     std::swap(ui.lesson.drawer_is_open, ui.lesson.drawer_of_other_mode);
 }

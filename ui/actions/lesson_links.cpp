@@ -17,10 +17,11 @@ namespace rasterwalk {
 
 namespace {
 
-/// A widget that has not been drawn for so many frames is not on the screen.
+/// A widget that has not been drawn for this many frames is not on the screen.
 constexpr int frames_to_appear = 3;
 
-/// The tab of the inspector in which a widget stands, or which it is; empty if it stands elsewhere.
+/// The tab of the inspector that contains a widget, or that the widget is; empty if it is
+/// elsewhere.
 std::string tab_of(std::string_view widget) {
     struct Place {
         std::string_view start, tab;
@@ -50,8 +51,8 @@ std::string tab_of(std::string_view widget) {
     return std::string(widget.starts_with(tab) ? widget.substr(tab.size()) : std::string_view());
 }
 
-/// Are the inspector's tabs out of sight: below the settings, or in whose place the lesson's whole
-/// text stands?
+/// Are the inspector's tabs out of sight: below the settings, or replaced by the lesson's whole
+/// text?
 bool is_covered(const Ui& ui) {
     return is_drawer_open(ui) || is_settings_open(ui);
 }
@@ -114,7 +115,7 @@ bool is_pressed() {
     return ImGui::IsMouseClicked(0) || is_any_key_pressed();
 }
 
-/// Is a widget, or a part of it, clicked in this frame, or given a key of its own?
+/// Is a widget, or a part of it, clicked in this frame, or given one of its keys?
 bool is_used(const Ui& ui, const std::string& widget) {
     if (is_clicked(ui, widget)) return true;
     const std::string& focus = ui.focus.name;
@@ -137,8 +138,7 @@ PointedPlace place_of_pointed(const Ui& ui) {
             window.x,          window.y,          ui.options.text_scale};
 }
 
-/// Outlines what the step points at, where it points at something; in sight, unless it was scrolled
-/// away.
+/// Outlines what the step points at, if anything; in sight, unless it was scrolled away.
 void point_as_step_does(Ui& ui) {
     LessonView& lesson = ui.lesson;
     lesson.meant = lesson.of_step;
@@ -151,7 +151,7 @@ void point_as_step_does(Ui& ui) {
     lesson.of_step_in = place;
 }
 
-/// Of what is pointed at: itself, or the first in it that can have the frame; null if nothing can.
+/// What is pointed at, or the first thing in it that can have the frame; null if none can.
 const Stop* first_stop_in(const Ui& ui, const Stop& pointed) {
     const WidgetPlace& all = pointed.second;
     if (all.id != 0) return &pointed;
@@ -166,20 +166,20 @@ const Stop* first_stop_in(const Ui& ui, const Stop& pointed) {
     return first;
 }
 
-/// Who follows a link by key goes on from what it shows, or from the door to it. What cannot have
-/// the frame leaves it with the link.
+/// Following a link by key moves the frame to what it shows, or to the door to that. If that cannot
+/// have the frame, the frame stays on the link.
 void frame_pointed(Ui& ui) {
     LessonView& lesson = ui.lesson;
     const auto found = ui.widgets.find(lesson.pointed_at);
     if (!lesson.wants_frame || found == ui.widgets.end()) return;
-    // What is scrolled away is scrolled to first.
+    // What is scrolled away is brought into view first.
     if (!found->second.visible) return;
     lesson.wants_frame = false;
     if (const Stop* const stop = first_stop_in(ui, *found)) give_focus(ui, stop->first);
 }
 
-/// Follows it on the frame of what is shown. Another link in this same frame of the window may have
-/// set what the results do not have yet.
+/// Follows it on the frame of what is shown. Another link in the same frame of the window may have
+/// set something that the results do not have yet.
 void follow_on_frame(Ui& ui, const LessonLink& link) {
     const RunResults& a = ui.results.a;
     if (a.scene == ui.session.scene && a.run == ui.session.a) {
@@ -202,7 +202,7 @@ void point_at_widget(Ui& ui, const std::string& widget, bool is_held) {
     LessonView& lesson = ui.lesson;
     const std::string target = way_to(ui, widget);
     if (lesson.pointed_at != target || is_held) lesson.frames_unseen = 0;
-    // The pointer on a link takes it from the step for as long as it rests there.
+    // The pointer on a link takes the outline from the step for as long as it rests there.
     const bool was_of_step = lesson.meant == lesson.of_step && widget != lesson.of_step;
     lesson.is_held = is_held || (lesson.is_held && !was_of_step);
     lesson.is_new = lesson.is_new || is_held;
@@ -214,7 +214,7 @@ void follow_link(Ui& ui, const std::string& target) {
     try {
         const LessonLink link = parse_lesson_link(target);
         ui.session.notice.clear();
-        // What a quiz hides must not be set from outside.
+        // What a quiz hides must not be set by a link.
         if (link.changes_settings() && refuses_settings(ui.session)) return;
         follow_on_frame(ui, link);
         switch (link.kind) {
@@ -270,13 +270,13 @@ void release_pointed(Ui& ui) {
     const bool is_of_step = lesson.meant == lesson.of_step;
     const bool is_scrolled = is_of_step && ImGui::GetIO().MouseWheel != 0.0f;
     frame_pointed(ui);
-    // The key that led here may still be held: only another one that goes down ends it, unless it
-    // leads to what is meant.
+    // The key that led here may still be held: only a new key press ends it, unless it leads to
+    // what is meant.
     if (!is_new && is_pressed() && is_used(ui, lesson.of_step)) lesson.of_step.clear();
     if (lesson.is_held && (is_pressed() || is_scrolled) && !is_new && !leads_on(ui)) {
         lesson.is_held = false;
     }
-    // It is in sight as long as it is held; what ends that may move it.
+    // It is in sight as long as it is held; what ends the holding may move it.
     if (is_of_step && lesson.is_held) lesson.of_step_in = place_of_pointed(ui);
     ++lesson.frames_unseen;
     if (lesson.is_held) {
@@ -285,7 +285,7 @@ void release_pointed(Ui& ui) {
             lesson.pointed_at = way;
             lesson.frames_unseen = 0;
         } else if (lesson.frames_unseen > frames_to_appear) {
-            // What a step points at may come later, as behind the start page.
+            // What a step points at may appear later, as behind the start page.
             if (!is_of_step)
                 ui.session.notice = "What this link points to is not on the screen now.";
             lesson.is_held = false;

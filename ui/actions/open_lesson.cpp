@@ -17,7 +17,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Forgets what belongs to the step that was shown.
+/// Discards what belongs to the step that was shown.
 void forget_step(LessonView& view) {
     view.pages.clear();
     view.open_hints.clear();
@@ -41,7 +41,7 @@ void forget_step(LessonView& view) {
 void point_as_told(Ui& ui, const std::optional<std::string>& widget) {
     if (!widget) return;
     point_at_widget_of_step(ui, *widget);
-    // Of a number in the table of the vertices it is said how it came to be.
+    // The formula of a number in the table of vertices is shown.
     constexpr std::string_view vertices = "vertices.";
     if (widget->starts_with(vertices))
         ui.inspector.chosen.vertex_number = widget->substr(vertices.size());
@@ -94,7 +94,7 @@ void open_lesson(Ui& ui, std::string_view id, int step) {
     }
     const bool is_another = ui.session.lesson != lesson->id;
     if (is_another) view.predictions.clear();
-    // Who chooses a lesson, or a place in one, wants to see it.
+    // Choosing a lesson, or a place in one, means wanting to see it.
     if (is_another || ui.session.page == SidePage::list) view.drawer_is_open = false;
     forget_step(view);
     const std::vector<Fault> faults = rasterwalk::open_step(ui.session, *lesson, step);
@@ -162,7 +162,7 @@ bool turn_card(Ui& ui, int distance) {
         view.place_to_show = LessonPlace{*view.open_below};
         return true;
     }
-    // What is scrolled away comes first.
+    // First what is scrolled away.
     if (distance > 0 ? view.has_more_below : view.has_more_above) {
         view.pages_to_scroll = static_cast<float>(distance);
         return true;
@@ -211,7 +211,7 @@ void tick_off_tasks(Ui& ui) {
         TaskWords& words = view.task_words[task.id];
         const std::string before = words.text;
         if (view.progress.is_task_done(lesson->id, task.id)) {
-            // The numbers of a reason are those of the moment in which it was solved.
+            // The numbers of a reason are from the moment in which it was solved.
             if (!words.is_reason)
                 words = {asks_for_numbers(task.because) ? "" : reason_of(task, facts), true};
         } else if (is_done(task, facts)) {
@@ -235,7 +235,7 @@ void show_reveal(Ui& ui, const Lesson& lesson, const LessonPrediction& predictio
     if (!prediction.then) return;
     Session& session = ui.session;
     const ViewState& step = lesson.steps[static_cast<std::size_t>(session.step)].state;
-    // The answer's own state may lead to a tab; the step's leaves the student's alone.
+    // The answer's own state may lead to a tab; the step's own tab leaves the student's alone.
     const bool keeps_tab = session.tab_guide.is_own && prediction.then->tab == step.tab;
     const bool shows_all = session.tab_guide.shows_all;
     const std::string own_tab(tab_below(session));
@@ -268,7 +268,7 @@ void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
 
 namespace {
 
-/// What is given where nothing is: it is never right.
+/// The answer used when none was given: it is never right.
 GivenAnswer no_answer(const LessonPrediction& prediction) {
     if (prediction.kind == LessonPrediction::Kind::number) return {std::nan("")};
     if (prediction.kind == LessonPrediction::Kind::choice) return {-1};
@@ -352,11 +352,11 @@ void reset_progress(Ui& ui) {
     view.task_words.clear();
     view.strip.is_recut = true;
     try {
-        // What another window has kept meanwhile is to be forgotten too.
+        // What another window has kept in the meantime must be discarded too.
         if (!view.progress_file.path.empty())
             view.kept_progress = read_progress(view.progress_file.path);
     } catch (const Error&) {
-        // The writing will tell.
+        // A fault will show when it is written.
     }
 }
 

@@ -7,7 +7,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Where the lesson is a strip, the list of lessons is read in the drawer alone.
+/// If the lesson is a strip, the list of lessons is shown only in the drawer.
 void leave_list(Ui& ui) {
     SidePage& page = ui.session.page;
     if (ui.lesson.is_strip && page == SidePage::list) page = SidePage::lesson;
@@ -37,7 +37,7 @@ void open_tab_by_link(Ui& ui, std::string_view name) {
 }
 
 void open_compare_tab(Ui& ui) {
-    // Settings that the lesson's whole text has hidden do not come out with it.
+    // Settings that the lesson's whole text has hidden stay hidden.
     if (is_drawer_open(ui)) close_settings(ui.session);
     show_compare_tab(ui.session);
     uncover(ui, tab_below(ui.session));
@@ -81,7 +81,7 @@ void open_drawer(Ui& ui) {
     LessonView& lesson = ui.lesson;
     leave_list(ui);
     lesson.drawer_is_open = lesson.is_strip;
-    // What the strip has come to is read on.
+    // Reading continues where the strip was.
     if (lesson.is_strip && !lesson.strip.cards.empty()) lesson.place_to_show = lesson.strip.place;
 }
 

@@ -14,16 +14,16 @@ namespace rasterwalk {
 
 namespace {
 
-/// What a picture that fits keeps of its size at least to be a whole multiple.
+/// The least share of its size that a fitting picture keeps to be a whole multiple.
 constexpr float share_kept = 0.95f;
 
-/// Where there are no numbers beside a picture that has them, design pixels.
+/// On the sides of a numbered picture that have no numbers, design pixels.
 constexpr float numbered_border = 6.0f;
 
-/// A picture with longer sides is never shown in part where it is to fit.
+/// A picture with longer sides is always fitted whole.
 constexpr int longest_small_side = 64;
 
-/// Smaller than this a pixel is not easily looked at, design pixels.
+/// A pixel smaller than this is hard to look at, design pixels.
 constexpr float readable_pixel = 16.0f;
 
 /// Kept free on each side of the picture.
@@ -31,7 +31,7 @@ struct Margins {
     float left, top, right, bottom;
 };
 
-/// Do edge functions tint the pixels that they have tested? That is explained at every zoom.
+/// Do edge functions tint the pixels that they have tested? The tints are explained at every zoom.
 bool has_tints(const Ui& ui) {
     return !is_comparing(ui) && tests_pixels(ui.results.a.frame.stages);
 }
@@ -55,13 +55,14 @@ ImVec2 room_within(const Margins& m, ImVec2 low, ImVec2 high) {
 float scale_in(const PicturePart& part, ImVec2 room) {
     const float scale =
         std::min(room.x / (part.right - part.left), room.y / (part.bottom - part.top));
-    // Whole multiples keep all pixels equally large and sharp: where they cost next to nothing.
+    // Whole multiples keep all pixels equally large and sharp: used where they cost next to
+    // nothing.
     const float whole = std::floor(scale);
     return whole >= share_kept * scale ? whole : std::max(scale, 0.01f);
 }
 
 PicturePlace place_in(const Ui& ui, const PicturePart& part, ImVec2 low, ImVec2 high) {
-    // Numbers that have no room beside the picture would lie on it.
+    // Numbers that have no room next to the picture would lie on it.
     const Margins plain = plain_margins(ui);
     const bool is_large = scale_in(part, room_within(plain, low, high)) >= grid_zoom;
     const Margins m = is_large ? numbered_margins(ui) : plain;
@@ -70,7 +71,7 @@ PicturePlace place_in(const Ui& ui, const PicturePart& part, ImVec2 low, ImVec2 
     place.scale = scale_in(part, room);
     const auto origin = [&](float from, float space, float first, float last) {
         const float middle = from + 0.5f * (space - place.scale * (last - first));
-        // Not under the numbers, by a part of a screen pixel.
+        // Never under the numbers, even by a fraction of a screen pixel.
         return std::max(std::round(middle), std::ceil(from)) - std::round(place.scale * first);
     };
     place.origin = {origin(low.x + m.left, room.x, part.left, part.right),
@@ -78,7 +79,7 @@ PicturePlace place_in(const Ui& ui, const PicturePart& part, ImVec2 low, ImVec2 
     return place;
 }
 
-/// What the triangles cover of the picture; all of it if they cover nothing.
+/// The part of the picture that the triangles cover; all of it if they cover nothing.
 PicturePart drawn_part(const Frame& frame) {
     const Viewport size = frame.settings.viewport;
     const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
@@ -99,7 +100,7 @@ PicturePart drawn_part(const Frame& frame) {
     return is_empty ? PicturePart{0.0f, 0.0f, width, height} : part;
 }
 
-/// With so many columns and rows around it, as far as the picture has them.
+/// With this many columns and rows around it, as far as the picture has them.
 PicturePart with_border(const PicturePart& part, const PicturePart& whole, float columns,
                         float rows) {
     return {std::max(part.left - columns, whole.left), std::max(part.top - rows, whole.top),
@@ -155,7 +156,7 @@ PicturePart part_that_fits(Ui& ui, ImVec2 low, ImVec2 high) {
         drawn = {ui.results.a.frame_number, drawn_part(frame)};
     const PicturePart part = with_border(drawn.part, whole, 1.0f, 1.0f);
     if (!has_table) return part;
-    // The row above and the row below are given up where only then the table has room.
+    // The row above and the row below are given up if the table has room only then.
     const PicturePart rows = with_border(drawn.part, whole, 1.0f, 0.0f);
     const float line = large_row_table_zoom(ui);
     return scale_in(part, room) < line && scale_in(rows, room) >= line ? rows : part;

@@ -19,11 +19,11 @@ namespace rasterwalk {
 
 namespace {
 
-/// The table takes no more than this part of the canvas; what is only numbers may take more.
+/// The table takes no more than this part of the canvas; a table of numbers only may take more.
 constexpr float largest_part = 0.42f;
 constexpr float largest_bare_part = 0.52f;
 
-/// The height of a line that is read from afar, of its letters.
+/// The height of a line to be read from afar, in heights of its letters.
 constexpr float large_line = 1.12f;
 
 /// The widest texts of the table of the triangle shown, as they will be when it is complete.
@@ -31,7 +31,7 @@ struct Widest {
     float number = 0.0f, writer = 0.0f, entry = 0.0f;
 };
 
-/// What of a table is shown, and its letters.
+/// What is shown of a table, and its letters.
 struct TableForm {
     bool has_writers, has_depths, is_large;
     ImFont* numbers;
@@ -42,7 +42,7 @@ const ImFont* quiet_font(const Ui& ui, const TableForm& form) {
     return form.is_large ? form.numbers : ui.fonts.mono_small;
 }
 
-/// The height of a line that is read from afar.
+/// The height of a line to be read from afar.
 float large_line_height(const ImFont* numbers) {
     return std::ceil(large_line * numbers->FontSize);
 }
@@ -127,7 +127,7 @@ bool is_lecture_of_rows(const Ui& ui) {
 
 bool wants_row_table(const Ui& ui) {
     const RunResults& a = ui.results.a;
-    // Edge functions know neither left nor right ends.
+    // Edge functions have no left and right ends.
     const bool has_ends = coverage_rule(a.frame.settings) != Coverage::edge_functions;
     return ui.session.canvas.row_table && has_ends && !is_comparing(ui) && a.triangle &&
            a.frame.settings.stage >= Stage::edges && a.frame.is_drawn(*a.triangle) &&
@@ -139,7 +139,7 @@ float row_table_zoom(const Ui& ui) {
 }
 
 bool has_row_table_for_inspector(const Ui& ui) {
-    // A lesson that points at what stands around the table in the Rows tab wants that.
+    // A lesson that points at something around the table in the Rows tab wants that tab.
     return is_lecture_of_rows(ui) && wants_row_table(ui) &&
            shown_on_canvas(ui) == CanvasShows::picture &&
            !ui.lesson.pointed_at.starts_with("rows.");

@@ -37,7 +37,7 @@ std::vector<Action> view_choices() {
     return actions;
 }
 
-/// A row for each thing that the canvas can show, and the way through the camera.
+/// A row for each thing that the canvas can show, and one for looking through the camera.
 std::vector<Action> canvas_choices() {
     std::vector<Action> actions;
     for (const CanvasShowsInfo& info : canvas_shows_list()) {

@@ -44,17 +44,18 @@ bool has_text_ending(const std::string& path) {
     return in_small_letters(path).ends_with(".txt");
 }
 
-/// Can the student's own result have this name? A JPG does not keep it.
+/// Can the student's own result have this name? A JPG does not preserve it.
 bool has_result_ending(const std::string& path) {
     return has_exact_image_ending(path) || has_text_ending(path);
 }
 
-/// A picture, whatever its name, or a text. That a JPG cannot be checked is said when it is read.
+/// A picture, whatever its name, or a text. Reading it says if it is a JPG, which cannot be
+/// checked.
 bool is_result(const std::string& path) {
     return is_image_file(path) || has_image_ending(path) || has_text_ending(path);
 }
 
-/// What the sheet lists; everything can be opened by its name.
+/// What the sheet lists; anything can be opened by its name.
 bool is_listed(FileSheet::Kind kind, const std::string& name) {
     if (kind == FileSheet::Kind::save) return is_view_file(name);
     if (kind == FileSheet::Kind::result) return has_result_ending(name);
@@ -83,7 +84,7 @@ bool is_own(const std::string& path) {
     return name_in_lessons_folder(path).has_value();
 }
 
-/// Where a view of this session can be saved: beside its scene, if that is not the program's own.
+/// Where a view of this session can be saved: next to its scene, if that is not the program's own.
 std::string folder_for(const Session& session) {
     std::error_code fault;
     if (!session.lesson_folder.empty()) return fs::absolute(session.lesson_folder, fault).string();
@@ -121,7 +122,7 @@ void save_to(Ui& ui, const std::string& path) {
     sheet.kind = FileSheet::Kind::closed;
 }
 
-/// The file is written beside the scene that it names, and stays there for the next one.
+/// The file is written next to the scene that it names, and stays there for the next one.
 void save_as_download(Ui& ui) {
     try {
         const std::string name = name_for(ui.session);
@@ -160,7 +161,7 @@ void open_file(Ui& ui, const std::string& path) {
 
 void check_result(Ui& ui, const std::string& path) {
     refuse_endless_file(path);
-    // What cannot be read is said on the sheet, beside the other files.
+    // A file that cannot be read is reported on the sheet, next to the other files.
     if (!is_result(path)) {
         throw InputError(fmt::format("{}: a result is a picture ({}) or printed rows (.txt).", path,
                                      exact_image_formats));

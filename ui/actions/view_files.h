@@ -1,6 +1,6 @@
 #pragma once
 
-// What is opened from files and saved to them: views, scenes, lessons, results of the student.
+// What is opened from files and saved to them: views, scenes, lessons, the student's results.
 
 #include <string>
 #include <string_view>
@@ -18,15 +18,15 @@ struct Ui;
 void show_view(Ui& ui, Session&& opened);
 
 /// Opens a file by its ending: a saved view (.walk.toml), a lesson (.md), a picture or a text of
-/// printed rows to be diagnosed, else a scene. Throws Error; everything is then as it was.
+/// printed rows to be diagnosed, otherwise a scene. Throws Error; everything is then unchanged.
 void open_file(Ui& ui, const std::string& path);
 
-/// Holds a picture or printed rows of the student's own program against what is right. Throws Error
-/// if the file is neither.
+/// Compares a picture or printed rows of the student's own program with the correct result. Throws
+/// Error if the file is neither.
 void check_result(Ui& ui, const std::string& path);
 
 /// Lays an image on the scene, see with_texture(); undo takes it away again. Throws Error;
-/// everything is then as it was.
+/// everything is then unchanged.
 void lay_texture(Ui& ui, const std::string& path);
 
 /// Opens a file that was dropped on the window; what is being read is stopped. A fault is shown on
@@ -39,12 +39,12 @@ void tell_opening_fault(Ui& ui, const std::string& path, const std::string& sent
 /// Copies the view as a command line, for ImGui's clipboard; says so in session.notice.
 void copy_command_line(Ui& ui);
 
-/// Copies the view as a link to the page in a browser, or, where the page is not known, the part of
-/// the link from its '#' on; says so in session.notice.
+/// Copies the view as a link to the page in a browser, or, if the page is not known, the part of
+/// the link that begins with '#'; says so in session.notice.
 void copy_link(Ui& ui);
 
-/// Brings up the sheet on which a file is opened, a result or a texture is chosen, or the
-/// view is saved.
+/// Opens the sheet on which a file is opened, a result or a texture is chosen, or the view is
+/// saved.
 void begin_opening(Ui& ui);
 void begin_choosing_result(Ui& ui);
 void begin_choosing_texture(Ui& ui);
@@ -52,19 +52,19 @@ void begin_saving(Ui& ui);
 
 /// The most files of a folder that the sheet lists.
 inline constexpr std::size_t most_listed_files = 400;
-/// The most entries of a folder that it looks at, so that the window does not stand still.
+/// The most entries of a folder that it looks at, so that the window does not freeze.
 inline constexpr std::size_t most_seen_files = 20'000;
 
 /// Goes to a folder on the sheet. A folder that cannot be read is a fault on the sheet.
 void enter_folder(FileSheet& sheet, const std::string& folder,
                   std::size_t most_seen = most_seen_files);
 
-/// Does what the sheet is for with the path that stands on it: enters a folder, opens a file, saves
-/// the view. Asks before a file is overwritten; called again, it is. Faults go to the sheet.
+/// Does what the sheet is for with its path: enters a folder, opens a file, saves the view. Asks
+/// before overwriting a file; a second call overwrites it. Faults go to the sheet.
 void finish_sheet(Ui& ui);
 
-/// The path that is meant by what was typed: from the sheet's folder, or absolute, or from the home
-/// folder (~). What is saved ends with .walk.toml.
+/// The path meant by what was typed: relative to the sheet's folder, absolute, or relative to the
+/// home folder (~). What is saved ends with .walk.toml.
 std::string meant_path(const FileSheet& sheet);
 
 } // namespace rasterwalk

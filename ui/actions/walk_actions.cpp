@@ -30,7 +30,7 @@ void walk_to_change(Ui& ui, bool (*walk)(Session&, const Timeline&, const PixelH
 
 } // namespace
 
-// A triangle is stepped over whole; the other keys take what the transport is set to.
+// A triangle is stepped over whole; the other keys use the size set on the transport.
 std::vector<Action> walk_actions() {
     return {
         {"walk.first",

@@ -31,7 +31,7 @@ void zoom_to_triangle(Ui& ui) {
     }
     const ImVec2 low = widget->second.top_left, high = widget->second.bottom_right;
     const PicturePlace place = fit_part(ui, part, low, high).place;
-    // The middle of the triangle stays where it is placed, whatever the zoom is cut to.
+    // The middle of the triangle stays in its place, however the zoom is limited.
     const float zoom = std::clamp(place.scale, smallest_zoom, largest_zoom);
     const auto centre = [&](float middle, float origin, float from, float to) {
         const float at = origin + place.scale * middle;

@@ -123,7 +123,7 @@ void draw_workplace(Ui& ui, const Layout& layout) {
         draw_splitter(ui, "splitter.lesson", layout.canvas.position.x, layout.canvas,
                       ui.options.lesson_width, false);
     }
-    // The widths that the student chose are not those of a lecture.
+    // The column widths that the student chose do not apply to a lecture.
     if (!ui.options.is_lecture) {
         draw_splitter(ui, "splitter.inspector", layout.inspector.position.x, layout.canvas,
                       ui.options.inspector_width, true);
@@ -134,13 +134,13 @@ bool has_status_line(const Ui& ui) {
     return !spares_status_line(ui) || !ui.session.notice.empty() || !ui.fonts.notice.empty();
 }
 
-/// The layout, without the lesson's column where the canvas wants its width.
+/// The layout, without the lesson's column if the canvas needs its width.
 Layout layout_of(const Ui& ui, ImVec2 window) {
     LayoutNeeds needs{.transport = transport_height(ui, window.x),
                       .lesson_strip = lesson_strip_height(ui),
                       .has_drawer = ui.lesson.drawer_is_open,
                       .menu_end = menu_end_width(ui, window.x),
-                      // A row table that goes on from the picture's rows is as high as they are.
+                      // A row table that continues the picture's rows is as high as they are.
                       .high_canvas = !is_lecture_of_rows(ui),
                       .has_stages = !ui.start.is_open,
                       .has_status = has_status_line(ui)};
@@ -156,7 +156,7 @@ void draw_everything(Ui& ui) {
     ui.lesson.is_strip = layout.lesson_is_strip;
     ui.lesson.strip.is_beside = layout.lesson_is_beside;
     ui.lesson.strip.most_height = layout.most_strip;
-    // One that fails leaves the others on the screen.
+    // A part that fails leaves the others on the screen.
     guarded(ui, [&] { draw_menu_bar(ui, layout); });
     if (ui.start.is_open) {
         guarded(ui, [&] { draw_start_page(ui, {0.0f, layout.menu.size.y}, window); });
@@ -180,14 +180,14 @@ bool is_at_rest() {
     return !button_is_down && !ImGui::IsAnyItemActive();
 }
 
-/// Has all that the student does come to rest, and all that follows from it?
+/// Has everything that the student does come to rest, and everything that follows from it?
 bool is_still(const Ui& ui) {
     return is_at_rest() && !is_any_key_down() && !ui.session.play.running &&
            !is_moving_by_key(ui) && !is_moving_by_arrows(ui) && !is_working(ui.results);
 }
 
-/// Works out what follows from the session. If that fails, as for want of memory, the session goes
-/// back to what it was when it went well.
+/// Works out what follows from the session. If that fails, for example for lack of memory, the
+/// session goes back to its last good state.
 bool update_or_go_back(Ui& ui) {
     SessionInputs& asked = ui.session;
     const auto work = [&] {
@@ -200,7 +200,7 @@ bool update_or_go_back(Ui& ui) {
     return guarded(ui, work);
 }
 
-/// For the worst case: there is nothing that could be drawn but the sentence that says why.
+/// For the worst case: nothing can be drawn except the sentence that says why.
 void draw_notice_alone(const Ui& ui) {
     ImGui::SetNextWindowPos({0.0f, 0.0f});
     ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
@@ -209,12 +209,12 @@ void draw_notice_alone(const Ui& ui) {
     ImGui::End();
 }
 
-/// One pass: from the input to what is to be drawn. Returns true if a widget changed what is asked
-/// for, so that what was drawn is already old.
+/// One pass: from the input to what is to be drawn. Returns true if a widget changed the inputs, so
+/// that what was drawn is already out of date.
 bool build_pass(Ui& ui, float seconds) {
     keep_tab();
     ImGui::NewFrame();
-    guarded(ui, [&] { handle_keys(ui); }); // asks where widgets were in the frame that is seen
+    guarded(ui, [&] { handle_keys(ui); }); // uses the widgets' places in the frame on screen
     ui.widgets.clear();
     guarded(ui, [&] {
         advance_play(ui.session, Timeline(ui.results.a.frame), ui.results.length, seconds);
@@ -259,10 +259,10 @@ void open_ui(Ui& ui, TextureHost& textures) {
     update(ui.session, ui.results, work_limit(ui));
     const SessionInputs& asked = ui.session;
     ui.worked_out = asked;
-    // In a small window the list of lessons is read where the whole text is.
+    // In a small window the list of lessons is in the drawer.
     ui.lesson.drawer_is_open = ui.session.page == SidePage::list;
     ui.options.text_scale = ui.options.wished_text_scale;
-    ImGui::GetIO().DisplaySize = {1600.0f, 1000.0f}; // until the host says better
+    ImGui::GetIO().DisplaySize = {1600.0f, 1000.0f}; // until the host sets it
 }
 
 void close_ui(Ui& ui) {
@@ -280,7 +280,7 @@ void build_ui(Ui& ui) {
     guarded(ui, [&] { carry_on_diagnosis(ui); });
     guarded(ui, [&] { carry_on_reading(ui); });
     if (!build_pass(ui, io.DeltaTime)) return;
-    // The same moment once more, with what is asked for now; no input is used twice.
+    // The same moment again, with the changed inputs; no input is used twice.
     const float seconds = io.DeltaTime;
     io.DeltaTime = shortest_frame;
     build_pass(ui, 0.0f);

@@ -11,21 +11,20 @@ namespace rasterwalk {
 
 namespace {
 
-/// Closes all that was begun and not ended in this frame.
+/// Closes everything begun and not ended in this frame.
 void close_what_is_open() {
     ImGuiContext& context = *ImGui::GetCurrentContext();
     if (!context.WithinFrameScope) return;
     for (const ImGuiWindowStackData& open : context.CurrentWindowStack)
         open.Window->DrawList->ChannelsMerge();
-    // ImGui closes everything else itself, and checks the fonts on the way. PopFont() would speak
-    // to the innermost window, whichever pushed the font.
+    // ImGui closes everything else itself, and checks the fonts on the way. PopFont() would address
+    // the innermost window, whichever pushed the font.
     const int fonts = context.CurrentWindowStack.front().StackSizesOnBegin.SizeOfFontStack;
     if (context.FontStack.Size > fonts) {
         context.FontStack.shrink(fonts);
         ImGui::SetCurrentFont(fonts > 0 ? context.FontStack.back() : ImGui::GetDefaultFont());
     }
-    // Nor does it look in which window a tab bar was begun; its names are taken off with the
-    // others.
+    // Nor does it check in which window a tab bar was begun; its names are popped with the others.
     context.CurrentTabBar = nullptr;
     context.CurrentTabBarStack.resize(0);
     ImGui::ErrorCheckEndFrameRecover(nullptr);

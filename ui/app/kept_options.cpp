@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t largest_options = std::size_t{1} << 16; ///< bytes
 
-/// Points and rounds add up; a score that was set back, or not kept before, counts alone.
+/// Points and rounds add up; a score that was reset, or not kept before, counts alone.
 QuizScore merged(const QuizScore& before, const QuizScore& after, const QuizScore& theirs) {
     if (after == before) return theirs;
     const bool adds_up = after.is_kept && before.is_kept && theirs.is_kept &&
@@ -28,7 +28,7 @@ QuizScore merged(const QuizScore& before, const QuizScore& after, const QuizScor
             .is_kept = true};
 }
 
-/// The options in the file, with what changed in this window from `before` to `after`.
+/// The options in the file, with what changed in this window between `before` and `after`.
 UiOptions merged(const UiOptions& before, const UiOptions& after, UiOptions theirs) {
     const auto take = [&](auto member) {
         if (after.*member != before.*member) theirs.*member = after.*member;
@@ -42,7 +42,7 @@ UiOptions merged(const UiOptions& before, const UiOptions& after, UiOptions thei
     return theirs;
 }
 
-/// The options in a file; what it does not name, and a file that is not there, as in `options`.
+/// The options in a file; what is missing, or all if there is no file, comes from `options`.
 UiOptions read_options(const std::string& path, const UiOptions& options) {
     std::error_code fault;
     if (!std::filesystem::exists(path, fault) && !fault) return options;
@@ -105,7 +105,7 @@ void save_options(Ui& ui) {
     if (options_text(ui.options) == options_text(ui.kept_options)) return;
     write_kept(ui, ui.options_file, "The look of the window", [&] {
         const std::string& path = ui.options_file.path;
-        std::error_code fault; // the writing itself will tell
+        std::error_code fault; // the write itself will report it
         std::filesystem::create_directories(std::filesystem::path(path).parent_path(), fault);
         const FileLock lock(path);
         const UiOptions kept =

@@ -10,7 +10,7 @@ namespace rasterwalk {
 /// Light letters on dark ground, or dark ones on light.
 enum class Theme : std::uint8_t { dark, light };
 
-/// The ways into the program that the start page offers, from left to right.
+/// The choices that the start page offers, from left to right.
 enum class Way : std::uint8_t { lessons, stages, picture };
 template <>
 inline constexpr auto enum_words<Way> = word_list("lessons", "stages", "picture");
@@ -18,9 +18,9 @@ static_assert(words_match<Way>);
 
 inline constexpr int way_count = static_cast<int>(enum_words<Way>.size());
 
-/// What the student has won in quizzes.
+/// What the student has scored in quizzes.
 struct QuizScore {
-    int rounds = 0;       ///< that were ended after they were over
+    int rounds = 0;       ///< played to the end and ended
     int points = 0;       ///< in all of them
     bool is_kept = false; ///< between two runs of the program
 
@@ -39,7 +39,7 @@ struct UiOptions {
     float lesson_width = 0.0f; ///< columns, share of the window's width; 0: the layout decides
     float inspector_width = 0.0f;
     QuizScore score;
-    std::optional<Way> way; ///< on which the student began; none: not yet
+    std::optional<Way> way; ///< chosen by the student at the start; none: not yet
 };
 
 } // namespace rasterwalk

@@ -16,7 +16,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The least distance of two marks, design pixels.
+/// The least distance between two marks, design pixels.
 constexpr float mark_distance = 11.0f;
 
 void find_differences(const TimeLines& s) {

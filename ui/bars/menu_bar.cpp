@@ -35,10 +35,10 @@ std::array<Corner, 6> corners_of(const Ui& ui) {
              {"text.larger", "A+", "view.larger_text", true, 2}}};
 }
 
-/// Where there is not room for all buttons, what is needed most stays: undo before redo, and both
-/// before the rest.
+/// If there is not room for all buttons, the most needed stay: undo before redo, and both before
+/// the rest.
 struct CornerRoom {
-    int ranks = 0;      ///< that are shown
+    int ranks = 0;      ///< shown
     float width = 0.0f; ///< of their buttons, screen pixels
 };
 
@@ -58,13 +58,13 @@ CornerRoom fitting_corners(const Ui& ui, float room, int most_ranks) {
 
 constexpr int all_ranks = 4;
 
-/// Undo and redo, and the menus have the rest; on the start page, where no stages need the room,
+/// Undo and redo, since the menus have the rest; on the start page, where no stages need the room,
 /// the size of the text too.
 int ranks_of_narrow(const Ui& ui) {
     return ui.start.is_open ? 3 : 2;
 }
 
-/// At the right end of the room that is left in the line.
+/// Draws them at the right end of the room left on the line.
 void draw_corner_buttons(Ui& ui, int most_ranks) {
     const float room = ImGui::GetContentRegionAvail().x;
     const CornerRoom fitting = fitting_corners(ui, room, most_ranks);
@@ -80,7 +80,7 @@ void draw_corner_buttons(Ui& ui, int most_ranks) {
     }
 }
 
-/// How a lecture is left, as long as there is room for it.
+/// How to leave a lecture, as long as there is room for it.
 std::string leaving_words(float room) {
     for (const char* words : {"Esc ends the lecture", "Esc ends it"}) {
         if (button_width(words) <= room) return words;
@@ -92,8 +92,8 @@ float gear_width(const Ui& ui) {
     return std::round(44.0f * ui.options.text_scale);
 }
 
-/// What a narrow window has for the buttons between the stages, or the name that stands in their
-/// place, and the gear, screen pixels.
+/// The room that a narrow window has for the buttons between the gear and the stages (or the name
+/// in their place), screen pixels.
 float corner_room(const Ui& ui, float window_width) {
     const float strip =
         ui.start.is_open ? text_width(ui.fonts.bold, "Rasterwalk") : least_strip_width(ui);
@@ -107,7 +107,7 @@ float corner_width(const Ui& ui, float window_width) {
                : fitting_corners(ui, room, ranks_of_narrow(ui)).width;
 }
 
-/// A part of the top line, in a window of its own.
+/// A part of the top line, in its own window.
 void begin_part(const Ui& ui, const char* name, const Area& area) {
     ImGui::SetNextWindowPos(area.position);
     ImGui::SetNextWindowSize(area.size);
@@ -155,7 +155,7 @@ void draw_gear(Ui& ui, const Area& area) {
     end_part();
 }
 
-/// Three bars, behind which the menus stand.
+/// Three bars that open the menus.
 void draw_menu_button(Ui& ui, const Area& area) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
@@ -185,7 +185,7 @@ void draw_menu_button(Ui& ui, const Area& area) {
     end_part();
 }
 
-/// How a lecture is left: quietly.
+/// How to leave a lecture, in quiet letters.
 void draw_way_out(Ui& ui, const Area& area) {
     const Palette& p = palette(ui.options.theme);
     const std::string words = leaving_words(corner_room(ui, ImGui::GetIO().DisplaySize.x));
@@ -201,7 +201,7 @@ void draw_way_out(Ui& ui, const Area& area) {
     if (pressed) toggle_lecture(ui);
 }
 
-/// Undo, redo and what else has room; in a lecture, how it is left.
+/// Undo, redo and whatever else has room; in a lecture, how to leave it.
 void draw_narrow_corner(Ui& ui, const Area& area) {
     if (area.size.x < 1.0f) return;
     begin_part(ui, "corner", area);

@@ -25,7 +25,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A line between two groups of entries. It takes less than that of ImGui: the longest menu must
+/// A line between two groups of entries. It takes less room than ImGui's own: the longest menu must
 /// fit into a low window.
 void draw_line_between(const Ui& ui) {
     const float gap = 3.0f * ui.options.text_scale;
@@ -55,7 +55,7 @@ std::string title_of_scene(const fs::path& file) {
     }
 }
 
-/// The scenes that come with the program; the folder may be gone while it runs.
+/// The scenes that come with the program; the folder may disappear while it runs.
 void read_scene_list(Ui& ui) {
     ui.scene_files.clear();
     try {
@@ -111,7 +111,7 @@ void draw_scene_menu(Ui& ui) {
 /// @param wanted becomes the lesson's id when it is chosen
 void draw_lesson_item(Ui& ui, std::size_t i, std::string& wanted) {
     const Lesson& lesson = ui.lesson.lessons.all()[i];
-    // Two blanks are as wide as a digit: the titles stand below each other.
+    // Two blanks are as wide as a digit, so the titles are aligned.
     const int number = lesson_number(lesson.id);
     const std::string title =
         fmt::format("{}{}  {}", number < 10 ? "  " : "", number, lesson.title);
@@ -125,13 +125,13 @@ void draw_lesson_item(Ui& ui, std::size_t i, std::string& wanted) {
 }
 
 void draw_lesson_menu(Ui& ui) {
-    // The copy outlives the list, which opening a lesson may read again.
+    // The copy outlives the list, which may be read again when a lesson opens.
     std::string wanted;
     ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
     const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
     draw_line_between(ui);
-    // The ten around the open one: all of them are more than a low window holds, and stand in the
-    // list of lessons.
+    // The ten around the open one: a low window cannot hold all of them, and the list of lessons
+    // has them all.
     const auto ten_of = [](std::string_view id) { return (lesson_number(id) + 9) / 10; };
     const int ten = ui.session.lesson.empty() ? 1 : ten_of(ui.session.lesson);
     const auto is_of_ten = [&](const Lesson& l) { return ten_of(l.id) == ten; };
@@ -170,7 +170,7 @@ const MenuTitle menus[] = {{"File", "Open and save views, save pictures, quit."}
 void draw_menu(Ui& ui, const MenuTitle& menu) {
     const char* const title = menu.title;
     const bool open = ImGui::BeginMenu(title);
-    // An open menu speaks for itself.
+    // An open menu needs no tooltip.
     name_widget(ui, std::string("menu.") + title, open ? "" : menu.help);
     if (!open) return;
     begin_whole_lines(ui);
@@ -181,7 +181,7 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
         if (action.begins_group) draw_line_between(ui);
         draw_action_item(ui, action);
     }
-    // Below the few actions: in a low window the many lessons are scrolled.
+    // Below the few actions: in a low window the many lessons scroll.
     if (std::string_view(title) == "Lesson") draw_lesson_menu(ui);
     end_whole_lines(ui);
     ImGui::EndMenu();

@@ -44,15 +44,15 @@ float change_buttons_width(const Ui& ui) {
            46.0f * ui.options.text_scale;
 }
 
-/// In a lecture, where the canvas has no header, at the same place: how much of the picture is
-/// seen.
+/// In a lecture, where the canvas has no header, these are in the same place: how much of the
+/// picture is seen.
 struct ZoomButton {
     const char *name, *label, *action;
 };
 constexpr ZoomButton zoom_buttons[] = {{"canvas.fit", "fit", "view.fit"},
                                        {"canvas.zoom_triangle", "triangle", "view.zoom_selection"}};
 
-/// From outside there is no triangle to zoom to.
+/// The view from outside has no triangle to zoom to.
 std::span<const ZoomButton> zoom_buttons_of(const Ui& ui) {
     const bool has_picture = shown_on_canvas(ui) != CanvasShows::outside;
     return std::span(zoom_buttons).first(has_picture ? 2 : 1);
@@ -92,7 +92,7 @@ std::vector<std::string> marks_forms() {
     return {"the two runs differ here", "the runs differ", "A ≠ B"};
 }
 
-/// The same beside its mark, if there is room.
+/// The same next to its mark, if there is room.
 void draw_marks_key(Ui& ui, ImVec2 at, float room) {
     std::vector<std::string> said = marks_forms();
     said.emplace_back();
@@ -127,7 +127,7 @@ void draw_next(Ui& ui, ImVec2 at, float room) {
                     to_text(cursor) + ".");
 }
 
-/// The pixel under the pointer, where no other line tells of it; small, so that it has room.
+/// The pixel under the pointer, if no other line describes it; small, to have room.
 void draw_pixel(Ui& ui, ImVec2 at, float room) {
     const float line = ImGui::GetFontSize();
     ImGui::PushFont(ui.fonts.small);

@@ -30,8 +30,8 @@ void add_colours_of_both(std::vector<std::string>& facts, const Ui& ui, std::siz
                                 fixed(static_cast<double>(difference), 4)));
 }
 
-/// All that is known of the pixel under the pointer, or else of the one picked; what comes first
-/// matters most.
+/// Everything known about the pixel under the pointer, or else the picked one; the first facts
+/// matter most.
 std::vector<std::string> pixel_facts(const Ui& ui) {
     const auto pixel =
         ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;

@@ -6,8 +6,8 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// What is known of the pixel under the pointer, or else of the one picked: as many facts as have
-/// room in the font in use, but at least where it is; what matters most comes first.
+/// What is known about the pixel under the pointer, or else the picked one: as many facts as have
+/// room in the current font, but at least where it is; the first facts matter most.
 /// @param room screen pixels
 std::string pixel_words(const Ui& ui, float room);
 

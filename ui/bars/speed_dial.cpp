@@ -14,7 +14,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Where the line is in the box, and what it keeps free for its knob at both ends, design pixels.
+/// Where the line is in the box, and the space at both ends for its knob, design pixels.
 constexpr float dial_line = 27.0f;
 constexpr float knob_radius = 5.0f;
 
@@ -87,7 +87,7 @@ void draw_speed_dial(Ui& ui, ImVec2 at, DialForm form) {
     const bool is_hovered = ImGui::IsItemHovered();
     const bool is_held = ImGui::IsItemActive();
     const ImGuiIO& io = ImGui::GetIO();
-    // Not while it is only held: a double click sets something else.
+    // Not while it is merely held: a double click sets something else.
     const bool is_turned = ImGui::IsItemActivated() || (is_held && io.MouseDelta.x != 0.0f);
     if (is_turned) play.speed = speed_at((io.MousePos.x - left.x) / length, steps);
     if (is_hovered && io.MouseWheel != 0.0f) {

@@ -18,13 +18,13 @@ namespace rasterwalk {
 namespace {
 
 /// How much the strip says; each form needs less room than the previous one. The last is the
-/// narrowest and always fits where the layout does.
+/// narrowest and fits wherever the layout has a strip.
 struct Form {
     float padding;       ///< around the name of a stage, design pixels
-    bool has_few_stages; ///< only the one shown and its neighbours, and a list of all
+    bool has_few_stages; ///< only the current one and its neighbours, and a list of all
     bool is_short;       ///< the switches are abbreviated
     bool has_scene_word; ///< "scene" before its name
-    float scene_width;   ///< of the name at most, design pixels; 0: the menu alone has the scenes
+    float scene_width;   ///< of the name at most, design pixels; 0: only the menu has the scenes
 };
 
 constexpr Form forms[] = {
@@ -33,7 +33,7 @@ constexpr Form forms[] = {
     {8.0f, true, true, false, 130.0f},   {8.0f, true, true, false, 0.0f},
 };
 
-/// Between two stages, design pixels.
+/// Gap between two stages, design pixels.
 constexpr float chevron_gap = 16.0f;
 constexpr float bar_gap = 21.0f;
 
@@ -44,8 +44,8 @@ struct StripWord {
     std::string loud;  ///< said after it
     std::string help;
     bool chosen = false;
-    bool is_unusual = false; ///< what is said loudly is not as the handout has it
-    std::string widest;      ///< of what it may say loudly: a click must not shift its neighbours
+    bool is_unusual = false; ///< `loud` differs from the handout
+    std::string widest;      ///< the widest `loud` can be: a click must not shift its neighbours
 };
 
 using StageRow = std::vector<const StageInfo*>;
@@ -55,7 +55,7 @@ StageRow usable_stages(const Ui& ui) {
     const StripStep here = step_of(ui.session.a.settings);
     StageRow stages;
     for (const StageInfo& info : stage_list()) {
-        // A stage that the scene cannot use is listed all the same while it is the current one.
+        // A stage that the scene cannot use is still listed while it is the current one.
         if (is_of_use(info, *ui.session.scene) || info.step == here) stages.push_back(&info);
     }
     return stages;
@@ -119,14 +119,14 @@ std::string word_of_depth_test(const Settings& settings, const Frame& frame) {
     case DepthTest::or_equal:
         return std::string(depth_words(frame).short_name);
     case DepthTest::reversed:
-        // Not its own word, which is that of a depth format too.
+        // Not its own word, which a depth format has too.
         return said_word(*find_setting("depth_test"), word_of(DepthTest::reversed));
     default:
         return "z";
     }
 }
 
-/// What the word for the depth stands for, a line of the tooltip.
+/// What the word for the depth means, a line of the tooltip.
 std::string depth_help(const Frame& frame) {
     const DepthWords& words = depth_words(frame);
     std::string name(words.name);
@@ -139,7 +139,7 @@ bool needs_switches(const StripStep& step) {
     return step.stage >= Stage::depth;
 }
 
-/// The switches, and what begins a comparison. In a lecture only those at which it points.
+/// The switches, and what begins a comparison. In a lecture only those that it points at.
 std::vector<StripWord> strip_words(const Ui& ui, const Form& form, bool has_switches) {
     std::vector<StripWord> words;
     const Settings& settings = ui.session.a.settings;
@@ -209,7 +209,7 @@ float stages_width(const Ui& ui, const Form& form, const StageRow& stages) {
     return width;
 }
 
-/// The widest of the stages that a form shows side by side, whichever is chosen, with the list of
+/// The widest set of stages that a form shows side by side, whichever is chosen, with the list of
 /// the others.
 float widest_few(const Ui& ui, const Form& form) {
     const StageRow all = usable_stages(ui);
@@ -223,8 +223,8 @@ float widest_few(const Ui& ui, const Form& form) {
     return widest + word_width(ui, stages_word());
 }
 
-/// What a form needs on one line, screen pixels. Another stage must not bring another form: there
-/// is room for all that any of them needs.
+/// What a form needs on one line, screen pixels. Choosing a stage must not change the form: there
+/// is room for all that any stage needs.
 float form_width(const Ui& ui, const Form& form) {
     const float u = ui.options.text_scale;
     const StageRow all = usable_stages(ui);
@@ -245,10 +245,10 @@ const Form& fitting_form(const Ui& ui, float room) {
     return found == std::end(forms) ? *std::prev(std::end(forms)) : *found;
 }
 
-/// Where the strip is, and where what is drawn stands in it.
+/// Where the strip is, and where things are drawn in it.
 struct Band {
     float top;    ///< of the buttons
-    float height; ///< of them
+    float height; ///< of the buttons
     float bottom; ///< of the strip
 };
 
@@ -302,7 +302,7 @@ void draw_stage(Ui& ui, const StageInfo& info, float x, float width, const Band&
     if (pressed) find_action(name).run(ui);
 }
 
-/// A hair around stages that take each other's place.
+/// A thin line around stages that replace each other.
 void draw_box(const Ui& ui, float left, float right, const Band& band) {
     ImGui::GetWindowDrawList()->AddRect(
         {left - 0.5f, band.top - 0.5f}, {right + 0.5f, band.top + band.height + 0.5f},
@@ -354,14 +354,14 @@ bool draw_word(Ui& ui, const StripWord& word, float x, float width, const Band& 
     return pressed;
 }
 
-/// Below the item drawn last, or so that it ends where that one ends.
+/// Opens below the last item drawn, or so that it ends where the item ends.
 void open_below(const Ui& ui, bool at_right) {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImGui::SetNextWindowPos({at_right ? high.x : low.x, high.y + 4.0f * ui.options.text_scale}, 0,
                             {at_right ? 1.0f : 0.0f, 0.0f});
 }
 
-/// All stages that the scene can use, where the strip shows only a few.
+/// All stages that the scene can use, for when the strip shows only a few.
 void draw_stage_list(Ui& ui) {
     open_below(ui, false);
     if (!ImGui::BeginPopup("all stages")) return;
@@ -422,7 +422,7 @@ void draw_stage_strip(Ui& ui, const Layout& layout) {
     const float height = 32.0f * u;
     const Band band{area.position.y + std::round(0.5f * (area.size.y - height)), height,
                     area.position.y + area.size.y};
-    // In the line of the menu its button and the gear are margin enough.
+    // On the menu's line, its button and the gear are margin enough.
     const float margin = layout.is_narrow ? 0.5f * bar_margin(ui) : bar_margin(ui);
     const float left = area.position.x + margin;
     const float right = area.position.x + area.size.x - margin;

@@ -30,8 +30,8 @@ void show_sample_outside(Ui& ui, int triangle) {
 struct StatusTrouble {
     std::string text;         ///< empty: there is none
     std::string in_short;     ///< the same where there is little room; or empty
-    int triangle = -1;        ///< that shows it; -1: none does
-    std::vector<int> lessons; ///< numbers of those that explain why it happens
+    int triangle = -1;        ///< one that shows it; -1: none does
+    std::vector<int> lessons; ///< numbers of the lessons that explain why it happens
 };
 
 /// "; lesson 12 explains why it happens": a clause, or nothing.
@@ -50,9 +50,9 @@ StatusTrouble trouble_of(const Ui& ui) {
     if (!ui.session.notice.empty()) return {ui.session.notice, {}, -1, {}};
     if (!ui.fonts.notice.empty()) return {ui.fonts.notice, {}, -1, {}};
     if (is_working(ui.results)) return {work_words(ui.results), {}, -1, {}};
-    // What a message says may be the answer.
+    // A message may give away the answer.
     if (hides_settings(ui.session)) return {};
-    // Row tables are not mentioned before there are any, nor in a lesson that comes before them.
+    // Row tables are not mentioned before they exist, nor in a lesson that comes before them.
     const bool knows_rows = ui.results.a.frame.settings.stage >= Stage::rows &&
                             is_offered(ui.session, *find_tab("rows"));
     StatusTrouble all;
@@ -67,14 +67,14 @@ StatusTrouble trouble_of(const Ui& ui) {
     }
     if (all.text.empty()) return all;
     std::sort(all.lessons.begin(), all.lessons.end());
-    // The panels, by contrast, show one triangle, and only what is done of it so far.
+    // The panels, by contrast, show one triangle, and only as far as it is drawn.
     all.text = (ui.results.a.has_all_troubles ? "whole frame: " : "so far: ") + all.text;
     return all;
 }
 
 constexpr const char* show_label = "show one";
 
-/// The width that the trouble takes in short, with the space before it; nothing without trouble.
+/// The width of the trouble in its short form, with the space before it; 0 without trouble.
 float least_trouble_width(const Ui& ui, const StatusTrouble& trouble) {
     if (trouble.text.empty()) return 0.0f;
     const float u = ui.options.text_scale;
@@ -99,7 +99,7 @@ void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
     const float y = ImGui::GetItemRectMin().y;
     ImGui::SetCursorScreenPos({std::max(right - width, left), y});
     ImGui::PushClipRect({left, area.position.y}, {right, area.position.y + area.size.y}, true);
-    // What was caught is no fault of the student's: only what could not be done stands out.
+    // A guarded trouble is not the student's fault: only what could not be done stands out.
     const bool is_notice = !ui.session.notice.empty() || !ui.fonts.notice.empty();
     const ImVec4 colour = !is_notice ? p.dim
                           : is_fault(ui.session) || ui.session.notice.empty()

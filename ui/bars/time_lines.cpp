@@ -13,7 +13,7 @@ namespace {
 
 /// How much wider the window gets with one turn of the wheel.
 constexpr double wheel_factor = 1.3;
-/// So few moments fill the window at the narrowest.
+/// The narrowest window holds this many moments.
 constexpr double fewest_moments = 8.0;
 
 } // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the two time lines share: where they stand, and how the wheel works on them.
+// What the two time lines share: where they are, and how the wheel works on them.
 
 #include <algorithm>
 
@@ -14,12 +14,12 @@ namespace rasterwalk {
 
 /// Room for the marks above the line of the frame, design pixels.
 inline constexpr float time_marks_height = 10.0f;
-/// Without the enlarged part the line is as high as a button, with what is around it.
+/// Without the enlarged part the line is as high as a button, with its surroundings.
 inline constexpr float lone_time_line_height = 34.0f;
-/// The least distance of two ticks, design pixels.
+/// The least distance between two ticks, design pixels.
 inline constexpr float time_tick_distance = 5.0f;
 
-/// Where both time lines stand in this frame of the window, screen pixels.
+/// Where both time lines are in this frame of the window, screen pixels.
 struct TimeLines {
     Ui& ui;
     const Timeline& timeline;
@@ -27,8 +27,8 @@ struct TimeLines {
     float width;
     float top, bottom;               ///< of the line of the frame
     float window_top, window_bottom; ///< of the enlarged part
-    double cursor;                   ///< its place on the line of the frame, in triangles
-    double in_scale;                 ///< the same as the enlarged part spreads moments
+    double cursor;                   ///< its place on the line of the whole frame, in triangles
+    double in_scale;                 ///< the same in the scale of the enlarged part
 
     const Palette& colours() const { return palette(ui.options.theme); }
     float unit() const { return ui.options.text_scale; }
@@ -49,17 +49,17 @@ struct TimeLines {
     }
 };
 
-/// The place of a moment on the line of the frame, in triangles.
+/// The place of a moment on the line of the whole frame, in triangles.
 double place_in_triangles(const Timeline& timeline, const Cursor& cursor);
 
-/// The same as the enlarged part spreads the moments of a triangle.
+/// The same in the scale that the enlarged part has for the moments of a triangle.
 double place_in_scale(const Timeline& timeline, const Cursor& cursor);
 
 /// The arrows on one of the lines: a step of the chosen size forward or back.
 void step_by_arrows(const TimeLines& s, std::string_view name);
 
 /// The wheel over one of the lines: makes the window narrower or wider, or moves it.
-/// @param about what stays where it is, in triangles
+/// @param about what stays in place, in triangles
 void zoom_by_wheel(const TimeLines& s, double about);
 
 } // namespace rasterwalk

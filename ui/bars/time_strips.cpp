@@ -21,7 +21,7 @@ constexpr float window_line_height = 25.0f;
 /// Without the enlarged part the line is higher.
 constexpr float lone_line_height = 14.0f;
 
-/// Where time stands, on both lines.
+/// The current moment, on both lines.
 void draw_cursor_lines(const TimeLines& s, bool has_window) {
     const float u = s.unit();
     ImDrawList* const list = ImGui::GetWindowDrawList();

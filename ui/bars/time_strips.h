@@ -7,7 +7,7 @@ namespace rasterwalk {
 struct Ui;
 
 /// How high the time lines are, screen pixels.
-/// @param has_window whether the second one, which enlarges a part, is there
+/// @param has_window whether the second one, which enlarges a part, is shown
 float time_strips_height(const Ui& ui, bool has_window);
 
 /// The whole frame as a line, with the differences of two runs above it; below it the part in its

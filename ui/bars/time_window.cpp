@@ -10,7 +10,7 @@ namespace {
 /// The least part of a triangle's line that a piece gets.
 constexpr double least_share = 0.16;
 
-/// Into the frame.
+/// Limits the window to the frame.
 void keep_inside(TimeWindow& window) {
     const double all = std::max(window.triangles, 1);
     window.width = std::min(window.width, all);
@@ -61,7 +61,7 @@ double TriangleScale::share_of(int ordinal) const {
 }
 
 int TriangleScale::ordinal_at(double share) const {
-    // The way there and back loses a little; no more than this part of a moment.
+    // Converting there and back loses a little; no more than this part of a moment.
     constexpr double slack = 0.01;
     const auto behind = std::upper_bound(shares.begin() + 1, shares.end() - 1, share);
     const auto piece = static_cast<std::size_t>(behind - shares.begin()) - 1;

@@ -92,23 +92,23 @@ std::array<StepChoice, 4> step_choices(Stage stage) {
               "rows."}}};
 }
 
-/// How the groups of the transport are put: buttons, size of a step, dial, time lines.
+/// How the groups of the transport are arranged: buttons, size of a step, dial, time lines.
 enum class Arrangement {
-    compact, ///< a small window: the size of a step is a list, and one time line stands in the row
-    stacked, ///< the time lines have the width to themselves, below
-    beside,  ///< the time lines stand to the right of everything else
+    compact, ///< a small window: the size of a step is a list, and one time line is in the row
+    stacked, ///< the time lines have the full width, below
+    beside,  ///< the time lines are to the right of everything else
 };
 
 /// Widths of the groups, screen pixels, and what follows from them.
 struct Groups {
     Arrangement arrangement;
     DialForm dial;
-    std::vector<float> widths; ///< of those that flow
+    std::vector<float> widths; ///< of the groups that flow
     float icon, play;
     float strips; ///< width of the time lines
 };
 
-/// The least width of the time lines beside something else, design pixels.
+/// The least width of the time lines next to something else, design pixels.
 constexpr float least_strips = 340.0f;
 constexpr float least_compact_strip = 140.0f;
 
@@ -150,11 +150,11 @@ std::vector<FlowPlace> places_of(const Ui& ui, const Groups& groups, float width
     return flow(groups.widths, group_gap(ui), width + 1.0f);
 }
 
-/// Design pixels: of a line of groups, and of what is around the lines.
+/// Design pixels: the height of a line of groups, and of what surrounds the lines.
 constexpr float line_height = 42.0f;
 constexpr float beside_height = 96.0f;
 constexpr float margins_and_words = 38.0f;
-constexpr float stacked_gap = 4.0f; ///< more, where the time lines stand by themselves
+constexpr float stacked_gap = 4.0f; ///< extra, where the time lines have the full width
 
 std::string step_name(const StepChoice& choice) {
     return std::string("step.").append(word_of(choice.granularity));
@@ -214,7 +214,7 @@ void draw_buttons(Ui& ui, ImVec2 at, const Groups& g, float height) {
         const char* action;
         Icon icon;
         bool wide;
-        bool is_in_lecture; ///< where there are fewer
+        bool is_in_lecture; ///< a lecture has fewer
     };
     const Entry entries[] = {
         {"walk.first", Icon::first, false, false},

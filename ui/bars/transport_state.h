@@ -13,13 +13,13 @@ namespace rasterwalk {
 struct TimeWindow {
     double begin = 0.0;
     double width = 1.0;      ///< > 0; 1: one triangle
-    int triangles = 0;       ///< of the frame that it belongs to
-    Cursor followed{};       ///< where the cursor stood when the window last followed it
-    bool is_dragged = false; ///< the cursor is held in it: it stays where it is
+    int triangles = 0;       ///< of the frame it belongs to
+    Cursor followed{};       ///< where the cursor was when the window last followed it
+    bool is_dragged = false; ///< the cursor is being dragged in it: the window stays in place
 };
 
-/// Where two runs differ, as marks on the line of the whole frame: no two closer than a mark is
-/// wide. Found group by group while the comparison goes on.
+/// Where two runs differ, as marks on the line of the whole frame, no closer together than a mark
+/// is wide. Found group by group while the comparison goes on.
 struct DifferenceMarks {
     struct Mark {
         float x = 0.0f; ///< screen pixels from the left end of the line
@@ -29,7 +29,7 @@ struct DifferenceMarks {
     std::vector<Mark> marks;
     std::size_t looked_at = 0; ///< groups
 
-    // For which they were found.
+    // What they were found for.
     std::uint64_t frame_a = 0, frame_b = 0; ///< numbers of the frames
     float width = 0.0f;                     ///< of the line, screen pixels
 };

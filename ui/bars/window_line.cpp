@@ -73,19 +73,19 @@ void draw_bracket(const TimeLines& s) {
                         packed(is_lit ? p.text : p.dim), 1.5f * u);
 }
 
-/// A stretch of the enlarged part under one name and in one colour.
+/// A stretch of the enlarged part with one name and one colour.
 struct Piece {
     double begin, end; ///< in triangles
     ImVec4 colour;
     std::string name;         ///< "edge 1"; may be empty
-    std::string brief;        ///< where the name is too long; may be empty
-    int count = 0;            ///< said behind the name; 0: not
-    std::string_view unit{};  ///< of the count, where the name does not say it
-    std::vector<int> between; ///< moments of it before each of its parts but the first
-    int moments = 1;          ///< that it has; evenly long
+    std::string brief;        ///< if the name is too long; may be empty
+    int count = 0;            ///< given after the name; 0: not given
+    std::string_view unit{};  ///< of the count, if the name does not say it
+    std::vector<int> between; ///< moments before each of its parts except the first
+    int moments = 1;          ///< its number of moments, equally long
 };
 
-/// Where ticks stand in a phase: between its rows; they are too narrow to be seen one by one.
+/// Where the ticks of a phase are: between its rows; moments are too narrow to be seen one by one.
 std::vector<int> begins_of_rows(const PhaseMoments& phase) {
     return {phase.before.begin() + 1, phase.before.end() - 1};
 }
@@ -129,7 +129,7 @@ void add_pieces(const TimeLines& s, int triangle, std::vector<Piece>& pieces) {
     }
 }
 
-/// What the enlarged part is made of. Of very many triangles it is one piece.
+/// The pieces of the enlarged part. With very many triangles it is one piece.
 std::vector<Piece> pieces_in_window(const TimeLines& s) {
     const TimeWindow& window = s.window();
     const Frame& frame = s.timeline.frame();
@@ -169,7 +169,7 @@ std::string fitting_label(const Piece& piece, float room) {
     return {};
 }
 
-/// Ticks between moments if they are far enough apart, or else between rows.
+/// Ticks between moments if they are far enough apart; otherwise between rows.
 void draw_ticks(const TimeLines& s, const Piece& piece) {
     const float u = s.unit();
     const double length = piece.end - piece.begin;
@@ -181,7 +181,7 @@ void draw_ticks(const TimeLines& s, const Piece& piece) {
         const float x = std::round(s.in_window(piece.begin + length * moment / piece.moments) - u);
         list->AddLine({x, line - 4.0f * u}, {x, line}, packed(s.colours().dim, 0.55f), u);
     };
-    // Of the piece, only what is in the window.
+    // Only the part of the piece that is in the window.
     const auto moment_at = [&](double place) {
         const double share = std::clamp((place - piece.begin) / length, 0.0, 1.0);
         return static_cast<int>(share * piece.moments);

@@ -4,8 +4,8 @@
 
 namespace rasterwalk {
 
-/// The bracket on the line of the frame, and below it what it encloses, enlarged: what a triangle
-/// is made of, in the colours of its edges; drags and clicks on both.
+/// The bracket on the line of the frame, and below it what it encloses, enlarged: the pieces of a
+/// triangle, in the colours of its edges; drags and clicks on both.
 void draw_window_line(const TimeLines& s);
 
 } // namespace rasterwalk

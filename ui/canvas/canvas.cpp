@@ -41,8 +41,8 @@ constexpr float least_outside = 440.0f; ///< width of the outside view, design p
 /// Around everything in the canvas, design pixels.
 constexpr glm::vec2 canvas_padding{12.0f, 10.0f};
 
-/// What of the canvas is left of the picture beside the row table, and above the line that explains
-/// the cells.
+/// The part of the canvas left for the picture, next to the row table and above the line that
+/// explains the cells.
 Pane seen_of_canvas(const Ui& ui, const Pane& canvas) {
     const std::optional<RowTablePlace>& table = ui.canvas.row_table;
     Pane seen = canvas;
@@ -56,7 +56,7 @@ Pane seen_of_canvas(const Ui& ui, const Pane& canvas) {
     return seen;
 }
 
-/// What is seen of run A's picture, without the numbers along its sides.
+/// The part of run A's picture that is seen, without the numbers along its sides.
 Pane seen_of_picture(const Ui& ui, const Pane& pane, const Pane& canvas) {
     Pane seen = seen_of_canvas(ui, canvas);
     seen.low = {std::max(seen.low.x, pane.low.x), std::max(seen.low.y, pane.low.y)};
@@ -66,7 +66,7 @@ Pane seen_of_picture(const Ui& ui, const Pane& pane, const Pane& canvas) {
     return {{seen.low.x + ruler.x, seen.low.y + ruler.y}, seen.high};
 }
 
-/// Between the picture and what stands below it, screen pixels.
+/// Between the picture and what is below it, screen pixels.
 float gap_below(const Ui& ui) {
     return std::round(8.0f * ui.options.text_scale);
 }
@@ -175,7 +175,7 @@ void draw_picture(Ui& ui, const Pane& pane) {
 bool wants_wide_canvas(const Ui& ui, ImVec2 narrow, ImVec2 wide) {
     const CanvasShows shows = shown_on_canvas(ui);
     // The lesson stays where it is read if each pixel of the picture still has one of the screen,
-    // and what is named outside has room.
+    // and the names outside have room.
     if (shows == CanvasShows::both) {
         const float u = ui.options.text_scale;
         const auto picture = static_cast<float>(ui.session.a.settings.viewport.width);
@@ -197,7 +197,7 @@ void draw_canvas(Ui& ui, const Area& area) {
                         ImVec2(canvas_padding.x * u, canvas_padding.y * u));
     ImGui::Begin("canvas", nullptr,
                  panel_flags | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar);
-    // In a lecture only when it points there: the menus have what stands in the header.
+    // In a lecture only when it points there: the menus have everything in the header.
     if (!ui.options.is_lecture || is_in_canvas_header(ui.lesson.pointed_at)) {
         draw_canvas_header(ui, area.position.x + area.size.x - canvas_padding.x * u);
     }

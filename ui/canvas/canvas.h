@@ -10,10 +10,10 @@ struct Ui;
 /// both.
 void draw_canvas(Ui& ui, const Area& area);
 
-/// Does what the canvas shows want the width that a lesson's column would take? Picture and outside
-/// do where they have too little room without it; two pictures side by side where they would be
-/// made smaller.
-/// @param narrow size of the canvas beside the lesson's column, screen pixels
+/// Does the canvas need the width that a lesson's column would take? Picture and outside do where
+/// they have too little room without it; two pictures side by side where they would be made
+/// smaller.
+/// @param narrow size of the canvas next to the lesson's column, screen pixels
 /// @param wide   its size without that column
 bool wants_wide_canvas(const Ui& ui, ImVec2 narrow, ImVec2 wide);
 

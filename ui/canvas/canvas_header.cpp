@@ -18,7 +18,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The width of what says what the canvas shows.
+/// The width of the switch that chooses what the canvas shows.
 float shows_width(bool as_list) {
     if (as_list) return button_width("Outside ") + ImGui::GetFrameHeight();
     float width = 0.0f;
@@ -33,7 +33,7 @@ float view_selector_width() {
 
 namespace {
 
-/// The title of a view; that of the depth is what the buffer holds.
+/// The title of a view; for depth, what the buffer holds.
 std::string view_title(const Ui& ui, const ViewInfo& info) {
     const DepthWords& depth = depth_words(ui.results.a.frame);
     const bool is_usual = info.view != View::depth || depth.kind == ClipDepth::inv_z;
@@ -120,7 +120,7 @@ void draw_canvas_header(Ui& ui, float right_edge) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const CanvasShows shows = shown_on_canvas(ui);
     const bool has_picture = shows != CanvasShows::outside;
-    // In a lecture the first two stand beside the time.
+    // In a lecture the first two are next to the time.
     const bool is_lecture = ui.options.is_lecture;
     std::vector<HeaderButton> buttons;
     if (!is_lecture) buttons.push_back({"canvas.fit", "fit", "view.fit", fits(ui)});
@@ -143,7 +143,7 @@ void draw_canvas_header(Ui& ui, float right_edge) {
     const bool has_switch = ui.session.scene->space == SceneSpace::world;
     const bool as_list = has_switch && shows_width(false) > room - width_of_buttons();
     const float before = has_switch ? shows_width(as_list) : 0.0f;
-    // What has no room stands in the View menu.
+    // Buttons without room are in the View menu.
     while (buttons.size() > 1 && before > room - width_of_buttons())
         buttons.pop_back();
     if (has_switch) {

@@ -15,7 +15,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// More points than this at once are not ringed: they would be a carpet.
+/// More points than this are not ringed: the rings would be a carpet.
 constexpr std::size_t most_rings = 500;
 
 void fill_pixel(const Marks& m, int column, int row, ImU32 colour) {
@@ -88,8 +88,8 @@ float walked_share(const RowHistory& history, int edge) {
     return static_cast<float>(history.last->sample) / static_cast<float>(steps);
 }
 
-/// The true edges: straight lines between the vertices, as far as they are walked; what is still to
-/// come is dashed.
+/// The true edges: straight lines between the vertices, as far as they are walked; the rest is
+/// dashed.
 void draw_true_edges(const Marks& m, PolygonCorners vertices) {
     const int edges = static_cast<int>(vertices.size());
     for (int e = 0; e < edges; ++e) {
@@ -105,7 +105,7 @@ void draw_true_edges(const Marks& m, PolygonCorners vertices) {
 /// with a bar at the left of left ends and at the right of right ends.
 void draw_row_ends(const Marks& m) {
     const RowHistory& history = m.run.rows;
-    // Stage `rows` has painted the ends already: the tint is to lie on a dark ground there too.
+    // Stage `rows` has already painted the ends: the tint needs a dark ground there too.
     const bool is_painted = m.run.frame.settings.stage == Stage::rows;
     const float h = 0.5f * m.scale;
     const float bar = std::max(0.09f * m.scale, 2.0f * m.u);
@@ -160,7 +160,7 @@ void draw_vertices(const Marks& m, int triangle, PolygonCorners vertices) {
     const glm::mat3 rotation = camera_rotation(frame.settings.camera);
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     const Viewport size = frame.settings.viewport;
-    // Of a triangle that was cut, the corners drawn are not those of the scene.
+    // For a triangle that was cut, the corners drawn are not the scene's.
     const bool is_whole = !frame.is_cut(triangle);
     for (int v = 0; v < static_cast<int>(vertices.size()); ++v) {
         const ImVec2 pixel = m.at(vertices[v]);
@@ -168,14 +168,14 @@ void draw_vertices(const Marks& m, int triangle, PolygonCorners vertices) {
             const ShadedVertex shaded =
                 shade_vertex(frame.scene->corner(triangle, v), rotation, rules, frame.stages);
             const int middle_column = size.width / 2, middle_row = size.height / 2;
-            // int() and floor() give the pixel i all that lies from i to i + 1; a pixel that is
-            // rounded to has its number in its middle.
+            // int() and floor() map everything from i to i + 1 to pixel i; a pixel that is rounded
+            // to has its number in its middle.
             const bool is_rounded = frame.settings.vertex_rounding == VertexRounding::round;
             const float shift = is_rounded ? 0.0f : -0.5f;
             const ImVec2 real =
                 m.at(shaded.in("projected").x + static_cast<float>(middle_column) + shift,
                      shaded.in("projected").y + static_cast<float>(middle_row) + shift);
-            // The dark rims are for bright pixels, as of a white wall.
+            // The dark rims are for bright pixels, such as a white wall.
             m.list->AddLine(real, pixel, dark_casing, 2.8f * m.u);
             m.list->AddCircle(real, 4.0f * m.u, dark_casing, 0, 3.5f * m.u);
             m.list->AddLine(real, pixel, m.colour(Meaning::current, 0.7f), 1.2f * m.u);
@@ -227,7 +227,7 @@ void draw_current(const Marks& m) {
     }
     case Phase::clip:
     case Phase::cull:
-        break; // nothing of it lies in the picture
+        break; // none of it lies in the picture
     }
 }
 
@@ -247,10 +247,10 @@ const ClipHistory* clip_of(const RunResults& run) {
 } // namespace
 
 bool crosses(ImVec2 a, ImVec2 b, ImVec2 low, ImVec2 high) {
-    // By clipping it to the four sides.
+    // Clips it to the four sides.
     float from = 0.0f, to = 1.0f;
     const auto clip = [&](float p, float q) {
-        // p is how fast the line leaves the side, q how far it is inside.
+        // p is how fast the line leaves the side, q how far inside it starts.
         if (p == 0.0f) return q >= 0.0f;
         const float t = q / p;
         if (p < 0.0f) {
@@ -280,7 +280,7 @@ std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, Im
     const Marks m{ui, run, list, low, high, ui.options.text_scale, run.place.scale};
     const Frame& frame = run.frame;
     std::vector<VertexLabel> labels;
-    // Whatever would be marked is where the previous frame has it.
+    // Anything marked would be where the previous frame has it.
     const bool is_old = ui.results.a.preview.is_shown && ui.results.a.is_frame_late;
     if (!is_old) draw_tested_pixels(m);
     if (m.is_large()) draw_grid(m);
@@ -314,7 +314,7 @@ std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, Im
     if (ui.inspector.hovered_row) draw_lit_row(m, *ui.inspector.hovered_row, 0.25f);
     if (ui.canvas.hovered_row) draw_lit_row(m, *ui.canvas.hovered_row, 0.25f);
     draw_current(m);
-    // Beside each other, what is pointed at in one picture is marked in both.
+    // Side by side, what is pointed at in one picture is marked in both.
     if (ui.compare.place_of_b && ui.canvas.hovered_pixel) {
         frame_pixel(m, ui.canvas.hovered_pixel->x, ui.canvas.hovered_pixel->y,
                     IM_COL32(0, 0, 0, 160), 2.5f * m.u);

@@ -15,7 +15,7 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// One of the two runs, as far as it is marked on its picture, and where that lies.
+/// One of the two runs, as far as it is marked on its picture, and where the picture lies.
 struct ShownRun {
     const Frame& frame;
     const RowHistory& rows;        ///< of the triangle shown
@@ -33,7 +33,7 @@ ShownRun run_b(const Ui& ui, const PicturePlace& place);
 /// Draws over the picture: grid and numbers, the triangle's true edges, vertices, what
 /// clipping does to it, edge samples up to the cursor, row ends, the current piece, what is picked
 /// and pointed at. Costs what is visible.
-/// @return the names of vertices that stand there: nothing else is written on them
+/// @return the names of vertices drawn there: nothing else is written on them
 std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list,
                                            ImVec2 low, ImVec2 high);
 

@@ -21,7 +21,7 @@ class OutsideDrawing; // outside/outside_drawing.h
 /// The part of the canvas that the row table takes from the picture, screen pixels.
 struct RowTablePlace {
     float left = 0.0f, right = 0.0f;
-    bool is_at_left = false; ///< of the canvas; or else at its right
+    bool is_at_left = false; ///< at the left of the canvas; if not, at its right
 };
 
 /// What the triangles cover of the picture.
@@ -30,23 +30,23 @@ struct DrawnPart {
     PicturePart part;
 };
 
-/// What the student wants of a frame of very many fragments.
+/// What the student wants done with a frame of very many fragments.
 enum class LargeFrameWish : std::uint8_t {
     none, ///< not said: it is not begun if too much of it is in the picture
     draw,
     stop,
 };
 
-/// That wish, and the frame that it is about.
+/// That wish, and the frame it is about.
 struct LargeFrame {
     LargeFrameWish wish = LargeFrameWish::none;
     std::shared_ptr<const Scene> scene;
     std::optional<Settings> a, b; ///< of the two runs
 };
 
-/// Hints that the student does not want to see any more.
+/// Hints that the student has hidden.
 struct HiddenHints {
-    std::weak_ptr<const Scene> scene;  ///< of which they were
+    std::weak_ptr<const Scene> scene;  ///< whose hints they were
     std::vector<std::string> in_short; ///< see SeenHint
 };
 
@@ -58,11 +58,11 @@ struct CanvasState {
     DrawnPart drawn;        ///< looked for again when the frame changes
     PictureTexture outside; ///< shows the drawing of the scene from outside
     std::shared_ptr<OutsideDrawing> outside_drawing; ///< none before it was shown first
-    bool shows_legend = true; ///< of the overlays; or else only their swatches
-    float depth_grip = 0.0f;  ///< from a handle of the depth view that is held to the pointer
+    bool shows_legend = true; ///< of the overlays; if not, only their swatches
+    float depth_grip = 0.0f;  ///< from the held handle of the depth view to the pointer
     std::optional<glm::ivec2> hovered_pixel; ///< of the picture, under the pointer
-    std::optional<int> hovered_row; ///< of the picture, under the pointer in the table beside it
-    std::optional<RowTablePlace> row_table; ///< beside the picture in this frame; none: not shown
+    std::optional<int> hovered_row; ///< of the picture, under the pointer in the table next to it
+    std::optional<RowTablePlace> row_table; ///< next to the picture in this frame; none: not shown
     FateFinder fates;                       ///< of the triangle shown
     float frame_top = 0.0f,
           frame_bottom = 0.0f; ///< of the picture's part of the canvas, screen pixels
@@ -73,9 +73,9 @@ struct CanvasState {
 
 /// What run B of each pair would look like, small.
 struct OfferPictures {
-    std::shared_ptr<const Scene> scene;   ///< that they show
-    std::optional<Settings> settings;     ///< of run A, of which they follow
-    int side = 0;                         ///< for which they were made, screen pixels
+    std::shared_ptr<const Scene> scene;   ///< the scene they show
+    std::optional<Settings> settings;     ///< of run A, from which they follow
+    int side = 0;                         ///< the size they were made for, screen pixels
     bool is_drawn = false;                ///< false: there are none, the scene is too large
     std::vector<PictureTexture> textures; ///< in the order of compare_pairs()
 };

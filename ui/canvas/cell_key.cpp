@@ -16,7 +16,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Of more fragments than this on the picked pixel only the last are named.
+/// If the picked pixel has more fragments than this, only the last are named.
 constexpr std::ptrdiff_t most_fragments = 6;
 
 bool shows_numbers(const Ui& ui) {

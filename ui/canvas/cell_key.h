@@ -9,11 +9,11 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Do signs or numbers stand in the cells at this zoom, so that they are explained?
+/// Are signs or numbers written in the cells at this zoom, so that they need explaining?
 bool shows_cell_key(const Ui& ui);
 
-/// What the signs and numbers in the cells mean, on a line: of which triangles the signs of the
-/// picked pixel are, of which triangle those of all other pixels, and of what the numbers.
+/// What the signs and numbers in the cells mean, on a line: which triangles the signs of the picked
+/// pixel belong to, which triangle those of all other pixels, and what the numbers are.
 /// @return from the longest form to the shortest
 std::vector<std::string> cell_key_forms(const Ui& ui);
 

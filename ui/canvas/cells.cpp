@@ -18,7 +18,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Dark and light ink: whichever can be read on a cell.
+/// Dark and light ink: the one that can be read on a cell.
 constexpr ImU32 dark_ink = IM_COL32(0, 0, 0, 255);
 constexpr ImU32 light_ink = IM_COL32(255, 255, 255, 255);
 
@@ -40,7 +40,7 @@ struct Shade {
 /// The sign of a fragment's fate in a cell.
 struct CellFate {
     glm::ivec2 pixel;
-    std::optional<Fate> fate; ///< none: of more fragments than the cell has room for
+    std::optional<Fate> fate; ///< none: stands for fragments that the cell has no room for
     int place;                ///< from the left, where a cell has several
 };
 
@@ -91,7 +91,7 @@ std::vector<CellFate> shown_fates(Ui& ui, const Rectangle& part) {
 /// The ends of the shown triangle's row in this row of the picture.
 struct Ends {
     int left, right;
-    int left_edge, right_edge; ///< that wrote them
+    int left_edge, right_edge; ///< the edges that wrote them
 };
 
 std::optional<Ends> ends_of(const Ui& ui, int row) {
@@ -115,7 +115,7 @@ std::string depth_number(float depth, float room, float letter) {
     return {};
 }
 
-/// A depth needs its point and this many digits behind it.
+/// A depth needs its point and this many digits after it.
 constexpr const char* shortest_depth = "0.00";
 
 ImFont* number_font(const Ui& ui) {
@@ -140,7 +140,7 @@ struct Cells {
     ImVec2 corner(int column, int row) const {
         return marks.at(static_cast<float>(column) - 0.5f, static_cast<float>(row) - 0.5f);
     }
-    /// A part of a number would be another number.
+    /// Part of a number would be a different number.
     bool is_cut(ImVec2 low, ImVec2 high) const {
         return low.x < seen.low.x || low.y < seen.low.y || high.x > seen.high.x ||
                high.y > seen.high.y;
@@ -153,7 +153,7 @@ struct Cells {
     }
 };
 
-/// The colour of a cell as the canvas shows it, without what lies on single places of it.
+/// The colour of a cell as the canvas shows it, without the marks on single places of it.
 Shade shade_of(const Ui& ui, glm::ivec2 pixel) {
     const Results& results = ui.results;
     const Image& ground = results.ground.rgba.empty() ? results.a.picture : results.ground;
@@ -346,7 +346,7 @@ void draw_cells(Ui& ui, const Pane& seen, const std::vector<VertexLabel>& labels
     if (fates.empty() && canvas.numbers == CellNumbers::none) return;
     find_lines(cells);
 
-    // So many rows at once that their corners fit in a draw list, whatever stands in the cells.
+    // As many rows together as fit in a draw list with their corners, whatever is in the cells.
     const bool has_tests = shows_test_numbers(ui);
     const int most_cells = has_tests ? 400 : 1200;
     const int step = std::max(most_cells / (columns.last - columns.first), 1);

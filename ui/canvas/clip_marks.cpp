@@ -17,33 +17,33 @@ namespace rasterwalk {
 
 namespace {
 
-/// In this colour are planes and what they make.
+/// The colour of planes and of what they make.
 constexpr Meaning plane_ink = Meaning::left_end;
 
-/// Where an edge goes through the camera plane it has no place on the screen: it is drawn up to
-/// this part of the greater w of its ends.
+/// An edge has no place on the screen where it crosses the camera plane: it is drawn up to this
+/// part of the greater w of its ends.
 constexpr float least_w_share = 1e-4f;
 
-/// Beyond the canvas lines are not drawn, design pixels.
+/// Lines are not drawn farther than this beyond the canvas, design pixels.
 constexpr float beside_canvas = 40.0f;
 
 struct ScreenLine {
     ImVec2 from, to;
 };
 
-/// The picture's place of a corner in clip space; w must not be 0.
+/// Where a corner in clip space lies in the picture; w must not be 0.
 ImVec2 place_of(const Marks& m, const glm::vec4& clip) {
     const Frame& frame = m.run.frame;
     const VertexRules rules = vertex_rules(frame.settings, frame.scene->space);
     const glm::vec2 place = frame.stages.perspective_divide(clip, 1.0f / clip.w) +
                             glm::vec2(frame.stages.viewport_middle(rules));
-    // As the corners that were not rounded: see draw_vertices().
+    // Like the corners that were not rounded: see draw_vertices().
     const bool is_rounded = frame.settings.vertex_rounding == VertexRounding::round;
     const float shift = is_rounded ? 0.0f : -0.5f;
     return m.at(place.x + shift, place.y + shift);
 }
 
-/// The part of a line within a rectangle, by Liang and Barsky's way; none if there is none.
+/// The part of a line within a rectangle, by the method of Liang and Barsky; none if there is none.
 std::optional<ScreenLine> cut_to(const ScreenLine& line, ImVec2 low, ImVec2 high) {
     double from = 0.0, to = 1.0;
     const double dx = static_cast<double>(line.to.x) - static_cast<double>(line.from.x);
@@ -91,8 +91,7 @@ void draw_seen_edge(const Marks& m, const CutCorner& a, const CutCorner& b, ImU3
     m.list->AddLine(line->from, line->to, colour, width * m.u);
 }
 
-/// The triangle as it was before any plane, in the colour of what is taken: what is left is drawn
-/// over it.
+/// The uncut triangle, in the colour of what is taken away: what is left is drawn over it.
 void draw_outline_before(const Marks& m, const ClipHistory& history) {
     const std::vector<CutCorner> corners = given_corners(history);
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -112,7 +111,7 @@ void draw_outline_before(const Marks& m, const ClipHistory& history) {
     }
 }
 
-/// The edges that lie on planes, wide enough to be seen beside the lines drawn on them.
+/// The edges that lie on planes, wide enough to be seen next to the lines drawn on them.
 void draw_plane_edges(const Marks& m, const std::vector<CutCorner>& corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
         if (corners[i].edge >= 0) continue;
@@ -125,7 +124,7 @@ void draw_fan(const Marks& m, const std::vector<CutCorner>& corners) {
         draw_seen_edge(m, corners[0], corners[i], m.colour(Meaning::current, 0.8f), 1.0f);
 }
 
-/// The polygon while planes are at work on it.
+/// The polygon while planes are working on it.
 void draw_polygon_at_work(const Marks& m, const std::vector<CutCorner>& corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Meaning meaning = corners[i].edge >= 0 ? edge_meaning(corners[i].edge) : plane_ink;
@@ -138,14 +137,14 @@ void draw_diamond(const Marks& m, ImVec2 at, float reach, ImU32 colour) {
                           {at.x - reach, at.y}, colour);
 }
 
-/// A name that is to stand beside a place of the canvas.
+/// A name to be written next to a place on the canvas.
 struct PlaceName {
     ImVec2 at;
     std::string text;
     ImU32 colour;
 };
 
-/// @param lines from which names keep away where they can, from the canvas's top left corner
+/// @param lines names keep away from these where they can; from the canvas's top left corner
 void draw_place_names(const Marks& m, const std::vector<PlaceName>& names, float distance,
                       const std::vector<OutsideLine>& lines) {
     ImFont* const font = m.ui.fonts.small;
@@ -172,7 +171,7 @@ void draw_place_names(const Marks& m, const std::vector<PlaceName>& names, float
     }
 }
 
-/// The edges of a polygon as far as they are seen, from the canvas's top left corner.
+/// The visible parts of a polygon's edges, from the canvas's top left corner.
 std::vector<OutsideLine> seen_edges(const Marks& m, const std::vector<CutCorner>& corners) {
     std::vector<OutsideLine> edges;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -186,7 +185,7 @@ std::vector<OutsideLine> seen_edges(const Marks& m, const std::vector<CutCorner>
     return edges;
 }
 
-/// From far away with the names of the planes; near by the names of all corners are written.
+/// From far away with the names of the planes; close up the names of all corners are written.
 void draw_new_corners(const Marks& m, const std::vector<CutCorner>& corners,
                       const std::vector<OutsideLine>& edges, bool has_names) {
     const float reach = 5.5f * m.u;
@@ -202,8 +201,8 @@ void draw_new_corners(const Marks& m, const std::vector<CutCorner>& corners,
     if (has_names) draw_place_names(m, names, reach + 1.5f * m.u, edges);
 }
 
-/// Where the division would put what lies behind the camera, were it not cut off before: on the
-/// other side of the picture, so that the triangle turns inside out.
+/// Where the division would put what lies behind the camera if it were not cut off first: on the
+/// other side of the picture, so the triangle turns inside out.
 void draw_divided_corners(const Marks& m, const ClipHistory& history,
                           const std::vector<OutsideLine>& edges) {
     const float radius = 5.0f * m.u;
@@ -219,7 +218,7 @@ void draw_divided_corners(const Marks& m, const ClipHistory& history,
     draw_place_names(m, names, radius + 1.5f * m.u, edges);
 }
 
-/// The edge at which the step just done has worked.
+/// The edge that the last step worked on.
 void draw_step_at_work(const Marks& m, const ClipHistory& history, const ClipProgress& progress) {
     const PlaneHistory& plane = history.planes[static_cast<std::size_t>(progress.planes)];
     const auto last = static_cast<std::size_t>(progress.steps - 1);
@@ -230,8 +229,7 @@ void draw_step_at_work(const Marks& m, const ClipHistory& history, const ClipPro
                    before[static_cast<std::size_t>(step.to)], m.colour(Meaning::current), 3.0f);
 }
 
-/// Which way round the corners go: an arrow on each edge, and in the middle what culling took it
-/// for.
+/// Which way round the corners go: an arrow on each edge, and in the middle what culling decided.
 void draw_cull_answer(const Marks& m, const ClipHistory& history) {
     const std::vector<CutCorner> corners = corners_before(history);
     ImVec2 middle{0.0f, 0.0f};

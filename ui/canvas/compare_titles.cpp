@@ -15,7 +15,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What a title is wider than its words, and what it keeps free beside it, design pixels.
+/// How much wider a title is than its words, and what it keeps free next to it, design pixels.
 constexpr float title_border = 42.0f;
 constexpr float title_gap = 4.0f, title_inset = 8.0f;
 
@@ -24,7 +24,7 @@ float letter_side(const Ui& ui) {
     return std::round(20.0f * ui.options.text_scale);
 }
 
-/// Between the picture and the border at which the title stands, screen pixels.
+/// Space between the picture and the border that the title is at, screen pixels.
 float room_beside(const Ui& ui, bool of_b, const TitlePlace& title) {
     const PicturePlace& place =
         of_b && ui.compare.place_of_b ? *ui.compare.place_of_b : ui.canvas.place;
@@ -40,15 +40,15 @@ bool lies_over(const Ui& ui, bool of_b, const TitlePlace& title) {
     return place.origin.y < title.top + title_height * ui.options.text_scale;
 }
 
-/// What can be said about a run, from the longest form to the shortest: the letter alone.
+/// What can be said about a run, from the longest form to the shortest, which is the letter alone.
 std::vector<std::string> title_forms(const Ui& ui, bool of_b) {
     std::vector<std::string> forms = run_forms(ui.session, of_b);
     forms.emplace_back();
     return forms;
 }
 
-/// Which of the forms a title has room for: the first that leaves the picture free, or else that
-/// fits. None if there is no place even for the letter.
+/// Which of the forms fits a title: the first that leaves the picture free, or else the first that
+/// has room. None if there is no place even for the letter.
 std::optional<std::size_t> fitting_form(const Ui& ui, bool of_b, const TitlePlace& title) {
     const std::vector<std::string> forms = title_forms(ui, of_b);
     const float u = ui.options.text_scale;
@@ -124,7 +124,7 @@ void draw_two_titles(Ui& ui, ImDrawList* list, const TitlePlace& a, const TitleP
     ImGui::PopFont();
     const std::size_t letter_of_a = title_forms(ui, false).size() - 1;
     const std::size_t letter_of_b = title_forms(ui, true).size() - 1;
-    // What one has no room for is not said about the other: it would be read as a difference.
+    // What one has no room for is not said about the other either: it would look like a difference.
     const std::size_t form = std::max(form_a.value_or(letter_of_a), form_b.value_or(letter_of_b));
     const bool is_letter = form >= std::min(letter_of_a, letter_of_b);
     if (form_a) draw_title(ui, list, false, a, is_letter ? letter_of_a : form);

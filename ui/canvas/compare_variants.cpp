@@ -19,15 +19,15 @@ namespace rasterwalk {
 
 namespace {
 
-/// Design pixels.
+/// In design pixels.
 constexpr float largest_height = 170.0f, wished_least = 84.0f, least_height = 44.0f;
 constexpr float card_padding = 8.0f, tight_padding = 4.0f, words_width = 92.0f;
 constexpr float least_picture = 24.0f;
 
-/// Of a card, for its words.
+/// Largest share of a card for its words.
 constexpr float largest_words_share = 0.42f;
 
-/// Of the room for picture and row.
+/// Largest share of the room for picture and row.
 constexpr float largest_share = 0.25f;
 
 /// One of the small pictures.
@@ -59,13 +59,13 @@ std::array<Variant, 3> variants_of(const Ui& ui) {
               comparison.difference_number}}};
 }
 
-/// Where a small picture and its words stand on its card.
+/// Where a small picture and its words are on its card.
 struct CardLayout {
     ImVec2 picture; ///< from the card's corner
     float scale;    ///< screen pixels a picture pixel
     ImVec2 words;   ///< from the card's corner
     float room;     ///< for the words
-    bool is_above;  ///< the words are one line above the picture, or else stand beside it
+    bool is_above;  ///< the words are one line above the picture; if not, next to it
 };
 
 /// @param least_words the width of the words that must not be left out
@@ -77,7 +77,7 @@ CardLayout card_layout(const Ui& ui, ImVec2 card, const Image& image, float leas
     const ImVec2 size{static_cast<float>(image.width), static_cast<float>(image.height)};
     const auto scale_in = [&](float width, float height) {
         const float scale = std::max(std::min(width / size.x, height / size.y), 1e-4f);
-        return scale >= 1.0f ? std::floor(scale) : scale; // pixels stay equally large
+        return scale >= 1.0f ? std::floor(scale) : scale; // all pixels are the same size
     };
     const float above = scale_in(card.x - 2.0f * pad, card.y - line - 2.0f * pad);
     // A picture smaller than this would show nothing.
@@ -114,7 +114,7 @@ std::string lines_that_fit(const std::vector<std::string>& forms, ImVec2 room, f
     return first_fitting(low_enough, room.x);
 }
 
-/// The name, and the words as far as they have room: nothing is cut.
+/// The name, and as many of the words as fit: nothing is cut off.
 /// @return the words, without line breaks
 std::string draw_words(const Ui& ui, ImDrawList* list, const Variant& variant,
                        const CardLayout& layout, ImVec2 low, ImVec2 high) {
@@ -157,7 +157,7 @@ std::string tooltip_of_variant(const Ui& ui, const Variant& variant) {
     return text + "\nClick to enlarge it.";
 }
 
-/// The widest single word of the shortest words of all: the small pictures stay equally large.
+/// The widest single word of all the shortest forms: the small pictures stay equally large.
 float least_words(const Ui& ui, const std::array<Variant, 3>& variants) {
     float width = 0.0f;
     for (const Variant& variant : variants) {
@@ -201,7 +201,7 @@ float variants_height(const Ui& ui, ImVec2 room) {
     const float needed = height_at_full_size(ui, room.x);
     // The large picture is made smaller anyway: the row takes its share.
     if (needed > room.y) return std::round(largest);
-    // A row that is very low is better than a large picture that is not seen whole.
+    // A very low row is better than a large picture that is partly hidden.
     const float left = room.y - needed;
     const float least =
         std::min(largest, (left < least_height * u ? wished_least : least_height) * u);

@@ -22,7 +22,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Width of what can be taken hold of at the divider, design pixels.
+/// Width of the part of the divider that can be dragged, design pixels.
 constexpr float handle_width = 18.0f;
 
 bool is_side_by_side(const Ui& ui) {
@@ -172,7 +172,7 @@ void draw_views(Ui& ui, bool as_list) {
     }
 }
 
-/// What the views need as buttons side by side.
+/// The width of the views as buttons side by side.
 float views_width() {
     float width = 0.0f;
     for (const CompareViewInfo& info : compare_view_list())
@@ -224,7 +224,7 @@ void draw_compare_bar(Ui& ui) {
         name_widget(ui, "compare.fault", ui.results.no_comparison);
     } else {
         std::vector<std::string> forms = difference_forms(ui.results.comparison.pixels);
-        forms.emplace_back(); // the Compare tab has the numbers, too
+        forms.emplace_back(); // the Compare tab has the numbers too
         const std::string shown = first_fitting(forms, room);
         const float width = text_width(shown);
         ImGui::SetCursorScreenPos(
@@ -265,7 +265,7 @@ Panes panes_of(const Ui& ui, const Pane& canvas) {
     if (!is_comparing(ui)) return {canvas, canvas};
     const float u = ui.options.text_scale, title = std::round(title_height * u);
     if (canvas.room().y >= low_canvas * u) return panes_below_titles(ui, canvas, title);
-    // In a low canvas the titles stand beside the pictures if they can.
+    // In a low canvas the titles are next to the pictures if they can be.
     const Panes whole = panes_below_titles(ui, canvas, 0.0f);
     if (has_room_for_letter(ui, whole.a.room(), pane_zoom(ui, whole.a.room()))) return whole;
     return panes_below_titles(ui, canvas, title);

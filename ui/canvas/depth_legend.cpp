@@ -31,13 +31,13 @@ float bars_height_of(const Ui& ui, float canvas_height) {
     return std::round((canvas_height < roomy_height * u ? flat_bars_height : bars_height) * u);
 }
 
-/// A stored value with the z that it stands for: "0.2499 (z 4.001)".
+/// A stored value with its z: "0.2499 (z 4.001)".
 std::string depth_text(const Ui& ui, float depth) {
     return fixed(static_cast<double>(depth), 4) + " (z " +
            fixed(z_of_stored_depth(ui.results.a.frame, depth), 3) + ")";
 }
 
-/// The same, and for want of room without the z.
+/// The same, and without the z for lack of room.
 std::vector<std::string> depth_forms(const Ui& ui, const std::string& name, float depth) {
     return {name + " " + depth_text(ui, depth), name + " " + fixed(static_cast<double>(depth), 4)};
 }
@@ -88,7 +88,7 @@ void draw_bars(const Ui& ui, ImDrawList* list, const Plot& plot) {
         const float top = plot.strip_top - height;
         list->AddRectFilled({left, top}, {left + width, plot.strip_top}, colour);
         if (share <= 1.0) continue;
-        // A gap says that the bar goes on.
+        // A gap shows that the bar continues.
         list->AddRectFilled({left, top + 4.0f * u}, {left + width, top + 6.0f * u},
                             packed(p.canvas));
     }
@@ -106,7 +106,7 @@ void draw_outside(const Ui& ui, ImDrawList* list, const Plot& plot) {
 std::optional<float> draw_handle(Ui& ui, const Plot& plot, bool is_near) {
     const float u = ui.options.text_scale;
     const float x = std::round(plot.x(is_near ? plot.view.range.near : plot.view.range.far));
-    // Each is taken hold of from its outer side, so that they can stand close to each other.
+    // Each is dragged by its outer side, so that they can be close together.
     const float inner = 3.0f * u, outer = 11.0f * u;
     const float left = x - (is_near ? inner : outer);
     ImGui::SetCursorScreenPos({left, plot.low.y});
@@ -142,7 +142,7 @@ std::optional<float> draw_handle(Ui& ui, const Plot& plot, bool is_near) {
     return plot.value(x + static_cast<float>(more) * u);
 }
 
-/// Where the pixel pointed at stands among all others.
+/// Where the pixel pointed at is among all others.
 void draw_pointer(const Ui& ui, ImDrawList* list, const Plot& plot, float depth) {
     const float u = ui.options.text_scale;
     const float x = std::round(plot.x(depth));
@@ -156,7 +156,7 @@ void draw_pointer(const Ui& ui, ImDrawList* list, const Plot& plot, float depth)
 std::string bar_text(const Plot& plot, float x, const std::string& name) {
     const DepthHistogram& histogram = plot.view.histogram;
     const float width = (plot.high.x - plot.low.x) / static_cast<float>(depth_bins);
-    // The pointer may be anywhere, also where no int reaches.
+    // The pointer may be anywhere, even beyond the range of an int.
     const int bin = static_cast<int>(
         std::clamp((x - plot.low.x) / width, 0.0f, static_cast<float>(depth_bins - 1)));
     const float left = plot.low.x + width * static_cast<float>(bin);

@@ -114,7 +114,7 @@ void draw_difference_legend(Ui& ui, ImVec2 low, ImVec2 high) {
     ImGui::PushFont(ui.fonts.small);
     const std::array<std::string, 3> ends = difference_ends(comparison.difference_limit);
     if (high.y - low.y < scale_height * u - 1.0f) {
-        // The numbers beside the colours.
+        // The numbers next to the colours.
         const float side = ImGui::CalcTextSize(ends[0].c_str()).x + 6.0f * u;
         const float y = low.y + 0.5f * (high.y - low.y - ImGui::GetFontSize());
         list->AddText({low.x, y}, packed(p.dim), ends[0].c_str());

@@ -31,7 +31,7 @@ void draw_hint_bar(Ui& ui) {
     const auto first = std::find_if(hints.found.begin(), hints.found.end(),
                                     [&](const SeenHint& hint) { return !is_hidden(ui, hint); });
     if (first == hints.found.end()) return;
-    // What else helps against the same.
+    // Another remedy for the same problem.
     const auto other = std::find_if(first + 1, hints.found.end(),
                                     [&](const SeenHint& hint) { return hint.seen == first->seen; });
     const NoticeButton act{"canvas.hint_act", first->act, first->help};

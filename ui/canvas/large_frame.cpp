@@ -40,7 +40,7 @@ bool is_large(const RunResults& run) {
     return run.is_held || run.replay.work().fragments().all > many_fragments;
 }
 
-/// The run with so many fragments, A before B; null: neither has.
+/// The run with that many fragments, A before B; null: neither has.
 const RunResults* large_run(const Results& results) {
     if (is_large(results.a)) return &results.a;
     return results.b && is_large(*results.b) ? &*results.b : nullptr;
@@ -95,7 +95,7 @@ bool draw_large_frame_bar(Ui& ui) {
         buttons.push_back(draw);
     else if (!run->is_drawn())
         buttons.push_back(stop);
-    // In a quiz the settings are what is asked for.
+    // In a quiz the question is about the settings.
     const bool helps = run->frame.settings.clip != Clip::all && !hides_settings(ui.session);
     if (helps && run->replay.work().fragments().share_outside() > 0.1) buttons.push_back(clip);
 

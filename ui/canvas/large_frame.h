@@ -9,7 +9,7 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// A frame with more fragments than this is announced. At some 20 nanoseconds each they take a
+/// A frame with more fragments than this is announced. At about 20 nanoseconds each they take a
 /// second.
 inline constexpr double many_fragments = 50'000'000.0;
 

@@ -66,7 +66,7 @@ void draw_switch(Ui& ui, const char* name, const char* title, bool& on, float ne
     draw_zoom_needed(ui, needed);
 }
 
-/// What stands in the cells and beside them.
+/// What is written in the cells and next to them.
 void draw_cell_list(Ui& ui) {
     CanvasView& canvas = ui.session.canvas;
     draw_switch(ui, "layers.row_table", "row table next to its rows", canvas.row_table,
@@ -94,7 +94,7 @@ void draw_cell_list(Ui& ui) {
     }
 }
 
-/// What is switched on of overlays and numbers, in the order of the list.
+/// The overlays and numbers switched on, in the order of the list.
 std::vector<std::string> layers_on(const Ui& ui) {
     std::vector<std::string> names;
     for (const OverlayInfo& info : overlay_list()) {
@@ -118,7 +118,7 @@ std::string button_label(std::size_t on, bool narrow) {
 } // namespace
 
 float layers_button_width(const Ui&, bool narrow) {
-    // With a number, whether there is one or not: what stands beside it must not jump.
+    // With a number in any case, so that its neighbours do not jump.
     return button_width(button_label(8, narrow));
 }
 

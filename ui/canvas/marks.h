@@ -13,10 +13,10 @@
 
 namespace rasterwalk {
 
-/// ImGui's draw lists count their corners in 16 bits: from here on nothing more is marked.
+/// ImGui's draw lists count their corners in 16 bits: beyond this nothing more is marked.
 inline constexpr int most_corners = 50'000;
 
-/// The dark under bright lines and letters: they are to be seen on every picture.
+/// The dark under bright lines and letters, so that they can be seen on every picture.
 inline constexpr ImU32 dark_casing = IM_COL32(12, 13, 16, 215);
 
 /// How strongly the ends of rows are tinted, 0..1.
@@ -31,13 +31,12 @@ struct Marks {
     float u; ///< design pixel
     float scale;
 
-    /// The middle of a pixel, or of a real place that counts from pixels' middles.
+    /// The middle of a pixel, or a real place counted from pixels' middles.
     ImVec2 at(float x, float y) const {
         const PicturePlace& place = run.place;
         return {place.origin.x + scale * (x + 0.5f), place.origin.y + scale * (y + 0.5f)};
     }
-    /// Where coverage takes a vertex to lie: in the lab the middle of the pixel that it is snapped
-    /// to.
+    /// Where coverage places a vertex: in the lab the middle of the pixel it is snapped to.
     ImVec2 at(const ScreenVertex& v) const {
         const Stages& stages = run.frame.stages;
         if (walks_edges(stages)) return at(static_cast<float>(v.column), static_cast<float>(v.row));
@@ -69,18 +68,18 @@ inline VisibleRange visible(float origin, float scale, float low, float high, in
 /// Does the line from a to b cross the rectangle?
 bool crosses(ImVec2 a, ImVec2 b, ImVec2 low, ImVec2 high);
 
-/// Where the strips end on which the numbers of columns and rows stand over the picture: its cells
-/// are seen from here on. The corner of the canvas where there are none.
+/// Where the strips end that carry the numbers of columns and rows over the picture: its cells are
+/// seen from here. The corner of the canvas where there are none.
 ImVec2 corner_of_cells(const Marks& m);
 
-/// From here on names can stand without lying on the numbers of columns and rows.
+/// From here names can be drawn without lying on the numbers of columns and rows.
 ImVec2 corner_of_labels(const Marks& m);
 
 /// The grid of pixels.
 void draw_grid(const Marks& m);
 
-/// The numbers of columns and rows along the picture; or along the canvas, on a strip of their own,
-/// where the picture is larger. It lies over all other marks.
+/// The numbers of columns and rows along the picture; where the picture is larger than the canvas,
+/// on a strip along the canvas. It lies over all other marks.
 void draw_ruler(const Marks& m);
 
 } // namespace rasterwalk

@@ -20,7 +20,7 @@ std::string_view draw_notice_bar(Ui& ui, const char* name, const std::vector<std
             width += button_width(one.label) + gap;
         return width;
     };
-    // What they are for is worth more than the last of them.
+    // The sentence they are for is worth more than the last of them.
     const float least = ImGui::CalcTextSize(forms.back().c_str()).x;
     while (buttons.size() > 1 && least + width_of(buttons) > right - left)
         buttons = buttons.first(buttons.size() - 1);

@@ -21,7 +21,7 @@ struct NoticeButton {
 /// @param name of the widget that has the sentence
 /// @param forms of the sentence, at least one, the longest first: the first that fits is shown
 /// @param help for the sentence
-/// @param is_true_now or else it is about the previous picture, and dim
+/// @param is_true_now false: it is about the previous picture, and dim
 /// @return the name of the button that was clicked; empty: none was
 std::string_view draw_notice_bar(Ui& ui, const char* name, const std::vector<std::string>& forms,
                                  const std::string& help, bool is_true_now,

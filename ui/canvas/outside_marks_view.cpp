@@ -24,7 +24,7 @@ namespace {
 constexpr float roomy_view = 420.0f;
 constexpr float smallest_marks = 0.6f;
 
-/// Design pixels: of the dark around a name, and from that to what it names.
+/// Design pixels: the dark rim of a name, and from the rim to what it names.
 constexpr float halo_width = 1.4f;
 constexpr float name_distance = 2.5f;
 
@@ -77,7 +77,7 @@ Meaning axis_meaning(int number) {
     return edge_meaning(number % axis_count);
 }
 
-/// Of an arrow's head, design pixels, and how much of the arrow it may take.
+/// Size of an arrow's head, design pixels, and how much of the arrow it may take.
 constexpr float head_length = 9.0f, head_width = 3.6f, largest_head = 0.4f;
 
 void draw_arrow(const Pen& pen, ImVec2 from, ImVec2 to, ImU32 colour) {
@@ -182,7 +182,7 @@ void draw_point(const Pen& pen, const OutsidePoint& point) {
     case OutsidePointKind::end:
     case OutsidePointKind::axis:
     case OutsidePointKind::origin:
-        break; // only its name stands there
+        break; // only its name is there
     case OutsidePointKind::cut:
         draw_dot(pen, at, 4.5f * u, pen.meaning(Meaning::left_end));
         break;
@@ -216,7 +216,7 @@ void draw_point(const Pen& pen, const OutsidePoint& point) {
     }
 }
 
-/// Half of what a point takes from names, design pixels.
+/// Half the room that a point takes from names, design pixels.
 float reach_of(OutsidePointKind kind) {
     switch (kind) {
     case OutsidePointKind::camera:
@@ -270,18 +270,18 @@ std::string axis_name(int number, bool is_narrow) {
     return (is_narrow ? "" : std::string(word_of(of)) + " ") + plain[axis];
 }
 
-/// The camera is named anyway.
+/// The camera has its name already.
 std::string origin_name(int number, bool is_narrow) {
     const auto of = static_cast<BasisOf>(number);
     return is_narrow && of != BasisOf::camera ? std::string(word_of(of)) : "";
 }
 
-/// Of a plane, which is named at one of its corners.
+/// Is it a plane, which is named at one of its corners?
 bool is_plane(OutsidePointKind kind) {
     return kind == OutsidePointKind::plane || kind == OutsidePointKind::end;
 }
 
-/// Empty for a point without one.
+/// Empty for a point without a name.
 Name name_of(const Pen& pen, const OutsidePoint& point) {
     const std::string vertex =
         (pen.is_narrow ? "[" : "vertices[") + std::to_string(point.number) + "]";
@@ -313,8 +313,8 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
         return {point, pen.is_narrow ? "blocks" : "blocks the light", pen.meaning(Meaning::fail),
                 1};
     case OutsidePointKind::axis:
-        // Before the vertices: an arrow without a name says nothing, and they have their numbers
-        // in the panel.
+        // Before the vertices: an arrow without a name says nothing, while the panel has the
+        // vertices' numbers.
         return {point, axis_name(point.number, pen.is_narrow),
                 pen.meaning(axis_meaning(point.number)), 1};
     case OutsidePointKind::origin:
@@ -327,7 +327,7 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
     return {point, {}, 0, 4};
 }
 
-/// Those corners of the picture, or of the plane, first that lie farthest up and to the right:
+/// The corners of the picture, or of the plane, that lie farthest up and to the right come first:
 /// there its name has room.
 std::vector<const OutsidePoint*> named_corners(const OutsideMarks& marks, OutsidePointKind kind) {
     std::vector<const OutsidePoint*> corners;
@@ -354,7 +354,7 @@ void draw_name(const Pen& pen, const Name& name, ImVec2 low) {
     pen.list->AddText(font, font->FontSize, low, name.colour, name.text.c_str());
 }
 
-/// The planes' names come last, once for each of their corners: one of them has room for it.
+/// The planes' names come last, once for each of their corners: one of those has room.
 std::vector<Name> names_of(const Pen& pen, const OutsideMarks& marks) {
     const auto picture = named_corners(marks, OutsidePointKind::picture);
     std::vector<Name> names;
@@ -373,7 +373,7 @@ std::vector<Name> names_of(const Pen& pen, const OutsideMarks& marks) {
     return names;
 }
 
-/// @param taken beside the points
+/// @param taken in addition to the points
 void draw_names(const Pen& pen, const OutsideMarks& marks, std::vector<OutsideBox> taken) {
     const ImFont* const font = pen.ui.fonts.small;
     for (const OutsidePoint& point : marks.points) {
@@ -389,7 +389,8 @@ void draw_names(const Pen& pen, const OutsideMarks& marks, std::vector<OutsideBo
     std::vector<OutsideLabel> labels;
     for (const Name& name : names) {
         const glm::vec2 size{text_width(font, name.text), font->FontSize};
-        // The picture is marked by its border alone: beside a line its name would be that line's.
+        // The picture is marked by its border alone: next to a line, the name would seem to be the
+        // line's.
         const bool is_picture = name.point.kind == OutsidePointKind::picture;
         labels.push_back({name.point.at, size + 2.0f * halo,
                           reach_of(name.point.kind) * pen.u + away, name.side, line_room * pen.u,
@@ -397,7 +398,7 @@ void draw_names(const Pen& pen, const OutsideMarks& marks, std::vector<OutsideBo
     }
     const ImVec2 room = pen.pane.room();
     const auto places = label_places(labels, std::move(taken), lines, {room.x, room.y});
-    std::set<int> planes; // that have their name
+    std::set<int> planes; // already named
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (!places[i]) continue;
         const OutsidePoint& point = names[i].point;

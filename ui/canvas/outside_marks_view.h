@@ -11,9 +11,9 @@ struct Ui;
 
 /// Draws the marks over the view from outside, and their names. Where there is no room for all
 /// names, those of the camera and of the lamp come first, then the vertices of the triangle.
-/// @param pane   where it stands; marks count from its corner
-/// @param top    height of what is written above, screen pixels: no name stands there
-/// @param bottom of what is written below
+/// @param pane   where it is; marks count from its corner
+/// @param top    height of the text above, screen pixels: no name is drawn there
+/// @param bottom height of the text below
 void draw_outside_marks(const Ui& ui, ImDrawList* list, const OutsideMarks& marks, const Pane& pane,
                         float top, float bottom);
 

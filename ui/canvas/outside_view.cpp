@@ -30,7 +30,7 @@ namespace {
 /// How far the view turns for each screen pixel of a drag, radians.
 constexpr float outside_turn_per_pixel = 0.006f;
 
-/// How much nearer a step of the wheel is.
+/// The share of the distance that is left after one step of the wheel.
 constexpr float wheel_step = 0.88f;
 
 /// The space around what is seen, for names and the caption: design pixels, and at most this part
@@ -67,13 +67,13 @@ OutsideLook look_of(const Ui& ui, const Pane& pane) {
     return {ui.session.canvas.outside, size_of(pane), static_cast<double>(around), style_of(ui)};
 }
 
-/// The view with its distance and target set as they are seen now.
+/// The view with its distance and target set to what is seen now.
 OutsideView settled_view(const Ui& ui, const Pane& pane) {
     const OutsideLook look = look_of(ui, pane);
     return settled(look.view, ui.canvas.outside_drawing->things(), look.size, look.margin);
 }
 
-/// A click: the same as on the picture, or a triangle of the scene.
+/// A click: it picks what it would on the picture, or a triangle of the scene.
 void pick_outside(Ui& ui, const OutsidePick& pick) {
     if (pick.pixel) {
         pick_on_picture(ui, *pick.pixel, ImGui::GetIO().KeyShift);
@@ -130,7 +130,8 @@ void draw_image(Ui& ui, ImDrawList* list, const Pane& pane) {
 /// Above the caption's words, design pixels.
 constexpr float caption_top = 2.0f;
 
-/// From the lower border to what is still to come, and from there to the names: design pixels.
+/// From the lower border to the words about what is still to come, and from these to the names:
+/// design pixels.
 constexpr float coming_border = 8.0f, coming_gap = 4.0f;
 
 /// The height of the line with the caption, screen pixels.
@@ -139,7 +140,7 @@ float caption_height(const Ui& ui) {
            2.0f * ImGui::GetStyle().FramePadding.y;
 }
 
-/// What can be done here, and the way through the camera.
+/// What can be done here, and the button for looking through the camera.
 void draw_caption(Ui& ui, ImDrawList* list, const Pane& pane) {
     const float u = ui.options.text_scale;
     const bool is_camera = ui.session.canvas.outside.is_camera;
@@ -186,8 +187,8 @@ SeenClipping seen_clipping(const Ui& ui) {
     return clipping_outside(a.frame, *a.inspected.clip, a.done, ui.inspector.clip.plane);
 }
 
-/// Is it seen where the division puts a vertex behind the camera? Where the triangle is drawn with
-/// it, and while it is clipped, which saves it from that.
+/// Is it seen where the division puts a vertex behind the camera? If the triangle is drawn with
+/// that vertex, and while it is clipped, which saves it from that.
 bool is_seen_mirrored(const RunResults& run) {
     if (!run.triangle) return false;
     if (run.inspected.clip && clip_progress(*run.inspected.clip, run.done)) return true;
@@ -225,7 +226,7 @@ void draw_outside(Ui& ui, const Pane& pane) {
                                  a.cursor,          a.triangle,       a.picture,
                                  a.picture_number,  *a.framebuffer,   a.picture_before,
                                  a.picture_changed, seen_clipping(ui)};
-    // What lies under the pointer is asked of what was seen last.
+    // Picking uses what was last seen.
     if (drawing.number() > 0) handle_pointer(ui, pane);
     drawing.update(subject, look_of(ui, pane));
     ImDrawList* const list = ImGui::GetWindowDrawList();

@@ -15,15 +15,15 @@ struct Ui;
 /// wheel; a click picks a triangle of the scene, or a pixel of the picture on its pane.
 void draw_outside(Ui& ui, const Pane& pane);
 
-/// Is there something left to be drawn of what is shown from outside?
+/// Is any of the view from outside still to be drawn?
 bool is_outside_working(const Ui& ui);
 
-/// Which triangles are still to come at a moment, and therefore darker; empty if none is.
+/// Which triangles are still to come at a moment, and therefore darker; empty if none are.
 /// @param triangles of the scene
 std::string coming_words(int triangles, const Cursor& cursor);
 
-/// The parts of the canvas in which the picture and the scene from outside stand while both are
-/// shown: beside each other, or one above the other where that makes them larger.
+/// The parts of the canvas for the picture and the scene from outside while both are shown: side by
+/// side, or one above the other where that makes them larger.
 struct CanvasHalves {
     Pane picture, outside;
 };

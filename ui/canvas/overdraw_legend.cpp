@@ -18,8 +18,8 @@ namespace rasterwalk {
 
 namespace {
 
-/// The numbers that get a box of their own: all from 0 to the largest, or in equal steps as many as
-/// there is room for, and the largest.
+/// The numbers that have a box each: all from 0 to the largest, or as many in equal steps as there
+/// is room for, and the largest.
 std::vector<std::uint32_t> listed_numbers(std::uint32_t most, std::uint32_t boxes) {
     const std::uint32_t room = std::max(boxes, 2u) - 1;
     const std::uint32_t step = most / room + (most % room != 0 ? 1 : 0);

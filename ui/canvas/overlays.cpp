@@ -17,12 +17,12 @@ namespace rasterwalk {
 
 namespace {
 
-/// Cells of a swatch: picture pixels as they look a little enlarged.
+/// Cells of a swatch: picture pixels, slightly enlarged.
 constexpr int swatch_columns = 12;
 constexpr int swatch_rows = 6;
 constexpr float swatch_cell = 2.0f; ///< design pixels
 
-/// Of the canvas below its header, without which there is no legend, design pixels.
+/// The canvas below its header must have this height for a legend, design pixels.
 constexpr float least_room = 130.0f;
 
 /// A grey between the darkest and the brightest pictures, on which all tints can be seen.
@@ -83,7 +83,7 @@ void draw_swatch(const Ui& ui, ImDrawList* list, ImVec2 at, Overlay overlay, flo
 
 namespace {
 
-/// The pixel that the legends speak of: the one pointed at, or else the one picked.
+/// The pixel that the legends are about: the one pointed at, or else the one picked.
 std::optional<glm::ivec2> pixel_asked(const Ui& ui) {
     const auto pixel =
         ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
@@ -93,7 +93,7 @@ std::optional<glm::ivec2> pixel_asked(const Ui& ui) {
 }
 
 std::string value_at(const Ui& ui, Overlay overlay, glm::ivec2 pixel) {
-    // As near as the eye can tell, however much the picture is enlarged.
+    // As near as the eye can judge, however much the picture is enlarged.
     const float reach = std::max(5.0f * ui.options.text_scale / ui.canvas.place.scale, 0.75f);
     return overlay_value(overlay, ui.results.a.frame, *ui.results.a.framebuffer, ui.results.overlay,
                          pixel, reach);
@@ -107,7 +107,7 @@ std::vector<std::string> value_forms(const Ui& ui, const std::string& value) {
     return {"at the picked pixel: " + value, "picked pixel: " + value, value};
 }
 
-/// Of the canvas, for the legend: with the keys of scales, and at all.
+/// Shares of the canvas for the legend: with the keys of scales, and at most.
 constexpr float largest_roomy_part = 0.2f, largest_part = 0.4f;
 
 /// An overlay has at least this width in the legend, design pixels.
@@ -198,7 +198,7 @@ void draw_verdict_key(const Legend& l, ImVec2 at) {
     text_in(colour_of(Meaning::pass, theme), "all passed");
 }
 
-/// One overlay's legend. The whole of it has the tooltip.
+/// One overlay's legend. All of it has the tooltip.
 void draw_entry(const Legend& l, const OverlayInfo& info, ImVec2 at, float right) {
     const Palette& p = palette(l.ui.options.theme);
     const ImVec2 swatch = swatch_size(l.ui);
@@ -220,7 +220,7 @@ void draw_entry(const Legend& l, const OverlayInfo& info, ImVec2 at, float right
     ImGui::SetCursorScreenPos({text_left, at.y});
     text_in(p.text, info.title);
     const float next = ImGui::GetItemRectMax().x + gap;
-    // Whole words or none: the tooltip says all of it.
+    // Whole words or none: the tooltip has all of it.
     std::vector<std::string> values = value_forms(l.ui, value);
     values.emplace_back();
     const std::string said = first_fitting(values, right - next);

@@ -9,11 +9,11 @@ namespace rasterwalk {
 struct Ui;
 
 /// Makes the picture of run A known to the graphics system: in grey where overlays lie on it.
-/// @param low, high of what of the canvas is in view
+/// @param low, high of the visible part of the canvas
 void show_ground(Ui& ui, ImVec2 low, ImVec2 high);
 
-/// What the overlay looks like: by the same function that tints the picture. A part of a swatch is
-/// drawn if `from` and `to`, shares of its width, say so.
+/// What the overlay looks like, by the same function that tints the picture. A part of a swatch is
+/// drawn from `from` to `to`, shares of its width.
 void draw_swatch(const Ui& ui, ImDrawList* list, ImVec2 at, Overlay overlay, float from = 0.0f,
                  float to = 1.0f);
 ImVec2 swatch_size(const Ui& ui);
@@ -24,7 +24,7 @@ void draw_overlays(Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high);
 
 /// The height of the legend of the overlays, below the picture so that it hides nothing of it,
 /// screen pixels; 0: none is shown.
-/// @param room for the picture and all that stands below it
+/// @param room for the picture and everything below it
 float overlay_legend_height(Ui& ui, ImVec2 room);
 
 /// The legends of all overlays from `low` to `high`: what each means, its total, and its value at

@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Where the picture lies, and the tables that may stand beside it.
+/// Where the picture lies, and the tables that may be next to it.
 struct Placed {
     PicturePlace place;
     std::vector<RowTableLayout> tables;
@@ -33,7 +33,7 @@ Placed place_picture(Ui& ui, const Pane& pane) {
     return {place, row_table_layouts(ui, pane.room().x)};
 }
 
-/// Sets zoom and centre such that the picture point under the pointer stays there.
+/// Sets zoom and centre so that the picture point under the pointer stays there.
 void zoom_about(Ui& ui, ImVec2 pointer, float zoom, const Pane& pane) {
     const ImVec2 fixed_point = picture_point(ui.canvas.place, pointer);
     CanvasView& canvas = ui.session.canvas;
@@ -43,7 +43,7 @@ void zoom_about(Ui& ui, ImVec2 pointer, float zoom, const Pane& pane) {
     ui.canvas.place = place_picture(ui, pane).place;
 }
 
-/// The next zoom step: factors of the square root of two, whole numbers from 4x on.
+/// The next zoom step: factors of the square root of two, whole numbers from 4x up.
 float next_zoom(float zoom, float wheel) {
     const float next = zoom * std::pow(2.0f, 0.5f * wheel);
     return next >= 4.0f ? std::round(next) : next;
@@ -53,7 +53,7 @@ float next_zoom(float zoom, float wheel) {
 
 std::vector<RowTableLayout> place_pictures(Ui& ui, const Panes& panes) {
     Placed placed = place_picture(ui, panes.a);
-    // It does not move away under a vertex that is held.
+    // It stays in place under a vertex that is held.
     const bool is_held = ui.session.canvas.zoom <= 0.0f && ui.canvas.dragged_vertex >= 0;
     if (is_held) placed.place = ui.canvas.place;
     ui.canvas.place = placed.place;

@@ -14,12 +14,12 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Where the pictures of both runs lie in their panes; that of B only while it stands beside or
-/// below A's. They fit, or are zoomed.
-/// @return the row tables that may stand beside them, the roomiest first
+/// Where the pictures of both runs lie in their panes; B's only while it is next to or below A's.
+/// They fit, or are zoomed.
+/// @return the row tables that may be next to them, the roomiest first
 std::vector<RowTableLayout> place_pictures(Ui& ui, const Panes& panes);
 
-/// The picture of a run: the preview while that is shown.
+/// The picture of a run, or the preview while that is shown.
 NumberedPicture picture_on_show(const RunResults& run);
 
 /// Where a point of the screen lies in the picture, pixels of the picture.
@@ -28,7 +28,7 @@ ImVec2 picture_point(const PicturePlace& place, ImVec2 screen);
 /// Turns the wheel over the picture: what is under the pointer stays there.
 void zoom_by_wheel(Ui& ui, ImVec2 pointer, float wheel, const Pane& pane);
 
-/// Drags the picture, screen pixels. One that fitted is zoomed from then on.
+/// Drags the picture, screen pixels. One that fitted is zoomed afterward.
 void move_picture(Ui& ui, ImVec2 by, const Pane& pane);
 
 } // namespace rasterwalk

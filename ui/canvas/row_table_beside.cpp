@@ -56,7 +56,7 @@ std::string weight_word(const Table& t) {
     return std::string(weight_name(t.ui.results.a.frame));
 }
 
-/// One end of a row: its column in the colour of who wrote it, who that was, and its weight.
+/// One end of a row: its column in the colour of what wrote it, the name of that, and its weight.
 void draw_end(const Table& t, int index, bool is_left) {
     const Palette& p = palette(t.ui.options.theme);
     const RowHistory& history = t.ui.results.a.rows;
@@ -83,7 +83,7 @@ void draw_end(const Table& t, int index, bool is_left) {
     const std::string by = is_set ? sample_text(writer.edge, writer.sample) : std::string();
     const std::string depth =
         has_values ? fixed(static_cast<double>(end.inv_w), 4) : std::string("—");
-    // Half a line would be read as another one.
+    // Half a line would be read as a different one.
     const float half = 0.5f * t.layout.numbers->FontSize;
     const float last = has_second ? below + 0.5f * fonts.mono_small->FontSize : middle + half;
     if (middle - half >= t.top && last <= t.bottom) {
@@ -103,7 +103,7 @@ void draw_end(const Table& t, int index, bool is_left) {
     const float low_y = std::max(top, t.top), high_y = std::min(top + t.scale, t.bottom);
     const RowWrite write_now = just_written(t.ui, row);
     if (is_left ? write_now.left : write_now.right) {
-        // On a low line the box is closer to the border, so that it strikes nothing out.
+        // On a low line the box is closer to the border, so it strikes nothing out.
         const float inset =
             std::clamp(0.5f * (t.scale - t.layout.numbers->FontSize), t.u, 3.0f * t.u);
         draw_changed_box(t.ui, t.list, {t.left + place.left, top + inset},
@@ -203,7 +203,7 @@ void draw_header(const Table& t, float canvas_top) {
     t.list->AddLine({t.left, t.top}, {t.left + t.layout.width, t.top}, packed(p.line));
 }
 
-/// How many samples fell in none of the lines; below them, if there are any, and room for it.
+/// How many samples fell in none of the lines; below them, if there are any, and if there is room.
 void draw_outside(const Table& t) {
     const RowHistory& history = t.ui.results.a.rows;
     const auto count = static_cast<std::int64_t>(history.outside.size());
@@ -259,7 +259,7 @@ place_row_table(const Ui& ui, const std::vector<RowTableLayout>& layouts, const 
     for (const RowTableLayout& layout : layouts) {
         for (const bool is_at_left : {false, true}) {
             const float left = std::round(is_at_left ? canvas.low.x : canvas.high.x - layout.width);
-            // The numbers of the rows stand beside a table at the left.
+            // The row numbers are next to a table at the left.
             const float right = left + layout.width + (is_at_left ? ruler_size(ui).x : 0.0f);
             if (covered->left < right && left < covered->right) continue;
             return RowTableBeside{layout, {left, left + layout.width, is_at_left}};

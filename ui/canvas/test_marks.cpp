@@ -24,13 +24,13 @@ namespace {
 /// Under the numbers, whatever the picture shows there.
 constexpr ImU32 number_ground = IM_COL32(12, 13, 16, 225);
 
-/// Digits have nothing below the line: so much of a line's height they need.
+/// Digits have nothing below the baseline: they need only this share of a line's height.
 constexpr float digit_height = 0.92f;
 
-/// Of the band along an edge, design pixels.
+/// Width of the band along an edge, design pixels.
 constexpr float band_width = 5.0f;
 
-/// Letters of a number that fits a cell: a sign and three digits.
+/// Letters of a number that fits in a cell: a sign and three digits.
 constexpr std::size_t fitting_letters = 4;
 
 /// The polygon of the triangle shown; null if the run does not test its pixels.
@@ -89,12 +89,12 @@ void draw_inner_side(const Marks& m, const EdgeFunction& edge) {
 /// One of the numbers of a cell.
 struct CellTest {
     std::string text;
-    int edge = 0;         ///< of the polygon, in whose colour it stands; -1: an inner one
+    int edge = 0;         ///< of the polygon, whose colour it has; -1: an inner one
     bool is_zero = false; ///< of an edge function: the centre lies on the edge
     bool passes = false;
 };
 
-/// With as many digits as have room; dots if even the whole part has none.
+/// With as many digits as fit; dots if not even the whole part does.
 std::string number_in_room(double value, float room, const ImFont* font) {
     for (int digits = 3; digits >= 0; --digits) {
         std::string text = decimals(value, digits);
@@ -102,7 +102,7 @@ std::string number_in_room(double value, float room, const ImFont* font) {
             text.erase(text.find_last_not_of('0') + 1);
             if (text.back() == '.') text.pop_back();
         }
-        // What is rounded to 0 would say that the centre lies on the edge.
+        // A value rounded to 0 would say that the centre lies on the edge.
         if (value != 0.0 && (text == "0" || text == "-0")) break;
         text = with_minus_signs(text);
         if (text_width(font, text) <= room) return text;

@@ -13,10 +13,10 @@ namespace rasterwalk {
 
 namespace {
 
-/// From here on, in screen pixels for each pixel, there is room for "vertices[0]".
+/// From this many screen pixels for each pixel there is room for "vertices[0]".
 constexpr float full_name_zoom = 24.0f;
 
-/// A name is tried in so many directions from its vertex.
+/// The number of directions from its vertex in which a name is tried.
 constexpr int direction_count = 32;
 
 /// What the names must stay clear of.
@@ -68,7 +68,7 @@ VertexLabel label_towards(const Surroundings& s, std::size_t vertex, std::string
     const Marks& m = s.m;
     ImFont* const font = m.ui.fonts.bold;
     const float around = 3.0f * m.u;
-    // Beside the vertex's own pixel and its dot.
+    // Next to the vertex's own pixel and its dot.
     const float gap = std::max(7.0f * m.u, 0.5f * m.scale + 2.0f * m.u);
     const float width = text_width(font, name);
     const ImVec2 half{0.5f * width + around, 0.5f * font->FontSize};
@@ -85,8 +85,8 @@ VertexLabel label_towards(const Surroundings& s, std::size_t vertex, std::string
     return label;
 }
 
-/// The place nearest to straight outwards that is free.
-/// @param is_strict also of rows and edges; or else only of other names
+/// The free place nearest to straight outward.
+/// @param is_strict also free of rows and edges; if not, only of other names
 std::optional<VertexLabel> find_label(const Surroundings& s, std::size_t vertex,
                                       const std::string& name,
                                       const std::vector<VertexLabel>& others, bool is_strict) {
@@ -118,7 +118,7 @@ std::optional<VertexLabel> find_label(const Surroundings& s, std::size_t vertex,
 }
 
 /// @param is_full "vertices[0]", or else "v0"
-/// @return none if one has no room that is free
+/// @return none if one of them has no free place
 std::optional<std::vector<VertexLabel>> find_labels(const Surroundings& s, bool is_full) {
     std::vector<VertexLabel> labels;
     const std::vector<std::string> names =
@@ -147,7 +147,7 @@ std::vector<VertexLabel> vertex_labels(const Marks& m) {
     }
     const auto count = static_cast<float>(s.vertices.size());
     s.middle = {s.middle.x / count, s.middle.y / count};
-    // With numbers in the cells a long name would lie on those of the next ones.
+    // With numbers in the cells a long name would cover those of its neighbours.
     const bool is_full =
         m.scale >= full_name_zoom * m.u && m.ui.session.canvas.numbers == CellNumbers::none;
     std::optional<std::vector<VertexLabel>> labels;

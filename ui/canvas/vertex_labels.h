@@ -17,10 +17,10 @@ struct VertexLabel {
     ImVec2 text;      ///< upper left corner of the letters
 };
 
-/// The names of the vertices of the triangle shown that are in view: outside the triangle, beside
-/// the pixels of its rows and the lines of its edges, and cut off by nothing. All of them are short
-/// if one has no room, or would cover what is written in the cells; one that has no room even so is
-/// left out.
+/// The names of the vertices of the triangle shown that are in view: outside the triangle, next to
+/// the pixels of its rows and the lines of its edges, and never cut off. All of them are short if
+/// one has no room, or would cover what is written in the cells; one that still has no room is left
+/// out.
 std::vector<VertexLabel> vertex_labels(const Marks& m);
 
 } // namespace rasterwalk

@@ -25,7 +25,8 @@ void set_held(Held held) {
     play_modifiers(held.ctrl, held.shift, held.alt);
 }
 
-/// What a key writes into a field; nothing if it is no letter, digit or sign, or held with others.
+/// What a key writes into a field; nothing if it is not a letter, digit or sign, or is held with
+/// others.
 std::string written_by(int key, Held held) {
     if (held.ctrl || held.alt || key < key::space || key > key::right_bracket) return {};
     const bool is_letter = key >= 'A' && key <= 'Z';
@@ -33,7 +34,7 @@ std::string written_by(int key, Held held) {
     return is_letter || !held.shift ? std::string(1, static_cast<char>(key)) : std::string();
 }
 
-/// How many letters two names have in common at their beginning.
+/// How many letters two names share at the beginning.
 std::size_t common_start(std::string_view a, std::string_view b) {
     return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first -
                                     a.begin());
@@ -105,7 +106,7 @@ void Hand::move_to(ImVec2 place) {
 
 void Hand::press_mouse(int mouse_button, Held held, int times) {
     set_held(held);
-    // The last click, whenever it was, does not make this one a double click.
+    // The previous click, whenever it was, must not make this one a double click.
     ImGui::GetIO().MouseClickedTime[mouse_button] = -DBL_MAX;
     for (int i = 0; i < times; ++i) {
         play_mouse_button(mouse_button, true);
@@ -256,7 +257,7 @@ WidgetPlace Hand::find(std::string_view name) {
     return ui_.widgets.at(std::string(name));
 }
 
-/// A widget that is partly in view: the rest of it too, if one of the windows can be scrolled so.
+/// Brings the rest of a widget that is partly in view into view too, if scrolling a window can.
 void Hand::scroll_until_whole(std::string_view name) {
     const auto scroll_to = [&](ImGuiID id, float y) {
         ImGuiWindow* const window = ImGui::FindWindowByID(id);
@@ -286,8 +287,8 @@ ImVec2 Hand::middle_of(std::string_view name) {
             0.5f * (place.top_left.y + place.bottom_right.y)};
 }
 
-/// Looks through every window that scrolls, because a long table only draws the rows that can be
-/// seen: what is scrolled away need not be registered at all.
+/// Looks through every window that scrolls, because a long table draws only its visible rows: what
+/// is scrolled away need not be registered at all.
 bool Hand::scroll_into_view(std::string_view name) {
     for (const Scrollable& scrollable : scrollable_windows()) {
         ImVec2 target{0.0f, 0.0f};

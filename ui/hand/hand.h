@@ -21,9 +21,9 @@ struct Held {
 };
 
 /// Mouse and keyboard, played by a program: for tests and for pictures of the interface in any
-/// state. Widgets are addressed by the names under which they are registered, never by coordinates.
-/// Everything is done as a person does it, one change a frame, and the interface has come to rest
-/// when a function returns.
+/// state. Widgets are addressed by the names they are registered under, never by coordinates.
+/// Everything is done as a person would do it, one change a frame, and the interface has come to
+/// rest when a function returns.
 ///
 /// A widget that is scrolled away is scrolled into view first. One that is not on the screen at all
 /// is a UsageError that lists names like it.
@@ -48,15 +48,15 @@ class Hand {
     /// Moves the pointer off everything.
     void leave();
 
-    /// Presses and releases a key (see ui/widgets/keys.h), which writes into an open field what it
-    /// stands for.
+    /// Presses and releases a key (see ui/widgets/keys.h), which writes its letter into an open
+    /// field.
     void press(int key, Held held = {});
     /// Holds a key down for a number of frames.
     void hold(int key, int count, Held held = {});
     /// Types into the field that has the keyboard.
     void type_text(std::string_view text);
-    /// Replaces the content of an input field and ends it with Enter. A number that is dragged is
-    /// turned into a field first.
+    /// Replaces the content of an input field and ends it with Enter. A number that can be dragged
+    /// is turned into a field first.
     void enter(std::string_view name, std::string_view text);
 
     /// The same on a pixel of the picture, which must be on the screen.
@@ -69,8 +69,8 @@ class Hand {
 
     /// True if the widget is drawn and can be seen at least in part.
     bool is_visible(std::string_view name) const;
-    /// Brings the widget into view if need be, as far as it can be. Throws UsageError if it is not
-    /// there.
+    /// Brings the widget into view if necessary, as far as possible. Throws UsageError if it does
+    /// not exist.
     WidgetPlace find(std::string_view name);
     /// All names on the screen, sorted.
     std::vector<std::string> names() const;

@@ -6,7 +6,7 @@
 
 namespace rasterwalk {
 
-/// A key with what is held beside it.
+/// A key with the modifiers held with it.
 struct KeyPress {
     int key = 0; ///< see ui/widgets/keys.h
     Held held;

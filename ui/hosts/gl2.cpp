@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#ifdef __EMSCRIPTEN__ // WebGL 2, with ImGui's renderer for OpenGL 3; all else is the same
+#ifdef __EMSCRIPTEN__ // WebGL 2, with ImGui's renderer for OpenGL 3; everything else is the same
 #include <GLES3/gl3.h>
 #include <backends/imgui_impl_opengl3.h>
 #else
@@ -77,7 +77,7 @@ void set_pixels(int width, int height, const void* rgba) {
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
 }
 
-/// New glyphs into the texture that the draw lists already name.
+/// Puts new glyphs into the texture that the draw lists already name.
 void renew_font_texture() {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     if (atlas.TexID == ImTextureID{}) {
@@ -89,7 +89,7 @@ void renew_font_texture() {
     atlas.GetTexDataAsRGBA32(&rgba, &width, &height);
     glBindTexture(GL_TEXTURE_2D, as_name(atlas.TexID));
     set_pixels(width, height, rgba);
-    // The atlas may be kept: it makes them out of one byte a pixel when they are wanted again.
+    // The atlas may be kept: it makes them again from one byte a pixel when they are needed.
     ImGui::MemFree(atlas.TexPixelsRGBA32);
     atlas.TexPixelsRGBA32 = nullptr;
 }
@@ -106,7 +106,7 @@ int largest_gl2_side() {
 
 ImTextureID Gl2Textures::upload(ImTextureID old, const Image& image) {
     if (image.width <= 0 || image.height <= 0) return old;
-    static const GLint largest = [] { // once: a browser answers when all that came before is drawn
+    static const GLint largest = [] { // once: a browser answers when all before it is drawn
         GLint side = 64;
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
         return side;

@@ -10,18 +10,18 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// ImGui drawn with OpenGL 2, in a browser with WebGL 2, which all hosts do: the window, the page
-/// and the pictures go one way. All of this wants the host's context to be current and an ImGui
-/// context to be there.
+/// ImGui drawn with OpenGL 2, in a browser with WebGL 2, for all hosts: the window, the page and
+/// the pictures share one path. All of this needs the host's context to be current and an ImGui
+/// context to exist.
 ///
 /// Pictures become textures with hard pixel edges. One that is larger than the graphics system can
 /// hold is thinned out to fit.
 class Gl2Textures : public TextureHost {
   public:
     ImTextureID upload(ImTextureID old, const Image& image) override;
-    /// Deletes the textures; the context must still be there.
+    /// Deletes the textures; the context must still exist.
     void release();
-    /// The graphics system has lost what the textures hold; their names go on.
+    /// The graphics system has lost the textures' contents; their names stay valid.
     void forget_contents();
 
   private:
@@ -43,7 +43,7 @@ void begin_gl2_frame();
 /// @param width,height of the framebuffer, pixels
 void draw_gl2(Ui& ui, int width, int height);
 
-/// What was drawn: upright and opaque.
+/// The picture just drawn: upright and opaque.
 Image read_gl2(int width, int height);
 
 /// The widest or highest picture that can be drawn to, pixels.

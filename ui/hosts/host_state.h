@@ -1,6 +1,6 @@
 #pragma once
 
-// What the interface asks of its host.
+// What the interface needs from its host.
 
 #include <cstdint>
 #include <functional>
@@ -12,7 +12,8 @@
 
 namespace rasterwalk {
 
-/// Makes pictures known to the graphics system; the only thing that the interface asks of its host.
+/// Makes pictures known to the graphics system; the only thing that the interface needs from its
+/// host.
 class TextureHost {
   public:
     virtual ~TextureHost() = default;
@@ -27,16 +28,17 @@ struct HostState {
     bool fonts_changed = false; ///< the host makes the font texture again and resets this
     bool wants_quit = false;
     bool wants_picture = false; ///< F12: the host saves a picture of the window
-    /// Address of the page in a browser, on which links are opened, without '#' and what follows
-    /// it; empty: not known.
+    /// Address of the page in a browser, on which links are opened, without '#' and what follows;
+    /// empty: not known.
     std::string page;
-    /// Pixels to those that the text size counts; more than 1 on a dense screen in a browser.
+    /// Screen pixels for each pixel that the text size counts; more than 1 on a dense screen in a
+    /// browser.
     float pixel_ratio = 1.0f;
-    bool is_browser = false; ///< the two below are there, and the program has no end
-    /// Brings up the browser's own chooser.
-    /// @param is_result of the student's program, to be checked; false: to be opened
+    bool is_browser = false; ///< the two functions below are set, and the program never ends
+    /// Opens the browser's own file chooser.
+    /// @param is_result of the student's program, to be checked; false: a file to be opened
     std::function<void(bool is_result)> choose_file;
-    /// Gives a file that was written to the student, as a download.
+    /// Gives the student a file that was written, as a download.
     std::function<void(const std::string& path)> hand_out;
 };
 

@@ -27,14 +27,14 @@ namespace {
 constexpr double cursor_blink = 0.2;
 constexpr float shortest_step = 1e-4f;
 
-/// True while a mouse button or key is held: what it does goes on without further events.
+/// True while a mouse button or key is held: its effect continues without further events.
 bool is_held() {
     const ImGuiIO& io = ImGui::GetIO();
     return std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), std::identity{}) ||
            is_any_key_down();
 }
 
-/// With a number behind if that is there already.
+/// Adds a number if the file already exists.
 std::string picture_path() {
     const std::time_t now = std::time(nullptr);
     std::tm local{};
@@ -59,7 +59,7 @@ void take_up(Ui& ui, bool is_plain) {
     if (is_plain) {
         begin_at_start(ui);
     } else {
-        take_up_lesson(ui); // once more, now that there is a progress to note it in
+        take_up_lesson(ui); // again, now that there is a progress to note it in
     }
     if (!notice.empty()) ui.session.notice = notice;
 }

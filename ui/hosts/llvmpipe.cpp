@@ -20,7 +20,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The ends of the view volume in front of the camera, world units: all of every workload lies
+/// The ends of the view volume in front of the camera, world units: every workload lies entirely
 /// between them.
 constexpr float near_plane = 0.1f, far_plane = 10.0f;
 
@@ -55,8 +55,8 @@ GLuint linked_program(const ShaderTexts& texts) {
     return program;
 }
 
-/// All vertices in one buffer, one after the other, and the corners of the triangles in another.
-/// They stay bound.
+/// All vertices in one buffer, one after another, and the corners of the triangles in another. Both
+/// stay bound.
 void upload(const Mesh& mesh, bool has_colours) {
     std::vector<float> floats;
     const auto add = [&floats](const glm::vec3& v) {
@@ -96,7 +96,7 @@ void set_uniform(GLint place, const glm::vec3& value) {
     glUniform3f(place, value.x, value.y, value.z);
 }
 
-/// What is the same in all pictures.
+/// Sets what is the same in all pictures.
 void set_camera(GLuint program, const Settings& settings) {
     const auto place = [program](const char* name) { return glGetUniformLocation(program, name); };
     const auto width = static_cast<float>(settings.viewport.width);
@@ -105,7 +105,7 @@ void set_camera(GLuint program, const Settings& settings) {
     set_uniform(place("camera"), settings.camera.position);
     // Rows go down in the scene and up in OpenGL.
     glUniform2f(place("scale"), 2.0f * focal_length / width, -2.0f * focal_length / height);
-    // The middle of the scene stands at side / 2, a whole pixel: half a pixel less if it is odd.
+    // The middle of the scene is at side / 2, a whole pixel: half a pixel less if the side is odd.
     const auto middle = [](int side) { return static_cast<float>(-(side % 2)); };
     glUniform2f(place("middle"), middle(settings.viewport.width) / width,
                 -middle(settings.viewport.height) / height);
@@ -116,7 +116,7 @@ void set_camera(GLuint program, const Settings& settings) {
 
 } // namespace
 
-/// OSMesa's context, and the memory that it draws to.
+/// OSMesa's context, and the memory it draws to.
 struct LlvmpipeDrawing::Context {
     OSMesaContext context = nullptr;
     std::vector<std::uint32_t> pixels; ///< 0xffRRGGBB as a number of a little-endian processor
@@ -150,7 +150,7 @@ struct LlvmpipeDrawing::Context {
 
 LlvmpipeDrawing::LlvmpipeDrawing(const PeerTask& task, const Scene& scene)
     : size_(task.size), settings_(workload_settings(task.workload, scene, task.size)) {
-    // With 0 it draws on the thread that asks it to.
+    // With 0 it draws on the calling thread.
     setenv("LP_NUM_THREADS", task.threads == 1 ? "0" : std::to_string(task.threads).c_str(), 1);
     setenv("GALLIUM_DRIVER", "llvmpipe", 1);
     context_ = std::make_unique<Context>(size_);

@@ -12,15 +12,15 @@
 namespace rasterwalk {
 
 /// The workload of a task, drawn by llvmpipe into memory, through OSMesa: vertices in one buffer,
-/// light by shaders of GLSL 1.30, a depth buffer of 24 bits, nothing culled. One at a time, because
-/// how many threads llvmpipe has is said by the environment. Throws AccessError.
+/// light by shaders of GLSL 1.30, a depth buffer of 24 bits, nothing culled. Only one at a time,
+/// because the environment sets how many threads llvmpipe has. Throws AccessError.
 class LlvmpipeDrawing final : public TimedEngine {
   public:
     /// @param scene of the task
     LlvmpipeDrawing(const PeerTask& task, const Scene& scene);
     ~LlvmpipeDrawing() override;
 
-    /// What draws: "llvmpipe (LLVM 15.0.6, 256 bits)".
+    /// The renderer: "llvmpipe (LLVM 15.0.6, 256 bits)".
     std::string name() const;
 
     Milliseconds time_pictures(int first, int count) override;
@@ -35,7 +35,7 @@ class LlvmpipeDrawing final : public TimedEngine {
     Settings settings_;
     std::unique_ptr<Context> context_;
     int indices_ = 0; ///< three for each triangle
-    int lamp_ = -1;   ///< where the shaders take its place
+    int lamp_ = -1;   ///< where the shaders take its position
 };
 
 } // namespace rasterwalk

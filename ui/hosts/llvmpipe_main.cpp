@@ -1,5 +1,5 @@
-// The program that `rasterwalk engines` asks for llvmpipe's times and pictures. How the two speak
-// is described in engines/llvmpipe_peer.h.
+// The program that `rasterwalk engines` asks for llvmpipe's times and pictures. Their protocol is
+// described in engines/llvmpipe_peer.h.
 
 #include <cstdint>
 #include <exception>
@@ -24,7 +24,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Four bytes a pixel: blue, green, red, and one that means nothing.
+/// Four bytes a pixel: blue, green, red, and one without meaning.
 std::string bytes_of(const EnginePicture& picture) {
     std::string bytes;
     bytes.reserve(4 * picture.colour.size());
@@ -58,7 +58,7 @@ void run(const std::vector<std::string>& words) {
     PinnedThreads pinned;
     LlvmpipeDrawing drawing(task, workload_scene(task.workload, room));
     drawing.picture(0);
-    // Mesa has other threads too, which wait; on one thread ours draws.
+    // Mesa has other threads too, which wait; with one thread ours does the drawing.
     pinned.pin(task.threads == 1 ? "" : "llvmpipe-");
     std::cout << "ready " << drawing.name() << std::endl;
     for (std::string line; std::getline(std::cin, line);)

@@ -88,7 +88,7 @@ std::string replaced(std::string text, const std::string& word, const std::strin
     return text;
 }
 
-/// Where the colour comes from, as each of the two shaders says it.
+/// The source of the colour, in each of the two shaders.
 ShaderTexts with_colour(const ShaderTexts& texts, bool is_uniform, bool is_lit_at_vertices) {
     ShaderTexts result{vertex_head, fragment_head};
     if (is_uniform) {

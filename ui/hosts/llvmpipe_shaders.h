@@ -7,9 +7,9 @@
 
 namespace rasterwalk {
 
-/// What of a surface need not be worked out at each pixel.
+/// What need not be computed at each pixel of a surface.
 struct SurfaceFacts {
-    bool is_flat = true;        ///< the corners of each triangle have one normal
+    bool is_flat = true;        ///< all corners of a triangle have one normal
     bool has_one_colour = true; ///< the whole scene has one reflectance
 };
 
@@ -19,7 +19,7 @@ SurfaceFacts surface_facts(const Scene& scene);
 ///
 /// They compute R = reflectance (power max(r^ . n^, 0) / (4 pi r^2) + indirect), as
 /// stages/light.h does, in the cheapest way that the scene allows: on a flat triangle r . n is the
-/// same everywhere, so that it is worked out at its corners; one colour is a uniform.
+/// same everywhere, so it is computed at its corners; one colour is a uniform.
 /// Attributes: 0 `position`, 1 `normal`, 2 `reflectance` unless there is one colour.
 struct ShaderTexts {
     std::string vertex, fragment;

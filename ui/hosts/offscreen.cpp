@@ -25,7 +25,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A place in memory that OpenGL draws to.
+/// Memory that OpenGL draws to.
 class MemoryContext {
   public:
     MemoryContext(int width, int height)
@@ -76,7 +76,7 @@ class Screen {
         begin_gl2_frame();
         build_ui(ui);
     }
-    /// Of the last frame: the only one that is drawn.
+    /// The last frame: the only one that is drawn.
     Image picture() {
         draw_gl2(ui, width_, height_);
         return read_gl2(width_, height_);
@@ -115,7 +115,7 @@ void carry_out(const HandAction& action, Hand& hand) {
     }
 }
 
-/// The view from outside is finished long before.
+/// The view from outside is finished long before this.
 constexpr int most_frames_of_work = 10'000;
 
 } // namespace
@@ -123,7 +123,7 @@ constexpr int most_frames_of_work = 10'000;
 Image draw_offscreen(Session session, const OffscreenOptions& options) {
     Screen screen(std::move(session), options);
     Hand hand(screen.ui, [&] { screen.frame(); });
-    // Work that a window would spread over many frames is done at once.
+    // Work that a window would spread over many frames is done in one go.
     const auto settle = [&] {
         if (is_diagnosing(screen.ui)) {
             while (is_diagnosing(screen.ui))

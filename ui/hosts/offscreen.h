@@ -22,12 +22,12 @@ struct HandAction {
     std::string what;
 };
 
-/// How the picture of the interface is to be.
+/// What the picture of the interface should look like.
 struct OffscreenOptions {
     int width = 1600; ///< pixels
     int height = 1000;
     UiOptions ui;
-    std::string tab; ///< of the inspector, brought to the front; empty: as the session has it
+    std::string tab; ///< of the inspector, brought to the front; empty: the session's own
     std::vector<HandAction> actions;
     std::string report_path; ///< file that takes report_of(); "-" for standard output; empty: none
 };
@@ -37,8 +37,8 @@ inline constexpr int smallest_offscreen_width = 320;
 inline constexpr int smallest_offscreen_height = 240;
 inline constexpr int largest_offscreen_side = 8192;
 
-/// The interface on a session as a picture, drawn without a display. Throws Error: UsageError for a
-/// action that cannot be done, AccessError where there is no way to draw.
+/// The interface on a session as a picture, drawn without a display. Throws Error: UsageError for
+/// an action that cannot be done, AccessError if there is no way to draw.
 Image draw_offscreen(Session session, const OffscreenOptions& options);
 
 } // namespace rasterwalk

@@ -21,7 +21,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The command line as it was written.
+/// The command line as written.
 struct Arguments {
     std::string output;
     ViewOptions view;
@@ -103,7 +103,7 @@ void check_range(const char* name, float value, float smallest, float largest) {
                                  number(largest), number(value)));
 }
 
-/// Makes options and session out of what was written. Throws Error.
+/// Makes options and session from the arguments. Throws Error.
 Session understand(Arguments& a) {
     OffscreenOptions& options = a.options;
     read_window(a.window, options);
@@ -113,7 +113,7 @@ Session understand(Arguments& a) {
         throw UsageError("--theme is dark or light, not '" + a.theme + "'.");
     }
     options.ui.theme = a.theme == "light" ? Theme::light : Theme::dark;
-    // A tab that is asked for by name is in front of whatever lies over the inspector.
+    // A tab requested by name comes in front of anything over the inspector.
     const auto tab = a.view.given.find("tab");
     if (tab != a.view.given.end()) options.tab = tab->second.back();
     return open_view(a.view);
@@ -122,7 +122,7 @@ Session understand(Arguments& a) {
 /// Reads the arguments. Prints help or version if they ask for it, and then returns false.
 bool parse(CLI::App& app, std::vector<std::string> words) {
     restore_arguments(app);
-    std::reverse(words.begin(), words.end()); // as CLI11 wants them
+    std::reverse(words.begin(), words.end()); // the order that CLI11 needs
     try {
         app.parse(std::move(words));
         return true;

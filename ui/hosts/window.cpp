@@ -31,12 +31,12 @@ namespace rasterwalk {
 
 namespace {
 
-/// Sleep while nothing happens, seconds.
+/// Longest sleep while nothing happens, seconds.
 constexpr double idle_wait = 0.5;
-/// Where the display does not pace the frames, this does, seconds.
+/// If the display does not pace the frames, this does, seconds.
 constexpr double shortest_frame = 1.0 / 250.0;
 
-/// Of a window, screen coordinates.
+/// Size of a window, screen coordinates.
 struct Size {
     int width, height;
 };
@@ -49,8 +49,8 @@ struct Window {
     int frames_due = frames_after_event;
     float meant_sleep = 0.0f; ///< before this frame, seconds
     float content_scale = 1.0f;
-    /// Keys that are pressed and released between two frames count as held for one frame: once one
-    /// was pressed, all releases wait for the next frame.
+    /// Keys that are pressed and released between two frames count as held for one frame: after a
+    /// press, all releases wait for the next frame.
     bool was_key_pressed = false;
     std::vector<int> late_releases;
     std::string report_path;
@@ -65,7 +65,7 @@ void wake(GLFWwindow* handle) {
     window_of(handle).frames_due = frames_after_event;
 }
 
-/// The last thing that GLFW complained about.
+/// The last complaint from GLFW.
 std::string glfw_complaint;
 
 void note_complaint(int, const char* text) {
@@ -95,7 +95,7 @@ void on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers
 void on_drop(GLFWwindow* handle, int count, const char** paths) {
     wake(handle);
     Ui& ui = window_of(handle).ui;
-    // Nothing may be thrown through GLFW.
+    // No exception may pass through GLFW.
     guarded(ui, [&] {
         if (count > 0) open_dropped(ui, paths[0]);
     });
@@ -111,8 +111,8 @@ void on_content_scale(GLFWwindow* handle, float scale, float) {
     window.content_scale = scale;
 }
 
-/// Every event wakes the window. To be called before ImGui takes its own callbacks, which call
-/// these.
+/// Makes every event wake the window. To be called before ImGui installs its own callbacks, which
+/// call these.
 void install_callbacks(GLFWwindow* handle) {
     glfwSetDropCallback(handle, on_drop);
     glfwSetWindowContentScaleCallback(handle, on_content_scale);
@@ -128,7 +128,7 @@ void install_callbacks(GLFWwindow* handle) {
     glfwSetWindowCloseCallback(handle, [](GLFWwindow* w) { wake(w); });
 }
 
-/// 1600 x 1000, enlarged as the display asks for, as far as the display has room for it.
+/// 1600 x 1000, enlarged by the display's scale, as far as the display has room for it.
 Size first_size() {
     Size size{1600, 1000};
     GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
@@ -147,7 +147,7 @@ Size first_size() {
             fitted(size.height, room.height, smallest_size.height)};
 }
 
-/// What the display asks text to be enlarged by. Where the display itself enlarges everything, as
+/// How much the display wants text enlarged. If the display itself enlarges everything, as
 /// framebuffers larger than the window show, that part is not counted again.
 float text_enlargement(GLFWwindow* handle) {
     float scale = 1.0f, ignored = 1.0f;
@@ -169,7 +169,7 @@ void write_report(Window& window) {
     window.last_report = std::move(report);
 }
 
-/// Keys whose release waited for a frame to be drawn with them held.
+/// Keys whose release waited until a frame was drawn with them held.
 void release_late_keys(Window& window) {
     window.was_key_pressed = false;
     for (const int key : window.late_releases) {
@@ -179,7 +179,7 @@ void release_late_keys(Window& window) {
     window.late_releases.clear();
 }
 
-/// Is there nothing of the window on the display? Some systems then say that it has no pixels.
+/// Is no part of the window on the display? Some systems then report that it has no pixels.
 bool is_out_of_sight(GLFWwindow* handle) {
     int width = 0, height = 0;
     glfwGetFramebufferSize(handle, &width, &height);
@@ -227,10 +227,10 @@ void run(Window& window) {
                 window.frames_due = frames_after_event;
         });
         if (window.frames_due <= 0 && !is_due) continue;
-        // What waits comes in the next frame, and needs as many after it.
+        // Waiting input comes in the next frame, and needs as many frames after it.
         if (!is_input_waiting()) --window.frames_due;
         last_frame = glfwGetTime();
-        // Minimized, the whole program rests: what the walk would go past could not be seen.
+        // While minimized, the whole program rests: what the walk would pass could not be seen.
         bool is_drawn = false;
         guarded(window.ui, [&] { is_drawn = draw_frame(window); });
         if (!is_drawn) glfwWaitEventsTimeout(idle_wait);
@@ -243,7 +243,7 @@ struct Glfw {
     Glfw() {
         glfwSetErrorCallback(note_complaint);
 #ifdef GLFW_PLATFORM
-        // There can be no Wayland then, and its library would complain on standard error.
+        // Without it there can be no Wayland, and its library would complain on standard error.
         if (std::getenv("XDG_RUNTIME_DIR") == nullptr)
             glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif

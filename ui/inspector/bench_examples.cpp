@@ -32,7 +32,7 @@ bool edit_coordinate(Ui& ui, const char* axis, int vertex, float width, int& val
     return is_changed;
 }
 
-/// All six on one line, or where that is too narrow a line for x and one for y.
+/// All six on one line; if that is too narrow, a line for x and one for y.
 void edit_vertices(Ui& ui) {
     const std::array<Vertex, 3> vertices = corners_of(*ui.session.scene, 0);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;

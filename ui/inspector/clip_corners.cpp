@@ -62,7 +62,7 @@ void draw_clip_corners(const ClipPage& page) {
     }
     end_clip_table();
     if (page.frame.settings.transform != Transform::matrices) return;
-    // The same space stands in the Vertices tab by another scale.
+    // The Vertices tab has the same space in a different scale.
     ImGui::PushStyleColor(ImGuiCol_Text, page.palette().dim);
     wrapped_text("Here x and y are in pixels: they are W/2 and H/2 times those that Tp gives. So "
                  "the left plane, x + w = 0 after Tp, is x + W/2 · w = 0.");

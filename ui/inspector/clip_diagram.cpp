@@ -22,14 +22,14 @@ namespace rasterwalk {
 
 namespace {
 
-/// The heights it can have, design pixels; where the page is too low for the smaller one it is left
+/// The heights it can have, design pixels; if the page is too low for the smaller one, it is left
 /// out.
 constexpr float diagram_heights[] = {170.0f, 120.0f};
 
-/// A narrower one has no room for names, design pixels.
+/// A narrower diagram has no room for names, design pixels.
 constexpr float least_diagram_width = 180.0f;
 
-/// What is left of an edge when the plane has taken it, and the part that it takes.
+/// Opacity of the part of an edge that the plane takes away.
 constexpr float taken_opacity = 0.35f;
 
 /// The diagram on the screen.
@@ -53,7 +53,7 @@ struct ClipField {
     }
 };
 
-/// Corners that stand at one place of the diagram, and what is written there.
+/// Corners at one place of the diagram, and what is written there.
 struct CornerMark {
     ImVec2 at;
     std::string widget, name, help, number; ///< `number` is the id of the formula it leads to
@@ -111,7 +111,7 @@ CornerMark made_mark(const ClipField& field, const CutCorner& corner, const Clip
             true};
 }
 
-/// All corners that are there by now; those at one place have one mark.
+/// All corners made so far; those at one place share a mark.
 std::vector<CornerMark> corner_marks(const ClipField& field) {
     std::vector<CornerMark> marks;
     const auto add = [&](CornerMark mark) {
@@ -127,7 +127,7 @@ std::vector<CornerMark> corner_marks(const ClipField& field) {
         same->name += ", " + mark.name;
         same->help += "\n" + mark.help;
     };
-    // Where the step at work has made a corner, that is named first.
+    // If the step at work has made a corner, that is named first.
     for (const bool is_current : {true, false}) {
         for (const CutCorner& corner : field.diagram.made) {
             const ClipStep* const step = cutting_step(field.diagram, corner);
@@ -186,7 +186,8 @@ void draw_diagram_axes(const ClipField& field, float left) {
     }
 }
 
-/// An edge of the polygon before the plane: what is left of it, and fainter what the plane takes.
+/// An edge of the polygon before the plane: what is left of it, and in fainter ink what the plane
+/// takes.
 void draw_diagram_edge(const ClipField& field, const ClipStep& step) {
     const std::vector<CutCorner>& corners = field.diagram.corners;
     const CutCorner& from = corners[static_cast<std::size_t>(step.from)];
@@ -226,16 +227,16 @@ OutsideLine label_line(const ClipField& field, ImVec2 from, ImVec2 to) {
             .to = {to.x - field.low.x, to.y - field.low.y}};
 }
 
-/// A text of the diagram, beside the place that it names. What can be said at several places, or in
-/// several lengths, is written where it first has room.
+/// A text of the diagram, next to the place that it names. A text with several possible places or
+/// lengths is written where it first has room.
 struct DiagramName {
     ImVec2 at;
     std::string text;
     ImU32 ink;
-    std::string line{}; ///< which line it names, where it is no corner's: that line has one name
+    std::string line{}; ///< the line it names, if it names no corner: a line has only one name
 };
 
-/// The names, where there is room, beside what is drawn.
+/// The names, where there is room, next to what is drawn.
 void draw_diagram_names(const ClipField& field, const std::vector<DiagramName>& names,
                         const std::vector<OutsideLine>& lines) {
     const float u = field.u, distance = 6.0f * u;
@@ -256,7 +257,7 @@ void draw_diagram_names(const ClipField& field, const std::vector<DiagramName>& 
             .size = {text_width(name.text) + 4.0f * u, ImGui::GetFontSize() + 2.0f * u},
             .distance = distance,
             .line_distance = 2.0f * u,
-            .needs_distance = is_of_line}; // over a line it would be that line's
+            .needs_distance = is_of_line}; // on a line it would look like that line's name
         const auto place = label_places({&label, 1}, taken, lines, within(field.high)).front();
         if (!place) continue;
         written.insert(name.line);
@@ -311,7 +312,7 @@ void draw_field(const ClipField& field, const std::vector<CornerMark>& marks, fl
     draw_diagram_names(field, names, lines);
 }
 
-/// Each can be pointed at and clicked.
+/// Each corner can be pointed at and clicked.
 void ask_corners(const ClipField& field, const std::vector<CornerMark>& marks) {
     const float reach = 7.0f * field.u;
     for (const CornerMark& mark : marks) {
@@ -324,8 +325,8 @@ void ask_corners(const ClipField& field, const std::vector<CornerMark>& marks) {
     }
 }
 
-/// How high it may be: what is shown whole or not at all fills at most half of the window that
-/// scrolls. None where that is too low.
+/// How high it may be: a drawing shown whole or not at all fills at most half of the window that
+/// scrolls. None if that is too low.
 std::optional<float> fitting_height(const ClipPage& page, float caption) {
     const float u = page.ui.options.text_scale;
     if (ImGui::GetContentRegionAvail().x < least_diagram_width * u) return std::nullopt;
@@ -335,7 +336,7 @@ std::optional<float> fitting_height(const ClipPage& page, float caption) {
     return std::nullopt;
 }
 
-/// What its inner side is, above the diagram.
+/// Says above the diagram which side is inside.
 void draw_caption(const ClipPage& page, const ClipDiagram& diagram) {
     const std::string condition = "inside: " + inside_condition(page.history, diagram);
     const std::string side = clip_coordinates[static_cast<std::size_t>(diagram.side)];

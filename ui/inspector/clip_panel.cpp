@@ -34,7 +34,7 @@ std::string list_of_planes(Outcode code) {
     return enumerated(names);
 }
 
-/// What becomes of the triangle, in a sentence.
+/// What happens to the triangle, in a sentence.
 std::string verdict_of(const ClipHistory& history, const Settings& settings) {
     const TriangleCodes& codes = history.codes;
     if (history.rejected != Rejection::none) {
@@ -73,7 +73,7 @@ std::string verdict_of(const ClipHistory& history, const Settings& settings) {
                        counted(static_cast<int>(history.fan.size()), "triangle", "triangles"));
 }
 
-/// The vertex behind the camera that is explained; -1: none is there.
+/// The vertex behind the camera that is explained; -1: there is none.
 int vertex_behind(const ClipHistory& history) {
     for (int v = 0; v < triangle_corners; ++v) {
         const float w = history.corners[static_cast<std::size_t>(v)].position_clip.w;
@@ -82,7 +82,7 @@ int vertex_behind(const ClipHistory& history) {
     return -1;
 }
 
-/// The same on one line: with blanks at which no line is broken.
+/// The same on one line: with blanks that allow no line break.
 std::string unbroken(const std::string& text) {
     std::string result;
     for (const char letter : text)
@@ -90,7 +90,7 @@ std::string unbroken(const std::string& text) {
     return result;
 }
 
-/// What the division would make of a vertex behind the camera.
+/// What the division would do to a vertex behind the camera.
 std::string behind_text(const ClipHistory& history, const Frame& frame, int vertex) {
     const glm::vec4& clip = history.corners[static_cast<std::size_t>(vertex)].position_clip;
     const std::string w = shown({clip.w});
@@ -114,7 +114,7 @@ std::string behind_text(const ClipHistory& history, const Frame& frame, int vert
     return text + " That is what is drawn now.";
 }
 
-/// Nothing is cut: what it takes to see it.
+/// If nothing is cut: a button to see it cut.
 void draw_offer(Ui& ui) {
     if (hides_settings(ui.session)) return;
     if (button(ui, "clip.cut_all", "Cut by all six planes", Look::plain,
@@ -145,7 +145,7 @@ void draw_clip_verdict(const ClipPage& page) {
 }
 
 /// What is explained until the student asks: what was just done, or the first cut, or else what
-/// culling looks at.
+/// culling tests.
 std::string usual_number(const ClipHistory& history, const std::optional<ClipProgress>& progress) {
     const auto id_of = [](const ClipStep& step) {
         const auto plane = static_cast<int>(step.plane);
@@ -165,7 +165,7 @@ std::string usual_number(const ClipHistory& history, const std::optional<ClipPro
     return "corner." + std::to_string(std::max(vertex_behind(history), 0)) + ".w";
 }
 
-/// Has the cursor come to a step of clipping since the panel was last drawn?
+/// Has the cursor reached a step of clipping since the panel was last drawn?
 bool follow_cursor(Ui& ui, const ClipHistory& history,
                    const std::optional<ClipProgress>& progress) {
     ClipLook& look = ui.inspector.clip;
@@ -176,7 +176,7 @@ bool follow_cursor(Ui& ui, const ClipHistory& history,
     return has_moved;
 }
 
-/// The number that was asked for, until the triangle is another one or the cursor comes to a step.
+/// The number that was asked about, until the triangle changes or the cursor reaches a step.
 std::string number_on_show(Ui& ui, const ClipHistory& history,
                            const std::optional<ClipProgress>& progress, bool has_moved) {
     ClipLook& look = ui.inspector.clip;
@@ -205,7 +205,7 @@ void draw_clip_card(const ClipPage& page) {
     go_to_source(ui, *clicked);
 }
 
-/// All parts; where lines are few each is followed by the card of a number that stands in it.
+/// All parts; where lines are few, each is followed by the card of a number in it.
 class ClipParts {
   public:
     explicit ClipParts(const ClipPage& page) : page_(page) {}
@@ -240,7 +240,7 @@ class ClipParts {
         if (page_.ui.inspector.has_card || is_drawn_ || !page_.number.starts_with(prefix)) return;
         is_drawn_ = true;
         draw_clip_card(page_);
-        // The click was in the previous frame, where the formula stood elsewhere.
+        // The click was in the previous frame, where the formula was elsewhere.
         if (page_.ui.inspector.formula_frame + 1 == ImGui::GetFrameCount()) scroll_here(1.0f);
     }
 

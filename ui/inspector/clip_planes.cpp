@@ -22,7 +22,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// As ids and names of widgets have it.
+/// As written in ids and names of widgets.
 std::string number_of(ClipPlane plane) {
     return std::to_string(static_cast<int>(plane));
 }
@@ -36,8 +36,7 @@ bool is_plane_open(const ClipPage& page, ClipPlane plane) {
     return has_work(page, plane) != is_turned;
 }
 
-/// The plane of which there is a diagram: the one at work, the one that was opened last, or the
-/// first that cuts.
+/// The plane shown in the diagram: the one at work, the one opened last, or the first that cuts.
 std::optional<ClipPlane> plane_in_diagram(const ClipPage& page) {
     const std::vector<PlaneHistory>& planes = page.history.planes;
     if (page.progress) return planes[static_cast<std::size_t>(page.progress->planes)].plane;
@@ -47,12 +46,12 @@ std::optional<ClipPlane> plane_in_diagram(const ClipPage& page) {
     return planes.front().plane;
 }
 
-/// A distance from the plane, and on which side that is.
+/// A distance from the plane, and which side that is.
 std::string distance_text(float distance, bool is_inside) {
     return fixed(static_cast<double>(distance), 3) + (is_inside ? " in" : " out");
 }
 
-/// Is there room for the words of all distances? Where there is none the sign says it.
+/// Is there room for the words of all distances? If not, the sign says it.
 bool has_room_for_sides(const std::vector<ClipStep>& steps, float room) {
     return std::all_of(steps.begin(), steps.end(), [&](const ClipStep& step) {
         return text_width(distance_text(step.d_from, step.is_from_inside)) <= room &&
@@ -84,7 +83,7 @@ std::string passed_text(const ClipPage& page, const ClipStep& step, const CutCor
     return text + (text.empty() ? "" : ", ") + short_corner_name(*made);
 }
 
-/// Scrolls to what was just drawn where it is not seen whole.
+/// Scrolls to what was just drawn, if it is not entirely in view.
 void show_item(const Ui& ui) {
     const ShownLines seen = shown_lines(ui);
     const bool is_seen =
@@ -92,8 +91,8 @@ void show_item(const Ui& ui) {
     if (!is_seen) scroll_here(0.5f);
 }
 
-/// Scrolls to a plane's table and the diagram below it, which was just drawn, where both have room
-/// and are not seen yet.
+/// Scrolls to a plane's table and the diagram below it, just drawn, if both have room and are not
+/// in view yet.
 void show_with_diagram(const Ui& ui, float top) {
     const ShownLines seen = shown_lines(ui);
     const float bottom = ImGui::GetItemRectMax().y;
@@ -161,13 +160,13 @@ void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<Cut
                 "beginning if that is inside, and the new corner if the edge is cut.");
 }
 
-/// The names of a varying's row: where the lab has a word for it, that.
+/// The name of a varying's row: the lab's own word, if it has one.
 std::string varying_title(const VaryingInfo& info) {
     if (info.name == "position_world") return "world";
     return info.name == "illumination" ? "light" : std::string(info.name);
 }
 
-/// A corner that the plane has made: in clip space, and all that it carries.
+/// A corner that the plane has made: in clip space, and everything it carries.
 void draw_made(const ClipPage& page, const CutCorner& corner) {
     const std::string number = std::to_string(corner.new_index);
     draw_corner_name(page, corner, false);

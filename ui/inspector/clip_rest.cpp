@@ -75,7 +75,7 @@ void draw_answer(const ClipPage& page, const CullAnswer& answer, bool is_in_forc
     ImGui::PopFont();
 }
 
-/// What becomes of it, and why the ways differ.
+/// What happens to it, and why the ways differ.
 std::string culling_text(const ClipPage& page, const std::vector<CullAnswer>& answers) {
     const Cull in_force = page.frame.settings.cull;
     std::string text;

@@ -55,7 +55,7 @@ void draw_asked(const ClipPage& page, const std::string& name, const std::string
 
 void draw_clip_title(const ClipPage& page, const std::string& title, const std::string& beside) {
     ImGui::Dummy({0.0f, 4.0f * page.ui.options.text_scale});
-    // A title stands above its column titles and a row of its table, or is left out with them.
+    // A title stays with its column titles and a row of its table, or is left out with them.
     const float top = ImGui::GetCursorScreenPos().y;
     const float row = page.ui.fonts.text->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y;
     keep_beginning(page.ui, top,
@@ -78,7 +78,7 @@ void draw_clip_title(const ClipPage& page, const std::string& title, const std::
         ImGui::SetCursorScreenPos({right - width, beside_top});
     }
     put_text(page, page.palette().dim, beside);
-    // Versions of ImGui disagree on where a line ends in which the cursor was moved.
+    // Versions of ImGui disagree on where a line ends after the cursor was moved in it.
     if (is_beside)
         ImGui::SetCursorScreenPos(
             {below.x, std::floor(beside_top + title_size.y + ImGui::GetStyle().ItemSpacing.y)});
@@ -98,7 +98,7 @@ bool begin_clip_table(const ClipPage& page, const std::string& name,
                       const std::vector<float>& widths) {
     const float padding = (page.ui.inspector.is_narrow ? 2.0f : 5.0f) * page.ui.options.text_scale;
     const float top = ImGui::GetCursorScreenPos().y;
-    // The line above the first row is not left behind where that row is left out.
+    // The line above the first row is left out together with that row.
     keep_beginning(page.ui, top,
                    top + page.ui.fonts.small->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the tables of the Clip tab are made of.
+// The building blocks of the Clip tab's tables.
 
 #include <array>
 #include <string>
@@ -33,19 +33,19 @@ std::string clip_number(float value, int coordinate);
 void draw_asked(const ClipPage& page, const std::string& name, const std::string& id,
                 const std::string& text, const ImVec4& colour, const std::string& help);
 
-/// The title of a table, and what is said small beside it, or below where there is no room.
+/// The title of a table, and a small remark next to it, or below if there is no room.
 void draw_clip_title(const ClipPage& page, const std::string& title, const std::string& beside);
 
 /// A title over a column, at its right edge.
 void draw_column_title(const ClipPage& page, const std::string& name, const std::string& title,
                        const std::string& help);
 
-/// @param widths of the columns in relation to each other; the first is that of names
+/// @param widths of the columns in relation to each other; the first is for names
 bool begin_clip_table(const ClipPage& page, const std::string& name,
                       const std::vector<float>& widths);
 void end_clip_table();
 
-/// What the tooltip of a corner says: what made it.
+/// The tooltip of a corner: what made it.
 std::string corner_help(const CutCorner& corner);
 
 /// The name of a corner in its own column.

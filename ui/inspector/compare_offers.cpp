@@ -59,13 +59,13 @@ void renew(Ui& ui, int side) {
     }
 }
 
-/// Where everything stands on a card, screen pixels.
+/// Sizes on a card, screen pixels.
 struct CardSize {
     float width, picture, height;
 };
 
-/// No row of cards is cut by the lower edge. One that fills more than half of the page is shown
-/// there from half a page on: as much of it has to do.
+/// No row of cards is cut off by the lower edge. One that fills more than half of the page is shown
+/// there once half a page of it is visible: that has to do.
 void keep_card_whole(Ui& ui, float top, float bottom) {
     keep_whole(ui, top, bottom);
     keep_beginning(ui, top, std::min(bottom, top + 0.5f * page_room(ui)));
@@ -112,7 +112,7 @@ bool draw_offer(Ui& ui, const ComparePair& pair, std::size_t index, ImVec2 low,
     return is_pressed;
 }
 
-/// So many lines of the small font have the title and the words of a pair at most.
+/// The most lines of the small font that the title and the words of a pair take.
 int lines_of_words(const Ui& ui, float room) {
     std::ptrdiff_t lines = 2;
     for (const ComparePair& pair : compare_pairs()) {
@@ -133,7 +133,7 @@ CardSize card_size(const Ui& ui, float width) {
     const float words =
         2.2f * pad + 0.3f * ImGui::GetFontSize() +
         static_cast<float>(lines_of_words(ui, width - 2.0f * pad)) * ImGui::GetTextLineHeight();
-    // All cards are seen whole, or in a low panel the first line of them.
+    // All cards are seen whole, or in a low panel the first row of them.
     const float room = ImGui::GetContentRegionAvail().y - line;
     const float of_all = 0.5f * (room - card_gap * u) - words;
     const float whole = of_all >= least_picture * u ? of_all : room - words;

@@ -24,13 +24,13 @@ namespace rasterwalk {
 
 namespace {
 
-/// The word after the present one: another value of a setting of few words.
+/// The word after the current one: another value of a setting of few words.
 void set_next_word(Settings& settings, const ChoiceSetting& choice) {
     const int next = choice.read(settings) + 1;
     choice.write(settings, next < static_cast<int>(choice.words.size()) ? next : 0);
 }
 
-/// A list of settings: the one that is chosen is set otherwise in run B.
+/// A list of settings: the one that is chosen is changed in run B.
 void draw_choice_of_difference(Ui& ui, const char* title) {
     ImGui::SetNextItemWidth(-1.0f);
     const bool open = ImGui::BeginCombo("##another", title, ImGuiComboFlags_HeightLarge);
@@ -68,7 +68,7 @@ void draw_no_comparison(Ui& ui) {
     draw_choice_of_difference(ui, "or compare by a setting ...");
 }
 
-/// @param titles the first for which there is room
+/// @param titles the first that has room is used
 void header_cell(Ui& ui, const std::vector<std::string>& titles, std::string_view name,
                  const char* help, bool is_left) {
     ImGui::TableNextColumn();
@@ -114,7 +114,7 @@ void edit_both(Ui& ui, const std::string& name, const Setting& setting) {
     ImGui::PopID();
 }
 
-/// @param of the setting that the columns are of; empty: of all
+/// @param of the setting whose values the columns show; empty: all settings
 void run_headers(Ui& ui, const std::string& of) {
     const std::string end = of.empty() ? "" : "." + of;
     header_cell(ui, {"A"}, "compare.header.a" + end,
@@ -131,10 +131,10 @@ bool begin_columns(const std::string& name, int count) {
     return is_open;
 }
 
-/// A table of this width has room for the names of settings beside their values, design pixels.
+/// A table of this width has room for the names of settings next to their values, design pixels.
 constexpr float least_three_columns = 400.0f;
 
-/// What is set otherwise in B. In a narrow panel each name stands above its values.
+/// What differs in B. In a narrow panel each name is above its values.
 void draw_settings(Ui& ui) {
     const std::vector<RunDifference> differences = run_differences(ui.session);
     if (differences.empty()) {
@@ -230,7 +230,7 @@ void draw_counts(Ui& ui) {
     ImGui::EndTable();
 }
 
-/// A moment at which the runs part, with its cause; its name leads there.
+/// A moment at which the runs diverge, with its cause; its name leads there.
 void draw_divergence(Ui& ui, const char* title, const std::string& name,
                      const Divergence& divergence) {
     const std::string kind =
@@ -302,7 +302,7 @@ void draw_first(Ui& ui) {
     ImGui::PopFont();
 }
 
-/// The list of groups has so many lines at least; where they have no room, the page scrolls.
+/// The list of groups has at least this many lines; if they have no room, the page scrolls.
 constexpr float least_lines = 5.0f;
 
 void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
@@ -338,7 +338,7 @@ void draw_groups(Ui& ui) {
     const std::vector<DivergenceGroup>& groups = ui.results.comparison.whole().divergences.groups;
     if (groups.empty()) return;
     const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
-    // As many whole lines as have room: none is cut.
+    // As many whole lines as fit: none is cut off.
     const float head = ui.fonts.small->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y;
     const float whole = std::floor((ImGui::GetContentRegionAvail().y - head) / line);
     const auto all = static_cast<float>(groups.size());

@@ -13,8 +13,8 @@ struct Ui;
 /// What the button of a pair does, in words.
 std::string tooltip_of_pair(const Session& session, const ComparePair& pair, bool is_on_show);
 
-/// The pairs as small pictures of what each would make of the picture, each with its name and what
-/// is different; only the names if the scene is too large to be drawn at once.
+/// The pairs as small pictures of what each would do to the picture, each with its name and what is
+/// different; only the names if the scene is too large to be drawn immediately.
 void draw_offers(Ui& ui);
 
 /// The same as a line of buttons.

@@ -31,7 +31,7 @@ PixelColour opaque(const ImVec4& colour) {
     return {byte(colour.x), byte(colour.y), byte(colour.z), 255};
 }
 
-/// Between the ground of the canvas and the colour of text: triangles are quiet, faults are not.
+/// Between the colours of the canvas and of text: triangles are quiet, faults are not.
 PixelColour quiet_colour(const Palette& p, float share) {
     const auto mix = [&](float a, float b) { return a + share * (b - a); };
     return opaque(
@@ -115,7 +115,7 @@ ImVec2 place_in(const Rectangle& window, const GridPoint& point) {
             pixels(point.y) - static_cast<float>(window.top)};
 }
 
-/// Looks for neighbour and polygon when the triangle, what is drawn or the picked pixel is another.
+/// Looks for neighbour and polygon when the triangle, the frame or the picked pixel has changed.
 void look_at_triangle(Ui& ui, CoveragePictures& shown) {
     const RunResults& a = ui.results.a;
     const std::optional<glm::ivec2>& picked = ui.session.selection.pixel;
@@ -132,7 +132,7 @@ void look_at_triangle(Ui& ui, CoveragePictures& shown) {
     shown.images_of = CoverageSubject::none;
 }
 
-/// The part of the edge at the picked pixel, or at the one that is tested.
+/// The part of the edge at the picked pixel, or at the one being tested.
 void look_at_shared_edge(const Ui& ui, CoveragePictures& shown) {
     std::optional<glm::ivec2> pixel = shown.picked;
     if (const std::optional<PixelTest> test = shown_test(ui); test && !pixel)
@@ -163,10 +163,10 @@ SmallPicture small_of(const CoveragePictures& shown, std::size_t i, std::string 
     return small;
 }
 
-/// The outline of the triangle shown in the colours of its edges, that of its neighbour dim.
+/// The outline of the triangle shown in the colours of its edges, its neighbour's dimmed.
 std::vector<SmallLine> lines_of_edge(const EdgePicture& edge, Theme theme) {
     std::vector<SmallLine> lines;
-    // The triangle's own lie over those of its neighbour.
+    // The triangle's own edges lie over those of its neighbour.
     for (const std::size_t which : {std::size_t{1}, std::size_t{0}}) {
         const auto& corners = edge.outlines[which];
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -180,7 +180,7 @@ std::vector<SmallLine> lines_of_edge(const EdgePicture& edge, Theme theme) {
     return lines;
 }
 
-/// What a rule makes of the pixels on the edge, in a sentence.
+/// What a rule does with the pixels on the edge, in a sentence.
 std::string rule_tooltip(const EdgeByRule& by_rule) {
     constexpr std::array sentences{
         "E ≥ 0: each triangle takes the pixels whose centres lie on its edges.",
@@ -261,7 +261,7 @@ std::vector<std::string> words_of_polygon(const PolygonPicture& polygon) {
     return {"the whole polygon of " + corners, "polygon, " + corners, corners};
 }
 
-/// What the pictures show. Where there are two things to show, a choice.
+/// What the pictures show; a choice if there are two things to show.
 void draw_subject(Ui& ui, CoveragePictures& shown, bool shows_rules) {
     ImGui::PushFont(ui.fonts.small);
     if (shown.shared && shown.polygon) {

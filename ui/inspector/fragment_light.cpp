@@ -20,7 +20,7 @@ bool is_grey(const glm::vec3& colour) {
     return colour.r == colour.g && colour.g == colour.b;
 }
 
-/// As the screen shows it: only where that is not the light itself.
+/// As the screen shows it: only if that is not the light itself.
 void draw_clamped(Ui& ui, const glm::vec3& colour) {
     const Palette& p = palette(ui.options.theme);
     FormulaLine line(ui, 0.0f);
@@ -42,7 +42,7 @@ void draw_clamped(Ui& ui, const glm::vec3& colour) {
         line.text(shown({cut[i]}) + (i < 2 ? "  " : ""), p.text);
 }
 
-/// The highlight, where the model has one.
+/// The highlight, if the model has one.
 void draw_highlight(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
     const Light& lamp = ui.results.a.frame.settings.light;
     if (lamp.model == LightModel::lambert) return;
@@ -56,7 +56,7 @@ void draw_highlight(Ui& ui, const std::string& prefix, const SurfaceLight& light
         draw_fragment_line(ui, prefix + "S." + channel);
 }
 
-/// What becomes of light that the texture paints after it is worked out, and of all light on the
+/// What happens to light when the texture is applied after lighting, and to all light on the
 /// screen.
 void draw_painted(Ui& ui, const std::string& prefix, const glm::vec3& light) {
     const FragmentReport& report = report_of(ui);
@@ -69,7 +69,7 @@ void draw_painted(Ui& ui, const std::string& prefix, const glm::vec3& light) {
     draw_clamped(ui, light * report.texture->colour);
 }
 
-/// What stands between, where anything casts shadows, and by which numbers that was found out.
+/// What is in the way, if anything casts shadows, and the numbers that show it.
 void draw_shadow(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
     const std::string words = shadow_text(light.shadow, ui.results.a.frame);
     if (words.empty()) return;

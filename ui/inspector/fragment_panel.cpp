@@ -36,7 +36,7 @@ void draw_swatch(const Ui& ui, const glm::vec3& colour, float width = 0.0f) {
     ImGui::Dummy({end.x - at.x, size});
 }
 
-/// A link at the right edge of the line, or on the next one where there is no room for it.
+/// A link at the right edge of the line, or on the next line if there is no room for it.
 bool link_at_right(Ui& ui, const char* name, const char* label, const char* help) {
     const float width = ImGui::CalcTextSize(label).x + 4.0f * ui.options.text_scale;
     ImGui::SameLine();
@@ -53,7 +53,7 @@ bool link_at_right(Ui& ui, const char* name, const char* label, const char* help
     return clicked;
 }
 
-/// The ways to the fragment drawn last and to this one's moment.
+/// The links to the fragment drawn last and to this one's moment.
 struct FragmentLinks {
     bool can_follow, can_go;
 };
@@ -95,7 +95,7 @@ std::string place_of(const FragmentReport& report, float room) {
         room);
 }
 
-/// Where lines are few the links stand below the numbers.
+/// Where lines are few the links are below the numbers.
 void draw_title(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Palette& p = palette(ui.options.theme);
@@ -233,7 +233,7 @@ void draw_formula_card(Ui& ui) {
     const Formula* formula = find_formula(report.formulas, ui.inspector.chosen.fragment_number);
     if (formula == nullptr) formula = find_formula(report.formulas, "zinv");
     begin_card(ui);
-    // Where lines are few the name of the number says it by its tooltip.
+    // Where lines are few the tooltip of the number gives its name.
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
     if (!ui.inspector.is_low) {
         wrapped_text(formula->help);
@@ -245,15 +245,15 @@ void draw_formula_card(Ui& ui) {
     follow_source(ui, clicked);
 }
 
-/// Where the title has no room for them.
+/// For when the title has no room for them.
 void draw_links_below(Ui& ui) {
     const FragmentLinks links = links_of(ui);
     if (links.can_go) draw_go_link(ui);
     if (links.can_follow) draw_follow_link(ui);
 }
 
-/// Where lines are few: the numbers first, then how the chosen one came to be, and all of it in one
-/// scroll. A number that is clicked brings its formula into view.
+/// Where lines are few: the numbers first, then how the chosen one was computed, all in one scroll.
+/// Clicking a number brings its formula into view.
 void draw_as_one_page(Ui& ui) {
     const std::string chosen = ui.inspector.chosen.fragment_number;
     draw_title(ui);

@@ -22,14 +22,14 @@ void follow_source(Ui& ui, const std::optional<Source>& source);
 void draw_fragment_line(Ui& ui, const std::string& id, std::string_view label = {},
                         bool warns = false);
 
-/// The table of all values that the fragment carries, affine and perspective-correct. One that is
-/// clicked is the one asked about.
+/// The table of all values that the fragment carries, affine and perspective-correct. Clicking one
+/// asks about it.
 void draw_fragment_values(Ui& ui);
 
-/// Is the light of the vertices shown, as the lighting in force or as the other one?
+/// Is the light of the vertices shown, as the lighting in force or as the alternative?
 bool shows_vertex_light(const Ui& ui);
 
-/// The light term by term, of the lighting in force or the other one.
+/// The light term by term, of the lighting in force or the alternative.
 void draw_fragment_light(Ui& ui);
 
 } // namespace rasterwalk

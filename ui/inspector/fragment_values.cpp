@@ -15,7 +15,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// One number of the table: click, and the formula stands below.
+/// One number of the table: a click shows its formula below.
 void draw_number(Ui& ui, const std::string& id, const std::string& cell, int digits,
                  const ImVec4& colour) {
     const Formula* const formula = find_formula(report_of(ui).formulas, id);
@@ -31,7 +31,7 @@ void draw_number(Ui& ui, const std::string& id, const std::string& cell, int dig
 /// Between the columns of a narrow table, design pixels on each side.
 constexpr float narrow_padding = 2.0f;
 
-/// An error beyond this, in world units or parts of full light, is one that can be seen.
+/// An error beyond this, in world units or parts of full light, is visible.
 constexpr float visible_error = 0.1f;
 
 void draw_error(Ui& ui, const QuantityInfo& info) {
@@ -73,7 +73,7 @@ struct ValueColumn {
     }
 };
 
-/// What is said about the column that is not the right one.
+/// What is said about the column with the wrong values.
 struct WrongWay {
     std::vector<std::string> titles;
     const char *help, *off_help;
@@ -134,8 +134,8 @@ std::array<ValueColumn, 4> value_columns(const Ui& ui) {
     return columns;
 }
 
-/// Each column gets what it needs for the long form of its title, or, where that is too much for
-/// the table, for the short one; and its share of what is left.
+/// Each column gets what it needs for the long form of its title or, if that is too much for the
+/// table, for the short one; and its share of what is left.
 void set_up_values(const Ui& ui, const std::array<ValueColumn, 4>& columns, float padding,
                    float room) {
     const auto width = [&](const ValueColumn& column, bool is_long) {

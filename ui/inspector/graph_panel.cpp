@@ -27,7 +27,7 @@ Quantity chosen_quantity(const Ui& ui) {
     return Quantity::z;
 }
 
-/// The index in the row of the fragment that is current, or picked; -1: it lies elsewhere.
+/// The index in the row of the current or picked fragment; -1: it is elsewhere.
 int marked_index(const Ui& ui) {
     const RowGraph& graph = graph_of(ui);
     const auto in_row = [&](const Cursor& cursor) {
@@ -41,7 +41,7 @@ int marked_index(const Ui& ui) {
                                                                          : -1;
 }
 
-/// The quantities as a list: where lines are few they have none of their own.
+/// The quantities as a list: where lines are few they have no lines of their own.
 void draw_quantity_list(Ui& ui, float width) {
     const Quantity chosen = chosen_quantity(ui);
     ImGui::SetNextItemWidth(width);
@@ -58,7 +58,7 @@ void draw_quantity_list(Ui& ui, float width) {
     ImGui::EndCombo();
 }
 
-/// As wide as the longest name of a quantity wants it.
+/// The width that the longest name of a quantity needs.
 float quantity_list_width(const Ui& ui) {
     float widest = 0.0f;
     for (const QuantityInfo& info : shown_quantities(ui.results.a.frame))
@@ -67,7 +67,7 @@ float quantity_list_width(const Ui& ui) {
 }
 
 /// "row 21, column 398 at the fragment", and buttons to the rows above and below.
-/// @param where which column the numbers in the legends are of
+/// @param where says which column the numbers in the legends belong to
 void draw_row_choice(Ui& ui, int index, const char* where) {
     const RowGraph& graph = graph_of(ui);
     const Palette& p = palette(ui.options.theme);
@@ -82,7 +82,7 @@ void draw_row_choice(Ui& ui, int index, const char* where) {
     const std::string shortest = "x " + number;
     const float words = text_width(row_words) + gap + text_width(shortest) + gap;
     const float all = ImGui::GetContentRegionAvail().x;
-    // In a narrow page the list has a line of its own.
+    // In a narrow page the list has its own line.
     const bool has_list = is_low && words + list + gap + arrows <= all;
     const float width = arrows + (has_list ? list + gap : 0.0f);
     const bool names_triangle = is_low && text_width(triangle) + words + width <= all;
@@ -174,7 +174,7 @@ Plot truth_plot(const Ui& ui, Quantity quantity) {
     return plot;
 }
 
-/// What perspective-correct rows carry instead: straight lines.
+/// The straight lines that perspective-correct rows carry instead.
 Plot carried_plot(const Ui& ui, Quantity quantity) {
     const RowGraph& graph = graph_of(ui);
     const Palette& p = palette(ui.options.theme);
@@ -191,7 +191,7 @@ Plot carried_plot(const Ui& ui, Quantity quantity) {
     return plot;
 }
 
-/// How the curves of a quantity come about.
+/// How the curves of a quantity are computed.
 std::string truth_tooltip(const Ui& ui, Quantity quantity) {
     const Frame& frame = ui.results.a.frame;
     const VaryingComponent words = quantity_in(frame, quantity).words;
@@ -208,7 +208,7 @@ std::string truth_tooltip(const Ui& ui, Quantity quantity) {
     return text + ". Dashed: interpolated as it is, along the edges and along the row.";
 }
 
-/// Into the fragment's moment, if it is one and lies in the picture.
+/// Goes to the fragment's moment, if there is one and it lies in the picture.
 void go_to_column(Ui& ui, int index) {
     const RowGraph& graph = graph_of(ui);
     const Cursor cursor{graph.row.triangle, Phase::rows, graph.row.index, index};
@@ -222,7 +222,7 @@ void go_to_column(Ui& ui, int index) {
 
 /// Both plots with their legends.
 /// @param index   the column whose numbers the legends show
-/// @param pointed the column at which the crosshair stands; -1: none
+/// @param pointed the column of the crosshair; -1: none
 /// @return the column under the pointer, or -1
 int draw_plots(Ui& ui, int index, int pointed) {
     const Quantity quantity = chosen_quantity(ui);
@@ -237,7 +237,7 @@ int draw_plots(Ui& ui, int index, int pointed) {
     float room = std::clamp(left, 7.5f * line, std::max(1.7f * width, 7.5f * line));
     float high = has_carried ? 0.6f * room : room;
     if (is_low) {
-        // The curve and its names fill what is seen at once; the rest is scrolled to.
+        // The curve and its names fill what is seen at first; scrolling shows the rest.
         high = std::max(seen - 2.0f * line, 3.0f * line);
         room = 2.0f * high;
     }
@@ -264,7 +264,7 @@ int draw_plots(Ui& ui, int index, int pointed) {
 
 void draw_graph(Ui& ui) {
     const RowGraph& graph = graph_of(ui);
-    // The numbers stand above the plots and follow the pointer: they hear of it a frame later.
+    // The numbers above the plots follow the pointer: they get its column a frame later.
     ImGuiStorage* const memory = ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID("graph.hovered");
     const int hovered = std::min(memory->GetInt(id, -1), graph.count() - 1);
@@ -315,7 +315,7 @@ void draw_graph_panel(Ui& ui) {
         return;
     }
     const bool has_graph = ui.results.a.inspected.graph.has_value();
-    // Where lines are few the curve has them: its line names the triangle too.
+    // Where lines are few the curve has them: its line also names the triangle.
     const bool is_title_last = ui.inspector.is_low && has_graph;
     if (!is_title_last) draw_triangle_title(ui);
     if (has_graph) {

@@ -13,13 +13,13 @@ namespace rasterwalk {
 
 namespace {
 
-/// What stands on a button of the row.
+/// The contents of a button of the row.
 struct GroupButton {
     std::string name; ///< of the widget
     std::string title;
-    std::string subject;      ///< what its tabs speak of just now
+    std::string subject;      ///< what its tabs are about now
     bool has_subject = false; ///< false: the subject says that there is none
-    std::string tab;          ///< that a click opens
+    std::string tab;          ///< the tab that a click opens
     std::string help;
     bool chosen = false;
 };
@@ -73,7 +73,7 @@ std::vector<GroupButton> buttons_of(const Ui& ui, const InspectorLook& look) {
     return buttons;
 }
 
-/// Around the words of a button: as around those of the page, where there is room.
+/// Padding around a button's words: the same as on the page, where there is room.
 float padding(float width) {
     return std::min(ImGui::GetStyle().WindowPadding.x, 0.12f * width);
 }
@@ -138,7 +138,7 @@ void draw_group_buttons(Ui& ui, const InspectorLook& look, const Area& area) {
         const float next = std::round(area.position.x + static_cast<float>(i + 1) * width);
         draw_button(ui, buttons[i], {x, area.position.y}, {next - x, area.size.y},
                     look.has_two_lines);
-        // A hair between two of which neither stands out by itself.
+        // A thin line between two buttons, neither of which stands out.
         const bool at_chosen =
             buttons[i].chosen || (i + 1 < buttons.size() && buttons[i + 1].chosen);
         if (i + 1 < buttons.size() && !at_chosen) {

@@ -53,7 +53,7 @@ std::string number_words(float share) {
     return significant(static_cast<double>(share), 3);
 }
 
-/// Why the colour that stays does, in two lines.
+/// Why the final colour stays, in two lines.
 std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
     const float sign = winning_sign(ui);
     const std::string value = depth_value_words(ui);
@@ -121,7 +121,7 @@ void draw_title(Ui& ui, const PixelHistory& history) {
     text_in(p.dim, first_fitting(shows, ImGui::GetContentRegionAvail().x));
 }
 
-/// A triangle that passes by: its name leads to it, the sentence says by how much it does.
+/// A triangle that passes by: its name leads to it, the sentence says by how much it misses.
 void draw_near(Ui& ui, const NearTriangle& near, int index, const glm::ivec2& pixel) {
     if (button(ui, "history.near." + std::to_string(index), triangle_words(ui, near.triangle),
                Look::link, "Selects this triangle.")) {
@@ -171,7 +171,7 @@ void draw_uncovered(Ui& ui, const PixelHistory& history) {
     }
 }
 
-/// The pixel on which most fragments fell so far; none if none did.
+/// The pixel with the most fragments so far; none if no fragment was drawn.
 std::optional<glm::ivec2> most_drawn_pixel(const Framebuffer& framebuffer) {
     const auto most = std::max_element(framebuffer.overdraw.begin(), framebuffer.overdraw.end());
     if (most == framebuffer.overdraw.end() || *most == 0) return std::nullopt;
@@ -237,7 +237,7 @@ void draw_history_panel(Ui& ui) {
     std::array<std::string, 2> sentences = verdict(ui, history);
     const float u = ui.options.text_scale;
     const float width = ImGui::GetContentRegionAvail().x - 26.0f * u;
-    // Where the first line wraps, the second follows it on the same line.
+    // If the first line wraps, the second follows it on the same line.
     if (ImGui::CalcTextSize(sentences[0].c_str()).x > width && !sentences[1].empty())
         sentences = {sentences[0] + " " + sentences[1], ""};
     float below = 2.0f * ImGui::GetStyle().ItemSpacing.y + 22.0f * u;
@@ -247,7 +247,7 @@ void draw_history_panel(Ui& ui) {
                  ImGui::GetStyle().ItemSpacing.y;
     }
     const float least = 5.0f * ImGui::GetTextLineHeightWithSpacing();
-    // In a low page the table is scrolled together with what stands below it, unless it is long.
+    // In a low page the table scrolls together with what is below it, unless it is long.
     const float room = ui.inspector.is_low
                            ? 2.0f * least
                            : std::max(ImGui::GetContentRegionAvail().y - below, least);

@@ -51,11 +51,11 @@ struct Columns {
     }
 };
 
-/// What the two columns are called that say where in its triangle a fragment lies: each number
-/// stands below the name of what it counts.
+/// The titles of the two columns that say where in its triangle a fragment lies: each number is
+/// below the name of what it counts.
 struct PlaceTitles {
     std::string piece; ///< "entry"
-    std::string step;  ///< "fragment"; empty where a piece is all
+    std::string step;  ///< "fragment"; empty if a piece is all
     std::string piece_help, step_help;
 };
 
@@ -92,7 +92,7 @@ Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
         float padding; ///< design pixels
         std::string least_name;
     };
-    // The entries stand in the order of drawing: the last triangle has the longest number.
+    // The entries are in the order of drawing: the last triangle has the longest number.
     const int last = history.entries.empty() ? 0 : history.entries.back().cursor.triangle;
     const std::string number =
         "t" + std::string(std::max<std::size_t>(std::to_string(last).size(), 2), '0');
@@ -129,7 +129,7 @@ Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
     return columns;
 }
 
-/// A margin with four digits; one that would read 0 then, by its power of ten.
+/// A margin with four digits; one that would read 0 as its power of ten.
 std::string margin_text(float value) {
     const bool is_tiny = value != 0.0f && std::abs(value) < 0.00005f;
     if (is_tiny) return with_minus_signs(fmt::format("{:+.0e}", value));
@@ -144,12 +144,12 @@ const DepthWords& words_of(const Ui& ui) {
     return depth_words(ui.results.a.frame);
 }
 
-/// Is what is compared not the 1/z that all fragments carry?
+/// Is the compared value something other than the 1/z that all fragments carry?
 bool has_other_depth(const Ui& ui) {
     return is_linear_z(ui) || words_of(ui).kind != ClipDepth::inv_z;
 }
 
-/// The head of the column of depths, and what it says.
+/// The title of the column of depths, and its tooltip.
 std::string depth_title(const Ui& ui) {
     if (!is_linear_z(ui)) return std::string(words_of(ui).short_name);
     return words_of(ui).kind == ClipDepth::inv_z ? "1/lin z" : "by lin z";
@@ -242,7 +242,7 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     const PixelEntry& entry = history.entries[index];
     const bool is_drawn = entry.cursor < ui.results.a.cursor;
     const bool is_now = ui.results.a.done == entry.cursor;
-    // Grey is what is still to come.
+    // What is still to come is grey.
     const ImVec4 colour = is_drawn ? p.text : p.dim;
     const float opacity = is_drawn ? 1.0f : 0.6f;
     ImGui::TableNextRow();
@@ -276,7 +276,7 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     }
     if (columns.has(step_column)) {
         ImGui::TableNextColumn();
-        // The right end of a row has the moment of its left end.
+        // The right end of a row has the same moment as its left end.
         const bool is_row = entry.cursor.phase == Phase::rows;
         right_aligned(in_brackets(is_row ? entry.column : entry.cursor.step), colour);
     }

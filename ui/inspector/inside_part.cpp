@@ -24,7 +24,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// On which side of a triangle an edge lies.
+/// Which side of a triangle an edge is on.
 const char* side_of(const EdgeFunction& edge) {
     if (edge.way.dy == 0) return edge.way.dx > 0 ? "top" : "bottom";
     return edge.way.dy < 0 ? "left" : "right";
@@ -46,7 +46,7 @@ corner_names_of(const Ui& ui, const TestedPolygon& polygon, const TestedTriangle
     return names;
 }
 
-/// A number that says how it came to be when it is clicked, and no more when it is clicked again.
+/// A number that shows how it was computed when it is clicked, and hides that when clicked again.
 void draw_number_of_test(Ui& ui, const Formula& formula, const std::string& text,
                          const ImVec4& colour) {
     std::string& chosen = ui.inspector.chosen.test_number;
@@ -72,11 +72,11 @@ void draw_dim_headers(Ui& ui, std::initializer_list<const char*> titles, int rig
     ImGui::PopFont();
 }
 
-/// Behind the sum of the three values: what it is.
+/// Follows the sum of the three values.
 constexpr const char* sum_words = "2 · area";
 
 /// What the columns of the edges need with the space between them, screen pixels. It does not
-/// follow the numbers: nothing is to jump.
+/// depend on the numbers, so nothing jumps.
 std::array<float, 6> widths_of_edges(const Ui& ui) {
     constexpr std::array<const char*, 6> titles{"edge",  "side",      "E",
                                                 "needs", "one right", "one down"};
@@ -184,7 +184,7 @@ void draw_weights(Ui& ui, const PixelTest& test,
     ImGui::EndTable();
 }
 
-/// Where in the pixel it is tested: behind the answer, in fewer words where there is little room.
+/// Where in the pixel it is tested: after the answer, in fewer words if there is little room.
 void draw_place_of_test(Ui& ui, PixelSample sample, const PixelTest& test) {
     const bool is_centre = sample == PixelSample::centre;
     const std::string word = is_centre ? "centre " : "corner ";
@@ -201,7 +201,7 @@ void draw_place_of_test(Ui& ui, PixelSample sample, const PixelTest& test) {
     keep_item_whole(ui);
 }
 
-/// Where not all pixels of the box are tested: which of the row are.
+/// If not all pixels of the box are tested, says which of the row are.
 void draw_tested_columns(Ui& ui, const PixelTest& test, const TestedPolygon& polygon) {
     if (polygon.tested_columns == columns_of_box) return;
     const TestedTriangle& triangle = polygon.triangles[static_cast<std::size_t>(test.triangle)];

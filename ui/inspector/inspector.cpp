@@ -28,12 +28,12 @@ constexpr TabPage pages[] = {
     {settings_tab, draw_settings_sheet},
 };
 
-/// A page below this size is one of little room, design pixels.
+/// A page below this size has little room, design pixels.
 constexpr float low_page = 330.0f;
 constexpr float page_with_card = 430.0f; // a card has up to eleven lines
 constexpr float narrow_page = 345.0f;
 
-/// Below this height of the inspector the groups keep their subjects to themselves, design pixels.
+/// Below this height of the inspector the groups do not show their subjects, design pixels.
 constexpr float low_inspector = 520.0f;
 
 /// The tab shown; the first if the name is unknown, as from a file of a later version.
@@ -56,7 +56,7 @@ InspectorLook look_of(const Ui& ui, const Area& area) {
 /// Groups and tabs in the largest form that fits. Returns where the page begins.
 float draw_head(Ui& ui, const InspectorLook& look, const Area& area) {
     const float u = ui.options.text_scale;
-    // In a lecture a head with nothing to choose is none.
+    // In a lecture a head with nothing to choose is left out.
     const bool is_needed = !ui.options.is_lecture || offered_tabs(ui, std::nullopt).size() > 1;
     if (is_compact(ImGui::GetIO().DisplaySize, ui.options)) {
         // Every line counts.

@@ -12,22 +12,21 @@ struct Ui;
 
 /// What the head of the inspector shows, and in which form.
 struct InspectorLook {
-    bool has_two_lines = false; ///< the buttons of the groups say their subjects
+    bool has_two_lines = false; ///< the buttons of the groups show their subjects
     bool is_covered = false;    ///< by the settings or the lesson's whole text
-    TabGroup group{};           ///< shown, or below what covers it
+    TabGroup group{};           ///< the one shown, or below what covers it
 };
 
 /// Screen pixels.
 float group_row_height(const Ui& ui, bool has_two_lines);
 
-/// A button for each group, with what it speaks of; a click opens the tab of the group that was
-/// shown last.
+/// A button for each group, with what it is about; a click opens the last tab shown of the group.
 void draw_group_buttons(Ui& ui, const InspectorLook& look, const Area& area);
 
 /// The tabs of the group shown, and who chose the current one. Returns where the page begins.
 float draw_tab_line(Ui& ui, const InspectorLook& look);
 
-/// All groups and tabs in one list, where every line of the window counts. Returns where the page
+/// All groups and tabs in one list, for windows where every line counts. Returns where the page
 /// begins.
 float draw_tab_list(Ui& ui);
 

@@ -24,33 +24,33 @@ namespace rasterwalk {
 /// What the float microscope looks at.
 struct MicroscopeView {
     int edge = 0;                    ///< of the triangle that the inspector shows
-    std::optional<Cursor> picked_at; ///< where the cursor stood when the edge was picked by hand
+    std::optional<Cursor> picked_at; ///< where the cursor was when the edge was picked by hand
     bool shows_x = false;            ///< x instead of y
-    /// The triangle and edge for which x or y was last chosen; for another edge it is chosen again.
+    /// The triangle and edge for which x or y was last chosen; another edge gets a new choice.
     std::pair<int, int> axis_chosen_for{-1, -1};
-    EdgeMicroscope shown; ///< of that edge; worked out again when another is shown
+    EdgeMicroscope shown; ///< of that edge; computed again when another is shown
 };
 
 /// What is asked about in the Clip tab, for one triangle.
 struct ClipLook {
     int triangle = -1;
-    std::optional<Cursor> picked_at; ///< where the cursor stood when it was last looked at
+    std::optional<Cursor> picked_at; ///< where the cursor was when it was last examined
     std::string number;              ///< id of a formula, see clip_report.h; empty: the usual one
-    std::array<bool, clip_plane_count> is_turned{}; ///< opened or closed, unlike usual
-    std::optional<ClipPlane> plane; ///< that is looked at, on the canvas too; none: the usual one
+    std::array<bool, clip_plane_count> is_turned{}; ///< opened or closed, contrary to the default
+    std::optional<ClipPlane> plane; ///< the one examined, on the canvas too; none: the usual one
 };
 
 /// What the row table shows.
 struct RowsPlace {
     int triangle = -1;
-    std::optional<int> row; ///< that is selected
+    std::optional<int> row; ///< selected
     int jumps = 0;          ///< Session::jumps: a lesson's step or a link may lead elsewhere
     float height = 0.0f;    ///< of the table, screen pixels
 
     friend bool operator==(const RowsPlace&, const RowsPlace&) = default;
 };
 
-/// What the small pictures of the tab of the rows can be about.
+/// What the small pictures of the Rows tab can be about.
 enum class CoverageSubject : std::uint8_t { none, rules, ways };
 
 /// One of them, and the signs on its pixels.
@@ -59,19 +59,18 @@ struct CoverageImage {
     std::vector<SmallMark> marks;
 };
 
-/// The small pictures of the tab of the rows: fill rules at a shared edge, or ways to cover a
-/// polygon.
+/// The small pictures of the Rows tab: fill rules at a shared edge, or ways to cover a polygon.
 struct CoveragePictures {
-    // For which of these the next three were found.
+    // What the next three were found for.
     std::uint64_t frame_number = 0;   ///< of the frame, see RunResults
-    int triangle = -1;                ///< that is shown
+    int triangle = -1;                ///< the one shown
     std::optional<glm::ivec2> picked; ///< pixel
     Theme theme{};
     std::optional<SharedEdge> shared;
     std::optional<EdgePicture> edge; ///< none before it is shown
     std::optional<PolygonPicture> polygon;
 
-    bool wants_rules = false; ///< of a polygon, whose edges are shared too
+    bool wants_rules = false; ///< shows the rules for a polygon, whose edges are shared too
     CoverageSubject images_of = CoverageSubject::none;
     std::array<CoverageImage, 3> images;
     std::array<PictureTexture, 3> textures;
@@ -88,9 +87,9 @@ struct InspectView {
     std::string test_number; ///< id of a formula, see test_formulas.h; empty: none
 };
 
-/// What the sheet of settings was opened for, and what was changed then.
+/// What the sheet of settings was opened for, and what was changed by then.
 struct SettingsSheet {
-    int frame = -2; ///< of ImGui, in which it was drawn last
+    int frame = -2; ///< the frame of ImGui in which it was last drawn
     std::string lesson;
     int step = 0;
     std::vector<std::string_view> changed; ///< they come first
@@ -100,8 +99,8 @@ struct SettingsSheet {
 struct InspectorState {
     bool is_low = false;    ///< the page has few lines: panels are brief
     bool is_narrow = false; ///< and few letters a line
-    /// It has lines enough for what scrolls, and below it a card that stays. Otherwise both stand
-    /// in one scroll: two would each show next to nothing.
+    /// It has lines enough for a part that scrolls, and below it a card that stays. If not, both
+    /// are in one scroll: two would each show next to nothing.
     bool has_card = true;
     MicroscopeView microscope;
     ClipLook clip;
@@ -109,13 +108,13 @@ struct InspectorState {
     InspectView chosen;
     std::string setting_search; ///< what the sheet of settings is filtered by
     SettingsSheet settings_sheet;
-    /// Of ImGui, in which a number was clicked: its formula is due after it.
+    /// ImGui's frame in which a number was clicked: its formula is shown after it.
     int formula_frame = -2;
     bool settings_over_drawer = false; ///< they were opened over the lesson's whole text
     std::optional<int> hovered_row;    ///< row of the picture pointed at in the row table
     bool shows_end_values = false;     ///< further columns in the row table
     bool scroll_to_row = false;        ///< the row table brings a row into view
-    RowsPlace rows_place;              ///< for which it did so last
+    RowsPlace rows_place;              ///< where it last did so
 };
 
 } // namespace rasterwalk

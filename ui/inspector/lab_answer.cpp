@@ -81,7 +81,7 @@ void draw_findings(Ui& ui, const LabAnswer& answer) {
     ImGui::Spacing();
 }
 
-/// What the likely mistakes are, and how they are mended.
+/// What the likely mistakes are, and how to fix them.
 void draw_remedy(Ui& ui, const Diagnosis& diagnosis) {
     const std::string text = remedy_words(ui, diagnosis);
     if (text.empty()) return;
@@ -93,7 +93,7 @@ void draw_remedy(Ui& ui, const Diagnosis& diagnosis) {
     answer_links(ui, document_of(*ui.lab.remedy), events);
 }
 
-/// What the result was compared with, and the other choice. Returns true if that is asked for.
+/// What the result was compared with, and the other choice. Returns true if that is chosen.
 bool draw_reference(Ui& ui, const LabAnswer& answer) {
     const bool is_set = answer.subject.against.is_set;
     const bool is_unsure =
@@ -157,7 +157,7 @@ void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
     ImGui::PopStyleVar();
 }
 
-/// All that may be wrong, the likeliest first.
+/// Everything that may be wrong, the likeliest first.
 void draw_candidates(Ui& ui, const Diagnosis& diagnosis) {
     if (diagnosis.candidates.empty()) return;
     if (!begin_lined_table("candidates", 3)) return;

@@ -22,7 +22,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// All that there is to say about a mistake.
+/// Everything there is to say about a mistake.
 std::string page_of(Ui& ui, const Bug& bug) {
     return as_markdown(bug.sentence) + "\n\n**Symptom.** " + as_markdown(bug.symptom) + "\n\n" +
            remedy_of(ui, bug);
@@ -34,7 +34,7 @@ void draw_line(Ui& ui, const Bug& bug) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string name = "lab." + bug.id;
     if (ImGui::Selectable(("##" + name).c_str(), ui.lab.chosen == bug.id)) ui.lab.chosen = bug.id;
-    // Where the card opens below the line, the second click would fall on something else.
+    // If the card opens below the line, the second click would fall on something else.
     const bool can_double = ui.inspector.has_card;
     const bool is_double = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
     if (can_double && is_double) turn_on(ui, bug, false);
@@ -51,7 +51,7 @@ void draw_line(Ui& ui, const Bug& bug) {
     const float u = ui.options.text_scale;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec4& ink = on ? colour_of(Meaning::fail, ui.options.theme) : p.dim;
-    // The light behind the chosen line begins before its first letter.
+    // The highlight behind the chosen line begins before its first letter.
     const float before = 4.0f * u;
     list->AddText(ui.fonts.mono, ui.fonts.mono->FontSize, {at.x + before, at.y}, packed(ink),
                   bug.id.c_str());
@@ -67,7 +67,7 @@ void draw_line(Ui& ui, const Bug& bug) {
 }
 
 /// The mistakes by the lab's sections.
-/// @param below draws what stands below the line of a mistake
+/// @param below draws what is below the line of a mistake
 void draw_list(Ui& ui, const std::function<void(const Bug&)>& below) {
     std::string section;
     for (const Bug& bug : lab_bugs(ui)) {
@@ -77,7 +77,7 @@ void draw_list(Ui& ui, const std::function<void(const Bug&)>& below) {
             ImGui::PushFont(ui.fonts.small);
             text_in(palette(ui.options.theme).dim, section);
             ImGui::PopFont();
-            // With the first line below it.
+            // Together with the first line below it.
             const float line = ImGui::GetTextLineHeight();
             keep_beginning(ui, ImGui::GetItemRectMin().y, ImGui::GetCursorScreenPos().y + line);
             keep_item_whole(ui);
@@ -87,7 +87,7 @@ void draw_list(Ui& ui, const std::function<void(const Bug&)>& below) {
     }
 }
 
-/// In a low page the buttons come first: they are what must be in sight.
+/// In a low page the buttons come first: they must be in sight.
 void draw_buttons(Ui& ui, const Bug& bug) {
     if (is_on(ui.session, bug.id)) {
         if (button(ui, "lab.off", "turn off", Look::main,
@@ -134,7 +134,7 @@ void draw_card(Ui& ui, const Bug& bug) {
     end_card(ui);
 }
 
-/// A mistake that was turned on elsewhere, as by the command line or by undo, is described.
+/// Shows a mistake that was turned on elsewhere, for example by the command line or by undo.
 void follow_bug_on(Ui& ui) {
     const Session& session = ui.session;
     const std::string on = session.b && session.replaced ? session.replaced->bug : std::string();
@@ -150,7 +150,7 @@ void draw_bugs(Ui& ui) {
     const Bug& chosen = found == bugs.end() ? bugs.front() : *found;
     const auto is_chosen = [&](const Bug& bug) { return &bug == &chosen; };
     if (!ui.inspector.has_card) {
-        // One list that scrolls, with the card in it: two would each show next to nothing.
+        // One list that scrolls, with the card in it: two scrolls would each show next to nothing.
         draw_list(ui, [&](const Bug& bug) {
             if (!is_chosen(bug)) return;
             keep_in_sight(ui, bug, height_of_card_head());
@@ -216,7 +216,7 @@ void keep_in_sight(Ui& ui, const Bug& chosen, float below) {
         ImGui::GetItemRectMin().y >= top && ImGui::GetItemRectMax().y + below <= bottom;
     if (!is_new || is_seen) return;
     if (below > 0.0f) {
-        // Nothing of the line above is seen.
+        // Nothing of the line above remains visible.
         ImGui::SetScrollFromPosY(ImGui::GetItemRectMin().y - top, 0.0f);
     } else {
         scroll_here(0.8f);
@@ -232,7 +232,7 @@ void draw_lab_panel(Ui& ui) {
         wrapped_text(ui.lab.fault.empty() ? "There are no mistakes to show." : ui.lab.fault);
         return;
     }
-    // A quiz that goes on must not be spoilt by the list.
+    // The list must not give away the answer of a running quiz.
     if (ui.session.quiz && ui.lab.mode == LabMode::bugs) ui.lab.mode = LabMode::quiz;
     draw_modes(ui);
     ImGui::Spacing();

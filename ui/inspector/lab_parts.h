@@ -17,8 +17,8 @@ struct LabAnswer;
 /// the lesson that explains it.
 std::string remedy_of(Ui& ui, const Bug& bug);
 
-/// Keeps the line just drawn in sight, that of the mistake whose card is shown.
-/// @param below what is to be seen below the line, screen pixels
+/// Keeps the line just drawn in sight: that of the mistake whose card is shown.
+/// @param below what must be visible below the line, screen pixels
 void keep_in_sight(Ui& ui, const Bug& chosen, float below);
 
 /// The height of title and buttons of a card that opens below a line, screen pixels.
@@ -27,34 +27,34 @@ float height_of_card_head();
 /// The quiz: which mistake is it?
 void draw_lab_quiz(Ui& ui);
 
-/// What is said below a small picture.
+/// The text below a small picture.
 struct PictureCaption {
     std::string title;
     std::string words; ///< may be empty
 };
 
 /// The picture that was diagnosed, and the program's own with its caption: side by side, or one
-/// below the other where there is little room.
+/// below the other if there is little room.
 void draw_lab_pictures(Ui& ui, const PictureCaption& beside);
 
-/// How the card of a diagnosis begins.
+/// The beginning of the card of a diagnosis.
 struct LabHeadline {
     std::vector<std::string> names; ///< of the likely mistakes, or a sentence: each a line
-    std::string rest;               ///< how much of what is wrong that is; may be empty
+    std::string rest;               ///< how much of the fault these explain; may be empty
 };
 LabHeadline headline_of(const LabAnswer& answer);
 
 /// How much differs, and where; empty: nothing.
 std::string difference_words(const LabAnswer& answer);
 
-/// By which rules and numbers the program works, or the nearest right picture is drawn, where they
-/// are not those of the reference that was asked for; empty: by those.
+/// The rules and numbers by which the program works, or by which the nearest correct picture is
+/// drawn, if they differ from the chosen reference; empty: they do not.
 std::string rules_words(const Diagnosis& diagnosis);
 
-/// What each likely mistake is, and how it is mended, as Markdown; may be empty.
+/// What each likely mistake is, and how to fix it, as Markdown; may be empty.
 std::string remedy_words(Ui& ui, const Diagnosis& diagnosis);
 
-/// The mistakes of a candidate, and what it is assumed with.
+/// The mistakes of a candidate, and the assumptions that go with it.
 std::string candidate_words(const Candidate& candidate);
 
 /// The mistake of the laboratory that a candidate names first; null: it names none.
@@ -63,7 +63,7 @@ const Bug* bug_of(Ui& ui, const Candidate& candidate);
 /// The card that says what may be wrong with a result.
 void draw_lab_answer(Ui& ui);
 
-/// A result of the student's own, and what may be wrong with it.
+/// A result from the student's own program, and what may be wrong with it.
 void draw_lab_result(Ui& ui);
 
 } // namespace rasterwalk

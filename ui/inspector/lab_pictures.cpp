@@ -14,12 +14,12 @@ namespace rasterwalk {
 
 namespace {
 
-/// Design pixels: of a column, of a picture, and between them.
+/// Design pixels: sizes of a column and of a picture, and the space between them.
 constexpr float least_column = 88.0f, least_shown = 56.0f, largest_shown = 216.0f;
 constexpr float pair_gap = 12.0f, pair_border = 4.0f;
 
-/// With such a height a picture is large enough for words below it to be in sight too, or else to
-/// be seen whole at once; design pixels.
+/// The height at which a picture is large enough to leave room for the words below it too; and at
+/// which it is large enough to be seen whole; design pixels.
 constexpr float good_side = 100.0f, fair_side = 68.0f;
 
 /// How both pictures, which have the same size, are shown.
@@ -29,8 +29,8 @@ struct PairLayout {
     bool is_stacked;
 };
 
-/// How high a picture may be, screen pixels: both are seen whole at once, with what is said below
-/// them if they so stay large enough. Where they would get too small, one scrolls to them.
+/// How high a picture may be, screen pixels: both are seen whole, together with the words below
+/// them if they stay large enough. If they would get too small, they are scrolled to.
 float picture_room(const Ui& ui) {
     const float u = ui.options.text_scale, page = page_room(ui);
     const float below = page - ImGui::GetCursorPosY() - pair_border * u;
@@ -49,7 +49,7 @@ PairLayout pair_layout(const Ui& ui, const Image& image, float width) {
     const float wide = std::min(layout.column, largest_shown * u);
     const float scale =
         std::min(wide / static_cast<float>(image.width), high / static_cast<float>(image.height));
-    // Pixels stay equally large.
+    // All pixels are the same size.
     layout.scale = scale >= 1.0f ? std::floor(scale) : scale;
     return layout;
 }

@@ -43,7 +43,7 @@ void draw_score(Ui& ui) {
                               : "Since the program was opened.");
 }
 
-/// Kept only if the student wants it.
+/// The score is kept only if the student wants it.
 void draw_keeping(Ui& ui) {
     QuizScore& score = ui.options.score;
     ImGui::Checkbox("keep my score", &score.is_kept);
@@ -121,8 +121,8 @@ void draw_guesses(Ui& ui) {
     }
 }
 
-/// What may be guessed: every mistake, each a line; the one chosen is described by its tooltip.
-/// @param below draws what stands below the line of a mistake
+/// The possible answers: every mistake, each on a line; a tooltip describes the chosen one.
+/// @param below draws what is below the line of a mistake
 void draw_choices(Ui& ui, const std::function<void(const Bug&)>& below) {
     for (const Bug& bug : lab_bugs(ui)) {
         const std::string name = "lab.choice." + bug.id;
@@ -242,7 +242,7 @@ void draw_lab_quiz(Ui& ui) {
             [&] { draw_question_card(ui); });
         return;
     }
-    // One list that scrolls, with the card in it, as that of the mistakes.
+    // One list that scrolls, with the card in it, like the list of mistakes.
     const Bug* const chosen = bug_of(ui, ui.lab.chosen);
     if (chosen == nullptr) {
         ui.lab.in_sight.clear(); // the list of the mistakes may have shown the same one

@@ -36,7 +36,7 @@ void draw_intro(Ui& ui) {
     ImGui::Spacing();
 }
 
-/// @param another a file was checked already
+/// @param another true if a file was checked before
 void draw_file(Ui& ui, bool another) {
     ImGui::Spacing();
     LabLook& lab = ui.lab;
@@ -64,7 +64,7 @@ void draw_file(Ui& ui, bool another) {
     if ((entered || pressed) && !lab.result_path.empty()) diagnose_file(ui, lab.result_path);
 }
 
-/// How far the check is, in words; empty: that cannot be said yet.
+/// How far the check is, in words; empty: not known yet.
 std::string pictures_words(const LabLook& lab) {
     const PicturesDrawn drawn = lab.check ? lab.check->work->pictures() : PicturesDrawn{};
     return drawn.all == 0 ? "" : fmt::format("{} of {} pictures", drawn.done, drawn.all);
@@ -89,7 +89,7 @@ const char* stop_help(const LabLook& lab) {
 constexpr const char* progress_help =
     "Pictures drawn so far, out of those known to be needed. The results may require more.";
 
-/// How far the check is, and the way to stop it.
+/// How far the check is, and the button to stop it.
 void draw_progress(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     const LabLook& lab = ui.lab;
@@ -108,7 +108,7 @@ void draw_progress(Ui& ui) {
     keep_item_whole(ui);
 }
 
-/// What is said beside an answer, of its file: the longest first.
+/// What is said about the file next to an answer: the longest form first.
 std::vector<std::string> watch_forms(const LabLook& lab, bool is_checking) {
     const std::string file = std::filesystem::path(lab.watched_path).filename().string();
     if (is_checking) {
@@ -130,8 +130,8 @@ std::vector<std::string> watch_forms(const LabLook& lab, bool is_checking) {
             "Checked when it changes"};
 }
 
-/// Beside an answer, one line that is always there, so that nothing jumps: what becomes of the
-/// file.
+/// What happens to the file: one line next to an answer that is always there, so that nothing
+/// jumps.
 void draw_watch_line(Ui& ui) {
     const LabLook& lab = ui.lab;
     const Palette& p = palette(ui.options.theme);
@@ -165,7 +165,7 @@ void draw_watch_line(Ui& ui) {
     ImGui::PopFont();
 }
 
-/// What came of the file that was checked last.
+/// The outcome of the last check of a file.
 void draw_result_answer(Ui& ui) {
     const LabLook& lab = ui.lab;
     if (lab.answer) {
@@ -187,7 +187,7 @@ void draw_result_answer(Ui& ui) {
 void draw_lab_result(Ui& ui) {
     const LabLook& lab = ui.lab;
     const bool is_asked = is_diagnosing(ui) || lab.answer || !lab.result_fault.empty();
-    // The answer stands above the way to the next one, which stays in sight where there is room.
+    // The answer is above the way to the next one, which stays in sight if there is room.
     if (!is_asked) {
         draw_intro(ui);
         draw_file(ui, false);
@@ -196,7 +196,7 @@ void draw_lab_result(Ui& ui) {
         draw_result_answer(ui);
         draw_file(ui, true);
     } else {
-        // Below, the line stays in sight when the answer is scrolled.
+        // Below it, the line stays in sight when the answer is scrolled.
         draw_with_card(
             ui, "result", [&] { draw_result_answer(ui); },
             [&] {

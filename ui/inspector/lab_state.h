@@ -25,10 +25,10 @@ struct MarkdownPage; // ui/page/markdown.h
 enum class LabMode : std::uint8_t {
     bugs,   ///< the mistakes, to be turned on
     quiz,   ///< which of them is it?
-    result, ///< a result of the student's own, and what may be wrong with it
+    result, ///< a result from the student's own program, and what may be wrong with it
 };
 
-/// The student's picture, and the one that it is compared with.
+/// The student's picture, and the one it is compared with.
 struct LabPictures {
     Image own;
     Image right;
@@ -38,17 +38,17 @@ struct LabPictures {
 
 /// What a result is compared with.
 struct LabReference {
-    bool is_set = false; ///< what is set when it is asked for; else what the handout draws
+    bool is_set = false; ///< the settings at the time it is chosen; if not, the handout's picture
     std::shared_ptr<const Scene> scene;
     Settings settings;
 };
 
-/// A file of the student's own, and what it is compared with.
+/// A file of the student's, and what it is compared with.
 struct LabSubject {
-    std::size_t bytes = 0;   ///< a hash of those of the file
-    bool is_picture = false; ///< else rows
+    std::size_t bytes = 0;   ///< a hash of the file's bytes
+    bool is_picture = false; ///< if not, rows
     LabReference against;
-    Settings reference;       ///< of `against`, in the size of the picture
+    Settings reference;       ///< of `against`, at the size of the picture
     std::string held_against; ///< "the picture of lab-room"
 };
 
@@ -68,27 +68,27 @@ struct LabAnswer {
 
 /// What the bug laboratory keeps from one frame to the next.
 struct LabLook {
-    std::vector<Bug> bugs; ///< read when the laboratory is opened first
+    std::vector<Bug> bugs; ///< read when the laboratory is first opened
     std::string fault;     ///< why they could not be read
     bool is_read = false;
     std::string chosen; ///< id of the bug that is described
     std::string was_on; ///< id of the bug that was on when the list was last drawn; empty: none
-    /// For which bug, and down to which screen line, the list was scrolled last.
+    /// The bug, and the screen line, for which the list was last scrolled.
     std::string in_sight;
     float bottom = 0.0f;
     std::shared_ptr<MarkdownPage> page;
     LabMode mode = LabMode::bugs;
     int seed = 0;             ///< of the next quiz; 0: the program takes one
     bool wants_two = false;   ///< the next quiz hides two mistakes
-    std::string result_path;  ///< of the student's own result, as it is typed
-    std::string watched_path; ///< of the result that was asked for last: it is watched
-    FileState watched;        ///< that file, when it was looked at last
-    LabReference reference;   ///< what was asked for last
+    std::string result_path;  ///< of the student's own result, as typed
+    std::string watched_path; ///< of the result last asked for: it is watched
+    FileState watched;        ///< that file, when it was last checked
+    LabReference reference;   ///< the one last requested
     int frames_to_result = 0; ///< it is diagnosed when this falls to 0 from 1; until then it waits
-    std::string result_fault; ///< why the file as it now is could not be diagnosed
-    bool is_given_up = false; ///< a check was, since there is the answer
-    std::optional<LabCheck> check; ///< as long as it goes on
-    /// Of the watched file, maybe as it was before; stays until there is another.
+    std::string result_fault; ///< why the file in its current state could not be diagnosed
+    bool is_given_up = false; ///< a check was given up after the current answer
+    std::optional<LabCheck> check; ///< while it is running
+    /// Of the watched file, perhaps an earlier state of it; stays until there is a new one.
     std::optional<LabAnswer> answer;
     std::shared_ptr<MarkdownPage> remedy; ///< what is said about the likely mistakes
     LabPictures pictures;                 ///< of a picture that was diagnosed

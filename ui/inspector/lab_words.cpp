@@ -19,7 +19,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Numbers as the command line writes them, "0.1,-2", each in its significant digits.
+/// Numbers as the command line writes them, "0.1,-2", each with its significant digits.
 std::string numbers_in_words(std::string_view text) {
     constexpr int digits = 4;
     std::string words;
@@ -35,7 +35,7 @@ std::string numbers_in_words(std::string_view text) {
     return with_minus_signs(words);
 }
 
-/// Settings as the command line writes them, "line_walk=exact", in the words of the screen.
+/// Settings as the command line writes them, "line_walk=exact", in the screen's words.
 std::string in_words(const std::string& text) {
     std::string result;
     std::size_t done = 0;
@@ -44,7 +44,7 @@ std::string in_words(const std::string& text) {
         const std::size_t blank = text.find_last_of(" (", equals);
         const std::size_t first = blank == text.npos ? 0 : blank + 1;
         std::size_t last = std::min(text.find_first_of(" )", equals), text.size());
-        if (text[last - 1] == '.' || text[last - 1] == ',') --last; // of the sentence
+        if (text[last - 1] == '.' || text[last - 1] == ',') --last; // ends the sentence
         const Setting* const setting = find_setting(text.substr(first, equals - first));
         if (setting == nullptr || first < done) continue;
         const std::string word = text.substr(equals + 1, last - equals - 1);
@@ -65,7 +65,7 @@ std::string name_words(const Suspect& suspect, std::size_t i) {
     return in_words(candidate_text(alone));
 }
 
-/// Each name of each mistake a line.
+/// Each name of each mistake on a line.
 std::vector<std::string> name_lines(const Candidate& candidate) {
     std::vector<std::string> lines;
     for (const Suspect& suspect : candidate.mistakes) {
@@ -77,7 +77,7 @@ std::vector<std::string> name_lines(const Candidate& candidate) {
     return lines;
 }
 
-/// How much of what is wrong the likely mistakes explain.
+/// How much of the fault the likely mistakes explain.
 std::string explained_words(const LabAnswer& answer, const Candidate& likely) {
     const bool is_exact = likely.different == 0;
     const bool are_several = likely.mistakes.size() > 1;
@@ -100,7 +100,7 @@ const Bug* bug_of_id(Ui& ui, const std::string& id) {
 }
 
 /// What there is to say about one of the likely mistakes; empty: the laboratory does not have it.
-/// @param is_named it is not the only one
+/// @param is_named there are several, so it is named
 std::string remedy_of_suspect(Ui& ui, const Suspect& suspect, bool is_named) {
     std::string text;
     for (std::size_t i = 0; i < suspect.ids.size(); ++i) {

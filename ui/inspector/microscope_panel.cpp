@@ -27,11 +27,11 @@ std::string some_samples(std::size_t count, int of) {
     return std::to_string(count) + " of " + counted(of, "sample", "samples");
 }
 
-/// From this height of the page on, below the buttons, summary and curve leave the table a good
-/// many lines; design pixels.
+/// At this height of the page below the buttons, summary and curve leave the table plenty of lines;
+/// design pixels.
 constexpr float roomy_page = 480.0f;
 
-/// The edge that was picked, until the cursor comes to another.
+/// The picked edge, until the cursor reaches another one.
 void look_at_edge(Ui& ui) {
     MicroscopeView& view = ui.inspector.microscope;
     const std::optional<Cursor>& done = ui.results.a.done;
@@ -51,8 +51,8 @@ void look_at_edge(Ui& ui) {
     }
     const std::pair<int, int> edge{*ui.results.a.triangle, view.edge};
     if (view.axis_chosen_for == edge) return;
-    // One of the two steps by whole pixels and never drifts: the other one is worth looking at.
-    // A line that decides goes straight along its longer axis: the other one is decided.
+    // One of the two moves by whole pixels and never drifts: the other one is interesting. A line
+    // walk that decides moves straight along its longer axis: the other coordinate is decided.
     const MicroscopeSummary& summary = view.shown.summary;
     view.shows_x = view.shown.decides()
                        ? view.shown.frame.is_steep
@@ -66,14 +66,14 @@ void same_line_if_room(const std::string& label, float gap) {
     if (ImGui::GetItemRectMax().x + gap + button_width(label) <= right) ImGui::SameLine(0, gap);
 }
 
-/// Which of the two numbers that every sample has is looked at: each says what it decides, and
-/// where nothing was lost of one, it is said beside it.
+/// Chooses which of a sample's two numbers is shown: each button says what its number decides, and
+/// if nothing was lost in one, that is said next to it.
 void draw_axis_choice(Ui& ui, float gap) {
     MicroscopeView& view = ui.inspector.microscope;
     const float u = ui.options.text_scale;
     const Palette& p = palette(ui.options.theme);
     const char* const caption = "value";
-    // Where lines are few all buttons stand on one; the tooltips say the rest.
+    // Where lines are few all buttons share one; the tooltips say the rest.
     const bool is_low = ui.inspector.is_low;
     const std::string x = is_low ? "x" : "x → column", y = is_low ? "y" : "y → row";
     // The words and the two buttons stay together.
@@ -141,7 +141,7 @@ void draw_buttons(Ui& ui) {
     }
 }
 
-/// A line of the card: what is in order is quiet, what is not is marked.
+/// A line of the card: quiet if all is well, marked if not.
 void draw_statement(Ui& ui, bool in_order, const std::string& text) {
     const Palette& p = palette(ui.options.theme);
     text_in(in_order ? p.dim : colour_of(Meaning::fail, ui.options.theme),
@@ -203,7 +203,7 @@ const char* walk_text(LineWalk walk) {
     return "";
 }
 
-/// The decision at the sample that was entered last, with its numbers; false: there is none.
+/// The decision at the last sample entered, with its numbers; false: there is none.
 bool draw_current_decision(Ui& ui) {
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const int current = current_sample(ui);
@@ -236,7 +236,7 @@ void draw_way(Ui& ui) {
     draw_current_decision(ui);
 }
 
-/// What is to be seen on this edge, in words.
+/// What this edge shows, in words.
 void draw_summary(Ui& ui) {
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const MicroscopeSummary& summary = edge.summary;
@@ -299,7 +299,7 @@ void draw_microscope_panel(Ui& ui) {
         draw_sample_table(ui, std::min(needed, ImGui::GetContentRegionAvail().y), appears);
         return;
     }
-    // Where there is little room the numbers come first, and the words below them.
+    // If there is little room the numbers come first, and the words below them.
     if (room >= 220.0f * u) {
         ImGui::PushTextWrapPos(0.0f);
         if (!draw_current_decision(ui)) draw_verdict(ui);

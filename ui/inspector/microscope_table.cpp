@@ -40,7 +40,7 @@ std::string coordinate_words(const char* axis, const char* pixel, const Microsco
     return text;
 }
 
-/// All that there is to say about a sample.
+/// Everything there is to say about a sample.
 std::string sample_words(const Ui& ui, const MicroscopeSample& sample) {
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     std::string text = sample_name(ui.inspector.microscope.edge, sample.sample) + "\n" +
@@ -53,7 +53,7 @@ std::string sample_words(const Ui& ui, const MicroscopeSample& sample) {
     return text + "\nClick to go to the moment when it was entered.";
 }
 
-/// A whole pixel; one that is not what it is compared with is marked.
+/// A whole pixel; one that differs from what it is compared with is marked.
 void draw_pixel_cell(const Ui& ui, int pixel, bool differs, const ImVec4& quiet) {
     if (differs) {
         right_aligned("≠ " + whole_text(pixel), colour_of(Meaning::fail, ui.options.theme));
@@ -62,14 +62,15 @@ void draw_pixel_cell(const Ui& ui, int pixel, bool differs, const ImVec4& quiet)
     }
 }
 
-/// Numbers of the columns that a narrow panel has no room for; the tooltip of a line says them.
+/// Numbers of the columns that a narrow panel has no room for; the tooltip of a line gives their
+/// values.
 constexpr int exact_column = 2, drift_column = 3;
 
-/// Those that only some lines have: a float, a decision variable, a step that was decided.
+/// Columns that only some lines have: a float, a decision variable, a step that was decided.
 constexpr int float_column = 1, decision_column = 6, chosen_step_column = 7;
 
 struct SampleColumn {
-    int number; ///< from the left, where all are shown
+    int number; ///< from the left, if all are shown
     const char* title;
     const char* help;
     int letters; ///< of its widest number
@@ -82,7 +83,7 @@ bool has(const SampleColumns& columns, int number) {
                        [&](const SampleColumn& column) { return column.number == number; });
 }
 
-/// The cells of what was decided at a sample.
+/// The cells of a sample's decision.
 void draw_decision(const LineDecision& decision, const SampleColumns& columns, const ImVec4& ink) {
     if (has(columns, decision_column)) {
         ImGui::TableNextColumn();
@@ -125,7 +126,7 @@ void draw_sample(Ui& ui, const SampleColumns& columns, int index, int current, i
     }
     if (has(columns, drift_column)) {
         ImGui::TableNextColumn();
-        // Half a pixel is a usual number here, a millionth there.
+        // With a decision variable half a pixel is usual; without one, a millionth.
         right_aligned(edge.has_decision_variable() ? with_minus_signs(significant(c.drift, 3))
                                                    : drift_text(c.drift),
                       c.drift == 0.0 ? p.dim : ink);
@@ -140,7 +141,7 @@ int digits(std::int64_t value) {
     return static_cast<int>(whole_text(std::abs(value)).size());
 }
 
-/// The columns for x or y of this edge, each as wide as its numbers may get.
+/// The columns for x or y of this edge, each as wide as its numbers can get.
 SampleColumns columns_of(const Ui& ui) {
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const bool x = ui.inspector.microscope.shows_x;
@@ -192,7 +193,7 @@ SampleColumns columns_of(const Ui& ui) {
     return columns;
 }
 
-/// Screen pixels that the table takes.
+/// The width of the table, screen pixels.
 float width_of(const Ui& ui, const SampleColumns& columns, float padding) {
     ImGui::PushFont(ui.fonts.mono);
     const float letter = ImGui::CalcTextSize("0").x;
@@ -214,7 +215,7 @@ void draw_sample_headers(Ui& ui, const SampleColumns& columns) {
     }
 }
 
-/// The columns for which there is room.
+/// The columns that fit.
 SampleColumns fitting_columns(const Ui& ui, float room, float padding) {
     SampleColumns columns = columns_of(ui);
     for (const int number : {drift_column, exact_column}) {
@@ -224,7 +225,7 @@ SampleColumns fitting_columns(const Ui& ui, float room, float padding) {
     return columns;
 }
 
-/// False if nothing of it is to be drawn.
+/// False if none of it is to be drawn.
 bool begin_samples(const char* name, const SampleColumns& columns, ImGuiTableFlags flags,
                    ImVec2 size) {
     const bool is_open = begin_lined_table(
@@ -256,7 +257,7 @@ void draw_samples(Ui& ui, const SampleColumns& columns, bool appears) {
     ImGui::PopFont();
 }
 
-/// Of a cell, screen pixels.
+/// The padding of a cell, screen pixels.
 ImVec2 sample_padding(const Ui& ui) {
     return {4.0f * ui.options.text_scale, ImGui::GetStyle().CellPadding.y};
 }
@@ -265,7 +266,7 @@ ImVec2 sample_padding(const Ui& ui) {
 
 void draw_sample_table(Ui& ui, float height, bool appears) {
     const ImVec2 padding = sample_padding(ui);
-    // Whole lines, so that the table begins with one when it is scrolled to its end, too.
+    // Whole lines, so that the table begins with one even when scrolled to its end.
     const float head = ui.fonts.small->FontSize + 2.0f * padding.y;
     const float line = ui.fonts.mono->FontSize + 2.0f * padding.y;
     height = head + std::max(std::floor((height - head) / line), 1.0f) * line;
@@ -282,7 +283,7 @@ void draw_sample_table(Ui& ui, float height, bool appears) {
 }
 
 void draw_sample_table_with(Ui& ui, bool appears, const std::function<void()>& below) {
-    // The same width in both, whether the samples need a scroll bar or not.
+    // The same width in both, whether or not the samples need a scroll bar.
     const float width = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
     const ImVec2 padding = sample_padding(ui);
     const SampleColumns columns = fitting_columns(ui, width, padding.x);

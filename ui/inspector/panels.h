@@ -11,7 +11,7 @@ struct Ui;
 
 // The inspector and its panels: one file, one free function each.
 
-/// The groups on the right with their subjects, their tabs, and what is in them.
+/// The groups on the right with their subjects, their tabs, and the tabs' content.
 void draw_inspector(Ui& ui, const Area& area);
 /// Which triangle the inspector shows, with buttons to its neighbours. There must be one.
 void draw_triangle_title(Ui& ui);
@@ -29,9 +29,9 @@ void draw_microscope_panel(Ui& ui);
 void draw_history_panel(Ui& ui);
 void draw_compare_panel(Ui& ui);
 void draw_lab_panel(Ui& ui);
-/// In a bench scene: its examples, and its vertices to be typed. Otherwise nothing.
+/// In a bench scene: its examples, and fields for its vertices. Otherwise nothing.
 void draw_bench_examples(Ui& ui);
-/// All settings, those that were changed first. It lies over the inspector's tabs.
+/// All settings, the changed ones first. It lies over the inspector's tabs.
 void draw_settings_sheet(Ui& ui);
 
 } // namespace rasterwalk

@@ -27,7 +27,8 @@ bool is_clicked_on_row() {
            ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
 }
 
-/// One end of a row: its column, in the colour of who wrote it; in a box if that was just now.
+/// One end of a row: its column, in the colour of what wrote it; in a box if that has just
+/// happened.
 void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const EndWriter& writer,
                    bool is_left, bool is_changed) {
     const ImVec4 colour = writer.is_set() ? colour_of(edge_meaning(writer.edge), ui.options.theme)
@@ -66,8 +67,8 @@ void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) 
         right_aligned("—", p.dim);
         return;
     }
-    // How often it was replaced stands apart, small and behind who wrote it; where there is no room
-    // for it, the tooltip says it.
+    // How often it was replaced is set apart, in small letters after the writer; if there is no
+    // room for it, the tooltip says it.
     const float gap = sign_gap * ui.options.text_scale;
     const float sign_width = gap + width_of_sign(ui);
     const float room = ImGui::GetContentRegionAvail().x;
@@ -89,7 +90,7 @@ void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) 
     name_widget(ui, name + ".replaced", replaced_tooltip(writer));
 }
 
-/// The varying that the stage uses; where it uses none, the first: the place in the room.
+/// The varying that the stage uses; if it uses none, the first: the place in the room.
 const VaryingInfo& shown_varying(const Frame& frame) {
     const VaryingSet read = frame.stages.varyings_read(shading_rule(frame.settings));
     for (int i = 0; i < varying_count; ++i) {
@@ -113,8 +114,8 @@ void draw_values(Ui& ui, const RowEnd& end, bool is_set) {
     }
 }
 
-/// How many pixels the row has. Of a row in several stretches each is counted by itself: what lies
-/// between them is outside.
+/// How many pixels the row has. If a row has several stretches, each is counted separately: what
+/// lies between them is outside.
 void draw_count(const Ui& ui, int index) {
     const Palette& p = palette(ui.options.theme);
     const RowHistory& history = ui.results.a.rows;

@@ -9,18 +9,18 @@ namespace rasterwalk {
 struct Ui;
 
 /// Columns of the table without the values of the ends: all of them, and those of a table whose
-/// ends no samples have written.
+/// ends were not written by samples.
 inline constexpr int all_row_columns = 6;
 inline constexpr int row_columns_without_writers = 4;
 
-/// Does the table that is drawn now have the numbers of pixels? Without room they make way for who
-/// wrote the ends: the pixels can be counted from these.
+/// Does the table being drawn have the numbers of pixels? Without room they give way to what wrote
+/// the ends: the pixels can be counted from the ends.
 bool has_counts();
 
 /// Do samples write the ends of the rows, so that there is one to name?
 bool has_writers(const Ui& ui);
 
-/// The width of a cell that says who wrote an end and how often it was replaced, screen pixels.
+/// The width of a cell that says what wrote an end and how often it was replaced, screen pixels.
 float width_of_writer(const Ui& ui);
 
 /// A row of the table of the triangle shown.
@@ -28,7 +28,7 @@ float width_of_writer(const Ui& ui);
 void draw_row_line(Ui& ui, int index);
 
 /// A sample that fell outside the table: a red line, with the float value that is to blame.
-/// @param number of all such samples, from 0
+/// @param number among all such samples, from 0
 void draw_outside_line(Ui& ui, const OutsideSample& sample, int number);
 
 } // namespace rasterwalk

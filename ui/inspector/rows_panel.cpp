@@ -17,7 +17,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The row whose fragments are being drawn, when the table is done: its ends, and how far it is.
+/// The row whose fragments are being drawn, once the table is done: its ends, and how far it is.
 void draw_row_in_work(Ui& ui, const Cursor& done) {
     const RunResults& a = ui.results.a;
     const Palette& p = palette(ui.options.theme);
@@ -39,7 +39,7 @@ void draw_row_in_work(Ui& ui, const Cursor& done) {
     keep_text_whole(ui);
 }
 
-/// What the moment did, in words and numbers: the sample that was entered last, or the row.
+/// What the moment did, in words and numbers: the last sample entered, or the row.
 void draw_moment(Ui& ui) {
     const RowHistory& history = ui.results.a.rows;
     const Palette& p = palette(ui.options.theme);
@@ -118,7 +118,7 @@ std::string words_of_outside(const RowHistory& history) {
            (is_finished ? "" : " so far");
 }
 
-/// Have the buttons below the table room on a line with what is said beside them?
+/// Do the buttons below the table have room on a line with the words next to them?
 bool has_one_line_of_buttons(const RowHistory& history) {
     const float needed = button_width(copy_label) + button_width(values_label) +
                          text_width(words_of_outside(history)) +
@@ -127,7 +127,7 @@ bool has_one_line_of_buttons(const RowHistory& history) {
 }
 
 /// What can be done with the table, and how many samples are not in it.
-/// @param is_one_line leaves the count out if it has no room beside the buttons: the samples
+/// @param is_one_line leaves the count out if it has no room next to the buttons: the samples
 ///                    outside are lines of the table
 void draw_table_buttons(Ui& ui, bool is_one_line) {
     const Palette& p = palette(ui.options.theme);
@@ -146,7 +146,7 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
                    " and the varyings of both ends in additional columns.")) {
         ui.inspector.shows_end_values = !ui.inspector.shows_end_values;
     }
-    // Without samples none is outside.
+    // Without samples none can be outside.
     if (!walks_edges(ui.results.a.frame.stages)) return;
     if (is_one_line && !has_room) return;
     if (has_room) ImGui::SameLine();
@@ -157,15 +157,14 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
                 "Samples of this triangle so far that fell in no row of the table.");
 }
 
-/// The tested pixel first, and below it the rows as far as they are found. What has no room is
-/// scrolled to.
+/// The tested pixel first, and below it the rows found so far. What has no room is scrolled to.
 /// @param needed the height of the whole table
 void draw_inside(Ui& ui, const PixelTest& test, float needed) {
     draw_pixel_test(ui, test);
     const bool has_pictures = has_coverage_pictures(ui);
     if (has_pictures) draw_coverage_pictures(ui);
     const float room = ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing();
-    // One scroll is enough where lines are few; the ends' values need one of their own.
+    // Where lines are few, one scroll is enough; the ends' values need their own.
     const float few_lines = std::min(needed, 6.0f * ImGui::GetTextLineHeightWithSpacing());
     const bool has_few_lines = ui.inspector.is_low || (has_pictures && room < few_lines);
     if (has_few_lines && !ui.inspector.shows_end_values) {
@@ -208,7 +207,8 @@ void draw_rows_panel(Ui& ui) {
         return;
     }
     if (ui.inspector.shows_end_values) {
-        // More columns than there is room for scroll both ways, and then nothing else does.
+        // With more columns than there is room for, the table scrolls both ways; then nothing else
+        // does.
         draw_row_table(ui, std::max(std::min(needed, all - buttons), 3.0f * line));
         draw_table_buttons(ui, true);
         return;

@@ -34,7 +34,7 @@ int wanted_row(Ui& ui, float height) {
     };
     const int selected = in_table(ui.session.selection.row);
     const int shown = selected >= 0 ? selected : in_table(row_at_work(ui));
-    // What was scrolled to before the first sample is of no use for it.
+    // What was scrolled to before the first sample does not apply to it.
     return shown < 0 && history.samples == 0 && history.rows.size() > 0 ? 0 : shown;
 }
 

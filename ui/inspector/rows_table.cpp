@@ -73,7 +73,7 @@ void draw_row_headers(Ui& ui) {
     }
 }
 
-/// Begins a table with the columns of the row table; false if nothing of it is to be drawn.
+/// Begins a table with the columns of the row table; false if none of it is to be drawn.
 bool begin_row_table(Ui& ui, const char* name, ImGuiTableFlags flags, ImVec2 size) {
     const float u = ui.options.text_scale;
     const bool has_values = ui.inspector.shows_end_values;
@@ -101,14 +101,14 @@ bool begin_row_table(Ui& ui, const char* name, ImGuiTableFlags flags, ImVec2 siz
     static constexpr float narrow[] = {28, 42, 42, 90, 90};
     const float* const widths = counts || !has_writers(ui) ? roomy : narrow;
     for (int i = 0; i < columns; ++i) {
-        // Of the ends' values those of the left end are in sight at once.
+        // The values of the left end are in sight without scrolling.
         const float value_width = i == 0 ? 40.0f : i == 1 || i == 6 ? 46.0f : 70.0f;
         ImGui::TableSetupColumn("", 0, has_values ? value_width * u : widths[i]);
     }
     return true;
 }
 
-/// @param height of what scrolls to the row at work or to a wanted one; none: nothing does
+/// @param height of what scrolls to the row at work or to a wanted one; none: nothing scrolls
 void draw_all_rows(Ui& ui, std::optional<float> height) {
     const RowHistory& history = ui.results.a.rows;
     ImGui::PushFont(ui.fonts.mono);
@@ -153,7 +153,7 @@ void draw_all_rows(Ui& ui, std::optional<float> height) {
 } // namespace
 
 void draw_row_table(Ui& ui, float height) {
-    // Whole lines, if it is to be scrolled.
+    // Whole lines, if it scrolls.
     const float padding = 2.0f * ImGui::GetStyle().CellPadding.y;
     const float around = ui.fonts.small->FontSize + padding +
                          (ui.inspector.shows_end_values ? ImGui::GetStyle().ScrollbarSize : 0.0f);
@@ -177,7 +177,7 @@ void draw_row_table_in_page(Ui& ui) {
 }
 
 void draw_row_table_with(Ui& ui, const std::function<void()>& below) {
-    // The same width in both, whether the rows need a scroll bar or not.
+    // The same width in both, whether or not the rows need a scroll bar.
     const float width = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
     if (begin_row_table(ui, "rows.head", 0, {width, 0})) {
         draw_row_headers(ui);

@@ -41,10 +41,10 @@ float field_width(const Ui& ui, const Setting& setting) {
     return widest + ImGui::GetFrameHeight(); // with the arrow of the list
 }
 
-/// What a line of the sheet is divided into, screen pixels.
+/// How a line of the sheet is divided, screen pixels.
 struct SheetColumns {
     float name;  ///< where the field begins
-    float reset; ///< where the button begins that sets it back
+    float reset; ///< where the reset button begins
     float width; ///< of the whole line
 };
 
@@ -68,7 +68,7 @@ std::string tooltip_of_setting(const Setting& setting, const std::string& idle) 
     return about;
 }
 
-/// Name, field, and a button that sets it back, on one line; on two where the field needs it.
+/// Name, field, and reset button, on one line; on two if the field needs it.
 /// @param idle why it does nothing; empty: it acts
 void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
                   const SheetColumns& columns, const std::string& idle) {
@@ -92,7 +92,7 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
     if (fits) ImGui::SameLine();
     ImGui::SetCursorPosX(begin + (fits ? columns.name : indent));
     ImGui::SetNextItemWidth(columns.reset - (fits ? columns.name : indent) - 4.0f * u);
-    // It can be set all the same: for when it will act.
+    // It can still be set, for when it will act.
     if (!idle.empty()) ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
     edit_setting(ui, ui.session.a.settings, setting, "setting." + name);
     if (!idle.empty()) ImGui::PopStyleColor();
@@ -109,8 +109,8 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
     ImGui::PopID();
 }
 
-/// Which settings come first is asked when the sheet opens, and at every step of a lesson: none
-/// leaves its place under the student's hand, whether it is changed or set back.
+/// Which settings come first is decided when the sheet opens, and at every step of a lesson: none
+/// moves away from the pointer, whether it is changed or reset.
 void note_changed(Ui& ui, const Settings& usual) {
     SettingsSheet& sheet = ui.inspector.settings_sheet;
     const int frame = ImGui::GetFrameCount();
@@ -132,7 +132,7 @@ bool is_first(const Ui& ui, const Setting& setting) {
     return std::find(first.begin(), first.end(), setting.name) != first.end();
 }
 
-/// The heading over those that come first.
+/// The heading over the settings that come first.
 std::string_view heading_of_changed(const Ui& ui, const Settings& usual) {
     const std::vector<std::string_view>& first = ui.inspector.settings_sheet.changed;
     const bool is_any_set_back = std::any_of(first.begin(), first.end(), [&](auto name) {
@@ -149,7 +149,7 @@ void draw_heading(Ui& ui, std::string_view text) {
     ImGui::PopFont();
 }
 
-/// Before settings that do nothing.
+/// Said before settings that do nothing.
 void draw_idle_reason(Ui& ui, const Setting& first, const std::string& reason) {
     ImGui::PushFont(ui.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
@@ -162,7 +162,7 @@ void draw_idle_reason(Ui& ui, const Setting& first, const std::string& reason) {
         "The grey settings below can be chosen, but for now they change nothing in the picture.");
 }
 
-/// The beginning of what a preset says about itself: all that has room beside its button.
+/// The beginning of a preset's description: all that has room next to its button.
 std::string_view brief(std::string_view about) {
     return about.substr(0, about.find_first_of(":."));
 }
@@ -186,7 +186,7 @@ void draw_presets_in_a_row(Ui& ui) {
     }
 }
 
-/// Each beside what it does.
+/// Each next to what it does.
 void draw_presets(Ui& ui) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     float widest = 0.0f;
@@ -230,7 +230,7 @@ void draw_all_settings(Ui& ui) {
             draw_heading(ui, heading = under);
             idle_before.clear();
         }
-        // Of several in a row the reason is said once, before the first.
+        // For several in a row the reason is given once, before the first.
         const std::string idle = idle_reason(setting, ui.session.a.settings);
         if (!idle.empty() && idle != idle_before) draw_idle_reason(ui, setting, idle);
         idle_before = idle;
@@ -249,7 +249,7 @@ void draw_all_settings(Ui& ui) {
     if (!any) text_in(p.dim, "No setting contains that word.");
 }
 
-/// Title, search, and the way out.
+/// Title, search, and the button that closes it.
 void draw_sheet_head(Ui& ui) {
     const float u = ui.options.text_scale;
     ImGui::AlignTextToFramePadding();

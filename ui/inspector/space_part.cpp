@@ -16,7 +16,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Text of which no line is cut at the edge of the scroll.
+/// Text with no line cut off at the edge of the scroll.
 void line_of_text(Ui& ui, std::string_view text) {
     wrapped_text(text);
     keep_text_whole(ui);
@@ -49,7 +49,7 @@ void draw_order(Ui& ui) {
     }
 }
 
-/// The matrix as it is written in this order, number by number.
+/// The matrix as written in this order, number by number.
 void draw_matrix(Ui& ui, const SpacePlace& place, MatrixOrder order) {
     const std::string name = std::string("vertices.").append(place.matrix_name);
     if (!ImGui::BeginTable(name.c_str(), 4, ImGuiTableFlags_SizingStretchSame)) return;

@@ -59,7 +59,7 @@ Chooser chooser_of(const Session& session) {
             [](Ui& ui) { follow_guide(ui.session); }};
 }
 
-/// At the right end of the line, if it fits behind `left`.
+/// At the right end of the line, if it fits to the right of `left`.
 void draw_chooser(Ui& ui, const Chooser& chooser, float left, float right, float y, float height) {
     const Palette& p = palette(ui.options.theme);
     const float gap =
@@ -67,7 +67,7 @@ void draw_chooser(Ui& ui, const Chooser& chooser, float left, float right, float
     ImGui::PushFont(ui.fonts.small);
     float said = text_width(chooser.said);
     const float action = text_width(chooser.action);
-    // What only says is left out before what can be clicked.
+    // Plain words are left out before what can be clicked.
     const bool has_room = right - said - gap - action >= left;
     if (!has_room) said = 0.0f;
     float x = right - said - (has_room ? gap : 0.0f) - action;

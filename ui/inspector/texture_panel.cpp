@@ -20,13 +20,14 @@ namespace rasterwalk {
 
 namespace {
 
-/// The texture is drawn texel by texel; a larger one by the level of its mip chain that is not.
+/// The texture is drawn texel by texel; a larger one by the first level of its mip chain that is
+/// not.
 constexpr int most_map_texels = 64;
 
 /// Sides of the two drawings, design pixels.
 constexpr float map_side = 132.0f, texel_side = 56.0f;
 
-/// The ring on the map, and how much of it lies beside the map when its middle is at the border,
+/// The ring on the map, and how far it reaches beyond the map when its middle is at the border,
 /// design pixels.
 constexpr float ring = 5.0f, beside_map = 6.0f;
 
@@ -49,14 +50,14 @@ void choose_texture_number(Ui& ui, const std::string& id) {
     ui.inspector.chosen.texture_number = id;
 }
 
-/// A number that is clicked is the one asked about, or leads to where it comes from.
+/// Asks about a number that is clicked, or goes to where it comes from.
 void follow_texture_source(Ui& ui, const std::optional<Source>& source) {
     if (!source) return;
     if (source->kind == SourceKind::formula) choose_texture_number(ui, source->name);
     go_to_source(ui, *source);
 }
 
-/// A formula on one line; a number that is clicked is the one asked about.
+/// A formula on one line; clicking a number asks about it.
 void draw_texture_line(Ui& ui, const std::string& id) {
     const Formula* const formula = find_formula(report_of(ui).formulas, id);
     if (formula != nullptr) follow_texture_source(ui, draw_formula_line(ui, *formula, id));
@@ -82,7 +83,7 @@ void draw_texture_title(Ui& ui) {
                     ". Its pixels are called texels.");
 }
 
-/// A coordinate brought into the texture, and -1 where the texture runs backwards there.
+/// A coordinate wrapped into the texture, and -1 where the texture runs backward there.
 struct InTexture {
     float coordinate, sign;
 };
@@ -129,7 +130,7 @@ void draw_texture_map(Ui& ui) {
         }
     }
     const TextureWrap wrap = ui.results.a.frame.settings.texture_wrap;
-    // Where the texture is read, also by mistake.
+    // Where the texture is read, mistakes included.
     const auto read_at = [&](TextureDirection direction, int count) {
         const bool is_u = direction == TextureDirection::u;
         return ui.results.a.frame.stages.texel_place(
@@ -157,8 +158,8 @@ void draw_texture_map(Ui& ui) {
         "pixel covers.");
 }
 
-/// What stands in the texels that were taken, and of which level they are, at their right: beside
-/// the first row of each level, where there is room.
+/// What is in the texels that were taken, and which level they belong to, to their right: next to
+/// the first row of each level, if there is room.
 void draw_names_of_taken(Ui& ui, ImVec2 low) {
     const TakenTexels& taken = texture_on_show(ui).taken;
     const float u = ui.options.text_scale, side = texel_side * u;
@@ -179,7 +180,7 @@ void draw_names_of_taken(Ui& ui, ImVec2 low) {
     }
 }
 
-/// The texels that were taken, as they stand side by side, each with its weight.
+/// The texels that were taken, in their places side by side, each with its weight.
 void draw_taken_texels(Ui& ui) {
     const TextureReport& report = texture_on_show(ui);
     const float u = ui.options.text_scale, side = texel_side * u;
@@ -218,7 +219,8 @@ void draw_taken_texels(Ui& ui) {
     ImGui::PopFont();
 }
 
-/// How many texels stand below each other, with the gap between two levels, screen pixels.
+/// The height of the taken texels one below another, with the gap between two levels, screen
+/// pixels.
 float height_of_taken(const Ui& ui) {
     const int count = texture_on_show(ui).taken.count;
     const int rows = (count + 1) / 2;

@@ -44,7 +44,7 @@ void draw_triangle_title(Ui& ui) {
         }
         keep_item_whole(ui);
     };
-    // The buttons come first; the part is named where that fits before them.
+    // The buttons come first; the part is named if that fits before them.
     float width = count > 1 ? 2.0f * ImGui::GetFrameHeight() + gap : 0.0f;
     if (can_follow && ui.inspector.is_low) width += button_width(follow_label);
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;

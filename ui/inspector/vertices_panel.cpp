@@ -35,7 +35,7 @@ std::string other_roundings(const VertexReport& vertex, std::string_view id,
     return text;
 }
 
-/// What R v in place of v R would make of it, or the other way round.
+/// What R v in place of v R would give, or the other way round.
 std::string other_convention(const VertexReport& vertex, const Formula& formula,
                              Rotation rotation) {
     const std::string way =
@@ -62,7 +62,7 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
                     "moves negative numbers in the opposite direction from positive ones.");
     }
     const bool has_camera = ui.results.a.scene->space == SceneSpace::world;
-    // As long as nothing is turned there is no R to speak of.
+    // While nothing is turned there is no R to discuss.
     if (has_camera && is_camera_turned(ui) && depends_on_rotation(formula.id)) {
         wrapped_text(other_convention(vertex, formula, settings.rotation));
         keep_text_whole(ui);
@@ -75,7 +75,7 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
 
 void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     begin_card(ui);
-    // A vertex behind the camera does not leave the triangle out where it is cut.
+    // A vertex behind the camera does not drop the triangle if it is clipped.
     const Rejection why = ui.results.a.frame.rejection(*ui.results.a.triangle);
     if (why != Rejection::none) {
         wrapped_text("The triangle is left out: " + std::string(words(why).detail) + ".");
@@ -83,7 +83,7 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     }
     const Formula* formula = find_formula(vertex.formulas, ui.inspector.chosen.vertex_number);
     if (formula == nullptr) formula = find_formula(vertex.formulas, "rotated.z");
-    // Where lines are few the formula itself says whose it is.
+    // Where lines are few the formula itself names its vertex.
     Formula said = *formula;
     if (ui.inspector.is_low) {
         said.name = short_vertex_name(vertex.vertex) + " " + said.name;
@@ -102,7 +102,7 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     go_to_source(ui, *clicked);
 }
 
-/// Scrolls to what was just drawn; of what is higher than the window the beginning is seen.
+/// Scrolls to what was just drawn; if that is higher than the window, to its beginning.
 /// @param top of it, screen pixels
 void bring_into_sight(float top) {
     const float bottom = ImGui::GetItemRectMax().y;
@@ -113,9 +113,9 @@ void bring_into_sight(float top) {
     }
 }
 
-/// Where lines are few: the names of the vertices stay, and below them scrolls all the rest: the
-/// numbers, and how the chosen one came to be right below its line. A number that is clicked brings
-/// its formula into view.
+/// Where lines are few: the names of the vertices stay, and everything else scrolls below them: the
+/// numbers, and how the chosen one was computed right below its line. Clicking a number brings its
+/// formula into view.
 void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex, bool has_spaces) {
     const auto number = [&] {
         return std::pair{ui.session.selection.vertex, ui.inspector.chosen.vertex_number};
@@ -126,7 +126,7 @@ void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex, bool has_s
                                    [&](const VertexLine& one) { return one.id == before.second; });
     const auto above =
         line == all.end() ? all.size() : static_cast<std::size_t>(line - all.begin()) + 1;
-    // Beside the scroll bar of what is below.
+    // Next to the scroll bar of what is below.
     const float width = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
     if (begin_vertex_table(ui, "vertices.head", width)) {
         draw_vertex_header(ui, chosen);
@@ -142,7 +142,7 @@ void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex, bool has_s
     const float row = ImGui::GetCursorScreenPos().y - style.ItemSpacing.y -
                       2.0f * style.CellPadding.y - ui.fonts.text->FontSize;
     draw_formula_card(ui, vertex);
-    // The click was in the previous frame, where the formula stood elsewhere.
+    // The click was in the previous frame, where the formula was elsewhere.
     const int frame = ImGui::GetFrameCount();
     if (ui.inspector.formula_frame + 1 == frame) bring_into_sight(row);
     if (above < all.size() && begin_vertex_table(ui, "vertices below", width)) {
@@ -155,7 +155,7 @@ void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex, bool has_s
     ImGui::EndChild();
 }
 
-/// The vertex that is explained: the one picked, or else the one just projected.
+/// The vertex that is explained: the picked one, or else the one just projected.
 int vertex_on_show(const Ui& ui) {
     const std::optional<Cursor>& done = ui.results.a.done;
     const bool is_vertex =

@@ -50,7 +50,7 @@ const VertexLine line_list[] = {
     {"", "blue", "light.R.blue", 3, "The light that this vertex reflects: R = ρ (D + N).", true},
 };
 
-/// Is the projection another than perspective? Then w is not z.
+/// Is the projection anything but perspective? Then w is not z.
 bool is_mixed(const Ui& ui) {
     const Frame& frame = ui.results.a.frame;
     return vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f;
@@ -80,7 +80,7 @@ std::string told_help(const Ui& ui, const VertexLine& line) {
     return line.help;
 }
 
-/// The space to which a line belongs, before its coordinate.
+/// The space a line belongs to, before its coordinate.
 const char* space_of(const Ui& ui, const VertexLine& line) {
     if (std::string_view(line.id) != "minus_camera.x") return line.space;
     switch (camera_move_rule(ui.results.a.frame.settings)) {
@@ -94,7 +94,7 @@ const char* space_of(const Ui& ui, const VertexLine& line) {
     return line.space;
 }
 
-/// What a line shows; how a number becomes whole depends on what is set.
+/// What a line shows; how a number becomes whole depends on the settings.
 std::string help_of(const Ui& ui, const VertexLine& line) {
     const std::string_view id = line.id;
     if (is_mixed(ui) && id.starts_with("projected."))
@@ -137,9 +137,9 @@ bool repeats_space_before(const Ui& ui, const VertexLine& line) {
     return true;
 }
 
-/// Is a line of the table shown? Where lines are few, a space that repeats the previous one is
-/// not. A lesson that hides tabs keeps to its subject: before light is one, it has no lines, and as
-/// long as the camera is not turned, neither has "rotated".
+/// Is a line of the table shown? Where lines are few, a space that repeats the previous one is not.
+/// A lesson that hides tabs keeps to its subject: light has no lines before it is one, and
+/// "rotated" has none while the camera is not turned.
 bool is_shown(const Ui& ui, const VertexLine& line) {
     const bool keeps_short = hides_tabs(ui.session);
     if (line.is_highlight && ui.results.a.frame.settings.light.model == LightModel::lambert)
@@ -153,7 +153,7 @@ bool is_shown(const Ui& ui, const VertexLine& line) {
     return !is_rotated || !keeps_short || is_camera_turned(ui);
 }
 
-/// How many columns of words stand before the numbers.
+/// How many columns of words come before the numbers.
 int label_columns(const Ui& ui) {
     return ui.inspector.is_narrow ? 1 : 2;
 }
@@ -247,7 +247,7 @@ bool begin_vertex_table(Ui& ui, const char* name, float width) {
         ImGui::PopStyleVar();
         return false;
     }
-    // The numbers share what the words leave.
+    // The numbers share the width that the words leave.
     float room = width;
     const auto add_words = [&](ImFont* font, const char* widest) {
         const float words = text_width(font, widest);

@@ -22,19 +22,19 @@ struct VertexLine {
 /// The lines of the table, from top to bottom.
 std::span<const VertexLine> vertex_lines();
 
-/// Does the camera look another way than along z?
+/// Does the camera look in a direction other than along z?
 bool is_camera_turned(const Ui& ui);
 
 /// Begins a table with the columns of words and numbers, over a width that the panel leaves for
-/// them. The tables of the panel share them: numbers of a vertex stand below its name.
-/// @return whether it is drawn; only then it is ended
+/// them. The tables of the panel share them: numbers of a vertex are below its name.
+/// @return whether it is drawn; only then must it be ended
 bool begin_vertex_table(Ui& ui, const char* name, float width);
 void end_vertex_table();
 
 /// The names of the vertices, in such a table; a click on one chooses it.
 /// @param chosen the vertex that is explained, 0..2
 void draw_vertex_header(Ui& ui, int chosen);
-/// Those of the lines that are to be seen, in such a table; a click on a number chooses it.
+/// The visible ones of the lines, in such a table; a click on a number chooses it.
 void draw_vertex_lines(Ui& ui, int chosen, std::span<const VertexLine> shown);
 
 } // namespace rasterwalk

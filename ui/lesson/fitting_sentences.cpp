@@ -44,7 +44,7 @@ std::string some_rows(const CutTable& table, std::size_t first, std::size_t coun
     return text;
 }
 
-/// What announces a table, and the table in as few parts as have room.
+/// The words before a table, and the table in as few parts as have room.
 void add_table(Ui& ui, const CutTable& table, float width, float most,
                std::vector<std::string>& parts) {
     if (!table.before.empty()) parts.push_back(table.before);

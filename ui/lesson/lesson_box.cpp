@@ -49,7 +49,7 @@ void LessonBox::heading(const char* text, const ImVec4& colour) {
     ImGui::PushFont(ui_.fonts.small);
     text_in(colour, text);
     ImGui::PopFont();
-    // With the first line.
+    // Together with the first line.
     const float bottom = ImGui::GetItemRectMax().y + ImGui::GetStyle().ItemSpacing.y +
                          1.4f * ui_.fonts.text->FontSize;
     keep_beginning(ui_, start_.y - 1.0f, bottom);

@@ -16,11 +16,11 @@ struct Ui;
 void draw_marked(Ui& ui, const std::string& name, std::shared_ptr<MarkdownPage>& page,
                  const std::string& text, float width);
 
-/// The text without the words in bold that say in a repository browser what it is; here the box
-/// says it.
+/// The text without the bold words that say what it is in a repository browser; here the box says
+/// it.
 std::string without_label(const std::string& text);
 
-/// A box with a bar in its colour at the left, as long as it lives.
+/// A box with a bar in its colour at the left, open as long as the object lives.
 class LessonBox {
   public:
     /// @param width screen pixels
@@ -29,7 +29,7 @@ class LessonBox {
     LessonBox(const LessonBox&) = delete;
     LessonBox& operator=(const LessonBox&) = delete;
 
-    /// Of what stands in it, screen pixels.
+    /// Width of the content, screen pixels.
     float inner_width() const;
 
     /// In small letters.

@@ -16,18 +16,18 @@ namespace rasterwalk {
 
 namespace {
 
-/// Between two words, design pixels.
+/// Space between two words, design pixels.
 constexpr float word_gap = 14.0f;
 
 /// A part of the step as a word.
 struct PartWord {
     int part = 0;
     std::string name;  ///< of the widget
-    std::string title; ///< with a sign where it is done
+    std::string title; ///< with a sign if it is done
     const char* help = "";
 };
 
-/// What is long in a part: its text, or the reason for an answer that is shown.
+/// The long text of a part: its own, or the reason for an answer that is shown.
 std::string words_to_cut(Ui& ui, const Lesson& lesson, const LessonPart& part) {
     if (part.kind == LessonPart::Kind::text) return part.text;
     if (part.kind != LessonPart::Kind::prediction) return {};
@@ -37,14 +37,14 @@ std::string words_to_cut(Ui& ui, const Lesson& lesson, const LessonPart& part) {
     return reason_on_show(ui.lesson.predictions[prediction.id]);
 }
 
-/// A card for each piece of a text or a reason, and one for whatever else stands in the step.
+/// A card for each piece of a text or a reason, and one for anything else in the step.
 std::vector<LessonCard> cut(Ui& ui, const Lesson& lesson, const LessonStep& step, float width,
                             float height) {
     std::vector<LessonCard> cards;
     for (std::size_t i = 0; i < step.parts.size(); ++i) {
         const LessonPart& part = step.parts[i];
         const int index = static_cast<int>(i);
-        if (part.kind == LessonPart::Kind::control) continue; // it stands on its neighbours' cards
+        if (part.kind == LessonPart::Kind::control) continue; // it is on its neighbours' cards
         const std::string words = words_to_cut(ui, lesson, part);
         if (words.empty()) cards.push_back({index, {}});
         for (const std::string& text : fitting_parts(ui, words, width, lines_of_strip(ui), height))
@@ -60,7 +60,7 @@ std::vector<LessonCard> cut(Ui& ui, const Lesson& lesson, const LessonStep& step
     return cards;
 }
 
-/// Has the part a card?
+/// Does the part have a card?
 bool has_card(const LessonStrip& strip, int part) {
     return std::any_of(strip.cards.begin(), strip.cards.end(),
                        [&](const LessonCard& card) { return card.part == part; });
@@ -77,7 +77,7 @@ std::string sign_of(Ui& ui, const Lesson& lesson, const LessonPart& part) {
     return view.said.empty() ? "" : view.judged->is_right ? "✓ " : "✗ ";
 }
 
-/// How long the text of a part's cards before this one is.
+/// The length of the text on a part's cards before this one.
 std::size_t length_before(const LessonStrip& strip, int part, std::size_t end) {
     std::size_t length = 0;
     for (std::size_t i = 0; i < end; ++i)
@@ -94,9 +94,9 @@ LessonPlace beginning_of(const LessonStrip& strip, int index) {
     return {part, whole > 0 ? before / static_cast<float>(whole) : 0.0f};
 }
 
-/// The card in which a place of the step lies.
+/// The card that contains a place of the step.
 int card_at(const LessonStrip& strip, const LessonPlace& place) {
-    // Cards of other widths are joined by other blanks.
+    // Cards of different widths have their blanks in different places.
     constexpr float blanks = 0.01f;
     int card = card_of_part(strip, place.part);
     for (int i = card + 1; i < static_cast<int>(strip.cards.size()); ++i) {
@@ -106,7 +106,7 @@ int card_at(const LessonStrip& strip, const LessonPlace& place) {
     return card;
 }
 
-/// Which of how many cards of its part is shown: " 2/3"; empty where a part is one card.
+/// Which of its part's cards is shown: " 2/3"; empty if the part is one card.
 std::string place_of_card(const LessonStrip& strip, int part) {
     const auto is_of_part = [&](const LessonCard& card) { return card.part == part; };
     const auto count = std::count_if(strip.cards.begin(), strip.cards.end(), is_of_part);
@@ -152,7 +152,7 @@ std::vector<PartWord> words_of(Ui& ui, const Lesson& lesson, const LessonStep& s
         words.push_back(
             {end, "lesson.card.end", "end", "What you have done, and where to go from here."});
     }
-    // One part in one piece is all there is to see.
+    // If there is one part in one piece, that is all there is to see.
     if (words.size() == 1 && strip.cards.size() <= 1) words.clear();
     return words;
 }

@@ -22,7 +22,7 @@ SidePage page_on_show(const Ui& ui, const Lesson* lesson) {
     return page == SidePage::lesson && lesson == nullptr ? SidePage::stage : page;
 }
 
-/// Text that goes on has a line below it.
+/// Text that continues below has a line at its edge.
 void draw_edge(const Ui& ui, float width) {
     if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) return;
     const ImVec2 low = ImGui::GetWindowPos();
@@ -31,7 +31,7 @@ void draw_edge(const Ui& ui, float width) {
                                               packed(palette(ui.options.theme).line));
 }
 
-/// The three pages side by side: small words, the one shown underlined.
+/// The three pages side by side: small words, with the current one underlined.
 void draw_switch(Ui& ui, const Lesson* lesson, float width) {
     struct Choice {
         const char* widget;
@@ -94,11 +94,12 @@ void draw_footer(Ui& ui, const Lesson* lesson, SidePage page, float width) {
     if (page == SidePage::stage) draw_stage_footer(ui, width);
 }
 
-/// In its window: the text stays where the student reads. Where it moves to another part of the
-/// window, as when both views are shown, it is scrolled to the same share of its length there.
-/// @param from_end a page that comes is shown from its end
+/// Called in the text's window: the text stays where the student is reading. If it moves to another
+/// part of the window, as when both views are shown, it is scrolled to the same share of its length
+/// there.
+/// @param from_end a new page is shown from its end
 void keep_place(LessonView& view, const std::string& page, bool from_end) {
-    // How long the text is there is not known before it was laid out.
+    // The length of the text there is not known until it is laid out.
     constexpr int frames_to_lay_out = 3;
     const ImGuiID place = ImGui::GetID("place");
     const float last = ImGui::GetScrollMaxY();
@@ -121,7 +122,7 @@ void keep_place(LessonView& view, const std::string& page, bool from_end) {
     }
 }
 
-/// The text of a page, which scrolls, with its footer below the text where that is asked for.
+/// The text of a page, which scrolls, with its footer below the text if that is asked for.
 void draw_scrolled(Ui& ui, const Lesson* lesson, SidePage page, ImVec2 size, float width,
                    bool has_footer) {
     ImGui::BeginChild("lesson.text", size, false, ImGuiWindowFlags_NoNav);
@@ -151,7 +152,7 @@ void draw_page(Ui& ui, float gutter) {
     if (has_footer && !is_low) draw_footer(ui, lesson, page, width);
 }
 
-/// What the step has, and which step it is.
+/// The parts of the step, and which step it is.
 void draw_drawer_head(Ui& ui, const Lesson& lesson, const Area& area) {
     const LessonStep& step = step_on_show(ui, lesson);
     const int part = draw_part_words(ui, lesson, step, -1, area);
@@ -176,7 +177,7 @@ void draw_lesson_column(Ui& ui, const Area& area) {
     ImGui::SetNextWindowPos(area.position);
     ImGui::SetNextWindowSize(area.size);
     const float padding = ImGui::GetStyle().WindowPadding.x;
-    // The scroll bar stands in the column's right margin.
+    // The scroll bar is in the column's right margin.
     ImGui::SetNextWindowContentSize({area.size.x - padding, 0.0f});
     ImGui::Begin("lesson", nullptr, panel_flags | ImGuiWindowFlags_NoScrollWithMouse);
     draw_page(ui, padding);
@@ -193,7 +194,7 @@ void draw_lesson_drawer(Ui& ui, const Area& area) {
     const SidePage page = page_on_show(ui, lesson);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    // The list has nothing to turn: its tabs come first.
+    // The list has no pages to turn: its tabs come first.
     const float row = page == SidePage::list ? 0.0f : strip_button_height * u;
     const float below = start.y + (row > 0.0f ? row + strip_button_gap * u : 0.0f);
     if (page == SidePage::lesson) {

@@ -21,10 +21,10 @@ namespace rasterwalk {
 
 namespace {
 
-/// Of a field on the line of its name, design pixels.
+/// Widths of a field on the line of its name, design pixels.
 constexpr float least_field = 130.0f, widest_field = 360.0f;
 
-/// Between name, field and read-out, design pixels.
+/// Space between name, field and read-out, design pixels.
 constexpr float word_space = 10.0f;
 
 /// "Focal length", "Camera position z".
@@ -34,14 +34,14 @@ std::string title_of(const LessonControl& control) {
     return is_part ? title.append(" ").append(control.name, control.name.rfind('.') + 1) : title;
 }
 
-/// What it says as things stand.
+/// The read-out for the current state.
 std::string read_out_of(Ui& ui, const LessonControl& control) {
     if (control.read_out.empty()) return {};
     const Facts facts(ui.session, ui.results, &ui.lesson.facts);
     try {
         return fill_in(control.read_out, "", std::nullopt, std::cref(facts));
     } catch (const Error&) {
-        return {}; // it was read before it came here
+        return {}; // it was already checked on reading
     }
 }
 

@@ -8,13 +8,13 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// A control of a step with its name before it and its read-out behind it, or below it where the
-/// line is too short: the field of the settings sheet, over what the lesson offers of it.
+/// A control of a step with its name before it and its read-out after it, or below it if the line
+/// is too short: the field of the settings sheet, limited to the range that the lesson offers.
 /// @param width of a line, screen pixels
 void draw_lesson_control(Ui& ui, const LessonControl& control, float width);
 
-/// The controls that stand next to a part of the step, before it or after it: in a strip, which
-/// shows a part at a time, they belong to its card.
+/// The controls next to a part of the step, before it or after it: in a strip, which shows a part
+/// at a time, they are on its card.
 std::vector<const LessonControl*> controls_beside(const Lesson& lesson, const LessonStep& step,
                                                   int part);
 

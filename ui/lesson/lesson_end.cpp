@@ -20,7 +20,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The steps in which something is not answered or not done.
+/// The steps with something not answered or not done.
 std::vector<int> open_steps(const Progress& progress, const Lesson& lesson) {
     std::set<int> steps;
     for (const LessonPrediction& prediction : lesson.predictions) {
@@ -58,7 +58,7 @@ std::string done_so_far(const Ui& ui, const Lesson& lesson) {
     return text;
 }
 
-/// The lesson that comes next, with a link; a lesson that is not written yet is passed over.
+/// The next lesson, with a link; a lesson that is not written yet is skipped.
 std::string way_on(Ui& ui, const Lesson& lesson) {
     const std::string id = lesson_after(ui, lesson.id);
     const Lesson* const next = id.empty() ? nullptr : ui.lesson.lessons.find(id);

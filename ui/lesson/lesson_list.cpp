@@ -18,10 +18,10 @@ namespace rasterwalk {
 
 namespace {
 
-/// Beside an entry's mark and right of its title, design pixels.
+/// Space around an entry's mark and to the right of its title, design pixels.
 constexpr float entry_margin = 8.0f, entry_indent = 30.0f;
 
-/// The room of a title beside what stands at the right of it, screen pixels.
+/// The room for a title next to the text at its right, screen pixels.
 float title_room(const Ui& ui, float width, const std::string& right) {
     const float u = ui.options.text_scale;
     const float beside =
@@ -29,7 +29,7 @@ float title_room(const Ui& ui, float width, const std::string& right) {
     return width - (entry_indent + entry_margin) * u - beside;
 }
 
-/// The text with line breaks where it would be wider than this in the font, screen pixels.
+/// The text with line breaks so that no line is wider than this in the font, screen pixels.
 std::string lines_of(ImFont* font, std::string_view text, float width) {
     ImGui::PushFont(font);
     std::string lines = broken_into_lines(text, width);
@@ -87,7 +87,7 @@ std::string minutes_text(const Lesson& lesson) {
     return std::to_string(lesson.minutes) + " min";
 }
 
-/// Do all titles have room on one line beside the minutes? If one does not, none has minutes: they
+/// Do all titles have room on one line with the minutes? If one does not, none has minutes: they
 /// are given with what the lesson is about.
 bool has_room_for_minutes(const Ui& ui, const std::vector<Lesson>& lessons, float width) {
     return std::all_of(lessons.begin(), lessons.end(), [&](const Lesson& lesson) {
@@ -113,7 +113,7 @@ void draw_lessons(Ui& ui, float width) {
     const Palette& p = palette(ui.options.theme);
     ui.lesson.scores.renew(ui.lesson.progress, ui.lesson.lessons);
     const std::vector<Lesson>& lessons = ui.lesson.lessons.all();
-    // Where lines are few, a lesson has one, and its tooltip says the rest.
+    // Where lines are few, a lesson has one, and its tooltip has the rest.
     const bool is_short = ui.lesson.is_strip;
     const bool has_minutes = !is_short || has_room_for_minutes(ui, lessons, width);
     for (std::size_t i = 0; i < lessons.size(); ++i) {
@@ -169,7 +169,7 @@ void draw_hits(Ui& ui, float width) {
         found = {ui.lesson.search, ui.lesson.lessons.number(),
                  search_lessons(lessons, ui.session.glossary, ui.lesson.search)};
     }
-    // The copy outlives a lesson's opening, which may search again.
+    // The copy outlives the opening of a lesson, which may search again.
     const std::vector<SearchHit> hits = found.hits;
     if (hits.empty()) {
         text_in(p.dim, "Nothing was found.");

@@ -57,7 +57,7 @@ void draw_heading(Ui& ui, const Lesson& lesson) {
     ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
 }
 
-/// The footnotes that the text refers to, in the form in which it can be read together with them.
+/// The text with the footnotes that it refers to, in the form in which they can be read together.
 std::string with_footnotes(const Lesson& lesson, const std::string& text) {
     std::string result = text;
     for (const LessonFootnote& note : lesson.footnotes) {
@@ -68,18 +68,18 @@ std::string with_footnotes(const Lesson& lesson, const std::string& text) {
     return result;
 }
 
-/// The part of a step that stands in its whole text.
+/// Where a part of the step is in its whole text.
 struct PartArea {
     int part = 0;
     float top = 0.0f, bottom = 0.0f; ///< screen pixels
 };
 
-/// A line of text stands above what is scrolled to.
+/// A line of text is left above what is scrolled to.
 float line_above(const Ui& ui) {
     return 1.4f * ui.fonts.text->FontSize;
 }
 
-/// How far the text is scrolled where this place stands at the top.
+/// How far the text is scrolled when this place is at the top.
 float scroll_at(const Ui& ui, const PartArea& area, float share) {
     if (area.part == 0 && share == 0.0f) return 0.0f; // the heading above it
     const float top = area.top + share * (area.bottom - area.top);
@@ -87,7 +87,7 @@ float scroll_at(const Ui& ui, const PartArea& area, float share) {
     return std::floor(top - above - ImGui::GetWindowPos().y + ImGui::GetScrollY());
 }
 
-/// Is there still something to do or to answer in this part?
+/// Is there anything left to do or to answer in this part?
 bool is_open(const Ui& ui, const Lesson& lesson, const LessonPart& part) {
     const auto index = static_cast<std::size_t>(part.index);
     switch (part.kind) {
@@ -99,7 +99,7 @@ bool is_open(const Ui& ui, const Lesson& lesson, const LessonPart& part) {
     case LessonPart::Kind::prediction: {
         const LessonPrediction& prediction = lesson.predictions[index];
         const auto view = ui.lesson.predictions.find(prediction.id);
-        // Not there: a link has led elsewhere.
+        // Not there if a link has led elsewhere.
         return view != ui.lesson.predictions.end() && view->second.is_taken_up &&
                !is_revealed(ui, lesson, prediction);
     }
@@ -107,8 +107,8 @@ bool is_open(const Ui& ui, const Lesson& lesson, const LessonPart& part) {
     return false;
 }
 
-/// Is the part drawn last not yet in sight? One that the window cannot hold is when it stands at
-/// the top.
+/// Is the part last drawn still out of sight? A part that the window cannot hold is in sight when
+/// it is at the top.
 bool is_below(const Ui& ui, const PartArea& area) {
     const float furthest = std::min(scroll_at(ui, area, 0.0f), ImGui::GetScrollMaxY());
     return is_cut_off(ui) && ImGui::GetScrollY() < furthest - 1.0f;
@@ -150,7 +150,7 @@ void draw_lesson_faults(Ui& ui, const Lesson& lesson) {
 
 void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
     const LessonStep& step = step_on_show(ui, lesson);
-    // A drawer says it above its text, which has few lines.
+    // The drawer, which has few lines, says it above its text.
     if (!is_drawer_open(ui)) draw_heading(ui, lesson);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
     draw_lesson_faults(ui, lesson);
@@ -195,7 +195,7 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
         draw_lesson_end(ui, lesson, width);
         areas.push_back({static_cast<int>(step.parts.size()), top, ImGui::GetCursorScreenPos().y});
     }
-    // What is drawn may have led to another step, which asks for a place of its own.
+    // Drawing may have led to another step, which asks for a different place.
     std::optional<LessonPlace>& place = ui.lesson.place_to_show;
     const bool is_here = place && static_cast<std::size_t>(place->part) < areas.size();
     if (is_here) {

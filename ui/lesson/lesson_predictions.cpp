@@ -51,19 +51,19 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     if (!entered && !pressed) return;
     const std::optional<double> number = read_answer(view.typed);
     view.is_no_number = !number;
-    view.takes_keys = true; // for another number, if there is one to give
+    view.takes_keys = true; // for another number, if one may be given
     if (!number) return;
     answer_prediction(ui, lesson, prediction, {*number},
                       answer_words(prediction, {*number}, view.typed));
 }
 
-/// Where the choices of a prediction stand, from the first one's upper left corner.
+/// Where the choices of a prediction are, from the first one's upper left corner.
 struct ChoicePlace {
     ImVec2 at, size; ///< screen pixels
     float wrap;      ///< width of the words, screen pixels
 };
 
-/// @param side_by_side as many on a line as have room, instead of one
+/// @param side_by_side as many on a line as fit, instead of one
 std::vector<ChoicePlace> places_of_choices(const LessonPrediction& prediction, float width,
                                            ImVec2 padding, bool side_by_side) {
     std::vector<ChoicePlace> places;
@@ -86,13 +86,13 @@ std::vector<ChoicePlace> places_of_choices(const LessonPrediction& prediction, f
     return places;
 }
 
-/// Was it answered wrongly, and is it asked once more?
+/// Was it answered wrongly, with a second try to come?
 bool is_second_try(Ui& ui, const LessonPrediction& prediction) {
     return ui.lesson.progress.has_second_try(ui.session.lesson, prediction.id) &&
            ui.lesson.predictions[prediction.id].judged.has_value();
 }
 
-/// What was chosen first, and is not to be chosen again.
+/// The first choice, which must not be chosen again.
 void draw_spent_choice(Ui& ui, const std::string& choice, const Area& area, ImVec2 padding,
                        float wrap) {
     ImGui::Dummy(area.size);
@@ -160,15 +160,15 @@ void draw_pixel_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     keep_item_whole(ui);
 }
 
-/// A chosen sentence in quotation marks; a number or a pixel as it is, with a full stop.
+/// A chosen sentence in quotation marks; a number or a pixel unchanged, with a full stop.
 std::string as_said(const LessonPrediction& prediction, const std::string& answer) {
     if (prediction.kind != LessonPrediction::Kind::choice) return answer + ".";
     return "“" + answer + "”" + (answer.ends_with('.') ? "" : ".");
 }
 
-/// "You said: 12. The program says: 11 pixels." Of a first try that may be followed by a second:
-/// "You said: 12."
-/// @param is_second the answer is the second
+/// "You said: 12. The program says: 11 pixels." For a first try with a second to come: "You said:
+/// 12."
+/// @param is_second the answer is the second one
 std::string verdict(const LessonPrediction& prediction, const PredictionView& view,
                     bool is_second_try, bool is_second) {
     const Judgement& judged = *view.judged;
@@ -196,7 +196,7 @@ std::string verdict(const LessonPrediction& prediction, const PredictionView& vi
     return text;
 }
 
-/// What the program says to an answer.
+/// What the program says about an answer.
 void draw_verdict(Ui& ui, const LessonPrediction& prediction, const std::string& name) {
     const PredictionView& view = ui.lesson.predictions[prediction.id];
     const bool is_right = view.judged->is_right;
@@ -216,7 +216,7 @@ void draw_verdict(Ui& ui, const LessonPrediction& prediction, const std::string&
     keep_item_whole(ui);
 }
 
-/// What was just said is brought into sight, and the widget after it has the keyboard.
+/// Brings what was just said into sight, and gives the keyboard to the widget after it.
 void show_fresh(Ui& ui, const std::string& widget) {
     scroll_here(1.0f);
     if (!ui.focus.is_shown) return;
@@ -251,13 +251,13 @@ void draw_reveal(Ui& ui, LessonBox& box, const Lesson& lesson, const LessonPredi
     draw_again(ui, lesson, prediction, name);
 }
 
-/// What is said to a first answer that was wrong.
+/// What is said about a wrong first answer.
 std::string words_to_miss(const PredictionView& view) {
     if (!view.judged->says.empty()) return view.judged->says;
     return "That is not it. Think again: you have a second try.";
 }
 
-/// In a strip: the verdict, as much of the reason as has room, and the way to answer again.
+/// In a strip: the verdict, as much of the reason as fits, and the button to answer again.
 void draw_short_reveal(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
                        const std::string& name, const std::string& because, float width) {
     const float left = ImGui::GetCursorScreenPos().x;
@@ -285,7 +285,7 @@ void draw_answers(Ui& ui, const Lesson& lesson, const LessonPrediction& predicti
     }
 }
 
-/// The widget that answers first.
+/// The first widget that can answer.
 std::string first_answer(Ui& ui, const LessonPrediction& prediction, const std::string& name) {
     switch (prediction.kind) {
     case LessonPrediction::Kind::number:
@@ -304,11 +304,11 @@ std::string first_answer(Ui& ui, const LessonPrediction& prediction, const std::
     return name + ".answer";
 }
 
-/// The ways to answer; the second time with what is said to the first answer, and with a way out.
+/// The ways to answer; for the second try also what is said about the first answer, and a way out.
 void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
                 const std::string& name, float width, bool side_by_side) {
     PredictionView& view = ui.lesson.predictions[prediction.id];
-    // What is answered below is said in the next frame.
+    // The verdict on an answer given below appears in the next frame.
     const bool is_fresh = std::exchange(view.is_fresh, false);
     const bool is_second = is_second_try(ui, prediction);
     if (is_second) {

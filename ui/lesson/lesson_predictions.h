@@ -8,14 +8,14 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// What is said after the answer, which must have been judged: Markdown.
+/// What is said after the answer, which must already be judged: Markdown.
 std::string reason_on_show(const PredictionView& view);
 
 /// A prediction as a box: the question, a way to answer, and afterwards what the program says.
 void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction, float width);
 
 /// The same without a box, for a strip.
-/// @param because the part of the reason that has room, see LessonCard; the rest is on other cards
+/// @param because the part of the reason that fits, see LessonCard; the rest is on other cards
 void draw_prediction_lines(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
                            const std::string& because, float width);
 

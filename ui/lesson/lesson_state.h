@@ -21,17 +21,17 @@ namespace rasterwalk {
 
 struct MarkdownPage; // ui/page/markdown.h
 
-/// What the student answered to a prediction of the lesson that is open.
+/// The student's answer to a prediction of the open lesson.
 struct PredictionView {
-    std::string typed;               ///< the number, as it stands in the field
-    bool is_no_number = false;       ///< what stood there when it was answered
-    std::optional<Judgement> judged; ///< of the answer given last; none before the first
-    std::string said;                ///< that answer, as it is repeated to the student
+    std::string typed;               ///< the number, as written in the field
+    bool is_no_number = false;       ///< the field's content at the last answer
+    std::optional<Judgement> judged; ///< of the last answer; none before the first
+    std::string said;                ///< that answer, as repeated to the student
     std::shared_ptr<MarkdownPage> because;
-    bool is_in_picture = false; ///< what the answer shows was set up since the step was opened
-    bool takes_keys = false;    ///< the field of a number has the keyboard from the next frame on
+    bool is_in_picture = false; ///< what the answer shows was set up since the step opened
+    bool takes_keys = false;    ///< the field of a number has the keyboard from the next frame
     bool is_fresh = false;      ///< just answered: the verdict is scrolled to, and has the keyboard
-    bool is_taken_up = false; ///< an answer that was kept is shown; from now on the student decides
+    bool is_taken_up = false;   ///< a kept answer is shown; after that the student decides
 };
 
 /// What is said about a task of the current step: Markdown.
@@ -50,7 +50,7 @@ struct LessonSearch {
 /// What a strip shows of a step at a time: a few lines of its text, a question, or a task.
 struct LessonCard {
     int part = 0;     ///< index in LessonStep::parts
-    std::string text; ///< as much of it as has room; of a question: of the reason for its answer
+    std::string text; ///< as much as fits; for a question: of the reason for its answer
 };
 
 /// A place in a step's text.
@@ -62,20 +62,20 @@ struct LessonPlace {
 /// What the strip of the lesson keeps from one frame to the next.
 struct LessonStrip {
     std::vector<LessonCard> cards; ///< of the current step, in reading order; empty: not cut yet
-    float cards_width = 0.0f;      ///< for which they were cut, screen pixels
-    float cards_text_size = 0.0f;  ///< and of which font, screen pixels
-    float cards_height = 0.0f;     ///< and for what room for a table, screen pixels
-    bool is_recut = false;         ///< they are cut again: what they say has changed
+    float cards_width = 0.0f;      ///< the width they were cut for, screen pixels
+    float cards_text_size = 0.0f;  ///< the font size they were cut for, screen pixels
+    float cards_height = 0.0f;     ///< the room for a table they were cut for, screen pixels
+    bool is_recut = false;         ///< they must be cut again: their words have changed
     std::uint64_t cards_of = 0;    ///< number of the lessons when they were cut, see LessonList
     int card = 0;                  ///< the one shown
     LessonPlace place;             ///< where the card shown begins
-    std::optional<LessonPlace> read_to; ///< what the cards are to go on with, once they are cut
-    int scrolled_card = 0;              ///< the one to which the scroll position belongs
-    bool is_beside = false;             ///< the canvas, and narrower than the window
-    bool has_long_words = false;        ///< those of a step's parts have no room beside the buttons
-    float height = 0.0f;      ///< that its text took when it was drawn last, screen pixels
-    float most_height = 0.0f; ///< that it can have in this window, screen pixels
-    /// The sentences that fit, and for what they were found.
+    std::optional<LessonPlace> read_to; ///< where the cards continue once they are cut
+    int scrolled_card = 0;              ///< the one the scroll position belongs to
+    bool is_beside = false;             ///< next to the canvas, and narrower than the window
+    bool has_long_words = false; ///< the words of a step's parts have no room next to the buttons
+    float height = 0.0f;         ///< of its text when last drawn, screen pixels
+    float most_height = 0.0f;    ///< the most it can have in this window, screen pixels
+    /// The sentences that fit, and what they were found for.
     struct Fitting {
         std::string of, sentences;
         float width = 0.0f;     ///< screen pixels
@@ -84,9 +84,9 @@ struct LessonStrip {
     } fitting;
 };
 
-/// What moves a widget that a step points at out of sight without its being scrolled away.
+/// What can move the widget that a step points at out of sight without scrolling.
 struct PointedPlace {
-    std::string widget;                ///< that one, or what is to be clicked first
+    std::string widget;                ///< that widget, or what must be clicked first
     int card = 0;                      ///< of the strip
     float strip = 0.0f;                ///< its height, screen pixels
     float width = 0.0f, height = 0.0f; ///< of the window, screen pixels
@@ -103,44 +103,44 @@ struct LessonView {
     Progress kept_progress; ///< as this window last read or wrote it
     KeptFile progress_file;
     LessonScores scores;
-    FactCache facts; ///< that the conditions of the tasks ask for
+    FactCache facts;                                            ///< for the conditions of the tasks
     std::map<std::string, std::shared_ptr<MarkdownPage>> pages; ///< of the current step, by name
     std::map<std::string, PredictionView> predictions;          ///< of the lesson, by id
     std::set<std::string> open_hints;                           ///< ids of tasks
-    std::map<std::string, TaskWords> task_words;                ///< by the id of the task
-    std::string fresh;         ///< widget of words that have just come; empty: none
+    std::map<std::string, TaskWords> task_words;                ///< by task id
+    std::string fresh;         ///< widget of words that have just appeared; empty: none
     int frames_to_fresh = 0;   ///< until they are scrolled into sight
     std::string shown;         ///< which page is shown; the scroll position belongs to it
     float scroll_share = 0.0f; ///< how far it is scrolled, 0 to 1
-    unsigned place = 0;        ///< in which window of ImGui it stands
+    unsigned place = 0;        ///< the window of ImGui that it is in
     std::optional<LessonPlace> place_to_show; ///< in the whole text: it is scrolled there
-    /// Part of the column's text: a question or a task that is open, and out of sight.
+    /// Part of the column's text: an open question or task that is out of sight.
     std::optional<int> open_below;
-    std::optional<float> known_scroll; ///< of the whole text; another one is the student's doing
+    std::optional<float> known_scroll; ///< of the whole text; if it changes, the student scrolled
     bool wants_end = false;       ///< of the current step: its last card, the end of its whole text
-    float pages_to_scroll = 0.0f; ///< what a key asks for: 1 is a page on
+    float pages_to_scroll = 0.0f; ///< requested by a key: 1 is a page forward
     bool has_more_above = false, has_more_below = false; ///< text that is scrolled away
     /// What the window showed whole in the previous frame, screen pixels from the text's beginning,
     /// and whether it had to leave out a line below.
     float shown_from = 0.0f, shown_to = 0.0f;
     bool is_cut_below = false;
-    int frames_to_scroll = 0;          ///< in which it goes back to that share, in another place
+    int frames_to_scroll = 0;          ///< in which it returns to that share, in another place
     std::string search;                ///< what the list of lessons is searched for
-    LessonSearch found;                ///< what it has found
-    bool is_strip = false;             ///< above the canvas, for want of room for a column
-    bool drawer_is_open = false;       ///< where it is a strip: the whole text takes its place
+    LessonSearch found;                ///< the result of that search
+    bool is_strip = false;             ///< above the canvas, for lack of room for a column
+    bool drawer_is_open = false;       ///< if it is a strip: the whole text takes its place
     bool drawer_of_other_mode = false; ///< it is open when the lecture mode is left or entered
     LessonStrip strip;
-    std::string meant;         ///< widget that a link points at; empty: none
-    std::string pointed_at;    ///< that one, or what is to be clicked first: it is outlined
-    bool is_held = false;      ///< it is kept in sight, and outlined without a pointer on the link
-    std::string of_step;       ///< widget that the step points at, until it is used; empty: none
-    PointedPlace of_step_in;   ///< where that was brought into sight
-    bool is_new = false;       ///< by the click or key of this frame, which does not end it
-    bool is_hovered = false;   ///< the pointer rests on such a link in this frame
-    bool wants_frame = false;  ///< pressed by key: what it points at gets the frame
-    int frames_unseen = 0;     ///< since the widget pointed at was last on the screen
-    int frame_of_answer = -1;  ///< in which an answer that was kept was judged last
+    std::string meant;        ///< the widget that a link points at; empty: none
+    std::string pointed_at;   ///< that one, or what must be clicked first: it is outlined
+    bool is_held = false;     ///< it is kept in sight, and outlined without a pointer on the link
+    std::string of_step;      ///< the widget that the step points at, until it is used; empty: none
+    PointedPlace of_step_in;  ///< where that was brought into sight
+    bool is_new = false;      ///< set by the click or key of this frame, which does not end it
+    bool is_hovered = false;  ///< the pointer rests on such a link in this frame
+    bool wants_frame = false; ///< pressed by key: what it points at gets the frame
+    int frames_unseen = 0;    ///< since the widget pointed at was last on the screen
+    int frame_of_answer = -1; ///< in which a kept answer was last judged
     int frame_of_waiting = -1; ///< in which another one was left for the next frame
 };
 

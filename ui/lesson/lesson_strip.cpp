@@ -24,18 +24,18 @@ namespace rasterwalk {
 
 namespace {
 
-/// Design pixels: between text and buttons, and of the first line.
+/// Design pixels: space between text and buttons, and height of the first line.
 constexpr float middle_gap = 16.0f;
 constexpr float head_height = 25.0f;
 constexpr float narrow_head_height = 66.0f;
 constexpr float word_height = 21.0f;
 
-/// Of the bars in the first line, design pixels; narrower than the least they are left out.
+/// Width of the bars in the first line, design pixels; below the least they are left out.
 constexpr float bars_width = 120.0f;
 constexpr float least_bars = 50.0f;
 
-/// Of the first line, or, in a narrow strip, of the buttons; screen pixels, whole, so that the text
-/// below it begins at a pixel.
+/// Height of the first line or, in a narrow strip, of the buttons; screen pixels, whole, so that
+/// the text below it begins at a pixel.
 float head_room(const Ui& ui) {
     const LessonStrip& strip = ui.lesson.strip;
     const float words = strip.has_long_words ? word_height + 4.0f : 0.0f;
@@ -50,9 +50,9 @@ struct Head {
     PageFooter pages;
 };
 
-/// Title, place and bars, and room for what the step has. Returns the page whose bar was pressed,
-/// or -1.
-/// @param words of this size is what the step has; it is given its place
+/// Title, place and bars, and room for the words of the step's parts. Returns the page whose bar
+/// was pressed, or -1.
+/// @param words has the size of these words; gets their place
 int draw_head(Ui& ui, const Head& head, float width, Area& words) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
@@ -93,7 +93,7 @@ int draw_head(Ui& ui, const Head& head, float width, Area& words) {
     return wanted;
 }
 
-/// The card has a window of its own, which scrolls below the head.
+/// The card has its own window, which scrolls below the head.
 void begin_card_window(Ui& ui, float width) {
     const float scroll_bar = ImGui::GetStyle().ScrollbarSize;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
@@ -127,7 +127,7 @@ void draw_card(Ui& ui, const Lesson& lesson, const LessonStep& step, const Lesso
     using Kind = LessonPart::Kind;
     const auto part = static_cast<std::size_t>(card.part);
     const int first = card_of_part(ui.lesson.strip, card.part);
-    // A reason goes on from the question's own card.
+    // A reason continues from the question's own card.
     if (part >= step.parts.size() || step.parts[part].kind == Kind::text ||
         step.parts[part].kind == Kind::control || ui.lesson.strip.card > first) {
         draw_text_card(ui, card.text, width);
@@ -141,7 +141,7 @@ void draw_card(Ui& ui, const Lesson& lesson, const LessonStep& step, const Lesso
     }
 }
 
-/// Below the last card of a part: what is turned there.
+/// Draws the controls below the last card of their part.
 void draw_controls(Ui& ui, const Lesson& lesson, const LessonStep& step, float width) {
     const LessonStrip& strip = ui.lesson.strip;
     const auto card = static_cast<std::size_t>(strip.card);
@@ -164,7 +164,7 @@ int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, floa
     const int part = strip.cards[static_cast<std::size_t>(strip.card)].part;
     Area words{{}, {part_words_width(ui, lesson, step, part), word_height * ui.options.text_scale}};
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    // In a narrow strip the words have a line of their own, beside the buttons or below them.
+    // In a narrow strip the words have their own line, next to the buttons or below them.
     strip.has_long_words = words.size.x > head_width;
     Area none;
     const int wanted = draw_head(ui, head, head_width, strip.is_beside ? none : words);
@@ -206,7 +206,7 @@ int draw_stage(Ui& ui, const PageFooter& pages, float head_width, float width) {
     const StageNote& note = ui.lesson.notes.find(note_name(ui.session));
     const std::string text =
         note.fault.empty() ? note_on_show(ui, note) : std::string(info.summary);
-    // The way on leads to the next stage: what has no room is left to the whole text.
+    // The button forward leads to the next stage: what has no room is left to the whole text.
     std::string beginning = fitting_sentences(ui, text, width, lines_of_strip(ui));
     if (beginning.size() < text.size()) beginning += " …";
     draw_text_card(ui, beginning, width);

@@ -16,7 +16,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What has just come is scrolled into sight, once the text has its new length.
+/// Scrolls what has just appeared into sight, once the text has its new length.
 void scroll_to_fresh(Ui& ui, const std::string& name) {
     LessonView& view = ui.lesson;
     if (view.fresh != name || --view.frames_to_fresh > 0) return;
@@ -38,7 +38,7 @@ void draw_task_words(Ui& ui, const LessonTask& task, const std::string& name, bo
     scroll_to_fresh(ui, name + ".words");
 }
 
-/// A hint as far as it was asked for.
+/// A hint, as far as it was requested.
 void draw_hint(Ui& ui, const LessonTask& task, const std::string& name, float width) {
     std::set<std::string>& hints = ui.lesson.open_hints;
     if (hints.count(task.id) > 0) {

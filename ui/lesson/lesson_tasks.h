@@ -6,8 +6,8 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// A task as a box: what is to be done, a hint on request, what a try misses, a tick when it is
-/// solved, and why it is.
+/// A task as a box: what is to be done, a hint on request, what a try misses, and when it is solved
+/// a tick and the reason.
 void draw_task(Ui& ui, const Lesson& lesson, const LessonTask& task, float width);
 
 /// The same without a box, for a strip.

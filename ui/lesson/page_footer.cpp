@@ -43,12 +43,12 @@ int draw_page_bars(Ui& ui, const PageFooter& footer, float width) {
 
 namespace {
 
-/// The title beside its arrow, or only the word where it is too long.
+/// The title next to its arrow, or only the word if the title is too long.
 std::string fitting_label(const std::string& title, const char* word, float room) {
     return button_width(title + "  ›") <= room ? title : word;
 }
 
-/// The title of a page; beyond the last, of what comes after it.
+/// The title of a page; beyond the last, the name of what follows.
 const std::string& title_of(const PageFooter& footer, int page) {
     const auto index = static_cast<std::size_t>(std::max(page, 0));
     return index < footer.pages.size() ? footer.pages[index].title : footer.beyond;
@@ -88,7 +88,7 @@ bool draw_previous(Ui& ui, const PageFooter& footer, const std::string& label, I
                   size);
 }
 
-/// What the button on says in a footer.
+/// The label of the forward button in a footer.
 std::string next_label(const PageFooter& footer, float room) {
     if (footer.open_below != PageFooter::Open::nothing) {
         const std::string what = footer.open_below == PageFooter::Open::task ? "task" : "question";
@@ -98,7 +98,7 @@ std::string next_label(const PageFooter& footer, float room) {
     return fitting_label(title_of(footer, footer.current + 1), "next", room) + "  ›";
 }
 
-/// Of the buttons in a strip, design pixels.
+/// Widths of the buttons in a strip, design pixels.
 constexpr float next_width = 86.0f;
 constexpr float previous_width = 40.0f;
 
@@ -114,14 +114,14 @@ PageWish draw_page_footer(Ui& ui, const PageFooter& footer, float width) {
     const ImVec2 start = ImGui::GetCursorScreenPos();
     PageWish wish{draw_page_bars(ui, footer, width)};
     const float y = start.y + 24.0f * u;
-    // The halves of the line, whatever stands on the buttons: who walks on need not look for them.
+    // Each button has half of the line, whatever its label, so walking on needs no searching.
     const float gap = 8.0f * u;
     const float half = std::floor(0.5f * (width - gap));
     if (has_next(footer)) {
         ImGui::SetCursorScreenPos({start.x + width - half, y});
         if (draw_next(ui, footer, next_label(footer, half), {half, 0.0f})) wish.direction = 1;
     }
-    // Where there is no way back there is room for the title of what comes.
+    // If there is no way back, there is room for the title of what comes.
     const std::string& next = title_of(footer, footer.current + 1);
     if (footer.current == 0 && has_next(footer) && fitting_label(next, "", half).empty()) {
         const ImFont* const small = ui.fonts.small;

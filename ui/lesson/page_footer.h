@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// The way through the pages of a walk: a bar a page, and buttons to the neighbours.
+/// The way through the pages of a walk: a bar for each page, and buttons to the neighbours.
 struct PageFooter {
     struct Page {
         std::string widget; ///< of its bar: `lesson.bar.points`
@@ -17,29 +17,29 @@ struct PageFooter {
     };
     std::vector<Page> pages;
     int current = 0;
-    std::string beyond;           ///< what comes after the last page; empty: nothing
+    std::string beyond;           ///< what follows the last page; empty: nothing
     bool has_more_before = false; ///< in a strip: parts of the page that are not shown
     bool has_more_after = false;
-    /// In a column: what is open, and scrolled away.
+    /// In a column: what is open and scrolled away.
     enum class Open : std::uint8_t { nothing, question, task };
     Open open_below = Open::nothing;
 };
 
-/// What the student asks a footer for.
+/// The student's request to a footer.
 struct PageWish {
-    int page = -1;     ///< whose bar was pressed; -1: none
-    int direction = 0; ///< 1: on, -1: back, by a button; beyond the last is what comes after it
+    int page = -1;     ///< the page whose bar was pressed; -1: none
+    int direction = 0; ///< by a button; 1: forward, -1: back; beyond the last is what follows it
 };
 
 /// Draws the footer at ImGui's cursor.
 PageWish draw_page_footer(Ui& ui, const PageFooter& footer, float width);
 
-/// The buttons on and back alone, side by side at ImGui's cursor, for a strip: their size does not
-/// depend on what they lead to. Returns 1 for on, -1 for back, 0 if none was pressed.
+/// Only the buttons forward and back, side by side at ImGui's cursor, for a strip: their size does
+/// not depend on what they lead to. Returns 1 for forward, -1 for back, 0 if neither was pressed.
 int draw_page_buttons(Ui& ui, const PageFooter& footer, float height);
 float page_buttons_width(const Ui& ui); ///< screen pixels
 
-/// Its bars alone. Returns the page whose bar was pressed, or -1.
+/// Only its bars. Returns the page whose bar was pressed, or -1.
 int draw_page_bars(Ui& ui, const PageFooter& footer, float width);
 float page_bars_height(const Ui& ui); ///< screen pixels
 

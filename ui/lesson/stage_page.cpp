@@ -26,7 +26,7 @@ void draw_heading(Ui& ui, const StageInfo& info) {
     ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
 }
 
-/// The stage's own title and summary, where its note cannot be read.
+/// The stage's own title and summary, for when its note cannot be read.
 void draw_missing(Ui& ui, const StageInfo& info, const StageNote& note) {
     ImGui::PushFont(ui.fonts.title);
     wrapped_text(info.title);

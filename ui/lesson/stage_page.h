@@ -9,15 +9,15 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// The page about the current stage, from lessons/stages, and below it the way to its neighbours.
-std::string stage_page_name(Ui& ui); ///< by which its scroll position is known
+/// The page about the current stage, from lessons/stages, and below it buttons to its neighbours.
+std::string stage_page_name(Ui& ui); ///< identifies its scroll position
 void draw_stage_text(Ui& ui, float width);
 void draw_stage_footer(Ui& ui, float width);
 
-/// The text of a stage's note, with the numbers of what is shown.
+/// The text of a stage's note, with the numbers of the current frame.
 std::string note_on_show(const Ui& ui, const StageNote& note);
 
-/// What the footer walks through, and what it does with the stage that is wanted.
+/// The stages that the footer walks through, and going to the stage wanted.
 PageFooter pages_of_stages(const Ui& ui);
 void turn_to_stage(Ui& ui, int wanted);
 

@@ -50,10 +50,10 @@ void scroll_by_key(LessonView& view) {
     view.has_more_below = at < last - 1.0f && (view.is_cut_below || last - at > line);
     if (view.pages_to_scroll == 0.0f) return;
     const bool is_on = std::exchange(view.pages_to_scroll, 0.0f) > 0.0f;
-    // What is higher than the window moves on by the line, at least.
+    // What is higher than the window moves by at least the line.
     float to = is_on ? std::max(view.shown_to, at + line)
                      : std::min(view.shown_from - ImGui::GetWindowHeight(), at - line);
-    // The text does not stop less than a line below its top, if no line is left out for it.
+    // The text does not stop less than a line below its top if no line is left out for that.
     if (!is_on && to < line) to = 0.0f;
     ImGui::SetScrollY(std::clamp(to, 0.0f, last));
 }

@@ -10,25 +10,26 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// The way on and back and, below them, the way to the whole text and back to the strip: at the
-/// same place in both. Returns 1 for on, -1 for back, 0 if neither was pressed.
-/// @param lesson that is shown; null: the page about a stage
+/// The buttons forward and back and, below them, the button to the whole text and back to the
+/// strip: in the same place in both. Returns 1 for forward, -1 for back, 0 if neither was pressed.
+/// @param lesson the one shown; null: the page about a stage
 /// @param corner at the upper right, screen pixels
 int draw_strip_buttons(Ui& ui, const Lesson* lesson, PageFooter pages, ImVec2 corner);
 
-/// Design pixels: above and below the strip, and of its buttons with the gap below them.
+/// Design pixels: margin above and below the strip, and size of its buttons with the gap below
+/// them.
 inline constexpr float strip_margin_y = 8.0f;
 inline constexpr float strip_button_height = 36.0f;
 inline constexpr float strip_button_gap = 5.0f;
 
-/// In the window of a text that scrolls: notes what is scrolled away, and does what a key asks for.
+/// In the window of a text that scrolls: notes what is scrolled away, and does what a key requests.
 /// The next page begins with the first line that this one did not show whole.
 void scroll_by_key(LessonView& view);
 
-/// In the same window, when the text was drawn: notes which lines of it were shown.
+/// In the same window, after the text was drawn: notes which lines of it were shown.
 void note_shown_lines(Ui& ui);
 
-/// The way to the whole text and back to the strip alone.
+/// Only the button to the whole text and back to the strip.
 /// @param corner at the upper right, screen pixels
 void draw_drawer_button(Ui& ui, ImVec2 corner);
 

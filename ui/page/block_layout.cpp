@@ -36,7 +36,7 @@ void PageSetter::list(const MarkdownBlock& list, float x, float width) {
     }
     const float number = list.is_numbered ? width_of(fonts_.text, last_number + ".") : 0.0f;
     const float wished = list.is_numbered ? number + 0.5f * em_ : 1.15f * em_;
-    // Deeply nested lists move in ever smaller steps, and never out of the column.
+    // Deeply nested lists are indented in ever smaller steps, and never leave the column.
     const float indent = std::round(std::min(wished, 0.25f * width));
     for (std::size_t i = 0; i < list.children.size(); ++i) {
         if (i > 0) y += list.is_tight ? 0.35f * em_ : 0.75f * em_;
@@ -66,7 +66,7 @@ void PageSetter::list(const MarkdownBlock& list, float x, float width) {
 
 /// How much of a line of code goes into `room`: all of it, or up to a blank, but at least a letter.
 std::size_t PageSetter::code_line_length(std::string_view line, float room) const {
-    // Nothing to measure, and perhaps no data, which ImGui would read all the same.
+    // Nothing to measure, and perhaps no data, which ImGui would still read.
     if (line.empty()) return 0;
     const char* stop = nullptr;
     fonts_.mono->CalcTextSizeA(fonts_.mono->FontSize, std::max(room, 0.0f), 0.0f, line.data(),
@@ -124,7 +124,7 @@ void PageSetter::box(const MarkdownBlock& quote, float x, float width) {
     y += 9.0f * u_;
     if (!quote.label.empty()) {
         page_.made.push_back(capitals(quote.label));
-        // A run of its own, because the document's is not in capitals.
+        // A separate run, because the document's is not in capitals.
         const MarkdownRun run{page_.made.back(), false, false, false, -1};
         TextLook look{.font = PageFont::small, .tint = tint};
         const std::size_t first = page_.pieces.size();
@@ -141,8 +141,8 @@ void PageSetter::box(const MarkdownBlock& quote, float x, float width) {
     page_.shapes[shape].high.y = page_.shapes[shape + 1].high.y = y;
 }
 
-/// Columns as wide as their longest line if there is room; else as their longest word and a share
-/// of what is left.
+/// Columns as wide as their longest line if there is room; otherwise as their longest word and a
+/// share of what is left.
 std::vector<float> PageSetter::column_widths(const MarkdownBlock& table, float width) const {
     std::vector<float> least, wished;
     for (const MarkdownBlock& row : table.children) {
@@ -203,7 +203,7 @@ void PageSetter::table(const MarkdownBlock& table, float x, float width) {
     }
 }
 
-/// In the middle of the column; a formula that is wider than it is set as text.
+/// In the middle of the column; a wider formula is set as text.
 void PageSetter::math(const MarkdownBlock& formula, float x, float width) {
     if (formula.runs.empty()) return;
     const MathNode tree = parse_math(formula.runs[0].text);
@@ -231,7 +231,7 @@ void PageSetter::math(const MarkdownBlock& formula, float x, float width) {
     y = bottom;
 }
 
-/// As wide as the column at most; one that cannot be shown is stood for by its words.
+/// As wide as the column at most; a picture that cannot be shown is replaced by its words.
 void PageSetter::picture(const MarkdownBlock& picture, float x, float width) {
     const ImVec2 size = picture_size_ ? picture_size_(picture.target) : ImVec2(0, 0);
     if (size.x < 1.0f || size.y < 1.0f) {

@@ -14,7 +14,7 @@
 
 namespace rasterwalk {
 
-/// What a layout depends on beside the text.
+/// What a layout depends on besides the text.
 struct PageMeasure {
     float width = 0.0f;
     float unit = 0.0f;
@@ -40,7 +40,7 @@ struct MarkdownPage {
 namespace {
 
 /// ImGui's draw lists count their corners in 16 bits; beyond this many letters a frame, or this
-/// many shapes, nothing more is drawn. No window has room for as many.
+/// many shapes, nothing more is drawn. No window has room for that many.
 constexpr std::size_t most_letters = 12'000;
 constexpr int most_shapes = 400;
 
@@ -131,7 +131,7 @@ MarkdownEvents press_links(Ui& ui, const MarkdownPage& page, const Sight& sight,
         } else if (pressed) {
             events.followed = piece.link;
         }
-        // A link over two lines is known by its first.
+        // A link over two lines has its name on the first.
         if (piece.link != last) name_widget(ui, std::string(prefix) + std::to_string(piece.link));
         last = piece.link;
     }
@@ -182,9 +182,9 @@ void draw_pictures(Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sig
     }
 }
 
-/// What the edges of the window may not cut.
+/// The lines that the edges of the window must not cut.
 void keep_lines_whole(Ui& ui, const MarkdownPage& page, const Sight& sight) {
-    // Where the room of a window that is lower now, or scrolled, would cut counts too.
+    // Also counts the edge of the window's full room, if it is lower now or scrolled.
     const float edge = sight.top + page_room(ui) - ImGui::GetScrollY();
     const Sight at_edge{sight.origin, edge, edge};
     const auto is_near = [&](float low, float high) {
@@ -201,7 +201,7 @@ void keep_lines_whole(Ui& ui, const MarkdownPage& page, const Sight& sight) {
     const std::vector<PagePiece>& pieces = page.layout.pieces;
     for (const PageShape& shape : page.layout.shapes) {
         if (shape.kind != PageShape::Kind::card || !is_near(shape.low.y, shape.high.y)) continue;
-        // Of a box at least the first line that is no heading in small letters.
+        // For a box, at least the first line that is not a heading in small letters.
         const auto first = std::find_if(pieces.begin(), pieces.end(), [&](const PagePiece& piece) {
             return piece.at.y >= shape.low.y && piece.font != PageFont::small;
         });
@@ -219,7 +219,7 @@ void draw_pieces(const Ui& ui, ImDrawList* list, const MarkdownPage& page, const
     for (const PagePiece& piece : page.layout.pieces) {
         ImFont* const font = font_of(ui.fonts, piece.font);
         if (!sight.holds(piece.at.y, piece.at.y + font->FontSize)) continue;
-        // ImGui looks for the end of a text that has no place at all: an empty line of code.
+        // ImGui would search for the end of a text without data: an empty line of code.
         if (piece.text.empty()) continue;
         letters += piece.text.size();
         if (letters > most_letters) break;

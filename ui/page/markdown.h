@@ -10,7 +10,7 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// A page that is on the screen: parsed when its text changes, laid out when text or width do.
+/// A page on the screen: parsed when its text changes, laid out when text or width do.
 struct MarkdownPage;
 
 /// What the student does with the links of a page in this frame; indices in the document's links.
@@ -22,7 +22,7 @@ struct MarkdownEvents {
 /// Draws Markdown at ImGui's cursor, wrapped at `width` screen pixels, and moves the cursor below
 /// it. Each link is entered in Ui::widgets as `prefix` and its number.
 /// @param folder of the lesson, whose pictures are shown; empty: the program's own lessons
-/// @param page keeps what was worked out from one frame to the next; null at first
+/// @param page keeps what was computed from one frame to the next; null at first
 MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::string_view text,
                              float width, std::string_view prefix, const std::string& folder = {});
 

@@ -27,7 +27,7 @@ struct PagePiece {
     std::string_view text; ///< in the document, or in PageLayout::made
     PageFont font = PageFont::text;
     PageTint tint = PageTint::text;
-    bool is_code = false; ///< on a ground of its own
+    bool is_code = false; ///< on its own ground
     int link = -1;
 };
 
@@ -39,8 +39,8 @@ struct PageShape {
     PageTint tint = PageTint::dim;
 };
 
-/// What is shown whole or not at all: a line of text with all that is raised or lowered on it, a
-/// row of a table, a formula. From the page's upper edge, screen pixels.
+/// What is shown whole or not at all: a line of text with everything raised or lowered on it, a row
+/// of a table, a formula. From the page's upper edge, screen pixels.
 struct PageLine {
     float top = 0.0f, bottom = 0.0f;
 };

@@ -15,7 +15,7 @@ PageFont run_font(const MarkdownRun& run, const TextLook& look) {
     return run.emphasis ? PageFont::italic : PageFont::text;
 }
 
-/// Puts words together from pieces of runs; a word may go on in the next run.
+/// Puts words together from pieces of runs; a word may continue in the next run.
 class Cutter {
   public:
     void add(std::string_view text, const MarkdownRun& run, PageFont font, float width, float left,

@@ -29,7 +29,7 @@ struct Word {
     std::size_t first_part = 0, part_count = 0; ///< in WordList::parts
     float width = 0.0f;
     float space = 0.0f;       ///< before it, if it is not the first on its line
-    bool begins_line = false; ///< after a break that the author asked for
+    bool begins_line = false; ///< after a break that the author wrote
 };
 
 /// A paragraph cut into words.

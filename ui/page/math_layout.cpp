@@ -14,7 +14,7 @@ class MathSetter {
     MathSetter(const Fonts& fonts, float unit, std::deque<std::string>& made)
         : fonts_(fonts), u_(unit), em_(fonts.text->FontSize), made_(made) {}
 
-    /// @param small as scripts are
+    /// @param small at the size of scripts
     MathBox set(const MathNode& node, bool small);
 
   private:
@@ -90,7 +90,7 @@ MathBox MathSetter::fraction(const MathNode& node, bool small) {
     MathBox top = set(node.children[0], small), bottom = set(node.children[1], small);
     const float margin = 3.0f * u_;
     const float width = std::max(top.width, bottom.width) + 2.0f * margin;
-    const float axis = -0.3f * em_; // the line stands where a minus sign does
+    const float axis = -0.3f * em_; // the line is at the height of a minus sign
     const float top_x = 0.5f * (width - top.width), bottom_x = 0.5f * (width - bottom.width);
     const float top_y = axis - top.descent - 1.0f * u_;
     const float bottom_y = axis + bottom.ascent + 2.0f * u_;
@@ -124,7 +124,7 @@ MathBox MathSetter::root(const MathNode& node, bool small) {
 MathBox MathSetter::accent(const MathNode& node, bool small) {
     MathBox body = set(node.children[0], small);
     if (node.text == "ˆ" && !body.pieces.empty()) {
-        // The fonts have the hat as a mark that stands over the letter before it.
+        // The fonts have the hat as a mark over the letter before it.
         PagePiece& last = body.pieces.back();
         made_.emplace_back(last.text);
         made_.back() += "\xCC\x82";

@@ -23,14 +23,14 @@ const SheetLook events_look{.sheet = Sheet::events,
                             .size = {740.0f, 480.0f},
                             .is_aside = true};
 
-/// The moment of the triangle shown that was done last; -1 if none of them is done.
+/// The last moment of the triangle shown that is done; -1 if none is.
 int last_done(const Ui& ui, int triangle) {
     const RunResults& run = ui.results.a;
     if (!run.done || run.done->triangle != triangle) return -1;
     return Timeline(run.frame).ordinal(*run.done);
 }
 
-/// Lists the triangle shown, if another is listed or other words are searched for.
+/// Lists the triangle shown, if a different one is listed or the search has changed.
 void renew_list(const Ui& ui, const std::string& search, EventSheet& sheet) {
     const int triangle = ui.results.a.triangle.value_or(-1);
     const bool is_same_triangle =
@@ -69,7 +69,7 @@ void draw_event(Ui& ui, int index, int done) {
     go_to(ui.session, timeline.next(event_cursor(sheet.list, moment), Granularity::moment));
 }
 
-/// The line of the moment done last comes into view when time has moved.
+/// Brings the line of the last moment into view when time has moved.
 void follow_line(const Ui& ui, int done) {
     const EventSheet& sheet = ui.sheets.events;
     const bool appears = ImGui::IsWindowAppearing();

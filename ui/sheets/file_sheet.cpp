@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* popup = "###file sheet";
 
-/// What the sheet says, by what it is for.
+/// The words on the sheet, by what it is for.
 struct SheetWords {
     const char* title;
     std::string about;
@@ -59,7 +59,7 @@ SheetWords words_of(FileSheet::Kind kind) {
     }
 }
 
-/// A name as it can be shown on one line.
+/// A name in a form that fits on one line.
 std::string shown_name(const std::string& name) {
     std::string shown = name;
     for (char& c : shown) {
@@ -97,7 +97,7 @@ void draw_head(Ui& ui) {
 }
 
 /// What is typed before the field has the keyboard, which takes some frames, waits for it. Returns
-/// true if Enter, too, has waited.
+/// true if Enter has waited too.
 bool hand_over_typed(FileSheet& sheet) {
     if (!sheet.has_keyboard) {
         keep_letters(sheet.early_letters);
@@ -140,7 +140,7 @@ void draw_places(Ui& ui) {
     float width = 0.0f;
     for (int i = 0; i < (has_own ? 3 : 2); ++i)
         width += button_width(labels[i]) + gap;
-    // Where there is no room beside them, the folder stands in a line of its own.
+    // If there is no room next to them, the folder has its own line.
     const float room = ImGui::GetContentRegionAvail().x;
     const bool is_narrow = room - width < 180.0f * u;
     ImGui::AlignTextToFramePadding();
@@ -179,7 +179,7 @@ void draw_list(Ui& ui, float height) {
     ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 4.0f * u);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8.0f * u, 6.0f * u));
     begin_padded_child("files", {0.0f, height});
-    // Going to another folder replaces the list: what is clicked is noted, and done after it.
+    // Going to another folder replaces the list: a click is noted, and acted on afterward.
     const FileEntry* clicked = nullptr;
     bool is_double = false;
     int number = 0;
@@ -197,7 +197,7 @@ void draw_list(Ui& ui, float height) {
                                             shortened(label, room).c_str());
         if (pressed) {
             clicked = &entry;
-            // A key has no double click: the first press chooses, the next opens.
+            // A key has no double click: the first press chooses, the second opens.
             is_double =
                 is_pressed_by_key() ? sheet.path == entry.name : ImGui::IsMouseDoubleClicked(0);
         }
@@ -244,7 +244,7 @@ float message_height(const std::string& message) {
            ImGui::GetStyle().ItemSpacing.y;
 }
 
-/// Returns true if what the sheet is for is to be done.
+/// Returns true if the sheet's main button was pressed.
 bool draw_buttons(Ui& ui) {
     FileSheet& sheet = ui.sheets.files;
     const bool replaces = !sheet.asked.empty();

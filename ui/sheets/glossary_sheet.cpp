@@ -30,7 +30,7 @@ void draw_term(Ui& ui, const Term& term) {
     const Palette& p = palette(ui.options.theme);
     ImGui::PushFont(ui.fonts.bold);
     ImGui::TextUnformatted(term.word.c_str());
-    // With the first line of what it means.
+    // Together with the first line of the meaning.
     keep_beginning(ui, ImGui::GetItemRectMin().y,
                    ImGui::GetCursorScreenPos().y + ImGui::GetTextLineHeight());
     keep_item_whole(ui);

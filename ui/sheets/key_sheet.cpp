@@ -29,7 +29,7 @@ struct KeyGroup {
     std::vector<KeyLine> lines;
 };
 
-/// What is not one press of a key, then the actions of each menu.
+/// Input other than single key presses, then the actions of each menu.
 std::vector<KeyGroup> key_groups() {
     std::vector<KeyGroup> groups = {
         {"Everywhere",
@@ -52,7 +52,7 @@ std::vector<KeyGroup> key_groups() {
     };
     for (const Action& action : action_table()) {
         if (action.chord.key == 0) continue;
-        // What stands in no menu belongs to the actions before it.
+        // An action in no menu belongs to the actions before it.
         const bool is_new = !action.menu.empty() && action.menu != groups.back().title;
         if (is_new) groups.push_back({action.menu, {}});
         groups.back().lines.push_back({chord_text(action.chord), action.title});
@@ -123,12 +123,12 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
     for (int column = 0; column < columns.count; ++column) {
         if (column > 0) ImGui::SameLine(0.0f, columns.gap);
         ImGui::BeginGroup();
-        // The lines of a column need not stand beside those of another: each ends for itself.
+        // The lines of the columns need not be level: each column ends on its own.
         begin_whole_lines(ui);
         const std::size_t share = left / static_cast<std::size_t>(columns.count - column);
         for (std::size_t drawn = 0; next < groups.size(); ++next) {
             const std::size_t lines = lines_of(groups[next]);
-            if (drawn + lines / 2 > share) break; // more of it would stand beyond the share
+            if (drawn + lines / 2 > share) break; // more than half of it would exceed the share
             draw_group(ui, groups[next], columns.keys);
             drawn += lines;
             left -= lines;

@@ -16,7 +16,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Between a sheet and the border of the program's window, screen pixels.
+/// Space between a sheet and the border of the program's window, screen pixels.
 constexpr float border = 10.0f;
 
 } // namespace
@@ -36,7 +36,7 @@ void begin_sheet(Ui& ui, const SheetLook& look, ImVec2 window) {
         ImGui::SetNextWindowSizeConstraints({0, 0}, room);
         flags |= ImGuiWindowFlags_AlwaysAutoResize;
     }
-    // The upper one of two sheets that are open is in front.
+    // The sheet of keys is in front of any other that is open.
     if (look.sheet == Sheet::keys) ImGui::SetNextWindowFocus();
     ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(ui.options.theme).card);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
@@ -61,7 +61,7 @@ void end_sheet() {
 void draw_sheet_search(Ui& ui, const SheetLook& look, const char* hint, const char* help) {
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::InputTextWithHint("##search", hint, &ui.sheets.search_of(look.sheet));
-    // The field has the keyboard, and with it the key.
+    // The field has the keyboard, so it gets the key.
     const bool is_left = ImGui::IsItemDeactivated();
     name_widget(ui, std::string(look.widgets) + ".search", help);
     if (is_left && is_key_pressed(key::escape, false)) ui.sheets.show(look.sheet, false);

@@ -21,37 +21,37 @@ struct FileEntry {
 
 /// The sheet on which a file is opened or a view is saved.
 struct FileSheet {
-    /// `result`: a picture or a text of the student's own program, to be checked; `texture`: an
+    /// `result`: a picture or a text from the student's own program, to be checked; `texture`: an
     /// image to be laid on the model.
     enum class Kind : std::uint8_t { closed, open, save, result, texture };
     Kind kind = Kind::closed;
-    std::string path;   ///< as it stands in the field
-    std::string folder; ///< that is listed; kept for the next time
+    std::string path;   ///< as written in the field
+    std::string folder; ///< the one listed; kept for the next time
     std::vector<FileEntry> entries;
     std::size_t left_out = 0;  ///< files that are not listed because there are too many
-    bool is_cut = false;       ///< there are so many that not all were looked at
+    bool is_cut = false;       ///< there are so many that not all were examined
     std::string fault;         ///< why it was not opened or saved
-    std::string asked;         ///< file that is there already: may it be replaced? empty: not asked
+    std::string asked;         ///< a file that already exists: may it be replaced? empty: not asked
     bool wants_focus = false;  ///< the field takes the keyboard in the next frame
     bool has_keyboard = false; ///< it has taken it
-    std::vector<std::uint32_t> early_letters; ///< that were typed before
+    std::vector<std::uint32_t> early_letters; ///< typed before it had the keyboard
     bool early_enter = false;                 ///< and the key after them
 };
 
-/// The sheets to read in, beside which one can go on working; the one that lies on top first.
+/// The reading sheets, which leave the rest of the window usable; the topmost first.
 enum class Sheet : std::uint8_t { keys, glossary, events };
 inline constexpr std::size_t sheet_count = 3;
 
-/// What the sheet of moments lists, and for what.
+/// What the sheet of moments lists, and what it was listed for.
 struct EventSheet {
     EventList list;
-    int first = 0;                  ///< of very many moments it lists some; this is the first
-    std::vector<int> found;         ///< numbers of the moments that have the words
+    int first = 0;                  ///< of very many moments it lists only some; this is the first
+    std::vector<int> found;         ///< numbers of the moments that match the search
     std::uint64_t frame_number = 0; ///< of run A
     std::string searched;
 };
 
-/// The sheets that lie over the window.
+/// The sheets over the window.
 struct SheetsState {
     FileSheet files;
     std::array<bool, sheet_count> open{};          ///< by Sheet
@@ -64,7 +64,7 @@ struct SheetsState {
         open[static_cast<std::size_t>(sheet)] = is_shown;
     }
     void toggle(Sheet sheet) { show(sheet, !is_open(sheet)); }
-    /// The one that lies on top; none if none is open.
+    /// The topmost one; none if none is open.
     std::optional<Sheet> topmost() const {
         for (std::size_t i = 0; i < sheet_count; ++i) {
             if (open[i]) return static_cast<Sheet>(i);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int largest_side = 400; ///< pixels
 
-/// The scene with these settings at a step of the strip. A point is one pixel large: they are drawn
-/// half as far from each other, and shown twice as large.
+/// The scene with these settings at a step of the strip. A point is one pixel large: points are
+/// drawn half as far apart, and shown at twice the size.
 Image stage_picture(const Scene& scene, Settings settings, const StripStep& step, int side) {
     set_step(settings, step);
     return thumbnail(scene, settings, step.stage == Stage::points ? std::max(1, side / 2) : side);

@@ -18,7 +18,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What a card says.
+/// The words on a card.
 struct Card {
     Way way;
     const char* title;
@@ -48,12 +48,12 @@ constexpr std::array<Card, way_count> cards{{
 }};
 static_assert(is_indexed_by(cards, &Card::way));
 
-/// What a card holds besides its pictures, with all that it says and with less; design pixels. A
-/// card lower than this says less.
+/// What a card holds besides its pictures, with all its words and with fewer; design pixels. A
+/// lower card has fewer words.
 constexpr float height_without_pictures = 280.0f, brief_height_without_pictures = 245.0f;
 constexpr float eloquent_card = 400.0f;
 
-/// A card names no more of the lessons that come.
+/// The most coming lessons that a card names.
 constexpr std::size_t most_next_lessons = 5;
 
 /// The lesson of the main button; null if there is none.
@@ -63,12 +63,12 @@ const Lesson* next_lesson(Ui& ui) {
     return id.empty() ? nullptr : ui.lesson.lessons.find(id);
 }
 
-/// Is the scene of the session the one with which the program begins?
+/// Is the scene of the session the one that the program begins with?
 bool is_room(const Ui& ui) {
     return ui.session.scene->path.ends_with(usual_scene);
 }
 
-/// What stands on a button of this width.
+/// The label of a button of this width.
 std::string button_label(Ui& ui, Way way, float width) {
     if (way == Way::stages) return "Open " + std::string(is_room(ui) ? "the room" : "the scene");
     if (way == Way::picture) return "Choose a file …";
@@ -80,7 +80,7 @@ std::string button_label(Ui& ui, Way way, float width) {
     return button_width(label) <= width ? label : title;
 }
 
-/// How many of all lessons are done: a cell each, and in words.
+/// How many of all lessons are done: a cell for each, and in words.
 void draw_lesson_cells(Ui& ui, float width) {
     const float u = ui.options.text_scale;
     const Palette& p = palette(ui.options.theme);
@@ -109,7 +109,7 @@ void draw_lesson_cells(Ui& ui, float width) {
     ImGui::PopFont();
 }
 
-/// The lessons that come next, a line each, as many as have room.
+/// The lessons that come next, a line each, as many as fit.
 void draw_next_lessons(Ui& ui, ImVec2 top, float width, float bottom) {
     const float u = ui.options.text_scale;
     const Palette& p = palette(ui.options.theme);
@@ -119,7 +119,7 @@ void draw_next_lessons(Ui& ui, ImVec2 top, float width, float bottom) {
     const float line = ui.fonts.text->FontSize + 9.0f * u, indent = 28.0f * u;
     const auto room = static_cast<std::size_t>(std::max((bottom - top.y) / line, 0.0f));
     const std::size_t count = std::min({room, lessons.size(), most_next_lessons});
-    // At the end of the course those before it stand above.
+    // At the end of the course, earlier lessons fill the lines above.
     const auto first =
         std::min(static_cast<std::size_t>(next - lessons.data()), lessons.size() - count);
     ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -168,7 +168,7 @@ void draw_card_ground(const Ui& ui, ImVec2 low, ImVec2 high, bool is_chosen) {
     list->AddRectFilled(low, {high.x, low.y + 3.0f * u}, packed(is_chosen ? p.link : p.line));
 }
 
-/// A card beside the others. All are equally high.
+/// A card next to the others. All have the same height.
 void draw_tall_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     const float u = ui.options.text_scale;
     const float padding = 22.0f * u, control = 42.0f * u;
@@ -207,7 +207,7 @@ void draw_tall_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     draw_way_button(ui, card, {inner, control});
 }
 
-/// Where a line of a small window has room for more than its title, design pixels.
+/// Heights of a line in a small window, design pixels: the largest, and the least with a point.
 constexpr float largest_low_card = 96.0f;
 constexpr float roomy_low_card = 80.0f;
 

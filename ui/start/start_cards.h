@@ -11,7 +11,7 @@ struct Ui;
 /// The card whose button has the focus becomes the chosen one.
 void choose_focused_card(Ui& ui);
 
-/// The cards beside one another, or on a small page one below the other, from the cursor on.
+/// The cards side by side, or on a small page one below another, starting at the cursor.
 /// @param bottom they end here if they can, screen pixels
 void draw_cards(Ui& ui, const StartLayout& page, float bottom);
 

@@ -94,7 +94,7 @@ void draw_stages(Ui& ui, const StartLayout& page) {
     ImGui::Dummy({page.width, 0.0f});
 }
 
-/// Left out if it has no room and there is no notice.
+/// The last line is left out if it has no room and there is no notice.
 void draw_last_line(Ui& ui, const StartLayout& page, float bottom) {
     const float line_end = ImGui::GetCursorScreenPos().y + ui.fonts.small->FontSize;
     if (line_end > bottom && ui.session.notice.empty()) return;
@@ -127,7 +127,7 @@ void take_keys(Ui& ui) {
         if (is_key_pressed(key::escape, false)) close_topmost(ui);
         return;
     }
-    // A button that has the frame is pressed as everywhere.
+    // A button that has the frame handles its own keys.
     if (ui.focus.is_shown) {
         if (is_key_pressed(key::escape, false)) ui.start.is_open = false;
         return;

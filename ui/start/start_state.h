@@ -13,31 +13,31 @@
 
 namespace rasterwalk {
 
-/// A scene drawn at each step of the strip, made small.
+/// A scene drawn small at each step of the strip.
 struct StagePictures {
-    std::shared_ptr<const Scene> scene; ///< that they show
-    int side = 0;                       ///< screen pixels for which they were made
+    std::shared_ptr<const Scene> scene; ///< the one they show
+    int side = 0;                       ///< the size they were made for, screen pixels
     bool is_drawn = false;              ///< false: there are none, the scene is too large
     std::array<ImTextureID, stage_count> textures{};
 };
 
-/// What the ways lead to, in pictures on their cards.
+/// What the choices lead to, in pictures on their cards.
 struct WayPictures {
-    std::shared_ptr<const Scene> scene; ///< that they show
-    int side = 0;                       ///< screen pixels for which they were made
+    std::shared_ptr<const Scene> scene; ///< the one they show
+    int side = 0;                       ///< the size they were made for, screen pixels
     Theme theme{};                      ///< of their colours
     std::array<bool, way_count> is_shown{};
     std::array<std::array<ImTextureID, 3>, way_count> textures{};
 };
 
-/// The page with which the program begins the first time.
+/// The page that the program begins with the first time.
 struct StartPage {
     bool is_open = false;
     Way chosen = Way::lessons; ///< the card that Enter takes
-    /// What lies behind the page since the first frame in which it is open: what changes it closes
+    /// What lies behind the page since the first frame in which it is open: any change to it closes
     /// the page.
     std::optional<SessionInputs> behind;
-    std::string lesson; ///< that is open behind it
+    std::string lesson; ///< the one open behind it
     StagePictures pictures;
     WayPictures way_pictures;
 };

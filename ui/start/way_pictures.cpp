@@ -51,7 +51,7 @@ WayImages pictures_of_time(const Scene& scene, const Settings& settings, int sid
     return images;
 }
 
-/// Where the pictures differ in the colour of a failure, on what they have in common in grey.
+/// Where the pictures differ in the colour of failure, over what they share in grey.
 Image marked_difference(const Image& wrong, const Image& right, const ImVec4& mark) {
     Image image = right;
     const std::array<float, 3> marked{mark.x, mark.y, mark.z};

@@ -53,7 +53,7 @@ void follow_start_page(Ui& ui) {
         start.behind = now;
         start.lesson = ui.session.lesson;
         give_focus(ui, way_button(start.chosen));
-        ui.focus.before.clear(); // each way leads on
+        ui.focus.before.clear(); // every choice leads away from here
     }
     const bool is_same = start.behind == ui.session && start.lesson == ui.session.lesson;
     if (!is_same || is_diagnosing(ui)) start.is_open = false;

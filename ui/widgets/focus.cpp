@@ -31,7 +31,7 @@ void note_stop(WidgetPlace& place) {
 bool show_focus(Ui& ui, std::string_view name, const ImRect& shown, bool visible) {
     Focus& focus = ui.focus;
     const ImGuiLastItemData& item = GImGui->LastItemData;
-    // Who clicks into a field goes on from there.
+    // After a click into a field, the keyboard continues from there.
     const bool is_typed_into = item.ID != 0 && item.ID == GImGui->ActiveId &&
                                (item.InFlags & ImGuiItemFlags_Inputable) != 0;
     if (is_typed_into) focus.name = name;
@@ -41,7 +41,8 @@ bool show_focus(Ui& ui, std::string_view name, const ImRect& shown, bool visible
     focus.window = ImGui::GetCurrentWindow()->ID;
     if (focus.wants_sight && item.ID != 0) {
         focus.wants_sight = false;
-        // With a line around it: the next one of a long list is drawn only if it is in view.
+        // Together with a line around it: the next item of a long list is drawn only if it is in
+        // view.
         ImRect wished = item.Rect;
         wished.Expand(ImGui::GetTextLineHeightWithSpacing());
         ImGui::ScrollToBringRectIntoView(ImGui::GetCurrentWindow(), wished);
@@ -61,7 +62,7 @@ void draw_ring(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    // At the edge of the window it is drawn inside.
+    // At the edge of the window the ring is drawn inside.
     ImRect ring(focus.low.x - 2.0f * u, focus.low.y - 2.0f * u, focus.high.x + 2.0f * u,
                 focus.high.y + 2.0f * u);
     ring.ClipWith({{u, u}, {window.x - u, window.y - u}});
@@ -80,7 +81,7 @@ Arrows take_arrows(Ui& ui, std::string_view name) {
 
 void give_focus(Ui& ui, std::string name) {
     Focus& focus = ui.focus;
-    // It waits for the menu or list from which it was chosen to close.
+    // It waits until the menu or list that it was chosen from closes.
     std::string& now = focus.openers.empty() ? focus.name : focus.openers.front();
     focus.before = std::exchange(now, std::move(name));
     focus.wants_sight = true;

@@ -25,7 +25,8 @@ bool is_font_file(const std::string& path) {
     return !fault && size > 10'000;
 }
 
-/// The first folder that holds all the fonts; ImGui aborts on a file that is missing or no font.
+/// The first folder that holds all the fonts; ImGui aborts on a missing file or one that is not a
+/// font.
 std::string find_font_folder() {
     for (const char* folder : font_folders) {
         bool complete = true;

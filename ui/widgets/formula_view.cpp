@@ -29,13 +29,13 @@ std::string input_tooltip(const FormulaInput& input) {
     return text + place;
 }
 
-/// What is said about a formula, and after it the functions in the formula.
+/// The help for a formula, followed by that for the functions in it.
 std::string with_function_help(std::string text, const Formula& formula) {
     const std::string functions = function_help(formula.expression);
     return functions.empty() ? text : text.append("\n").append(functions);
 }
 
-/// The numbers of a formula, one after the other, with the signs between them.
+/// The numbers of a formula, one after another, with the signs between them.
 std::optional<Source> draw_numbers(FormulaLine& line, const Palette& p, const Formula& formula,
                                    const std::string& name) {
     std::optional<Source> clicked;
@@ -46,7 +46,7 @@ std::optional<Source> draw_numbers(FormulaLine& line, const Palette& p, const Fo
             continue;
         }
         const FormulaInput& input = formula.inputs[static_cast<std::size_t>(piece.input)];
-        // The same input may stand in a formula twice.
+        // The same input may be in a formula twice.
         const std::string id = name + "." + input.symbol;
         const std::string unique = number++ == 0 ? id : id + "##" + std::to_string(number);
         if (line.link(piece.text, unique, input_tooltip(input), p.text)) clicked = input.source;
@@ -90,12 +90,12 @@ void FormulaLine::make_room(float width) {
 
 void FormulaLine::text(std::string_view words, const ImVec4& colour) {
     while (!words.empty()) {
-        // A word takes the blank behind it along.
+        // A word keeps the blank after it.
         const std::size_t blank = words.find(' ');
         const std::size_t length = blank == std::string_view::npos ? words.size() : blank + 1;
         const std::string_view word = words.substr(0, length);
         const std::string_view visible = word.substr(0, word.find(' '));
-        // What closes a number stays beside it: the card's border has room for it.
+        // A closing sign stays next to its number: the card's border has room for it.
         const bool closes = visible.starts_with(')') || visible.starts_with(',');
         make_room(closes || visible.empty()
                       ? 0.0f
@@ -160,7 +160,7 @@ std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::st
         FormulaLine line(ui, indent);
         line.text("= ", p.dim);
         line.text(terms, p.text);
-        // Where lines are few the result stands on the last one.
+        // Where lines are few the result is on the last one.
         if (has_result && ui.inspector.is_low) {
             line.text(" ", p.dim);
             draw_result(line);
@@ -209,21 +209,22 @@ void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float card_height = sizes->GetFloat(card_id, 8.0f * ImGui::GetTextLineHeight());
     const float left = std::max(room - card_height - spacing, 0.42f * room);
-    // The card follows the last line that is whole; a strip that is left of the room is below it.
+    // The card follows the last whole line; a leftover strip of the room is below the card.
     const float whole = std::min(sizes->GetFloat(whole_id, left), left);
     ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), whole)}, false,
                       ImGuiWindowFlags_NoNav);
     begin_whole_lines(ui, left);
     page();
-    // What is lower than a line is a gap like others, and the page keeps it.
+    // A gap lower than a line is like any other, and the page keeps it.
     const float blank = left - whole_height(ui);
     sizes->SetFloat(
         whole_id, blank < ImGui::GetTextLineHeight() ? left : std::max(left - blank, 0.5f * left));
     end_whole_lines(ui);
     const float page_height = ImGui::GetCursorPosY();
     ImGui::EndChild();
-    // A card for which there is no room scrolls by itself: neither of the two is ever out of sight.
-    // Its height is from the previous frame: what does not fit yet must not make the panel scroll.
+    // A card without enough room scrolls separately, so that neither of the two is ever out of
+    // sight. Its height is from the previous frame: what does not fit yet must not make the panel
+    // scroll.
     const float card_room = std::max(room - left - spacing, 1.0f);
     const bool scrolls = card_height > card_room + 1.0f && card_room > ImGui::GetTextLineHeight();
     ImGui::BeginChild(card_id, {0, std::max(scrolls ? card_room : card_height, 1.0f)}, false,
@@ -242,7 +243,7 @@ bool number_cell(Ui& ui, const std::string& name, std::string_view text, const I
                  bool is_chosen, std::string_view tooltip) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;
-    // The light behind a chosen number stays within the space around its cell.
+    // The highlight behind a chosen number stays within the space around its cell.
     const ImGuiStyle& style = ImGui::GetStyle();
     const float around = 2.0f * std::floor(0.7f * style.CellPadding.x);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
@@ -252,10 +253,10 @@ bool number_cell(Ui& ui, const std::string& name, std::string_view text, const I
     ImGui::PopStyleVar();
     name_number(ui, name, tooltip);
     note_text(ui, name, text);
-    // As high as the words beside it: both are seen, or neither.
+    // As high as the words next to it: both are seen, or neither.
     const float bottom = at.y + std::max(ImGui::GetTextLineHeight(), ui.fonts.text->FontSize);
     keep_whole(ui, at.y, bottom);
-    // The light behind the chosen number begins above its line.
+    // The highlight behind the chosen number begins above its line.
     keep_beginning(ui, ImGui::GetItemRectMin().y, bottom);
     const float width = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
     ImGui::GetWindowDrawList()->AddText({at.x + std::max(room - width, 0.0f), at.y}, packed(colour),

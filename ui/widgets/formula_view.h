@@ -13,11 +13,11 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// A line of a formula that breaks between its pieces and goes on further to the right. In the
+/// A line of a formula that breaks between its pieces and continues further to the right. In the
 /// font for numbers.
 class FormulaLine {
   public:
-    /// @param indent where it goes on after a break, screen pixels from where it begins
+    /// @param indent where it continues after a break, screen pixels from where it begins
     FormulaLine(Ui& in, float indent);
     ~FormulaLine();
     FormulaLine(const FormulaLine&) = delete;
@@ -36,19 +36,20 @@ class FormulaLine {
     bool is_first_ = true;
 };
 
-/// A formula in full: with symbols, with numbers, with its terms worked out, its result; each
-/// number a link. Returns the source that was clicked.
+/// A formula in full: with symbols, with numbers, with its terms computed, its result; each number
+/// a link. Returns the source that was clicked.
 std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::string& name);
 
 /// A formula on one line: its name, the numbers, the result; each number a link. The result leads
 /// to the formula itself.
-/// @param label instead of the formula's own name, unless it is empty
-/// @param warns the result is marked as one that cannot be shown
+/// @param label replaces the formula's own name, unless it is empty
+/// @param warns marks the result as one that cannot be shown
 std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name,
                                         std::string_view label = {}, bool warns = false);
 
-/// A page that scrolls, and below it what must stay in view: the formula of what was clicked there.
-/// @param name by which both keep their sizes from one frame to the next
+/// A page that scrolls, and below it the part that must stay in view: the formula of what was
+/// clicked.
+/// @param name under which both keep their sizes from one frame to the next
 void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
                     const std::function<void()>& card);
 

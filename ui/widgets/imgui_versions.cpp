@@ -173,7 +173,7 @@ bool any_key(const Predicate& holds) {
     return false;
 }
 
-/// As the hand plays it, one thing comes after the other, each in a frame of its own.
+/// The hand plays one thing at a time, each in its own frame.
 ImGuiIO& played_io() {
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigInputTrickleEventQueue = false;
@@ -204,7 +204,7 @@ bool is_any_key_pressed() {
 void open_keys() {}
 
 void keep_tab() {
-    // A request for a key without an owner, as ImGui makes for Tab, no longer gets it.
+    // A request for a key without an owner, like ImGui's own for Tab, no longer gets it.
     ImGui::SetKeyOwner(ImGuiKey_Tab, ImHashStr("rasterwalk"));
 }
 
@@ -257,7 +257,7 @@ bool selectable_row(const char* id, bool is_chosen) {
 bool begin_lined_table(const char* id, int columns, ImGuiTableFlags flags, ImVec2 size) {
     if (!ImGui::BeginTable(id, columns, flags | ImGuiTableFlags_BordersInnerH, size)) return false;
     ImGuiTable& table = *ImGui::GetCurrentTable();
-    // Only a second row has a line above it: let the first be one.
+    // Only rows after the first get a line above them: count the first as one of these.
     if (table.InnerWindow == table.OuterWindow) table.CurrentRow = 0;
     return true;
 }
@@ -268,7 +268,7 @@ void keep_items(ImGuiListClipper& clipper, int first, int end) {
 
 void scroll_here(float share) {
     ImGui::SetScrollHereY(share);
-    // It is rounded to the nearest.
+    // ImGui rounds it to the nearest pixel.
     ImGui::GetCurrentWindow()->ScrollTarget.y -= 0.5f;
 }
 

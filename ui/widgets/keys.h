@@ -34,9 +34,9 @@ inline constexpr int keypad_0 = 320;
 inline constexpr int keypad_add = 334;
 inline constexpr int keypad_subtract = 333;
 inline constexpr int keypad_enter = 335;
-inline constexpr int first_modifier = 340; ///< Shift, Ctrl, Alt and their like are from here on
+inline constexpr int first_modifier = 340; ///< Shift, Ctrl, Alt and the like begin here
 
-/// Does the key write something? Letters, digits and punctuation, and those of the keypad.
+/// Does the key write something? Letters, digits and punctuation do, and those of the keypad.
 constexpr bool writes(int code) {
     return (code >= space && code < escape) || (code >= keypad_0 && code <= keypad_add);
 }

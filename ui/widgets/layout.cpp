@@ -10,37 +10,38 @@ namespace rasterwalk {
 
 namespace {
 
-/// Below this window, in design pixels, the lesson is a strip.
+/// In a window smaller than this, in design pixels, the lesson is a strip.
 constexpr float three_columns_width = 1100.0f;
 constexpr float three_columns_height = 480.0f;
 
-/// Below this the bars are compact, design pixels.
+/// In a window smaller than this the bars are compact, design pixels.
 constexpr float roomy_width = 780.0f;
 constexpr float roomy_height = 560.0f;
 
-/// Of a squat window, design pixels.
+/// A window lower than this is squat, design pixels.
 constexpr float squat_height = 450.0f;
 
-/// Smaller than this, in design pixels, nothing useful fits: the text gives way.
+/// In less than this, in design pixels, nothing useful fits: the text gets smaller.
 constexpr float least_width = 640.0f;
 constexpr float least_height = 420.0f;
 
-/// What a lecture shows of the window, design pixels: grid and row table of a small triangle.
+/// The part of the window that a lecture shows, design pixels: grid and row table of a small
+/// triangle.
 constexpr float lecture_width = 800.0f;
 constexpr float lecture_height = 500.0f;
 
 constexpr float lecture_letters = 18.0f; ///< screen pixels
 
-/// Of the canvas below a strip: wider than so many times its height it has no use for.
+/// The greatest useful width of the canvas below a strip, as a multiple of its height.
 constexpr float widest_canvas = 1.35f;
 
-/// The canvas has room for its header, design pixels.
+/// The least width of the canvas, so that it has room for its header, design pixels.
 constexpr float least_canvas = 340.0f;
 
 /// The strip leaves this share of the height between the bars to canvas and inspector.
 constexpr float least_share_below = 0.5f;
 
-/// So much more it may have where it needs no more than that: a line of text is not scrolled for.
+/// The strip may have this much more if it then has enough: a line of text is not worth scrolling.
 constexpr float line_of_strip = 22.0f;
 
 float column_width(float share, float wished, float window, float smallest, float largest) {
@@ -154,7 +155,7 @@ Layout compute_layout(ImVec2 window, const UiOptions& options, const LayoutNeeds
     }
     const float inspector = inspector_width(window, options, needs, layout.is_narrow, below);
     const float canvas = std::max(width - inspector, 1.0f);
-    // In a wide window the strip takes nothing from the inspector.
+    // In a wide window the strip takes no room from the inspector.
     layout.lesson = {{0, top}, {layout.is_narrow ? width : canvas, lesson}};
     layout.canvas = {{0, top + lesson}, {canvas, below}};
     layout.inspector = {{width - inspector, layout.is_narrow ? top + lesson : top},

@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// What all parts of the window have in common: they stay where they are put.
+/// What all parts of the window have in common: they cannot be moved.
 inline constexpr ImGuiWindowFlags panel_flags =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
@@ -24,28 +24,28 @@ struct Area {
 struct Layout {
     Area menu;      ///< top line
     Area strip;     ///< the stages, the switches and the scene; in a narrow window in the top line
-    Area lesson;    ///< left column, or a strip above canvas or inspector; no height where a drawer
-                    ///< is open
+    Area lesson;    ///< left column, or a strip above canvas or inspector; no height if a drawer is
+                    ///< open
     Area canvas;    ///< middle
     Area inspector; ///< right column
     Area transport; ///< time
-    Area status;    ///< last line; without height where there is none
-    bool is_narrow = false; ///< the menus stand behind a button
+    Area status;    ///< last line; without height if there is none
+    bool is_narrow = false; ///< the menus are behind a button
     bool lesson_is_strip = false;
-    bool lesson_is_beside = false; ///< the strip stands above the inspector, beside the canvas
-    float most_strip = 0.0f;       ///< the height that the strip can have at most
+    bool lesson_is_beside = false; ///< the strip is above the inspector, next to the canvas
+    float most_strip = 0.0f;       ///< the most height that the strip can have
     float unit = 1.0f;             ///< screen pixels per design pixel: the text scale
 };
 
 /// What the parts of the window ask for, screen pixels.
 struct LayoutNeeds {
     float transport = 0.0f;    ///< its height
-    float lesson_strip = 0.0f; ///< the height of the lesson, where that is a strip
-    bool has_drawer = false;   ///< the lesson's whole text stands instead of strip and inspector
+    float lesson_strip = 0.0f; ///< the height of the lesson, if it is a strip
+    bool has_drawer = false;   ///< the lesson's whole text replaces strip and inspector
     float menu_end = 0.0f;     ///< width of the right end of the top line, in a narrow window
     bool high_canvas = false;  ///< in a lecture: it has half of the window, from bar to bar
     bool wide_canvas = false;  ///< the lesson makes room for the canvas, as in a narrow window
-    bool has_stages = true;    ///< they stand in the window
+    bool has_stages = true;    ///< they are in the window
     bool has_status = true;
 };
 
@@ -55,17 +55,17 @@ bool is_narrow(ImVec2 window, const UiOptions& options);
 /// True for a window that is so low, measured in text, that its last line is given up.
 bool is_low(ImVec2 window, const UiOptions& options);
 
-/// True for a window in which every line of text is one of the table less.
+/// True for a window in which each line of text costs a line of the table.
 bool is_squat(ImVec2 window, const UiOptions& options);
 
-/// True for a window so small, measured in text, that the bars must make do with less, and in a
+/// True for a window so small, measured in text, that the bars must manage with less, and in a
 /// lecture: tabs and the size of a step are lists.
 bool is_compact(ImVec2 window, const UiOptions& options);
 
-/// The largest text scale up to the wished one at which the window still holds everything.
+/// The largest text scale, up to the wished one, at which the window still holds everything.
 float fitting_text_scale(ImVec2 window, float wished);
 
-/// The text scale of the lecture mode: as large as lets canvas and table stand side by side, and
+/// The text scale of the lecture mode: as large as possible with canvas and table side by side, and
 /// never smaller than the wished one.
 float lecture_text_scale(ImVec2 window, float wished);
 
@@ -75,7 +75,7 @@ float least_lecture_letters(ImVec2 window);
 
 Layout compute_layout(ImVec2 window, const UiOptions& options, const LayoutNeeds& needs);
 
-/// The width of what stands at the left end of the top line in a narrow window, screen pixels.
+/// The width of the left end of the top line in a narrow window, screen pixels.
 float menu_button_width(float unit);
 
 } // namespace rasterwalk

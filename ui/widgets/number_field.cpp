@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view minus_sign = "−";
 constexpr ImWchar minus_letter = 0x2212;
 
-/// The clipboard of the host, while a field reads it by way of clipboard_number.
+/// The host's clipboard, while a field reads it through clipboard_number.
 const char* (*host_clipboard)(void*) = nullptr;
 
 const char* clipboard_number(void* host) {
@@ -31,7 +31,7 @@ const char* clipboard_number(void* host) {
     return text.c_str();
 }
 
-/// ImGui drops minus signs that are no hyphens: a number typed or pasted with one would lose it.
+/// ImGui drops minus signs other than hyphens: a number typed or pasted with one would lose it.
 template <typename Draw>
 bool draw_while_typed(const Draw& draw) {
     ImGuiIO& io = ImGui::GetIO();
@@ -45,7 +45,7 @@ bool draw_while_typed(const Draw& draw) {
     return is_changed;
 }
 
-/// ImGui writes hyphens: except while you type, its text gives way to one with minus signs.
+/// ImGui writes hyphens: except during typing, its text is replaced by one with minus signs.
 /// @param draw the field
 /// @param shown its text, asked for when the field is drawn
 /// @param place of the text within the field: 0 left, 1 right
@@ -78,8 +78,8 @@ int digits_of(const ControlRange& range) {
     return most_digits;
 }
 
-/// The number of a slider: a stop with the digits that stops need, and what was set elsewhere and
-/// lies between two of them as it is.
+/// The number of a slider: a stop with the digits that stops need; a value set elsewhere that lies
+/// between two stops is written unchanged.
 std::string slider_text(float value, const ControlRange& range) {
     const float stop = slider_stop(range, static_cast<double>(value));
     // While it is dragged, it is on its way to that stop.
@@ -89,8 +89,8 @@ std::string slider_text(float value, const ControlRange& range) {
                                     : number_text(value));
 }
 
-/// Where the number of a slider stands: in the middle, or beside the handle that would cover it.
-/// @param part  of the way on which the handle is, 0 to 1
+/// The place of a slider's number: in the middle, or next to the handle if that would cover it.
+/// @param part  of the range at which the handle is, 0 to 1
 /// @param width of the number, screen pixels
 float place_beside_handle(float part, float width) {
     const float field = ImGui::GetItemRectSize().x, handle = ImGui::GetStyle().GrabMinSize;
@@ -124,7 +124,7 @@ bool drag_number(const char* id, int& value, const DragRange<int>& range, std::s
 }
 
 bool slide_number(const char* id, float& value, const ControlRange& range) {
-    // ImGui opens a slider for typing by Ctrl and a click; here a double click does, as in the
+    // ImGui opens a slider for typing by Ctrl and a click; here a double click does it, as in the
     // fields that are dragged.
     ImGuiIO& io = ImGui::GetIO();
     const bool had_ctrl = io.KeyCtrl, was_typed = ImGui::TempInputIsActive(ImGui::GetID(id));

@@ -11,10 +11,10 @@ namespace rasterwalk {
 
 // Numbers as the tables show them, with true minus signs.
 
-/// Nine digits tell every float from its neighbours.
+/// Nine digits distinguish every float from its neighbours.
 std::string nine_digits_shown(float value);
 
-/// The same for a narrow column: what is left over near zero gets three digits.
+/// The same for a narrow column: a remainder near zero gets three digits.
 std::string float_text(float value);
 
 /// How far a float is off: "0" or "4.62e−05".

@@ -15,23 +15,23 @@ struct PicturePlace {
     float scale = 1.0f; ///< screen pixels a picture pixel
 };
 
-/// A part of the picture, in its pixels; `right` and `bottom` are not of it.
+/// A part of the picture, in its pixels; `right` and `bottom` lie outside it.
 struct PicturePart {
     float left = 0.0f, top = 0.0f, right = 0.0f, bottom = 0.0f;
 };
 
-/// A picture that the graphics system knows.
+/// A picture known to the graphics system.
 struct PictureTexture {
     ImTextureID id{};
     std::uint64_t number = 0; ///< of the picture that it shows, see Results
-    float scale = 0.0f;       ///< that it was resampled for; 1: as it is
+    float scale = 0.0f;       ///< that it was resampled for; 1: not resampled
     ImVec2 corner{0, 0};      ///< upper left, picture pixels
     ImVec2 size{0, 0};        ///< in picture pixels
-    Rectangle window;         ///< that it holds of the picture as it is resampled
-    Image resampled;          ///< what it holds, where it was resampled
+    Rectangle window;         ///< the part that it holds, in pixels of the resampled picture
+    Image resampled;          ///< its content, if it was resampled
 };
 
-/// A sign on a pixel of a small picture, so that not only its colour sets it apart from others.
+/// A sign on a pixel of a small picture, so that more than its colour sets it apart from others.
 enum class SmallSign : std::uint8_t { dot, hollow, stroke };
 struct SmallMark {
     int column = 0, row = 0;

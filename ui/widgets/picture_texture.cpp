@@ -10,13 +10,13 @@ namespace rasterwalk {
 
 namespace {
 
-/// From here on a screen pixel more or less a picture pixel is no longer seen.
+/// Beyond this scale, one screen pixel more or less for a picture pixel is not noticeable.
 constexpr float large_scale = 4.0f;
 
-/// Of a larger picture than this the texture holds only what is in view.
+/// For a picture larger than this the texture holds only what is in view.
 constexpr std::int64_t most_pixels = 3'000'000;
 
-/// What it holds then on each side of that, so that it serves while the view is moved a little.
+/// How much more it then holds on each side, so that it serves while the view is moved a little.
 constexpr float share_around = 0.125f;
 
 bool wants_resampling(float scale) {
@@ -41,10 +41,10 @@ Rectangle grown(const Rectangle& r) {
     return {r.left - x, r.top - y, r.right + x, r.bottom + y};
 }
 
-/// What of the resampled picture is in view.
-/// @param scale that it is resampled by
+/// The part of the resampled picture that is in view.
+/// @param scale of the resampling
 Rectangle in_view(const PicturePlace& place, float scale, ImVec2 low, ImVec2 high) {
-    // Far from the picture the numbers are too large for int.
+    // Far from the picture the numbers are too large for an int.
     const auto pixel = [&](float screen, float origin) {
         const float at = (screen - origin) / place.scale * scale;
         return static_cast<int>(std::floor(std::clamp(at, -1e8f, 1e8f)));

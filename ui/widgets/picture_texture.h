@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// A picture, and what of it is new.
+/// A picture, and which part of it is new.
 struct NumberedPicture {
     const Image& image;
     std::uint64_t number;     ///< grows whenever the picture changes
@@ -20,10 +20,10 @@ struct NumberedPicture {
     Rectangle changed{};
 };
 
-/// Brings the texture up to date with the picture: as it is where its pixels come out equally large
-/// or very large, or else resampled. Of a large picture it holds what is in view and a little
-/// around it; costs that, or what of it has changed.
-/// @param low, high of what is in view, screen pixels
+/// Brings the texture up to date with the picture: unchanged if its pixels come out equally large
+/// or very large, otherwise resampled. For a large picture it holds what is in view and a little
+/// around it; costs that, or the part that has changed.
+/// @param low, high of the part in view, screen pixels
 void show_texture(Ui& ui, PictureTexture& texture, const NumberedPicture& picture,
                   const PicturePlace& place, ImVec2 low, ImVec2 high);
 

@@ -20,7 +20,7 @@ ShownPicture read_picture(const PictureName& name) {
         picture.size = {static_cast<float>(picture.image.width),
                         static_cast<float>(picture.image.height)};
     } catch (const Error&) {
-        // The words that stand for the picture are shown.
+        // Its words are shown in place of the picture.
     }
     return picture;
 }

@@ -13,10 +13,10 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// A picture of a lesson that is on the screen.
+/// A lesson's picture that is on the screen.
 struct ShownPicture {
     ImVec2 size{0, 0};     ///< its own, pixels; 0: it could not be read
-    ImTextureID texture{}; ///< of the width that was asked for last
+    ImTextureID texture{}; ///< of the width last requested
     int texture_width = 0;
     Image image;
 };
@@ -42,7 +42,7 @@ ImVec2 picture_size(PictureShelf& shelf, const PictureName& name);
 /// The texture of a picture, made smaller to `width` screen pixels. Null if there is none.
 ImTextureID picture_texture(Ui& ui, const PictureName& name, int width);
 
-/// The same picture, smaller, each pixel the average of those that it stands for.
+/// The same picture, smaller, each pixel the average of those that it replaces.
 /// @param width 1 .. image.width
 Image shrink(const Image& image, int width);
 

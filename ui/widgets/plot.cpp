@@ -15,7 +15,7 @@ namespace {
 /// More points than this on a curve cannot be told apart.
 constexpr int most_points = 1000;
 
-/// From numbers to screen pixels.
+/// Converts numbers to screen pixels.
 struct Scale {
     ImVec2 low, high; ///< corners of the field
     Interval x, y;
@@ -142,7 +142,7 @@ void draw_axes(Ui& ui, const Plot& plot, const Scale& scale, float left, const T
         list->AddLine({at, scale.high.y}, {at, scale.high.y + 4.0f * u}, packed(p.dim));
         if (plot.x_name.empty()) continue;
         const std::string label = fixed(tick, x.digits);
-        // The name of the axis stands before its numbers.
+        // The name of the axis comes before its numbers.
         if (at - 0.5f * text_width(label) < name_end) continue;
         list->AddText({at - 0.5f * text_width(label), scale.high.y + 5.0f * u}, packed(p.dim),
                       label.c_str());
@@ -150,7 +150,7 @@ void draw_axes(Ui& ui, const Plot& plot, const Scale& scale, float left, const T
     list->AddLine({scale.low.x, scale.high.y}, {scale.high.x, scale.high.y}, packed(p.dim));
 }
 
-/// Where the row is outside the picture its columns are never drawn.
+/// Shades where the row is outside the picture, because those columns are never drawn.
 void draw_outside(Ui& ui, const Plot& plot, const Scale& scale) {
     const ImU32 colour = packed(palette(ui.options.theme).line, 0.5f);
     ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -194,7 +194,7 @@ Ticks y_ticks(const Ui& ui, const Interval& range, float height) {
 Ticks x_ticks(const Interval& range, float width) {
     const float room = text_width("00000") * 1.4f;
     Ticks ticks = nice_ticks(range, std::max(static_cast<int>(width / room), 2));
-    // Columns are whole.
+    // Columns are whole numbers.
     if (ticks.digits > 0) ticks = {{std::ceil(range.low), std::floor(range.high)}, 0};
     return ticks;
 }

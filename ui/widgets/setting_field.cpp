@@ -22,7 +22,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A word in the list: as it is said, and at the right as it is written.
+/// A word in the list: as it is displayed, and on the right as it is written in files.
 bool word_line(const Ui& ui, const std::string& said, const std::string& word, bool is_chosen) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
@@ -40,7 +40,7 @@ bool word_line(const Ui& ui, const std::string& said, const std::string& word, b
     return is_pressed;
 }
 
-/// @param offered which of the words; empty: all
+/// @param offered the words to choose from; empty: all
 void edit_choice(Ui& ui, Settings& settings, const Setting& setting, const std::string& name,
                  const ChoiceSetting& choice, const std::vector<int>& offered) {
     const int now = choice.read(settings);
@@ -113,7 +113,7 @@ void edit_number(Ui& ui, Settings& settings, const std::string& name, const std:
     if (edit_float(ui, name, help, number, value)) number.value(settings) = value;
 }
 
-/// A slider, on which equal ways multiply by equal factors.
+/// A slider on which equal distances multiply by equal factors.
 void edit_whole(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
                 const WholeSetting& whole) {
     int value = whole.value(settings);
@@ -152,7 +152,7 @@ void edit_size(Ui& ui, Settings& settings, const std::string& name, const std::s
     viewport = {std::clamp(sides.x, 1, size.largest), std::clamp(sides.y, 1, size.largest)};
 }
 
-/// The box that shows what the focal length does, or the nearest that is allowed.
+/// The box that shows what the focal length shows, or the nearest one allowed.
 ViewBox offered_box(const Settings& settings, const BoxSetting& kind) {
     const ViewBox usual = usual_view_box(vertex_rules(settings, SceneSpace::world));
     const auto half = [&](float side) {
@@ -162,7 +162,7 @@ ViewBox offered_box(const Settings& settings, const BoxSetting& kind) {
     return {-right, right, -top, top};
 }
 
-/// Without a box the fields hold the one that is offered; the first change of one sets it.
+/// Without a box the fields hold the one that is offered; the first change in one of them sets it.
 void edit_box(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
               const BoxSetting& kind) {
     std::optional<ViewBox>& value = kind.value(settings);
@@ -176,7 +176,7 @@ void edit_box(Ui& ui, Settings& settings, const std::string& name, const std::st
     if (is_changed && is_allowed(box, kind)) value = box;
 }
 
-/// A stretch of a number; the arrows go from stop to stop.
+/// A slider over a range of a number; the arrows go from stop to stop.
 void edit_slider(Ui& ui, Settings& settings, const Setting& setting, const std::string& name,
                  const ControlRange& range) {
     float value = slider_value(setting, range, settings);

@@ -9,11 +9,11 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// The field in which a setting of one of the runs is changed, as wide as ImGui's next item, under
-/// a name for tests.
+/// The field for changing a setting of one of the runs, as wide as ImGui's next item, under a name
+/// for tests.
 void edit_setting(Ui& ui, Settings& settings, const Setting& setting, const std::string& name);
 
-/// The same where only a part of what the setting takes is offered: numbers are a slider then.
+/// The same if only part of the setting's range is offered: numbers are then a slider.
 void edit_setting(Ui& ui, Settings& settings, const Setting& setting, const std::string& name,
                   const ControlRange& range);
 

@@ -18,17 +18,17 @@ constexpr float picture_gap = 8.0f, card_inset = 6.0f, largest_shown_side = 150.
                 least_side = 48.0f;
 constexpr float card_rounding = 4.0f;
 
-/// Of the page, for a row of cards.
+/// The share of the page that a row of cards may take.
 constexpr float share_of_page = 0.5f;
 
-/// Of a card whose words stand beside its picture, for the picture.
+/// The share of a card for its picture, if the words are next to it.
 constexpr float share_of_card = 0.4f;
 
-/// In smaller pixels a sign is not seen, design pixels.
+/// In smaller pixels a sign cannot be seen, design pixels.
 constexpr float least_marked_pixel = 5.0f;
 
-/// The image without most of its columns and rows, if it is so large that looking at all of them
-/// would take too long; and by how much it is smaller.
+/// The image without most of its columns and rows, if it is so large that reading all of them would
+/// take too long; and by how much it is smaller.
 struct Thinned {
     Image image;
     int step = 1;
@@ -47,7 +47,7 @@ Thinned thinned(const Image& image) {
                             static_cast<std::size_t>(thin.image.height));
     for (int row = 0; row < thin.image.height; ++row) {
         for (int column = 0; column < thin.image.width; ++column) {
-            // The middle of the square that it stands for.
+            // The middle of the square that it represents.
             const auto at = [&](int place, int side) {
                 return static_cast<std::size_t>(
                     std::min(place * thin.step + thin.step / 2, side - 1));
@@ -71,7 +71,7 @@ float lines_in(const std::string& text) {
     return static_cast<float>(1 + std::count(text.begin(), text.end(), '\n'));
 }
 
-/// Line by line in the present font, from a height downward.
+/// Line by line in the current font, from a height downward.
 void draw_card_lines(Ui& ui, ImVec2 at, const std::string& text, const ImVec4& colour) {
     const float line = ImGui::GetTextLineHeight();
     for (std::size_t from = 0; from < text.size(); at.y += line) {
@@ -140,14 +140,14 @@ AllWords break_words(std::span<const SmallPicture> pictures, float room) {
     return all;
 }
 
-/// How much larger the pictures are shown than they are. Their pixels stay equally large.
+/// How much larger than their own size the pictures are shown. All their pixels are the same size.
 float scale_into(const Image& image, ImVec2 room) {
     const float fitting = std::min(room.x / static_cast<float>(image.width),
                                    room.y / static_cast<float>(image.height));
     return fitting >= 1.0f ? std::floor(fitting) : fitting;
 }
 
-/// Where a card and what is on it lie, screen pixels.
+/// Where a card and its content lie, screen pixels.
 struct CardPlace {
     ImVec2 low, high;
     ImVec2 picture; ///< the middle of its upper edge
@@ -170,7 +170,7 @@ bool draw_picture_card(Ui& ui, const SmallPicture& picture, const CardWords& wor
     return is_clicked;
 }
 
-/// The words stand beside the pictures, and the cards below each other: each is seen whole.
+/// The words are next to the pictures, and the cards one below another: each is seen whole.
 std::optional<std::size_t> draw_in_column(Ui& ui, std::span<const SmallPicture> pictures,
                                           std::span<PictureTexture> textures) {
     const float u = ui.options.text_scale, inset = std::round(card_inset * u);

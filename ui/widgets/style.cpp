@@ -81,7 +81,7 @@ bool has_dark_ink(const glm::vec<3, std::uint8_t>& ground) {
     };
     const float luminance =
         0.2126f * linear(ground.r) + 0.7152f * linear(ground.g) + 0.0722f * linear(ground.b);
-    // Here black and white have the same contrast, 4.58 : 1.
+    // At this luminance black and white have the same contrast, 4.58 : 1.
     const float even = std::sqrt(1.05f * 0.05f) - 0.05f;
     return luminance > even;
 }

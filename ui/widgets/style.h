@@ -56,16 +56,16 @@ const Palette& palette(Theme theme);
 /// The colour of a meaning, for text and lines on the ground of the theme.
 ImVec4 colour_of(Meaning meaning, Theme theme);
 
-/// Edges that have a colour of their own: as many as six planes make of a triangle at most.
+/// Edges with a separate colour: at most as many as six planes can make of a triangle.
 inline constexpr int edge_colour_count = 9;
 
-/// The meaning of an edge, from 0. Beyond those with a colour of their own they begin again.
+/// The meaning of an edge, from 0. Beyond edge_colour_count they repeat.
 Meaning edge_meaning(int edge);
 
-/// The colour with another opacity, as draw lists want it.
+/// The colour with a given opacity, as draw lists need it.
 ImU32 packed(const ImVec4& colour, float opacity = 1.0f);
 
-/// Can dark letters be read better than light ones on this ground? The better of the two has a
+/// Are dark letters more readable than light ones on this ground? The better of the two has a
 /// contrast of at least 4.5 : 1.
 bool has_dark_ink(const glm::vec<3, std::uint8_t>& ground);
 

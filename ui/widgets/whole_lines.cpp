@@ -14,17 +14,18 @@ namespace {
 /// Windows end at whole pixels.
 constexpr float rounding = 1.0f;
 
-/// Does the window that is drawn into end with whole lines?
+/// Does the current window end with whole lines?
 bool has_lines(const Ui& ui) {
     return !ui.whole_lines.empty() && ui.whole_lines.back().window == ImGui::GetCurrentWindow()->ID;
 }
 
-/// Of the window that is drawn into; null where it does not end with whole lines.
+/// Those of the current window; null if it does not end with whole lines.
 WholeLines* lines_of_window(Ui& ui) {
     return has_lines(ui) ? &ui.whole_lines.back() : nullptr;
 }
 
-/// Of what fills the window a part must do, but for a few lines that it can hold.
+/// May a box this high be shown in part? If it takes more than half of the window, unless it is
+/// only a few lines that the window can hold.
 bool fills_window(const Ui& ui, float height) {
     constexpr float few_lines = 5.0f;
     const float window = page_room(ui);
@@ -35,7 +36,7 @@ bool fills_window(const Ui& ui, float height) {
 
 void begin_whole_lines(Ui& ui, float room) {
     const ImGuiWindow* const window = ImGui::GetCurrentWindow();
-    // What is drawn from here on is clipped when it is known where it ends.
+    // Everything drawn after this is clipped once it is known where it ends.
     ImDrawList* const list = window->DrawList;
     if (list->CmdBuffer.back().ElemCount > 0) list->AddDrawCmd();
     if (list->CmdBuffer.Size > 1) {

@@ -31,8 +31,8 @@ struct Card {
 // Cards do not nest.
 Card open_card;
 
-/// Where something of this size stands below an item, above it, or at a side, within the window;
-/// none where there is no room.
+/// A place for something of this size below an item, above it, or at a side, within the window;
+/// none if there is no room.
 /// @param aside the sides are tried first
 std::optional<ImVec2> place_beside(bool aside, const ImRect& item, ImVec2 size, float gap) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -56,7 +56,7 @@ std::optional<ImVec2> place_beside(bool aside, const ImRect& item, ImVec2 size, 
     return std::nullopt;
 }
 
-/// Outlines the widget at which a lesson points, and scrolls to it if need be.
+/// Outlines the widget that a lesson points at, and scrolls to it if necessary.
 /// @param is_cut above or below, although it would fit
 void outline_if_pointed_at(Ui& ui, std::string_view name, const ImRect& shown, bool visible,
                            bool is_cut) {
@@ -100,11 +100,11 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip) {
     note_stop(place);
     ui.widgets[std::string(name)] = place;
     const bool is_explained = show_focus(ui, name, shown, visible) && ui.focus.is_explained;
-    // A line that is cut by more than a pixel may be left out, see whole_lines.h.
+    // A line that is cut off by more than a pixel may be left out, see whole_lines.h.
     const bool is_cut = (shown.Min.y > low.y + 1.0f || shown.Max.y < high.y - 1.0f) &&
                         high.y - low.y < ImGui::GetWindowHeight();
     outline_if_pointed_at(ui, name, shown, visible, is_cut);
-    // Not over a button that is held: the tooltip would lie over what the drag changes.
+    // Not over a button that is held: the tooltip would cover what the drag changes.
     const bool is_pointed_at =
         ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsMouseDown(0);
     if (!tooltip.empty() && (is_pointed_at || is_explained)) draw_tooltip(ui, tooltip);
@@ -118,7 +118,7 @@ void draw_tooltip(const Ui& ui, std::string_view text) {
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
     ImRect item(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     item.ClipWith(ImGui::GetCurrentWindow()->ClipRect);
-    // In a menu or list the other entries are read, too.
+    // In a menu or list the other entries are read too.
     const ImGuiWindow* const window = ImGui::GetCurrentWindow();
     const bool is_entry =
         (window->Flags & (ImGuiWindowFlags_Popup | ImGuiWindowFlags_ChildMenu)) != 0 &&

@@ -17,15 +17,15 @@ struct Ui;
 /// rests on it (empty: none).
 void name_widget(Ui& ui, std::string_view name, std::string_view tooltip = {});
 
-/// A tooltip beside the last ImGui item, where it does not cover what it explains; over something
-/// large, beside the pointer.
+/// A tooltip next to the last ImGui item, where it does not cover what it explains; over something
+/// large, next to the pointer.
 void draw_tooltip(const Ui& ui, std::string_view text);
 
-/// Notes the number that the widget of this name shows, so that it can be asked for by name. The
+/// Notes the number that the widget of this name shows, so that it can be looked up by name. The
 /// widget must have been named in this frame.
 void note_text(Ui& ui, std::string_view name, std::string_view text);
 
-/// The signs of pass and fail, beside their colours.
+/// The signs of pass and fail, shown with their colours.
 inline constexpr const char* passed_sign = "✓";
 inline constexpr const char* failed_sign = "✗";
 
@@ -47,8 +47,8 @@ bool button(Ui& ui, std::string_view name, std::string_view label, Look look,
 /// Text in a colour.
 void text_in(const ImVec4& colour, std::string_view text);
 
-/// The text with line breaks between words where it would be wider than this, screen pixels. ImGui
-/// by itself also breaks numbers at their point.
+/// The text with line breaks between words so that no line is wider than this, screen pixels. ImGui
+/// would also break numbers at their point.
 std::string broken_into_lines(std::string_view text, float width);
 
 /// Text that wraps between words, at the end of the column or of the card.
@@ -57,10 +57,10 @@ void wrapped_text(std::string_view text);
 /// Text at the right edge of the current table cell or of the width given.
 void right_aligned(std::string_view text, const ImVec4& colour);
 
-/// The frame around what the step of the moment has just changed.
+/// The frame around what the current moment has just changed.
 void draw_changed_box(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high);
 
-/// The bar at the left of the row of the moment.
+/// The bar at the left of the current moment's row.
 /// @param low its upper left corner
 void draw_current_bar(const Ui& ui, ImDrawList* list, ImVec2 low, float bottom);
 
@@ -80,32 +80,32 @@ void end_card(Ui& ui);
 /// do not jump: "-0.821", " 1.000". Numbers too large for it come out as 1.2e+06.
 std::string fixed(double value, int digits);
 
-/// Brings a line of the scrolling window, counted from its first, to the middle; at the top stands
-/// a whole line. Returns true if it stands so.
+/// Brings a line of the scrolling window, counted from its first, to the middle, with a whole line
+/// at the top. Returns true if it is there.
 /// @param height of each line, screen pixels
 bool scroll_to_line(int line, float height);
 
-/// As much of the text as fits into the width in the present font, with an ellipsis if that is not
+/// As much of the text as fits into the width in the current font, with an ellipsis if that is not
 /// all.
 std::string shortened(const std::string& text, float width);
 
 /// The same, cut between two words: a letter or two of a word say nothing.
 std::string shortened_to_words(const std::string& text, float width);
 
-/// An entry of an open list; where keys open the list they begin at the chosen one. Returns true
-/// when it is pressed.
+/// An entry of an open list; opening the list by key starts at the chosen one. Returns true when it
+/// is pressed.
 bool list_entry(Ui& ui, std::string_view name, std::string_view label, bool is_chosen,
                 std::string_view tooltip);
 
-/// How wide one line of text is in the font at hand, in pixels of the window.
+/// How wide one line of text is in the current font, in pixels of the window.
 float text_width(std::string_view text);
 
-/// The same in another font.
+/// The same in a given font.
 /// @param size of its letters; 0: the font's own
 float text_width(const ImFont* font, std::string_view text, float size = 0.0f);
 
-/// The first of these texts that fits into the width in the present font, or else as much of the
-/// last one as fits. Where nothing may be said as well, the last one is empty: that always fits.
+/// The first of these texts that fits into the width in the current font, or else as much of the
+/// last one as fits. If saying nothing is acceptable, the last one is empty: that always fits.
 std::string first_fitting(const std::vector<std::string>& forms, float width);
 
 /// Where the room for the next item ends at the right, in a window or in a cell of a table. Screen

@@ -15,14 +15,14 @@ namespace {
 
 constexpr int button_count = 3;
 
-/// What is held now, by what was played.
+/// What is held now, according to the events played.
 struct Held {
     std::set<int> keys;
     std::array<bool, button_count> buttons{};
 };
 Held held;
 
-/// Takes note of what an event presses or releases. Returns false if it was so before.
+/// Notes what an event presses or releases. Returns false if that changes nothing.
 bool take(const PageEvent& event, Held& now) {
     if (event.kind == PageEvent::Kind::button) {
         return std::exchange(now.buttons[static_cast<std::size_t>(event.code)], event.is_down) !=
@@ -45,7 +45,7 @@ bool waits(const PageEvent& event, const Played& played) {
     case PageEvent::Kind::button:
         return played.button;
     case PageEvent::Kind::key:
-        // What is held with a key changes after the frame of that key.
+        // What is held with a key changes only after the frame of that key.
         return event.code == 0 ? !played.keys.empty() || played.button
                                : played.keys.count(event.code) > 0;
     default:
@@ -92,7 +92,7 @@ void play_events(PageEvents& events) {
 }
 
 void release_everything(PageEvents& events) {
-    Held left = held; // when all that waits has been played
+    Held left = held; // once all waiting events are played
     for (const PageEvent& event : events)
         take(event, left);
     for (const int key : left.keys)

@@ -17,15 +17,15 @@ struct PageEvent {
     bool has_ctrl = false, has_shift = false, has_alt = false; ///< held with the key
 };
 
-/// What was done to the page since the last frame, in its order.
+/// What was done to the page since the last frame, in order.
 using PageEvents = std::deque<PageEvent>;
 
-/// Gives ImGui the first of the events and takes them out: as many as can be meant in one frame. A
+/// Gives ImGui the first of the events and removes them: as many as can belong to one frame. A
 /// press and its release are two frames, so that a short one counts; so are a press and a move
-/// after it, which would press somewhere else.
+/// after it, which would press in a different place.
 void play_events(PageEvents& events);
 
-/// The page is no longer looked at: nothing is held.
+/// The page is no longer in front: nothing is held.
 void release_everything(PageEvents& events);
 
 } // namespace rasterwalk

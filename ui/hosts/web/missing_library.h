@@ -1,8 +1,9 @@
 #pragma once
 
-// What the standard library of Emscripten 3 lacks of C++20: std::from_chars and std::to_chars for
-// float and double, std::bit_cast. Read before everything else, by -include; the sources are the
-// same everywhere. By the C library, whose strtod and printf round correctly.
+// The parts of C++20 that the standard library of Emscripten 3 lacks: std::from_chars and
+// std::to_chars for float and double, std::bit_cast. Read before everything else, by -include, so
+// the sources are the same everywhere. Based on the C library, whose strtod and printf round
+// correctly.
 
 #ifdef __cplusplus
 #include <bit>
@@ -27,7 +28,8 @@ constexpr To bit_cast(const From& from) {
 
 namespace missing_library {
 
-/// How much of the front is a number for from_chars: no blanks, no plus, no 0x; 0 if there is none.
+/// How much of the beginning is a number for from_chars: no blanks, no plus, no 0x; 0 if there is
+/// none.
 inline size_t number_length(string_view text) {
     size_t at = 0;
     const auto skip_digits = [&] {
@@ -70,7 +72,7 @@ template <class Float>
 from_chars_result read(const char* first, const char* last, Float& value) {
     const size_t length = number_length({first, static_cast<size_t>(last - first)});
     if (length == 0) return {first, errc::invalid_argument};
-    const string text(first, length); // strtod wants an end
+    const string text(first, length); // strtod needs a terminator
     const Float number = read_as(text.c_str(), Float{});
     const bool is_word = text.find_first_of("nN") != text.npos;
     const size_t mantissa_end = min(text.find_first_of("eE"), text.size());
@@ -86,7 +88,7 @@ enum class Notation { shorter, fixed, scientific, general };
 /// The fewest digits that read back as the same number.
 template <class Float>
 to_chars_result write(char* first, char* last, Float value, Notation notation) {
-    constexpr int most_digits = is_same_v<Float, float> ? 8 : 16; // behind the first
+    constexpr int most_digits = is_same_v<Float, float> ? 8 : 16; // after the first
     char scientific[48];
     for (int digits = 0; digits <= most_digits; ++digits) {
         snprintf(scientific, sizeof scientific, "%.*e", digits, static_cast<double>(value));

@@ -1,4 +1,4 @@
-# For a browser, the packages that the system has as libraries are compiled here, under the same names.
+# For a browser, the packages that the system provides as libraries are compiled here, under the same names.
 #   RASTERWALK_SOURCES  the folder with their unpacked sources; ui/hosts/web/build fetches them
 enable_language(C)
 set(RASTERWALK_SOURCES "${CMAKE_BINARY_DIR}/../web-sources" CACHE PATH
@@ -8,7 +8,7 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 add_compile_options(-fwasm-exceptions)
 add_link_options(-fwasm-exceptions)
 
-# rasterwalk_source(VARIABLE PATTERN): the folder of the one file that the pattern names, below the sources.
+# rasterwalk_source(VARIABLE PATTERN): the folder of the only file that matches the pattern, below the sources.
 function(rasterwalk_source variable pattern)
   file(GLOB found ${RASTERWALK_SOURCES}/${pattern})
   list(LENGTH found count)
@@ -23,7 +23,7 @@ rasterwalk_source(freetype_folder freetype-*/CMakeLists.txt)
 rasterwalk_source(fmt_folder fmt*/src/format.cc)
 rasterwalk_source(md4c_folder md4c-*/src/md4c.c)
 
-# Headers that need no library, without the rest of /usr/include, which is the system's own.
+# Headers that need no library, without the rest of /usr/include, which belongs to the system.
 set(headers ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${headers})
 foreach(name toml++ glm CLI nlohmann utf8 utf8.h)
@@ -58,7 +58,7 @@ foreach(part ZLIB BZIP2 PNG HARFBUZZ BROTLI)
   set(FT_DISABLE_${part} ON)
 endforeach()
 add_subdirectory(${freetype_folder} freetype EXCLUDE_FROM_ALL)
-# Of its modules those that draw TrueType fonts: a tenth of the program.
+# Only its modules that draw TrueType fonts: a tenth of the program.
 file(WRITE ${CMAKE_BINARY_DIR}/freetype_modules.h
   "FT_USE_MODULE(FT_Module_Class, autofit_module_class)\n"
   "FT_USE_MODULE(FT_Driver_ClassRec, tt_driver_class)\n"
@@ -74,7 +74,7 @@ add_library(imgui STATIC
 target_include_directories(imgui SYSTEM PUBLIC ${imgui_folder} ${imgui_folder}/misc/cpp
   ${imgui_folder}/misc/freetype)
 target_compile_definitions(imgui PUBLIC IMGUI_IMPL_OPENGL_ES3)
-# Its questions to WebGL, each of which waits for the whole picture, are answered in ui/hosts/web/page.cpp.
+# Its queries to WebGL, each of which waits for the whole picture, are answered in ui/hosts/web/page.cpp.
 set_source_files_properties(${imgui_folder}/backends/imgui_impl_opengl3.cpp PROPERTIES
   COMPILE_DEFINITIONS glGetIntegerv=known_gl_integer)
 target_link_libraries(imgui PUBLIC freetype)

@@ -1,5 +1,6 @@
 // The interface in a browser. page.js, which runs first, is the other half: it listens to the
-// browser and calls the functions at the end of this file; what is asked of it stands at the top.
+// browser and calls the functions at the end of this file; those that it provides are listed at the
+// top.
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +45,8 @@ EM_JS(void, page_set_cursor, (const char* name), { page.setCursor(UTF8ToString(n
 EM_JS(void, page_set_typing, (bool is_typing), { page.setTyping(is_typing); })
 EM_JS(void, page_set_address, (const char* fragment), { page.setAddress(UTF8ToString(fragment)); })
 EM_JS(void, page_say, (const char* sentence), { page.say(UTF8ToString(sentence)); })
-// A context that was lost and is back has none of its objects: new textures under the old names, and nothing
-// else that could be deleted.
+// A context that was lost and is back has none of its objects: new textures under the old names,
+// and nothing else that could be deleted.
 EM_JS(void, page_make_textures_anew, (), {
     for (const table of [GL.buffers, GL.programs, GL.shaders, GL.vaos]) table.fill(null);
     GL.textures.forEach((old, name) => {
@@ -62,7 +63,7 @@ namespace {
 
 constexpr const char* canvas_name = "#canvas";
 
-/// The textures, and what they hold, for when the browser takes the context away and gives it back.
+/// The textures and their contents, for when the browser takes the context away and gives it back.
 class PageTextures : public TextureHost {
   public:
     ImTextureID upload(ImTextureID old, const Image& image) override {
@@ -99,20 +100,20 @@ struct Page {
     bool is_context_lost = false;
     std::string pasted;
     std::string
-        said_when_open; ///< a notice for when the dropped file is open, unless there is another
-    int kept_options = 0, kept_progress = 0; ///< writes that the browser's storage holds
-    bool is_storage_told = false;            ///< that it holds nothing
-    std::string noted_lesson;                ///< and its step, as the address has them
+        said_when_open; ///< a notice for when the dropped file is open, unless there is another one
+    int kept_options = 0, kept_progress = 0; ///< writes that the browser's storage has
+    bool is_storage_told = false;            ///< the student knows that it keeps nothing
+    std::string noted_lesson;                ///< as in the address, with its step
     int noted_step = 0;
 };
-std::unique_ptr<Page> the_page; ///< until it is left
+std::unique_ptr<Page> the_page; ///< until the student leaves it
 
 void note_event(PageEvent event) {
     the_page->frames_due = frames_after_event;
     the_page->events.push_back(std::move(event));
 }
 
-/// Gives the browser's storage a file that was written since it last had it.
+/// Gives the browser's storage a file that has been written since it last received it.
 void keep_file(Page& page, const KeptFile& file, int& kept_writes) {
     if (file.path.empty() || file.writes == kept_writes) return;
     kept_writes = file.writes;
@@ -133,8 +134,8 @@ void note_step(Page& page) {
     page.noted_step = page.ui.session.step;
 }
 
-/// Makes the address that of the current step, so that it can be shared. Until the step changes, it
-/// stays the link that was opened.
+/// Changes the address to that of the current step, so that it can be shared. Until the step
+/// changes, it stays the link that was opened.
 void note_address(Page& page) {
     const Session& session = page.ui.session;
     if (session.lesson == page.noted_lesson && session.step == page.noted_step) return;
@@ -154,7 +155,7 @@ void show_cursor() {
     page_set_cursor(is_known ? names[wished] : "none");
 }
 
-/// A screen without keys brings some up where something can be typed.
+/// A device without a keyboard shows one where something can be typed.
 void show_typing() {
     static bool shown = false;
     if (ImGui::GetIO().WantTextInput == shown) return;
@@ -202,8 +203,8 @@ void open_context() {
     emscripten_webgl_make_context_current(context);
 }
 
-/// The view that a link names. A link that is wrong opens its lesson, or else the program, and says
-/// what is wrong.
+/// The view that a link names. A faulty link opens its lesson, or if that fails the program, and
+/// says what is wrong.
 Session open_link(const std::string& link, bool& is_plain) {
     ViewOptions view;
     std::string fault;
@@ -221,7 +222,7 @@ Session open_link(const std::string& link, bool& is_plain) {
         opening.lesson = view.lesson;
         session = open_view(opening);
     } catch (const Error&) {
-        // It is the lesson that is wrong.
+        // The lesson itself is the fault.
     }
     session.notice = fault;
     return session;
@@ -255,8 +256,9 @@ void open_page(const std::string& address, const std::string& link) {
 
 extern "C" {
 
-/// glGetIntegerv for ImGui's renderer, which asks in each frame what it would put back behind it:
-/// the page is the only one that draws. A browser answers when all that came before is drawn.
+/// glGetIntegerv for ImGui's renderer, which asks in each frame for the state that it restores
+/// afterward: nothing else draws on this page. A browser would answer only when everything before
+/// it is drawn.
 void known_gl_integer(GLenum name, GLint* value) {
     switch (name) {
     case GL_MAJOR_VERSION:
@@ -279,7 +281,8 @@ void known_gl_integer(GLenum name, GLint* value) {
 }
 }
 
-// What page.js calls. It has to learn when a frame is due; it calls for one after each event.
+// The functions that page.js calls. It must know when a frame is due; it requests one after each
+// event.
 
 extern "C" {
 
@@ -307,7 +310,7 @@ EMSCRIPTEN_KEEPALIVE double web_frame(double now, int width, int height, double 
     const double still = seconds_to_blink(page.ui);
     page.meant_sleep = std::isfinite(still) ? still : 0.0;
     guarded(page.ui, [&] { draw_frame(page, now); });
-    // What waits comes in the next frame, and needs as many after it.
+    // Waiting input comes in the next frame, and needs as many frames after it.
     if (page.events.empty() && !is_input_waiting()) --page.frames_due;
     return wait();
 }
@@ -328,7 +331,7 @@ EMSCRIPTEN_KEEPALIVE void web_wheel(float left, float up) {
     rasterwalk::note_event({.kind = rasterwalk::PageEvent::Kind::wheel, .x = left, .y = up});
 }
 
-/// @param key as in ui/widgets/keys.h; 0: only what is held with it has changed
+/// @param key as in ui/widgets/keys.h; 0: only the modifiers have changed
 EMSCRIPTEN_KEEPALIVE void web_key(int key, bool is_down, bool ctrl, bool shift, bool alt) {
     rasterwalk::note_event({.kind = rasterwalk::PageEvent::Kind::key,
                             .code = key,
@@ -348,13 +351,13 @@ EMSCRIPTEN_KEEPALIVE void web_leave() {
     rasterwalk::release_everything(rasterwalk::the_page->events);
 }
 
-/// The page is left.
+/// The student leaves the page.
 EMSCRIPTEN_KEEPALIVE void web_keep() {
     rasterwalk::keep_everything(rasterwalk::the_page->ui);
     rasterwalk::keep_state(*rasterwalk::the_page);
 }
 
-/// What Ctrl+V brings.
+/// The text that Ctrl+V pastes.
 EMSCRIPTEN_KEEPALIVE void web_paste(const char* text) {
     rasterwalk::the_page->pasted = text;
 }
@@ -384,7 +387,7 @@ EMSCRIPTEN_KEEPALIVE void web_say(const char* sentence) {
     rasterwalk::the_page->frames_due = rasterwalk::frames_after_event;
 }
 
-/// The address was changed: what stands behind its #.
+/// The address was changed: the part after its #.
 EMSCRIPTEN_KEEPALIVE void web_go(const char* link) {
     using namespace rasterwalk;
     Ui& ui = the_page->ui;
@@ -432,7 +435,7 @@ EMSCRIPTEN_KEEPALIVE const char* web_report() {
 }
 }
 
-/// @param argv the address of the page, and what stands behind its #
+/// @param argv the address of the page, and the part after its #
 int main(int argc, char** argv) {
     try {
         rasterwalk::open_page(argc > 1 ? argv[1] : "", argc > 2 ? argv[2] : "");

@@ -2,7 +2,7 @@
 // The page around the program: listens to the browser, and does what the program asks of it.
 // page.cpp is the other half. It comes before rasterwalk.js, which picks up `Module`.
 
-// ---- What the program asks of the page -----------------------------------------------------------
+// ---- What the program calls ----------------------------------------------------------------------
 
 const canvas = document.getElementById('canvas');
 const sentence = document.getElementById('sentence');
@@ -15,7 +15,7 @@ const stateFolder = '/state/rasterwalk';
 const keptFiles = ['progress.toml', 'window.toml'];
 
 const page = {
-    frames: 0, // for tests: how many were asked for
+    frames: 0, // for tests: how many were requested
 
     copy(text) {
         const byHand = () => {
@@ -65,7 +65,7 @@ const page = {
             addressTimer = setTimeout(() => page.setAddress(fragment), 1000); // browsers limit how many they allow
         }
     },
-    // The first sentence says why there is nothing else.
+    // Only the first sentence is shown: it says why there is nothing else.
     say(text) {
         if (isTold) return;
         isTold = true;
@@ -143,7 +143,7 @@ function tell(name, ...values) {
 
 // ---- Keys ----------------------------------------------------------------------------------------
 
-// As ui/widgets/keys.h numbers them.
+// Keys by their numbers in ui/widgets/keys.h.
 const namedKeys = {
     Escape: 256, Enter: 257, Tab: 258, Backspace: 259, Insert: 260, Delete: 261,
     ArrowRight: 262, ArrowLeft: 263, ArrowDown: 264, ArrowUp: 265,
@@ -156,7 +156,7 @@ const codedKeys = {
     NumpadSubtract: 333, NumpadAdd: 334, NumpadEnter: 335,
 };
 const writtenKeys = {',': 44, '-': 45, '.': 46, '+': 61, '=': 61, '[': 91, ']': 93};
-// With Ctrl the rest is the browser's: a new tab, reload, find, zoom. Ctrl+V brings what is pasted.
+// With Ctrl all other keys belong to the browser: a new tab, reload, find, zoom. Ctrl+V sends a paste event.
 const commandKeys = new Set(['A', 'C', 'O', 'S', 'X', 'Y', 'Z', ','].map(key => key.charCodeAt(0))
     .concat([263, 262, 264, 265, 257, 268, 269, 259, 261, 290]));
 
@@ -197,7 +197,7 @@ function onKey(event) {
 
 // ---- Mouse, pen and fingers ----------------------------------------------------------------------
 
-const programButtons = [[1, 0], [2, 1], [4, 2]]; // bits of the browser: left, right, middle; and the program's
+const programButtons = [[1, 0], [2, 1], [4, 2]]; // the browser's bits: left, right, middle; and the program's numbers
 let heldButtons = 0; // bits
 const fingers = new Map(); // by id: where they are
 let lastPointerWasTouch = false;
@@ -288,7 +288,7 @@ function onWheel(event) {
 
 // ---- Files of the student ------------------------------------------------------------------------
 
-const largestFiles = 512 * 2 ** 20; // bytes, of all that is opened
+const largestFiles = 512 * 2 ** 20; // bytes, of everything opened
 const longRead = 4 * 2 ** 20; // bytes from which reading takes a while
 
 // The order in which files are opened: views and lessons first, then scenes, then models.
@@ -327,7 +327,7 @@ const mostEntries = 1000; // of a folder
 
 const pictures = count => count > 0 ? new Promise(requestAnimationFrame).then(() => pictures(count - 1)) : null;
 
-// All files of what was dropped, folders too: [{name, file}].
+// All files that were dropped, including those in folders: [{name, file}].
 async function filesOf(entry, folder = '') {
     if (entry.isFile) {
         const file = await new Promise((done, failed) => entry.file(done, failed));

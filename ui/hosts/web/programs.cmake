@@ -3,7 +3,7 @@
 set(memory "SHELL:-s ALLOW_MEMORY_GROWTH=1" "SHELL:-s INITIAL_MEMORY=64MB" "SHELL:-s TOTAL_STACK=5MB")
 
 # What the page needs before its first picture comes with it, as rasterwalk.data: the texts of the lessons, and the
-# fonts. ui/hosts/web/build lays them out in folder `start`.
+# fonts. ui/hosts/web/build puts them in folder `start`.
 add_executable(rasterwalk ui/hosts/web/page.cpp ui/hosts/web/input.cpp ui/hosts/life.cpp ui/hosts/gl2.cpp)
 set_target_properties(rasterwalk PROPERTIES SUFFIX .js LINK_DEPENDS "${CMAKE_BINARY_DIR}/start.stamp")
 target_link_libraries(rasterwalk PRIVATE rasterwalk_ui)
