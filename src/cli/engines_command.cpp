@@ -99,7 +99,7 @@ std::string remark(const EngineResult& result) {
     if (!result.refusal.empty()) return "cannot draw this: " + result.refusal;
     if (!result.from_peer || result.ratio) return {};
     const std::string difference = difference_text(*result.from_peer);
-    return (result.has_other_edges ? "draws other edges: " : "draws something different: ") +
+    return (result.has_other_edges ? "draws different edges: " : "draws something different: ") +
            difference;
 }
 

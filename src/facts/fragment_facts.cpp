@@ -239,7 +239,7 @@ void add_table_facts(std::vector<Fact>& table) {
     for (int edge = 0; edge < triangle_corners; ++edge) {
         table.push_back(
             {fmt::format("table.e{}.samples", edge),
-             fmt::format("How many samples {} of the triangle shown has.", edge_name(edge)),
+             fmt::format("Number of samples of {} of the triangle shown.", edge_name(edge)),
              natural(), edge_samples, edge});
     }
 }

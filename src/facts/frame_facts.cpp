@@ -193,16 +193,16 @@ void add_session_facts(std::vector<Fact>& table) {
 }
 
 void add_frame_facts(std::vector<Fact>& table) {
-    add_frame_fact(table, "frame.fragments",
-                   "Fragments that fall inside the picture, drawn or not; before the stage fill, "
-                   "marks.",
-                   [](const FrameStats& s) { return number(s.fragments); });
+    add_frame_fact(
+        table, "frame.fragments",
+        "Fragments that fall inside the picture, drawn or not; before the fill stage, marks.",
+        [](const FrameStats& s) { return number(s.fragments); });
     add_frame_fact(table, "frame.fragments_outside", "Fragments that fall outside the picture.",
                    [](const FrameStats& s) { return number(s.fragments_outside); });
     add_frame_fact(table, "frame.pixels_tested",
                    "Pixels of the picture that edge functions test, one triangle after another.",
                    [](const FrameStats& s) { return number(s.pixels_tested); });
-    add_frame_fact(table, "frame.shaded", "Fragments whose colour is worked out.",
+    add_frame_fact(table, "frame.shaded", "Fragments whose colour is computed.",
                    [](const FrameStats& s) { return number(s.shaded); });
     add_frame_fact(table, "frame.clipped", "Triangles that clipping has cut.",
                    [](const FrameStats& s) { return number(s.clipped); });
@@ -211,7 +211,7 @@ void add_frame_facts(std::vector<Fact>& table) {
                    "triangles of its fan.",
                    [](const FrameStats& s) { return number(s.clip_triangles); });
     add_frame_fact(
-        table, "frame.culled", "Triangles left out because they show their back.",
+        table, "frame.culled", "Triangles left out because they face away.",
         [](const FrameStats& s) { return number(s.left_out.of(Rejection::back_facing)); });
     add_frame_fact(table, "frame.rejected",
                    "Triangles left out because all their vertices lie beyond the same plane.",

@@ -45,7 +45,7 @@ void add_normal_facts(std::vector<Fact>& table) {
     for (int i = 0; i < 3; ++i) {
         const std::string axis(axes[static_cast<std::size_t>(i)]);
         table.push_back({"pixel.normal." + axis,
-                         axis + " of the normal with which light is worked out at the picked "
+                         axis + " of the normal with which light is computed at the picked "
                                 "pixel.",
                          real(),
                          [](const Facts& facts, int part) {

@@ -163,13 +163,13 @@ std::vector<Setting> make_table() {
          "mistake that of the edge that starts at it. Used only if coverage is edge_functions.",
          "Filled triangles", "", choice<&Settings::weight_edge>()},
         {"line", "Line algorithm", "Rows and edges",
-         "How the samples of an edge are found: by the lab's Interpolate, by Bresenham's whole "
-         "numbers, by the midpoint algorithm, or by the textbook DDA, which adds floats and "
+         "How the samples of an edge are found: by the lab's Interpolate, by Bresenham with "
+         "integers, by the midpoint algorithm, or by the textbook DDA, which adds floats and "
          "rounds to the nearest pixel. Values along rows are always interpolated.",
          "Drawing edges", "", choice<&Settings::line>()},
         {"bresenham_rule", "Bresenham's steps", "Rows and edges",
-         "How Bresenham's line is written: correctly, only for the first of eight octants, or with "
-         "a wrong term after a diagonal step. Used only if the line algorithm is bresenham.",
+         "Whether Bresenham's line is written correctly, only for the first of eight octants, or "
+         "with a wrong term after a diagonal step. Used only if the line algorithm is bresenham.",
          "Drawing edges", "", choice<&Settings::bresenham_rule>()},
         {"line_walk", "Walking a line", "Rows and edges",
          "How the samples of a line are found: by adding up steps, by multiplying, without error, "
@@ -227,8 +227,8 @@ std::vector<Setting> make_table() {
         {"depth_index", "Depth buffer index", "Depth and interpolation",
          "Which cell of the depth buffer belongs to a pixel: [y][x], or by mistake [x][y].",
          "Depth buffer", "", choice<&Settings::depth_index>()},
-        {"depth_order", "Colour worked out", "Depth and interpolation",
-         "When a fragment's colour is worked out: after the depth test, only if the fragment is "
+        {"depth_order", "Colour computed", "Depth and interpolation",
+         "When a fragment's colour is computed: after the depth test, only if the fragment is "
          "drawn; or before it, always.",
          "Depth buffer", "", choice<&Settings::depth_order>()},
         {"interpolation", "Between the vertices", "Depth and interpolation",
@@ -368,7 +368,7 @@ std::vector<Setting> make_table() {
          NumberSetting{[](Settings& s) -> float& { return s.camera.pitch; }, -largest_pitch,
                        largest_pitch, 0.005f}},
         {"camera.focal_length", "Focal length", "Camera",
-         "Distance from the camera to the picture; doubling it shows everything twice as large.",
+         "Distance from the camera to the picture; doubling it makes everything twice as large.",
          "Drawing points", "pixels",
          NumberSetting{[](Settings& s) -> float& { return s.camera.focal_length; },
                        smallest_focal_length, largest_focal_length, 1.0f}},
@@ -381,12 +381,12 @@ std::vector<Setting> make_table() {
              [](const Settings& s) { return static_cast<int>(s.camera.aim); },
              [](Settings& s, int index) { s.camera.aim = static_cast<CameraAim>(index); }}},
         {"camera.target", "Looks at", "Camera",
-         "The point in the middle of the picture, if the camera looks at one.", "Moving the camera",
-         "world units",
+         "The point in the middle of the picture, if the camera is aimed at a target.",
+         "Moving the camera", "world units",
          VectorSetting{[](Settings& s) -> glm::vec3& { return s.camera.target; }, -largest_place,
                        largest_place, 0.01f, false}},
         {"camera.up", "Up", "Camera",
-         "The direction that points up in the picture, if the camera looks at a point.",
+         "The direction that points up in the picture, if the camera is aimed at a target.",
          "Moving the camera", "",
          VectorSetting{[](Settings& s) -> glm::vec3& { return s.camera.up; }, -largest_place,
                        largest_place, 0.01f, false}},
@@ -404,9 +404,9 @@ std::vector<Setting> make_table() {
          .kind = choice<&Settings::camera_move>(),
          .needs_world = true},
         {"image_axes", "Picture axes", "Camera",
-         "Which way the axes of the picture run: x to the right and y down from its middle; or by "
-         "mistake turned by half a turn (a negative focal length), with x and y exchanged, or "
-         "counted from the upper left corner (without half of the picture's size).",
+         "Which way the picture's axes run: x to the right and y down from its middle; or by "
+         "mistake both reversed (a negative focal length), x and y swapped, or both from the upper "
+         "left corner (without adding half the picture's size).",
          "Drawing points", "", choice<&Settings::image_axes>()},
         {.name = "divided_by",
          .title = "x and y divided by",
@@ -483,7 +483,7 @@ std::vector<Setting> make_table() {
          "the camera, cut by planes before the division (Sutherland-Hodgman), or nothing, so that "
          "what is behind is drawn upside down. The last five are mistakes.",
          "Drawing points", "", choice<&Settings::clip>()},
-        {"cull", "Backs left out", "View volume",
+        {"cull", "Culled", "View volume",
          "How triangles that face away from the camera are found and left out: by the normal of "
          "the surface, by the way their corners go round on the screen, by the normals of all "
          "vertices; or fragment by fragment, by the interpolated normal; or, by mistake, by the "
@@ -526,8 +526,9 @@ std::vector<Setting> make_table() {
          "on surfaces whose corners have normals of their own.",
          "Light per pixel", "", light_choice<&LightRules::renormalize>()},
         {"light.highlight", "Highlight", "Light",
-         "How the highlight is worked out: correctly, or by mistake on backs too, or with a half "
-         "vector that is not made unit length. Used only if light.model is blinn_phong.",
+         "How the highlight is computed: correctly, or by mistake also on sides that face away "
+         "from the lamp, or with a half vector that is not made unit length. Used only if "
+         "light.model is blinn_phong.",
          "Illumination", "", light_choice<&LightRules::highlight>()},
         {"light.sides", "Lit sides", "Light",
          "How many sides of a surface are lit: the one its normal points to, or both. With both, a "
@@ -644,7 +645,7 @@ std::vector<Setting> make_table() {
          "Drawing points", "pixels",
          SizeSetting{[](Settings& s) -> Viewport& { return s.viewport; }, largest_viewport}},
         {"bounds", "In the picture", "Picture",
-         "Which columns and rows count as inside the picture: those from 0 on, or by mistake only "
+         "Which columns and rows count as inside the picture: those from 0 up, or by mistake only "
          "those above 0.",
          "Drawing points", "", choice<&Settings::bounds>()},
         {"encoding", "Bytes hold", "Picture",
@@ -658,7 +659,7 @@ std::vector<Setting> make_table() {
          "", choice<&Settings::colour_over_one>()},
         {"channel_order", "Order of channels", "Picture",
          "The order in which red, green and blue go to the screen: red first, or by mistake blue "
-         "first, so that red and blue change places.",
+         "first, which swaps red and blue.",
          "Drawing points", "", choice<&Settings::channel_order>()},
     };
 }

@@ -106,7 +106,7 @@ TEST_CASE("engines --json says on what was measured, how, and what came of it") 
                &fast = measurement["engines"][2], &last = measurement["engines"][3];
     CHECK(student["engine"] == "student");
     CHECK(student["ratio"].is_null());
-    CHECK_THAT(student["remark"].get<std::string>(), ContainsSubstring("draws other edges: "));
+    CHECK_THAT(student["remark"].get<std::string>(), ContainsSubstring("draws different edges: "));
     CHECK(steps["engine"] == "steps");
     CHECK(steps["from_llvmpipe"]["differ"] == 0);
     CHECK(steps["from_llvmpipe"]["pixels"] == 400);

@@ -17,7 +17,7 @@ using Catch::Matchers::ContainsSubstring;
 namespace {
 
 const std::string model_text = "s off\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 9\n";
-const std::string wrong_face = ":7: 'f' names the point 9, but there are 4; the face is left out.";
+const std::string wrong_face = ":7: 'f' names point 9, but the file has 4; the face is left out.";
 
 } // namespace
 

@@ -239,7 +239,7 @@ TEST_CASE("Values that a view cannot have are refused with a sentence") {
     refuses({"--canvas", "outsid"}, 2,
             "--canvas is picture, outside or both, not 'outsid'. Did you mean 'outside'?");
     refuses({"--outside", "1"}, 2,
-            "--outside is camera, or yaw and pitch like -0.75,-0.4, or these with a distance and a "
+            "--outside is camera, or yaw and pitch like -0.75,-0.4, or yaw, pitch, distance and "
             "target like -0.75,-0.4,5,0,0,1, not '1'.");
     refuses({"--wipe", "2"}, 2, "--wipe is a number from 0 to 1, not '2'.");
     refuses({"--depth-range", "0.8,0.2"}, 2,

@@ -226,7 +226,7 @@ TEST_CASE("What is wrong in a saved view is reported with its line") {
     says(head + "grid = 1\n", "v.walk.toml:2: the grid must be true or false.");
     says(head + "outside = \"1,2,3\"\n",
          "v.walk.toml:2: the view from outside is camera, or yaw and pitch like -0.75,-0.4, or "
-         "these with a distance and a target like -0.75,-0.4,5,0,0,1.");
+         "yaw, pitch, distance and target like -0.75,-0.4,5,0,0,1.");
     says(head + "depth_range = \"2,1\"\n",
          "v.walk.toml:2: a range of depths is needed here, the smaller first, like \"0.2,0.8\".");
     says(head + "set = [\n\"light.power=1e9\",\n]\n",
