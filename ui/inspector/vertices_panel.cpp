@@ -39,7 +39,7 @@ std::string other_roundings(const VertexReport& vertex, std::string_view id,
 std::string other_convention(const VertexReport& vertex, const Formula& formula,
                              Rotation rotation) {
     const std::string way =
-        rotation == Rotation::row_vector ? "R v instead of v R" : "v R, which is right,";
+        rotation == Rotation::row_vector ? "R v instead of v R" : "the correct v R";
     const bool is_of_pixel = !formula.id.starts_with("rotated.");
     if (is_of_pixel && vertex.transposed.rejection != Rejection::none) {
         return way + " would leave the triangle out: " +
