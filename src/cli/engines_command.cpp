@@ -185,8 +185,8 @@ std::string engines_footer() {
         text += fmt::format("\n  {}  {}", word_of(info.workload), info.title);
     text +=
         "\nThe engines:"
-        "\n  student   the loop of the lab as a student writes it; one thread"
-        "\n  steps     the stages that you walk through in this program; one thread"
+        "\n  student   the lab's loop as a student writes it; one thread"
+        "\n  steps     the stages that this program walks through; one thread"
         "\n  fast ...  the fast engine, with each set of SIMD instructions of this machine"
         "\n  llvmpipe  the peer: Mesa's rasterizer, in the program rasterwalk-llvmpipe"
         "\nThe engines take turns. The output gives the median time per picture (processor time "

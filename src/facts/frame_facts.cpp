@@ -91,12 +91,13 @@ void add_cursor_facts(std::vector<Fact>& table) {
                          const Cursor* const at = cursor_in(f, Phase::edges);
                          return at != nullptr ? number(at->step) : Value();
                      }});
-    table.push_back({"cursor.decision",
-                     "Decision variable at that sample; only lines that decide have one.", real(),
-                     [](const Facts& f, int) {
-                         const std::optional<LineDecision> decision = f.decision();
-                         return decision ? number(decision->before) : Value();
-                     }});
+    table.push_back(
+        {"cursor.decision",
+         "Decision variable at that sample; only Bresenham's and midpoint lines have one.", real(),
+         [](const Facts& f, int) {
+             const std::optional<LineDecision> decision = f.decision();
+             return decision ? number(decision->before) : Value();
+         }});
     table.push_back({"cursor.diagonal",
                      "1 if the line steps diagonally from that sample, 0 if it goes straight.",
                      yes_or_no(), [](const Facts& f, int) {

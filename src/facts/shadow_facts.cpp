@@ -99,7 +99,7 @@ void add_shadow_facts(std::vector<Fact>& table) {
                      frame_count<&ShadowCount::facing>});
     table.push_back({"frame.in_shadow",
                      "Pixels of the finished picture whose surface faces the lamp and is in "
-                     "shadow, wholly or partly.",
+                     "shadow, fully or partly.",
                      natural(), frame_count<&ShadowCount::in_shadow>});
     table.push_back({"frame.acne",
                      "Pixels that the current setting puts in shadow although a correct ray finds "

@@ -215,7 +215,7 @@ class ModelBuilder {
         const ObjMaterial& of = model_.materials[static_cast<std::size_t>(material)];
         if (is_invisible(glm::vec3(of.alpha))) {
             reporter_.note(of.file, of.alpha_line,
-                           fmt::format("the material {} is wholly transparent because its alpha is "
+                           fmt::format("the material {} is fully transparent because its alpha is "
                                        "0.",
                                        in_quotes(of.name)));
         }

@@ -51,7 +51,7 @@ constexpr std::size_t most_lookups = 2 * most_materials;
 
 constexpr std::string_view skipped_option =
     "the only options of an image that are used are -bm, and -s and -o of map_Kd";
-constexpr std::string_view skipped_halo = "alpha is the same from wherever you look at a face";
+constexpr std::string_view skipped_halo = "alpha is the same from every direction";
 constexpr std::string_view skipped_material = "this property of a material is not used";
 
 /// What an image may be called if no file has the name as it is written: without the quotes,

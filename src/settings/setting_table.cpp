@@ -214,14 +214,14 @@ std::vector<Setting> make_table() {
         {"depth_clear", "Depth buffer begins at", "Depth and interpolation",
          "What the depth buffer starts with, measured from the value of the farthest depth: for "
          "1/z, 0 is infinitely far and 1 is one unit away; NDC z starts at 1 minus this.",
-         "Depth buffer", "1/z or ndc z",
+         "Depth buffer", "1/z or NDC z",
          NumberSetting{[](Settings& s) -> float& { return s.depth_clear; }, -largest_depth_clear,
                        largest_depth_clear, 0.01f}},
         {"depth_epsilon", "Nearer by more than", "Depth and interpolation",
          "How much nearer than the stored depth a fragment must be, in 1/z or whatever the depth "
          "buffer holds. A fragment that is only just nearer counts as a tie, and the one drawn "
          "first stays. Only the correct depth test uses it.",
-         "Depth buffer", "1/z or ndc z",
+         "Depth buffer", "1/z or NDC z",
          NumberSetting{[](Settings& s) -> float& { return s.depth_epsilon; }, 0.0f,
                        largest_depth_epsilon, 1e-6f}},
         {"depth_index", "Depth buffer index", "Depth and interpolation",
@@ -613,7 +613,7 @@ std::vector<Setting> make_table() {
         {"shadow_slope_bias",
          "Slope bias",
          "Shadow",
-         "Added to the bias: this many texels, times how steeply the surface runs away from the "
+         "Added to the bias: this many texels, times how steeply the surface slopes away from the "
          "lamp (the tangent of the angle between the light and the normal).",
          "Beyond the lab",
          "texels",

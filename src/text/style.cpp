@@ -27,11 +27,11 @@ Phrase phrase_of(const std::string& text, const TomlInput& entry) {
         phrase.push_back(split(place, '|'));
         for (const std::string& word : phrase.back()) {
             if (word.empty())
-                entry.fail("'" + text + "' has an empty word: one blank stands between words.");
+                entry.fail("'" + text + "' has an empty word; put one space between words.");
         }
     }
     if (phrase.front() == std::vector<std::string>{"*"})
-        entry.fail("'" + text + "' begins with any word, so it would be found everywhere.");
+        entry.fail("'" + text + "' begins with '*', so it would match everywhere.");
     return phrase;
 }
 

@@ -50,7 +50,7 @@ TEST_CASE("render and stats point out what is correct in a model but easily over
                               ":2: the material 'a' is black because its Kd is 0 and it has no "
                               "map_Kd.";
     const std::string clear =
-        folder.file("m.mtl") + ":3: the material 'a' is wholly transparent because its alpha is 0.";
+        folder.file("m.mtl") + ":3: the material 'a' is fully transparent because its alpha is 0.";
     const CliRun drawn = run({"render", "--scene", path, "-o", folder.file("m.png")});
     CHECK(drawn.exit_code == 0);
     CHECK(drawn.err == "rasterwalk: " + clear + "\nrasterwalk: " + black + "\n");

@@ -37,9 +37,8 @@ using ActionOptions =
 
 ActionOptions describe(CLI::App& app, Arguments& a) {
     app.set_version_flag("--version", "rasterwalk-offscreen " + version_text());
-    app.footer(
-        "--click, --hover, --pick and --press are carried out in the order given.\nExit codes: 0 "
-        "done, 2 wrong usage, 3 bad input, 4 could not read or write.");
+    app.footer("--click, --hover, --pick and --press are done in the order given.\nExit codes: 0 "
+               "done, 2 wrong usage, 3 bad input, 4 could not read or write.");
     app.add_option("FILE", a.view.file,
                    "Scene (.toml), model (.obj), lesson (.md) or saved view (.walk.toml) to open");
     app.add_option("-o,--output", a.output, "PNG file to write")->type_name("FILE")->required();

@@ -216,7 +216,7 @@ void draw_clip_counts(const ClipPage& page) {
          "Back faces, which are left out.");
     line(is_whole ? "fragments outside" : "fragments outside, so far", "fragments_outside",
          a.replay.tally().fragments_outside,
-         "Fragments that fall outside the picture and are worked out for nothing. Clipping by all "
+         "Fragments that fall outside the picture and are computed for nothing. Clipping by all "
          "planes avoids them, and so does cheap clipping.");
     end_clip_table();
 }

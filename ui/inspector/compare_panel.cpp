@@ -213,7 +213,7 @@ void draw_counts(Ui& ui) {
                "Pixels whose colour is not the same to the last bit.");
     count_line(ui, "of them visible", "compare.count.shown", grouped(here.shown),
                known(grouped(whole.shown)),
-               "Pixels whose colour on the screen differs too, in 8 bits a channel.");
+               "Pixels whose colour on the screen differs too, in 8 bits per channel.");
     count_line(ui, "largest difference", "compare.count.largest",
                number(static_cast<double>(here.largest), 4),
                known(number(static_cast<double>(whole.largest), 4)),

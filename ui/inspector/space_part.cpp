@@ -98,15 +98,15 @@ std::string_view change_words(PictureChange change) {
     case PictureChange::same:
         return "the same picture";
     case PictureChange::half_turn:
-        return "the picture turned by half a turn";
+        return "rotated by half a turn";
     case PictureChange::upside_down:
-        return "the picture upside down";
+        return "upside down";
     case PictureChange::mirrored:
-        return "left and right exchanged";
+        return "left and right swapped";
     case PictureChange::elsewhere:
         break;
     }
-    return "another picture";
+    return "a different picture";
 }
 
 void draw_conventions(Ui& ui, const Vertex& vertex) {
