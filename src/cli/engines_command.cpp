@@ -41,8 +41,8 @@ std::vector<Enum> chosen(std::string_view what, const std::string& word,
 int whole_number(std::string_view option, const std::string& word, int smallest, int largest) {
     const auto number = parse_int(word);
     if (number && *number >= smallest && *number <= largest) return *number;
-    throw UsageError(fmt::format("{} is a whole number from {} to {}, not {}.", option, smallest,
-                                 largest, in_quotes(word)));
+    throw UsageError(fmt::format("{} must be a whole number from {} to {}, not {}.", option,
+                                 smallest, largest, in_quotes(word)));
 }
 
 MeasurePlan plan_of(const EnginesOptions& options) {

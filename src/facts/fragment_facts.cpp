@@ -192,13 +192,13 @@ void add_pixel_facts(std::vector<Fact>& table) {
                              " in the end, linear, not clamped at 1; 0 where nothing falls.",
                          real(), pixel_channel, i});
     }
-    table.push_back({"pixel.alpha",
-                     "Alpha with which the surface that the picked pixel shows in the end is "
-                     "blended; 1 if it is not blended.",
-                     real(0), [](const Facts& f, int) {
-                         const PixelEntry* const winner = f.winner();
-                         return winner == nullptr ? Value() : number(winner->alpha);
-                     }});
+    table.push_back(
+        {"pixel.alpha",
+         "Alpha of the surface that the picked pixel shows in the end; 1 if it is not blended.",
+         real(0), [](const Facts& f, int) {
+             const PixelEntry* const winner = f.winner();
+             return winner == nullptr ? Value() : number(winner->alpha);
+         }});
     table.push_back({"pixel.light_error",
                      "How far off the light is there with affine interpolation, in the channel "
                      "that is off most.",

@@ -92,7 +92,7 @@ void add_shadow_facts(std::vector<Fact>& table) {
                      map_number<[](const ShadowTerms& s) { return s.texels[0].column; }>});
     table.push_back({"pixel.map_row", "Row of that face in which it falls; the first of four.",
                      natural(), map_number<[](const ShadowTerms& s) { return s.texels[0].row; }>});
-    table.push_back({"frame.pixels", "Pixels of the finished picture on which something is seen.",
+    table.push_back({"frame.pixels", "Pixels of the finished picture that show something.",
                      natural(), frame_count<&ShadowCount::pixels>});
     table.push_back({"frame.facing_lamp",
                      "Pixels of the finished picture whose surface faces the lamp.", natural(),

@@ -224,9 +224,8 @@ class MtlReader {
         if (!is_dissolve && material.has_dissolve) return;
         // Some programs write Tr 1 and mean opaque; no model is meant to be invisible.
         if (!is_dissolve && *number == 1.0) {
-            return fault([] {
-                return "'Tr' 1 would make it invisible, so the material is taken to be opaque.";
-            });
+            return fault(
+                [] { return "'Tr' 1 would make the material invisible, so it is drawn opaque."; });
         }
         material.alpha = static_cast<float>(is_dissolve ? *number : 1.0 - *number);
         material.alpha_line = lines_.line();

@@ -115,7 +115,7 @@ std::vector<Setting> make_table() {
          "Stage",
          "How many parts each edge of the scene is cut into before anything else happens. n parts "
          "turn each triangle into n², and these are what is drawn and counted: triangles[t] of the "
-         "scene becomes triangles[t n²] and those after it, n² in all. The surfaces stay where "
+         "scene becomes triangles[t n²] and the next ones, n² in all. The surfaces stay where "
          "they are, but there are more vertices at which light can be computed.",
          "Light per vertex",
          "parts",
@@ -438,8 +438,8 @@ std::vector<Setting> make_table() {
          "bottom row, where it spoils w and moves nothing. Used only if transform is matrices.",
          "Moving the camera", "", choice<&Settings::translation>()},
         {"normal_w", "w of a normal", "Spaces",
-         "The w with which a normal is taken to camera space for lighting: 0, as a direction, or "
-         "by mistake 1, as a position, so that it is moved too.",
+         "The w with which a normal is transformed to camera space for lighting: 0, as a "
+         "direction, or by mistake 1, as a position, so that it is moved too.",
          "Illumination", "", choice<&Settings::normal_w>()},
         {"projection", "Projection", "Spaces",
          "Perspective divides by z; orthographic does not, so far things look as large as near "

@@ -378,7 +378,8 @@ ViewField outside_field() {
     form.read = [](const TomlBlock& block, const toml::node& node) {
         const std::optional<OutsideView> view = parse_outside_view(block.text(node));
         if (!view) {
-            block.input().fail(node, std::string("the view from outside is ") + outside_form + ".");
+            block.input().fail(node,
+                               std::string("the view from outside must be ") + outside_form + ".");
         }
         return *view;
     };

@@ -125,8 +125,9 @@ TEST_CASE("An unknown setting, value, preset or stage ends with exit code 2") {
     expect({"stats", "--stage", "filled"}, 2,
            "stage cannot be 'filled': it takes points, edges, rows, fill, depth, vertex_light or "
            "pixel_light.");
-    expect({"render", "--view", "color", "-o", "/dev/null"}, 2,
-           "--view is colour, depth, triangle or overdraw, not 'color'. Did you mean 'colour'?");
+    expect(
+        {"render", "--view", "color", "-o", "/dev/null"}, 2,
+        "--view must be colour, depth, triangle or overdraw, not 'color'. Did you mean 'colour'?");
 }
 
 TEST_CASE("A picture of size 0x0 or 100000x100000 ends with exit code 2") {

@@ -91,15 +91,15 @@ void read_window(const std::string& text, OffscreenOptions& options) {
     if (!is_size || options.width < smallest_offscreen_width ||
         options.height < smallest_offscreen_height || options.width > largest_offscreen_side ||
         options.height > largest_offscreen_side) {
-        throw UsageError("--window is a size from 320x240 to 8192x8192, not '" + text + "'.");
+        throw UsageError("--window must be a size from 320x240 to 8192x8192, not '" + text + "'.");
     }
 }
 
 void check_range(const char* name, float value, float smallest, float largest) {
     if (value >= smallest && value <= largest) return;
     const auto number = [](float of) { return significant(static_cast<double>(of), 6); };
-    throw UsageError(fmt::format("{} is a number from {} to {}, not {}.", name, number(smallest),
-                                 number(largest), number(value)));
+    throw UsageError(fmt::format("{} must be a number from {} to {}, not {}.", name,
+                                 number(smallest), number(largest), number(value)));
 }
 
 /// Makes options and session out of what was written. Throws Error.
@@ -109,7 +109,7 @@ Session understand(Arguments& a) {
     check_range("--text-scale", a.text_scale, smallest_text_scale, largest_text_scale);
     options.ui.wished_text_scale = a.text_scale;
     if (a.theme != "dark" && a.theme != "light") {
-        throw UsageError("--theme is dark or light, not '" + a.theme + "'.");
+        throw UsageError("--theme must be dark or light, not '" + a.theme + "'.");
     }
     options.ui.theme = a.theme == "light" ? Theme::light : Theme::dark;
     // A tab that is asked for by name is in front of whatever lies over the inspector.

@@ -42,7 +42,7 @@ void draw_order(Ui& ui) {
         if (button(ui, "vertices.matrix_order." + word, label,
                    is_chosen ? Look::chosen : Look::outline,
                    "Which side of the matrix the vector is on; the matrix for one side is the "
-                   "transpose of that for the other.")) {
+                   "transpose of the one for the other.")) {
             ui.session.a.settings.matrix_order = order;
         }
         keep_item_whole(ui);

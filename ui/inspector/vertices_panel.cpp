@@ -58,7 +58,7 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
         wrapped_text(other_roundings(vertex, formula.id, settings.vertex_rounding));
         keep_text_whole(ui);
         name_widget(ui, "vertices.other_roundings",
-                    "The same number rounded in the other ways. int() cuts toward zero, so it "
+                    "The same number with the other roundings. int() cuts toward zero, so it "
                     "moves negative numbers in the opposite direction from positive ones.");
     }
     const bool has_camera = ui.results.a.scene->space == SceneSpace::world;
