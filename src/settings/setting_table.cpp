@@ -153,7 +153,7 @@ std::vector<Setting> make_table() {
          "The point at which a pixel is tested for coverage: its centre, or by mistake its upper "
          "left corner. Used only if coverage is not rows.",
          "Filled triangles", "", choice<&Settings::pixel_sample>()},
-        {"box_walk", "Pixels of a box tested", "Rows and edges",
+        {"box_walk", "Box pixels tested", "Rows and edges",
          "Which pixels of a triangle's bounding box the edge functions test: all of them, or in "
          "each row only the interval between the places where the edges cross it. The picture is "
          "the same. Used only if coverage is edge_functions.",
@@ -177,7 +177,7 @@ std::vector<Setting> make_table() {
          "samples, or along rows with a 1/z that falls where it should rise. Rows always use this; "
          "edges only if the line algorithm is interpolate.",
          "Drawing edges", "", choice<&Settings::line_walk>()},
-        {"edge_samples", "Samples of an edge", "Rows and edges",
+        {"edge_samples", "Edge samples", "Rows and edges",
          "How many samples an edge has: one for each pixel of its longer axis, one in each row, or "
          "|a − b + 1| where |a − b| + 1 was meant; or all but the last, or none for the last edge. "
          "Used only if the line algorithm is interpolate.",
@@ -272,7 +272,7 @@ std::vector<Setting> make_table() {
          {},
          true},
         {"texture_alpha",
-         "Alpha of textures",
+         "Texture alpha",
          "Texture",
          "What the alpha of a texture does: it cuts holes where it is below 1/2, as in leaves and "
          "fences; it blends each pixel over what was there; or it does nothing. Shadows are always "
@@ -289,7 +289,7 @@ std::vector<Setting> make_table() {
          nullptr,
          true},
         {"texel_rule",
-         "Number of a texel",
+         "Texel number",
          "Texture",
          "How a position in a texture becomes the number of a texel: correctly, or by mistake with "
          "v from the bottom, with the centres of texels at whole numbers, with a remainder that "
@@ -437,7 +437,7 @@ std::vector<Setting> make_table() {
          "Where the view matrix has its translation: in the last column, or by mistake in the "
          "bottom row, where it spoils w and moves nothing. Used only if transform is matrices.",
          "Moving the camera", "", choice<&Settings::translation>()},
-        {"normal_w", "w of a normal", "Spaces",
+        {"normal_w", "w of normals", "Spaces",
          "The w with which a normal is transformed to camera space for lighting: 0, as a "
          "direction, or by mistake 1, as a position, so that it is moved too.",
          "Illumination", "", choice<&Settings::normal_w>()},
@@ -508,7 +508,7 @@ std::vector<Setting> make_table() {
          "How a surface reflects light: the same in all directions (Lambert), or also with a "
          "highlight, if its material has one (Blinn-Phong).",
          "Illumination", "", lamp_choice<&Light::model>()},
-        {"light.direction", "Direction of the light", "Light",
+        {"light.direction", "Light direction", "Light",
          "The vector that is compared with the normal: the one to the lamp, made unit length; or "
          "by mistake the one from the lamp, the one to the lamp at its full length, or the one to "
          "the lamp divided by a length that includes w = 1.",
@@ -517,7 +517,7 @@ std::vector<Setting> make_table() {
          "What the power is divided by: 4 pi r^2, r^2, r, nothing, or by mistake 4 pi r^3, or 4 pi "
          "r^2 with a wrong pi.",
          "Illumination", "", light_choice<&LightRules::falloff>()},
-        {"light.sum", "Sum of the light", "Light",
+        {"light.sum", "Light formula", "Light",
          "How the light is put together: reflectance times (D + N); or by mistake D plus "
          "reflectance, or reflectance times itself times (D + N).",
          "Illumination", "", light_choice<&LightRules::sum>()},
@@ -657,7 +657,7 @@ std::vector<Setting> make_table() {
         {"colour_over_one", "Channels above 1", "Picture",
          "What a channel above 1 is shown as: 1, or what is left of it in 8 bits.", "Illumination",
          "", choice<&Settings::colour_over_one>()},
-        {"channel_order", "Order of channels", "Picture",
+        {"channel_order", "Channel order", "Picture",
          "The order in which red, green and blue go to the screen: red first, or by mistake blue "
          "first, which swaps red and blue.",
          "Drawing points", "", choice<&Settings::channel_order>()},

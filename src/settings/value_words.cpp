@@ -52,7 +52,7 @@ constexpr SaidWord said_words[] = {
     {"edge_samples", "no_last_edge", "no last edge"},
     {"row_start", "extreme", "the extremes"},
     {"row_start", "window", "the borders"},
-    {"row_start", "row_short", "a row too few"},
+    {"row_start", "row_short", "one row short"},
     {"row_search", "indexed", "by its number"},
     {"row_search", "all_rows", "among all rows"},
     {"row_search", "clamped", "the nearest one"},

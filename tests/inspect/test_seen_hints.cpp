@@ -148,8 +148,9 @@ TEST_CASE("For what is wholly transparent the hint names the settings that draw 
     const std::vector<SeenHint> both = hints_of(sheet_of("Kd 1 1 1\nd 0\nmap_Kd clear.png\n"), {});
     REQUIRE(both.size() == 1);
     CHECK(both[0].settings == std::vector<std::string>{"blend=off", "texture_alpha=off"});
-    CHECK_THAT(both[0].help, ContainsSubstring("' setting) and texture_alpha=off (the 'Alpha of "
-                                               "textures' setting) show "));
+    CHECK_THAT(both[0].help,
+               ContainsSubstring("' setting) and texture_alpha=off (the 'Texture alpha' "
+                                 "setting) show "));
 }
 
 TEST_CASE("Hints are the same when they are looked for in parts, and stop at too much work") {

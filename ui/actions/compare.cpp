@@ -234,7 +234,7 @@ std::vector<std::string> difference_forms(const PixelDifference& pixels) {
     const std::string pixels_differ = count + (is_one ? " pixel" : " pixels") + look;
     const std::string others = is_all_seen ? ""
                                : is_seen   ? " of " + grouped(pixels.different) + " that differ"
-                                           : ", too small to see";
+                                           : ", too little to see";
     const std::string largest =
         pixels_differ + others + " · largest " + fixed(static_cast<double>(pixels.largest), 3);
     const bool has_unseen = is_seen && !is_all_seen;
