@@ -104,8 +104,8 @@ std::vector<Setting> make_table() {
          .title = "Picture drawn by",
          .group = "Stage",
          .help = "What draws the whole picture: the steps, which you can walk through, or the fast "
-                 "engine, which has none and takes a fraction of the time. It tests the centres of "
-                 "pixels. While you walk through time, the steps draw.",
+                 "engine, which has no steps and takes a fraction of the time. It tests the "
+                 "centres of pixels. While you walk through time, the steps draw.",
          .section = "All sections",
          .unit = "",
          .kind = choice<&Settings::engine>(),
@@ -189,8 +189,8 @@ std::vector<Setting> make_table() {
          "Filled triangles", "", choice<&Settings::row_start>()},
         {"row_search", "Finding a row", "Rows and edges",
          "How a sample finds its row in the table: by its number; or, by mistake, by searching "
-         "every row, by going to the nearest row if it lies beyond the table, or by its number "
-         "while the row takes only the column of the sample.",
+         "every row, by going to the nearest row if it lies beyond the table, or by its number, "
+         "but only the column of the sample goes into the row.",
          "Filled triangles", "", choice<&Settings::row_search>()},
         {"empty_rows", "Rows without samples", "Rows and edges",
          "What happens to a row that no sample reached: nothing, or it draws right − left + 1 "
@@ -359,12 +359,13 @@ std::vector<Setting> make_table() {
          "Where the camera is: x right, y down, z forward.", "Moving the camera", "world units",
          VectorSetting{[](Settings& s) -> glm::vec3& { return s.camera.position; }, -largest_place,
                        largest_place, 0.01f, false}},
-        {"camera.yaw", "Turn (yaw)", "Camera", "Turn of the camera about the y axis.",
+        {"camera.yaw", "Turn (yaw)", "Camera", "How far the camera is turned about the y axis.",
          "Moving the camera", "radians",
          NumberSetting{[](Settings& s) -> float& { return s.camera.yaw; }, -largest_yaw,
                        largest_yaw, 0.005f}},
         {"camera.pitch", "Tilt (pitch)", "Camera",
-         "Turn of the camera about the x axis, after the yaw.", "Moving the camera", "radians",
+         "How far the camera is turned about the x axis, after the yaw.", "Moving the camera",
+         "radians",
          NumberSetting{[](Settings& s) -> float& { return s.camera.pitch; }, -largest_pitch,
                        largest_pitch, 0.005f}},
         {"camera.focal_length", "Focal length", "Camera",
@@ -373,8 +374,7 @@ std::vector<Setting> make_table() {
          NumberSetting{[](Settings& s) -> float& { return s.camera.focal_length; },
                        smallest_focal_length, largest_focal_length, 1.0f}},
         {"camera.aim", "Camera aimed by", "Camera",
-         "What sets the direction in which the camera looks: turn and tilt, or a target, the point "
-         "that it looks at.",
+         "What sets the direction in which the camera looks: turn and tilt, or a target point.",
          "Moving the camera", "",
          ChoiceSetting{
              enum_words<CameraAim>,
@@ -479,7 +479,7 @@ std::vector<Setting> make_table() {
          "that too, and walks the others only as far as the picture reaches.",
          "Drawing points", "", choice<&Settings::reject>()},
         {"clip", "Clipped", "View volume",
-         "What happens to triangles that reach out of the view: left out if a vertex lies behind "
+         "What happens to triangles that reach outside the view: left out if a vertex lies behind "
          "the camera, cut by planes before the division (Sutherland-Hodgman), or nothing, so that "
          "what is behind is drawn upside down. The last five are mistakes.",
          "Drawing points", "", choice<&Settings::clip>()},
@@ -655,8 +655,8 @@ std::vector<Setting> make_table() {
          "not decoded; their bytes are always read as linear numbers.",
          "Beyond the lab", "", choice<&Settings::encoding>()},
         {"colour_over_one", "Channels above 1", "Picture",
-         "What a channel above 1 is shown as: 1, or what is left of it in 8 bits.", "Illumination",
-         "", choice<&Settings::colour_over_one>()},
+         "What a channel above 1 is shown as: 1, or only its lowest 8 bits.", "Illumination", "",
+         choice<&Settings::colour_over_one>()},
         {"channel_order", "Channel order", "Picture",
          "The order in which red, green and blue go to the screen: red first, or by mistake blue "
          "first, which swaps red and blue.",
