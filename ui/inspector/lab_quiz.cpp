@@ -148,7 +148,7 @@ void draw_question_card(Ui& ui) {
                               : is_small ? "choose"
                                          : "choose one above";
     if (button(ui, "lab.guess", label, Look::main,
-               "Takes the guess. A wrong one costs " + std::to_string(cost_of_wrong_guess) +
+               "Submits the guess. A wrong one costs " + std::to_string(cost_of_wrong_guess) +
                    " points.")) {
         guess(quiz, ui.lab.chosen);
     }
