@@ -39,7 +39,7 @@ constexpr auto longest_end = 1s;
 /// How a program has ended, according to waitpid().
 std::string ending_text(int status) {
     if (WIFSIGNALED(status))
-        return fmt::format("was ended by the signal {}", strsignal(WTERMSIG(status)));
+        return fmt::format("was stopped by a signal: {}", strsignal(WTERMSIG(status)));
     return fmt::format("ended with exit code {}", WEXITSTATUS(status));
 }
 
@@ -124,7 +124,7 @@ std::string ChildProcess::read_line() {
     std::size_t end = unread_.find('\n');
     while (end == std::string::npos) {
         if (unread_.size() > longest_line)
-            throw AccessError(in_quotes(name_) + " sends a line that does not end.");
+            throw AccessError(in_quotes(name_) + " sent a line that is too long.");
         read_more();
         end = unread_.find('\n');
     }

@@ -28,7 +28,7 @@ FileLock::FileLock(const std::string& path)
         ::nanosleep(&pause_between_tries, nullptr);
     }
     ::close(descriptor_);
-    throw AccessError("cannot write '" + path + "': another program is writing it.");
+    throw AccessError("cannot write '" + path + "': another program is writing to it.");
 }
 
 FileLock::~FileLock() {

@@ -42,7 +42,7 @@ void check_png_data(std::string_view bytes, const std::string& path, glm::ivec2 
     const std::string trouble = decode_zlib(png_data(bytes), png_row_bytes(bytes));
     if (trouble.empty()) return;
     if (trouble != zlib_has_more) refuse(path, trouble);
-    throw InputError(fmt::format("{}: a picture of {} x {} pixels contains data for more.", path,
+    throw InputError(fmt::format("{}: a picture of {} x {} pixels contains too much data.", path,
                                  size.x, size.y));
 }
 

@@ -262,7 +262,7 @@ class Parser {
 
     void close() {
         if (!take(Sign::close))
-            throw UsageError("a ')' is missing in " + in_quotes(tree_.text) + ".");
+            throw UsageError("a ')' is missing from " + in_quotes(tree_.text) + ".");
     }
 
     std::string_view text_;

@@ -160,8 +160,8 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         ->allow_extra_args(false);
     diagnose
         .add_option("--seconds", line.diagnose.seconds,
-                    "Search for at most this long for what may be wrong with a picture, then look "
-                    "closely at what was found")
+                    "Search at most this long for what may be wrong with a picture, then examine "
+                    "what was found")
         ->type_name("SECONDS")
         ->capture_default_str();
     add_json(diagnose, line.diagnose.json);
@@ -207,7 +207,7 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
     add_json(facts, line.facts.json);
 
     CLI::App& engines =
-        add_command(line, "engines", "Time the engines of this program against llvmpipe",
+        add_command(line, "engines", "Time this program's engines against llvmpipe",
                     [&] { line.exit_code = engines_command(line.engines, out, progress); });
     const auto add_text = [&](const char* name, std::string& value, const char* help,
                               const char* type) {
@@ -217,12 +217,11 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
     add_text("--size", line.engines.size,
              "Size of the pictures; if not given, 500x500 and 1920x1080", "WIDTHxHEIGHT");
     add_text("--threads", line.engines.threads, "1 or 2; if not given, both", "N");
-    add_text("--simd", line.engines.simd,
-             "scalar, sse2, avx2 or avx512 for the fast engine; if not given, all that this "
-             "machine has",
-             "NAME");
-    add_text("--rounds", line.engines.rounds, "How often each engine takes its turn, 5 to 1000",
-             "N");
+    add_text(
+        "--simd", line.engines.simd,
+        "Fast engine with scalar, sse2, avx2 or avx512; if not given, all that this machine has",
+        "NAME");
+    add_text("--rounds", line.engines.rounds, "Number of turns of each engine, 5 to 1000", "N");
     add_json(engines, line.engines.json);
     engines.footer(engines_footer());
     // Last, because commands inherit the footer that is set when they are added.

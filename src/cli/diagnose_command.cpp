@@ -122,14 +122,14 @@ void print_text(const Finding& finding, std::ostream& out) {
     out << "Compared with " << finding.held_against << ": " << diagnosis.verdict << '\n';
     if (!diagnosis.rules.empty()) {
         const bool is_sure = diagnosis.is_same() || likely_candidate(diagnosis) != nullptr;
-        out << (is_sure ? "Your program draws with " : "The nearest right picture is drawn with ")
+        out << (is_sure ? "Your program draws with " : "The nearest correct picture is drawn with ")
             << diagnosis.rules
             << (is_sure ? ", which is just as correct; the reference does the same.\n" : ".\n");
     }
     if (!diagnosis.is_same()) {
         out << counted(diagnosis.different, is_picture ? "pixel differs" : "row differs",
                        is_picture ? "pixels differ" : "rows differ")
-            << (is_picture ? " from the right picture." : " from the reference.");
+            << (is_picture ? " from the correct picture." : " from the reference.");
         if (!diagnosis.place.empty()) out << ' ' << diagnosis.place;
         out << '\n';
     }

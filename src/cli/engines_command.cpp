@@ -41,8 +41,8 @@ std::vector<Enum> chosen(std::string_view what, const std::string& word,
 int whole_number(std::string_view option, const std::string& word, int smallest, int largest) {
     const auto number = parse_int(word);
     if (number && *number >= smallest && *number <= largest) return *number;
-    throw UsageError(fmt::format("{} is a whole number from {} to {}, not {}.", option, smallest,
-                                 largest, in_quotes(word)));
+    throw UsageError(fmt::format("{} must be a whole number from {} to {}, not {}.", option,
+                                 smallest, largest, in_quotes(word)));
 }
 
 MeasurePlan plan_of(const EnginesOptions& options) {
@@ -99,7 +99,7 @@ std::string remark(const EngineResult& result) {
     if (!result.refusal.empty()) return "cannot draw this: " + result.refusal;
     if (!result.from_peer || result.ratio) return {};
     const std::string difference = difference_text(*result.from_peer);
-    return (result.has_other_edges ? "draws other edges: " : "draws something different: ") +
+    return (result.has_other_edges ? "draws different edges: " : "draws something different: ") +
            difference;
 }
 
@@ -185,8 +185,8 @@ std::string engines_footer() {
         text += fmt::format("\n  {}  {}", word_of(info.workload), info.title);
     text +=
         "\nThe engines:"
-        "\n  student   the loop of the lab as a student writes it; one thread"
-        "\n  steps     the stages that you walk through in this program; one thread"
+        "\n  student   the lab's loop as a student writes it; one thread"
+        "\n  steps     the stages that this program walks through; one thread"
         "\n  fast ...  the fast engine, with each set of SIMD instructions of this machine"
         "\n  llvmpipe  the peer: Mesa's rasterizer, in the program rasterwalk-llvmpipe"
         "\nThe engines take turns. The output gives the median time per picture (processor time "

@@ -94,11 +94,11 @@ std::string change_text(PictureChange change) {
     case PictureChange::same:
         return "the same picture";
     case PictureChange::half_turn:
-        return "turned by half a turn";
+        return "rotated by half a turn";
     case PictureChange::upside_down:
         return "upside down";
     case PictureChange::mirrored:
-        return "left and right exchanged";
+        return "left and right swapped";
     case PictureChange::elsewhere:
         break;
     }

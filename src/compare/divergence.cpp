@@ -156,7 +156,7 @@ Divergence divergence_of(const Frame& a, const Frame& b, const PairMoment& momen
 std::string kind_text(DivergenceKind kind) {
     switch (kind) {
     case DivergenceKind::missing:
-        return "missing in B";
+        return "missing from B";
     case DivergenceKind::extra:
         return "extra in B";
     case DivergenceKind::other:

@@ -281,10 +281,10 @@ std::string row_ends(const Frame& frame, const Cursor& cursor) {
 
 std::string fate_text(const Frame& frame, const FragmentEvent& event, int digits) {
     const std::string depth = number(event.depth, digits);
-    if (event.fate == Fate::back_facing) return depth + " is left out because it shows its back";
+    if (event.fate == Fate::back_facing) return depth + " is left out because it faces away";
     if (event.fate == Fate::cut_out) {
-        return fmt::format("{} is let through because the alpha of its texture is {}, below 1/2",
-                           depth, number(event.alpha, 3));
+        return fmt::format("{} is cut out because the alpha of its texture is {}, below 1/2", depth,
+                           number(event.alpha, 3));
     }
     if (depth_rule(frame.settings) == DepthTest::off) return depth + " is written without a test";
     return fmt::format("{} is {} {}", depth,

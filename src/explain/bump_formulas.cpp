@@ -110,11 +110,11 @@ class BumpFormulas {
             const FormulaInput e1 = of_formula("e1", "side_1." + axis, sides[0][i]),
                                e2 = of_formula("e2", "side_2." + axis, sides[1][i]);
             add("along_u." + axis, "U." + axis,
-                "Where the surface goes while u grows by 1: a sum of the two sides, weighted so "
+                "The vector along the surface as u grows by 1: a sum of the two sides, weighted so "
                 "that v stays the same.",
                 "(e1 · v2 − e2 · v1) / area", {e1, v2, e2, v1, of_area}, report_.uv.along_u[i]);
             add("along_v." + axis, "V." + axis,
-                "Where the surface goes while v grows by 1: a sum of the two sides, weighted so "
+                "The vector along the surface as v grows by 1: a sum of the two sides, weighted so "
                 "that u stays the same.",
                 "(e2 · u1 − e1 · u2) / area", {e2, u1, e1, u2, of_area}, report_.uv.along_v[i]);
         }
@@ -254,8 +254,7 @@ class BumpFormulas {
         }
         const float length = glm::length(sum);
         add("sum_length", "|s|",
-            "Its length, about 1, because bytes and mixed texels are not "
-            "exact.",
+            "Its length, only about 1 because bytes and mixed texels are not exact.",
             "sqrt(s.x² + s.y² + s.z²)", parts_of_vector("s", vector_of("sum", sum)), length);
         for (int i = 0; i < 3; ++i) {
             const std::string axis = axis_names[static_cast<std::size_t>(i)];

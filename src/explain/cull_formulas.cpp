@@ -98,8 +98,8 @@ Formula cull_area_formula(const ClipMaker& maker) {
     const ClipHistory& history = maker.history;
     Formula formula{"cull.area",
                     "area",
-                    "If it is greater than 0, the corners go round clockwise on the screen, as the "
-                    "corners of a front do.",
+                    "If it is greater than 0, the corners go round clockwise on the screen, as "
+                    "those of a front face do.",
                     "",
                     {},
                     {screen_area_sign(history.polygon, maker.rules())}};

@@ -198,7 +198,7 @@ bool shows_minus(const std::string& text) {
 
 std::string function_help(std::string_view expression) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> helps{{
-        {"int(", "int(x): x without the digits after the point, so it moves toward 0."},
+        {"int(", "int(x): x without its fraction, so it moves toward 0."},
         {"clamp(", "clamp(x, low, high): x, or the bound that x is beyond."},
         {"wrap(", "wrap(x, n): the remainder of x divided by n, never below 0."},
         {"accumulate(", "accumulate(start, step, n): starts with start and adds step n times, one "

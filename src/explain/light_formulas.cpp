@@ -240,9 +240,9 @@ void append_side_formulas(LitPoint& point, const SourcedVector& surface, const F
     const bool is_turned = side < 0.0f;
     formulas.push_back({point.prefix + "side",
                         "side",
-                        is_turned ? "The surface shows its back, so its normal is negated, because "
+                        is_turned ? "The surface faces away, so its normal is negated, because "
                                     "both sides are lit."
-                                  : "The surface shows its front, so its normal stays as it is.",
+                                  : "The surface faces the eye, so its normal stays as it is.",
                         is_turned ? "−1" : "1",
                         {},
                         {side}});

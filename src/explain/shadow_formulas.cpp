@@ -134,8 +134,8 @@ class ShadowMaker {
         const float texel =
             2.0f * terms_.seen.z / static_cast<float>(frame_.occluders.map->resolution);
         add("shadow.bias", "bias",
-            "How far behind the depth that the lamp saw the point may lie. It is more where the "
-            "surface runs away from the lamp.",
+            "How far the point may lie behind the depth that the lamp saw. It is more where the "
+            "surface slopes away from the lamp.",
             "b + k · texel · slope",
             {{"b", {rules.bias}, from_setting("shadow_bias")},
              {"k", {rules.slope_bias}, from_setting("shadow_slope_bias")},

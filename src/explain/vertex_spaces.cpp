@@ -122,7 +122,7 @@ std::string box_text(const Frame& frame, const VertexRules& rules) {
         frame.settings.image_axes == ImageAxes::mirrored
             ? " Both have the opposite sign here, by mistake."
         : frame.settings.image_axes == ImageAxes::exchanged
-            ? " Here, by mistake, their pixels x' and y' change places."
+            ? " Here, by mistake, their pixels x' and y' are swapped."
             : "");
 }
 

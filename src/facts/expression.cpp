@@ -193,7 +193,7 @@ class Resolver {
             throw UsageError(call.text + " takes two numbers: (a, b).");
         }
         if (call.parts.size() > wanted) {
-            throw UsageError("a ')' is missing in " + in_quotes(tree_.text) + ".");
+            throw UsageError("a ')' is missing from " + in_quotes(tree_.text) + ".");
         }
     }
 

@@ -192,13 +192,13 @@ void add_pixel_facts(std::vector<Fact>& table) {
                              " in the end, linear, not clamped at 1; 0 where nothing falls.",
                          real(), pixel_channel, i});
     }
-    table.push_back({"pixel.alpha",
-                     "Alpha with which the surface that the picked pixel shows in the end is "
-                     "blended; 1 if it is not blended.",
-                     real(0), [](const Facts& f, int) {
-                         const PixelEntry* const winner = f.winner();
-                         return winner == nullptr ? Value() : number(winner->alpha);
-                     }});
+    table.push_back(
+        {"pixel.alpha",
+         "Alpha of the surface that the picked pixel shows in the end; 1 if it is not blended.",
+         real(0), [](const Facts& f, int) {
+             const PixelEntry* const winner = f.winner();
+             return winner == nullptr ? Value() : number(winner->alpha);
+         }});
     table.push_back({"pixel.light_error",
                      "How far off the light is there with affine interpolation, in the channel "
                      "that is off most.",
@@ -239,7 +239,7 @@ void add_table_facts(std::vector<Fact>& table) {
     for (int edge = 0; edge < triangle_corners; ++edge) {
         table.push_back(
             {fmt::format("table.e{}.samples", edge),
-             fmt::format("How many samples {} of the triangle shown has.", edge_name(edge)),
+             fmt::format("Number of samples of {} of the triangle shown.", edge_name(edge)),
              natural(), edge_samples, edge});
     }
 }

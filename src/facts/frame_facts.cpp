@@ -91,12 +91,13 @@ void add_cursor_facts(std::vector<Fact>& table) {
                          const Cursor* const at = cursor_in(f, Phase::edges);
                          return at != nullptr ? number(at->step) : Value();
                      }});
-    table.push_back({"cursor.decision",
-                     "Decision variable at that sample; only lines that decide have one.", real(),
-                     [](const Facts& f, int) {
-                         const std::optional<LineDecision> decision = f.decision();
-                         return decision ? number(decision->before) : Value();
-                     }});
+    table.push_back(
+        {"cursor.decision",
+         "Decision variable at that sample; only Bresenham's and midpoint lines have one.", real(),
+         [](const Facts& f, int) {
+             const std::optional<LineDecision> decision = f.decision();
+             return decision ? number(decision->before) : Value();
+         }});
     table.push_back({"cursor.diagonal",
                      "1 if the line steps diagonally from that sample, 0 if it goes straight.",
                      yes_or_no(), [](const Facts& f, int) {
@@ -193,16 +194,16 @@ void add_session_facts(std::vector<Fact>& table) {
 }
 
 void add_frame_facts(std::vector<Fact>& table) {
-    add_frame_fact(table, "frame.fragments",
-                   "Fragments that fall inside the picture, drawn or not; before the stage fill, "
-                   "marks.",
-                   [](const FrameStats& s) { return number(s.fragments); });
+    add_frame_fact(
+        table, "frame.fragments",
+        "Fragments that fall inside the picture, drawn or not; before the fill stage, marks.",
+        [](const FrameStats& s) { return number(s.fragments); });
     add_frame_fact(table, "frame.fragments_outside", "Fragments that fall outside the picture.",
                    [](const FrameStats& s) { return number(s.fragments_outside); });
     add_frame_fact(table, "frame.pixels_tested",
                    "Pixels of the picture that edge functions test, one triangle after another.",
                    [](const FrameStats& s) { return number(s.pixels_tested); });
-    add_frame_fact(table, "frame.shaded", "Fragments whose colour is worked out.",
+    add_frame_fact(table, "frame.shaded", "Fragments whose colour is computed.",
                    [](const FrameStats& s) { return number(s.shaded); });
     add_frame_fact(table, "frame.clipped", "Triangles that clipping has cut.",
                    [](const FrameStats& s) { return number(s.clipped); });
@@ -211,7 +212,7 @@ void add_frame_facts(std::vector<Fact>& table) {
                    "triangles of its fan.",
                    [](const FrameStats& s) { return number(s.clip_triangles); });
     add_frame_fact(
-        table, "frame.culled", "Triangles left out because they show their back.",
+        table, "frame.culled", "Triangles left out because they face away.",
         [](const FrameStats& s) { return number(s.left_out.of(Rejection::back_facing)); });
     add_frame_fact(table, "frame.rejected",
                    "Triangles left out because all their vertices lie beyond the same plane.",

@@ -45,7 +45,7 @@ void add_normal_facts(std::vector<Fact>& table) {
     for (int i = 0; i < 3; ++i) {
         const std::string axis(axes[static_cast<std::size_t>(i)]);
         table.push_back({"pixel.normal." + axis,
-                         axis + " of the normal with which light is worked out at the picked "
+                         axis + " of the normal with which light is computed at the picked "
                                 "pixel.",
                          real(),
                          [](const Facts& facts, int part) {
@@ -78,7 +78,7 @@ void add_light_facts(std::vector<Fact>& table) {
                      }>});
     table.push_back(
         {"pixel.cosine",
-         "n · l there, from 0 up: how steeply the lamp's light falls on the picked pixel's "
+         "n · l there, at least 0: how steeply the lamp's light falls on the picked pixel's "
          "surface.",
          real(0),
          light_number<[](const SurfaceLight& light, int) { return light.diffuse.cosine; }>});
@@ -90,8 +90,8 @@ void add_light_facts(std::vector<Fact>& table) {
                      }});
     table.push_back(
         {"pixel.n_dot_h",
-         "n · h there, from 0 up: how near the normal is to the direction halfway between lamp and "
-         "eye.",
+         "n · h there, at least 0: how near the normal is to the direction halfway between lamp "
+         "and eye.",
          real(0),
          light_number<[](const SurfaceLight& light, int) { return light.highlight.n_dot_h; }>});
     table.push_back(

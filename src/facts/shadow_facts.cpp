@@ -92,14 +92,14 @@ void add_shadow_facts(std::vector<Fact>& table) {
                      map_number<[](const ShadowTerms& s) { return s.texels[0].column; }>});
     table.push_back({"pixel.map_row", "Row of that face in which it falls; the first of four.",
                      natural(), map_number<[](const ShadowTerms& s) { return s.texels[0].row; }>});
-    table.push_back({"frame.pixels", "Pixels of the finished picture on which something is seen.",
+    table.push_back({"frame.pixels", "Pixels of the finished picture that show something.",
                      natural(), frame_count<&ShadowCount::pixels>});
     table.push_back({"frame.facing_lamp",
                      "Pixels of the finished picture whose surface faces the lamp.", natural(),
                      frame_count<&ShadowCount::facing>});
     table.push_back({"frame.in_shadow",
                      "Pixels of the finished picture whose surface faces the lamp and is in "
-                     "shadow, wholly or partly.",
+                     "shadow, fully or partly.",
                      natural(), frame_count<&ShadowCount::in_shadow>});
     table.push_back({"frame.acne",
                      "Pixels that the current setting puts in shadow although a correct ray finds "

@@ -98,7 +98,7 @@ void add_side_facts(std::vector<Fact>& table) {
     table.push_back(
         {"triangle.away",
          "dot(n, v0 - camera) of the triangle shown, or dot(n, forward) as far as the rays are "
-         "parallel, in world units; positive if it shows its back.",
+         "parallel, in world units; positive if it faces away.",
          real(), [](const Facts& f, int) {
              return of_shown_triangle(f, [](const Frame& frame, int triangle) {
                  return number(triangle_sides(frame, triangle).away);

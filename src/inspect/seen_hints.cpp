@@ -56,7 +56,7 @@ std::string named(const std::vector<std::string>& assignments) {
     std::string text;
     for (const std::string& assignment : assignments) {
         const Setting* const setting = find_setting(assignment.substr(0, assignment.find('=')));
-        text += fmt::format("{}{}, the setting '{}',", text.empty() ? "" : " and ", assignment,
+        text += fmt::format("{}{} (the '{}' setting)", text.empty() ? "" : " and ", assignment,
                             setting->title);
     }
     return text;
@@ -167,7 +167,7 @@ SeenHint SeenHintsWork::hint_of(const Try& tried) const {
     switch (tried.way) {
     case Way::opaque:
         hint.seen = is_clear(*frame_->scene) || now_.seen.surface == 0
-                        ? "The model is transparent, so you see nothing of it"
+                        ? "The model is transparent, so you cannot see it"
                         : "Everything you see is black or transparent";
         hint.in_short = "Nothing visible";
         hint.act = "draw it opaque";
@@ -191,8 +191,9 @@ SeenHint SeenHintsWork::hint_of(const Try& tried) const {
         break;
     }
     if (tried.way == Way::without_backs || !is_black()) {
-        hint.seen = fmt::format("Most of what you see is backs, {} of {}", now_.seen.backs, all);
-        hint.in_short = "Mostly backs";
+        hint.seen =
+            fmt::format("Most of what you see is back faces, {} of {}", now_.seen.backs, all);
+        hint.in_short = "Back faces";
     } else {
         hint.seen = "Everything you see is black";
         hint.in_short = "All black";

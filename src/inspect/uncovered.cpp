@@ -223,11 +223,12 @@ std::string uncovered_text(const Frame& frame, const glm::ivec2& pixel) {
     }
     switch (frame.settings.stage) {
     case Stage::points:
-        return "Stage points draws the vertices only, and none falls on this pixel.";
+        return "The points stage draws only the vertices, and none falls on this pixel.";
     case Stage::edges:
-        return "Stage edges draws the edges only, and none of their samples falls on this pixel.";
+        return "The edges stage draws only the edges, and none of their samples falls on this "
+               "pixel.";
     case Stage::rows:
-        return "Stage rows draws the two ends of each row only, and none falls on this pixel.";
+        return "The rows stage draws only the two ends of each row, and none falls on this pixel.";
     default:
         return "No row of any triangle reaches this pixel.";
     }

@@ -136,7 +136,7 @@ std::string verdict_on(const Diagnosis& diagnosis, std::string_view same) {
     const Candidate& first = diagnosis.candidates.front();
     const std::string who =
         candidate_text(first) + (first.remark.empty() ? "" : " (" + first.remark + ")");
-    if (first.different == 0) return fmt::format("{} makes {}.", who, same);
+    if (first.different == 0) return fmt::format("{} exactly matches {}.", who, same);
     const std::string explained = explained_text(first.explained, 0);
     if (first.explained < worth_naming) return none + ".";
     if (!first.is_likely) {

@@ -118,7 +118,7 @@ const std::vector<RowsEdit>& rows_edits() {
              for (PrintedRow& row : rows)
                  move_column(row.end.x, -1);
          }},
-        {"ends_exchanged", "Left and right ends are exchanged",
+        {"ends_exchanged", "Left and right ends are swapped",
          [](Rows& rows) {
              for (PrintedRow& row : rows)
                  std::swap(row.start.x, row.end.x);
@@ -209,7 +209,7 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
         }
     }
     diagnosis.candidates = ranked(std::move(hypotheses));
-    diagnosis.verdict = verdict_on(diagnosis, "this very table");
+    diagnosis.verdict = verdict_on(diagnosis, "this table");
     return diagnosis;
 }
 

@@ -182,9 +182,9 @@ std::uint64_t fingerprint(const Image& image) {
 const std::array<OrientationInfo, 4>& orientation_list() {
     static constexpr std::array<OrientationInfo, 4> list{{
         {Orientation::upright, "upright", "upright"},
-        {Orientation::mirrored, "mirrored", "Mirrored, with left and right exchanged"},
+        {Orientation::mirrored, "mirrored", "Mirrored, with left and right swapped"},
         {Orientation::upside_down, "upside_down", "Upside down"},
-        {Orientation::half_turn, "half_turn", "Turned by half a turn"},
+        {Orientation::half_turn, "half_turn", "Rotated by half a turn"},
     }};
     return list;
 }

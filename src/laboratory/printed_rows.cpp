@@ -113,7 +113,7 @@ std::string first_different_row(const std::vector<PrintedRow>& reference,
     for (const auto& [number, both] : by_number(reference, table, repeated)) {
         const auto& [right, own] = both;
         if (own == nullptr)
-            return fmt::format("The first is row {}, which is missing in yours.", number);
+            return fmt::format("The first is row {}, which is missing from yours.", number);
         if (right == nullptr) {
             return fmt::format("The first is row {}, which the reference does not have.", number);
         }

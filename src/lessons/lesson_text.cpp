@@ -36,8 +36,8 @@ void take_part(const MarkdownPart& part, int line, InlineParts& parts, FaultList
         faults.add(line, "write a link as [words](target), not " + in_quotes(part.text) + ".");
         break;
     case PartKind::split_target:
-        faults.add(line, "the target of a link must not have blanks: " + in_quotes(part.text) +
-                             "; write %20 for a blank.");
+        faults.add(line, "the target of a link must not have spaces: " + in_quotes(part.text) +
+                             "; write %20 for a space.");
         break;
     case PartKind::comment:
         faults.add(line, "a comment must be on lines of its own.");

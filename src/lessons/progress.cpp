@@ -30,7 +30,7 @@ LessonProgress parse_lesson_progress(const TomlInput& input) {
     if (input.find("tasks") != nullptr) {
         for (const toml::node& node : input.list("tasks")) {
             const auto id = node.value<std::string>();
-            if (!id) input.fail(node, "A task must be named by a text.");
+            if (!id) input.fail(node, "The name of a task must be text.");
             lesson.tasks.insert(*id);
         }
     }

@@ -63,7 +63,7 @@ int parse_step(const std::string& text, const Lesson& lesson) {
     const int last = static_cast<int>(lesson.steps.size()) - 1;
     const std::optional<int> step = text.empty() ? 0 : parse_int(text);
     if (step && *step >= 0 && *step <= last) return *step;
-    throw UsageError(fmt::format("--step is a number from 0 to {} in lesson {}, not {}.", last,
+    throw UsageError(fmt::format("--step must be a number from 0 to {} in lesson {}, not {}.", last,
                                  in_quotes(lesson.id), in_quotes(text)));
 }
 

@@ -60,9 +60,7 @@ void add_view_options(CLI::App& command, ViewOptions& o) {
              "if not given, the lab's room",
              "FILE");
     add_text(command, "--texture", o.texture,
-             "Image to put on every part of the model that has none, for a model whose file names "
-             "no image",
-             "FILE");
+             "Image for every part of the model that has none of its own", "FILE");
     add_text(command, "--lesson", o.lesson,
              "The picture of a lesson, like 05-row-table or a file (.md); other options override "
              "it",

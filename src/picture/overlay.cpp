@@ -214,14 +214,14 @@ const std::array<OverlayInfo, overlay_count>& overlay_list() {
         {Overlay::wireframe, "wireframe",
          "The true edges of all triangles: straight lines between the projected vertices."},
         {Overlay::alone, "one triangle alone",
-         "Fills the triangle shown as far as it is drawn, whatever is in front of it; of all "
-         "other triangles, only the edges are shown. Not available while two runs are compared."},
+         "Fills the triangle shown as far as it is drawn, whatever is in front of it, and shows "
+         "only the edges of all others. Not available while two runs are compared."},
         {Overlay::owner, "triangle owner",
          "Tints every triangle in its own colour and names the triangle under the pointer."},
         {Overlay::overdraw, "overdraw", "How many fragments fell on each pixel, drawn or not."},
         {Overlay::drawn_twice, "drawn twice",
-         "Pixels on which two neighbours both drew a fragment. Both ends of a row are inclusive, "
-         "so both triangles draw the edge that they share."},
+         "Pixels on which two neighbours both drew a fragment. A row includes both its ends, so "
+         "both triangles draw the edge that they share."},
         {Overlay::depth, "depth test",
          "Hatched where at least one fragment failed the depth test, blue where all passed."},
         {Overlay::uncovered, "uncovered", "Pixels on which nothing fell."},
@@ -331,7 +331,7 @@ std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPict
     case Overlay::drawn_twice:
         return counted(totals.drawn_twice, "pixel", "pixels");
     case Overlay::depth:
-        if (picture.facts.depth.empty()) return "no depth test is in force";
+        if (picture.facts.depth.empty()) return "there is no depth test";
         return fmt::format("{} failed on {}", totals.failed_fragments,
                            counted(totals.failed_pixels, "pixel", "pixels"));
     case Overlay::uncovered:

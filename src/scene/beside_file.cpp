@@ -186,8 +186,8 @@ void BesideBytes::add(const std::string& path) {
     const std::uintmax_t size = fs::file_size(path, fault);
     if (fault) return; // reading it says why
     if (size > most_ - count_) {
-        throw InputError(fmt::format("{}: together with this file, {} have more than {} MB.", path,
-                                     plural_, most_ >> 20));
+        throw InputError(fmt::format("{}: with this file, {} exceed {} MB in total.", path, plural_,
+                                     most_ >> 20));
     }
     count_ += size;
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t vertex_floats = 15;
 static_assert(sizeof(Vertex) == vertex_floats * sizeof(float),
-              "a vertex is compared by its bits: there must be none beside those of its numbers");
+              "a vertex is compared bit by bit, so it must have no padding");
 
 std::array<std::uint32_t, vertex_floats> bits_of(const Vertex& vertex) {
     return std::bit_cast<std::array<std::uint32_t, vertex_floats>>(vertex);

@@ -105,7 +105,7 @@ class ModelBuilder {
     }
 
     static std::string is_not_there(std::size_t kind, int index, std::size_t count) {
-        return fmt::format("'f' names the {} {}, but there are {}; {}", indexed_kinds[kind].one,
+        return fmt::format("'f' names {} {}, but the file has {}; {}", indexed_kinds[kind].one,
                            index + 1, count, indexed_kinds[kind].outcome);
     }
 
@@ -116,8 +116,8 @@ class ModelBuilder {
             if (static_cast<std::size_t>(position) >= file_.positions.size())
                 return is_not_there(0, position, file_.positions.size());
             if (std::isnan(file_.positions[static_cast<std::size_t>(position)].x)) {
-                return fmt::format("'f' names the point {}, which could not be read; {}",
-                                   position + 1, face_left_out);
+                return fmt::format("'f' names point {}, which could not be read; {}", position + 1,
+                                   face_left_out);
             }
         }
         return {};
@@ -215,7 +215,7 @@ class ModelBuilder {
         const ObjMaterial& of = model_.materials[static_cast<std::size_t>(material)];
         if (is_invisible(glm::vec3(of.alpha))) {
             reporter_.note(of.file, of.alpha_line,
-                           fmt::format("the material {} is wholly transparent because its alpha is "
+                           fmt::format("the material {} is fully transparent because its alpha is "
                                        "0.",
                                        in_quotes(of.name)));
         }

@@ -136,7 +136,7 @@ class StatementReader {
             if (!read) {
                 fault(kind, [&] {
                     if (has_decimal_comma(word)) return decimal_comma_sentence(word, what);
-                    return fmt::format("{} is not a number that '{}' can have; it is left out.",
+                    return fmt::format("{} is not a valid number, so this '{}' is left out.",
                                        in_quotes(word), what);
                 });
                 return std::nullopt;
@@ -216,7 +216,7 @@ class StatementReader {
             return;
         }
         fault(ObjFaultKind::normal_of_no_length, [] {
-            return "a normal of length 0 points nowhere; where it is used, it is computed instead.";
+            return "a normal of length 0 has no direction; a computed one is used in its place.";
         });
     }
 
@@ -258,7 +258,7 @@ class StatementReader {
                 return fmt::format("{} are counted from 1, but 'f' names 0; {}",
                                    indexed_kinds[kind].many, indexed_kinds[kind].outcome);
             }
-            return fmt::format("'f' names the {} {}, but there are {} before it; {}",
+            return fmt::format("'f' names {} {}, but the file has {} so far; {}",
                                indexed_kinds[kind].one, word.substr(0, 24), count,
                                indexed_kinds[kind].outcome);
         });

@@ -51,7 +51,7 @@ constexpr std::size_t most_lookups = 2 * most_materials;
 
 constexpr std::string_view skipped_option =
     "the only options of an image that are used are -bm, and -s and -o of map_Kd";
-constexpr std::string_view skipped_halo = "alpha is the same from wherever you look at a face";
+constexpr std::string_view skipped_halo = "alpha is the same from every direction";
 constexpr std::string_view skipped_material = "this property of a material is not used";
 
 /// What an image may be called if no file has the name as it is written: without the quotes,
@@ -224,9 +224,8 @@ class MtlReader {
         if (!is_dissolve && material.has_dissolve) return;
         // Some programs write Tr 1 and mean opaque; no model is meant to be invisible.
         if (!is_dissolve && *number == 1.0) {
-            return fault([] {
-                return "'Tr' 1 would make it invisible, so the material is taken to be opaque.";
-            });
+            return fault(
+                [] { return "'Tr' 1 would make the material invisible, so it is drawn opaque."; });
         }
         material.alpha = static_cast<float>(is_dissolve ? *number : 1.0 - *number);
         material.alpha_line = lines_.line();

@@ -116,7 +116,7 @@ SceneTransform read_transform(const TomlInput& input) {
 /// The step that a table of the list `model` says: { rotate_y = 0.5 }.
 ModelStep read_model_step(const TomlInput& input) {
     if (input.nodes().size() != 1)
-        input.fail(input.what() + " must say one thing, such as " + std::string(step_form));
+        input.fail(input.what() + " must have one key, such as " + std::string(step_form));
     const auto first = input.nodes().begin();
     const std::string key(first->first.str());
     const toml::node& node = first->second;

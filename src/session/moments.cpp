@@ -27,11 +27,11 @@ std::string stage_name(const Frame& frame) {
 
 std::string edge_sentence(const Frame& frame, const Cursor& cursor, const std::string& triangle) {
     if (frame.settings.stage < Stage::edges) {
-        return "in stage " + stage_name(frame) + " a triangle has no edges";
+        return "in the " + stage_name(frame) + " stage a triangle has no edges";
     }
     if (frame.settings.stage >= Stage::rows && !walks_edges(frame.stages)) {
         return "coverage=" + std::string(word_of(frame.settings.coverage)) +
-               " walks no edges in stage " + stage_name(frame);
+               " walks no edges in the " + stage_name(frame) + " stage";
     }
     const Timeline timeline(frame);
     const PhaseMoments& edges = timeline.moments(cursor.triangle).of(Phase::edges);
@@ -44,7 +44,7 @@ std::string edge_sentence(const Frame& frame, const Cursor& cursor, const std::s
 
 std::string test_sentence(const Frame& frame, const Cursor& cursor, const std::string& triangle) {
     if (frame.settings.stage < Stage::rows)
-        return "in stage " + stage_name(frame) + " no pixel is tested";
+        return "in the " + stage_name(frame) + " stage no pixel is tested";
     if (!tests_pixels(frame.stages)) return "only coverage=edge_functions tests pixels";
     const Timeline timeline(frame);
     const PhaseMoments& tests = timeline.moments(cursor.triangle).of(Phase::tests);
@@ -53,7 +53,7 @@ std::string test_sentence(const Frame& frame, const Cursor& cursor, const std::s
 
 std::string row_sentence(const Frame& frame, const Cursor& cursor, const std::string& triangle) {
     if (frame.settings.stage < Stage::rows) {
-        return "in stage " + stage_name(frame) + " a triangle has no rows";
+        return "in the " + stage_name(frame) + " stage a triangle has no rows";
     }
     const Timeline timeline(frame);
     const TriangleMoments& moments = timeline.moments(cursor.triangle);

@@ -53,7 +53,7 @@ const std::array<CompareViewInfo, compare_view_count>& compare_view_list() {
         {CompareView::difference, "Difference", "The difference, B minus A",
          "B minus A, with a scale; blue where B is less, orange where it is more."},
         {CompareView::side_by_side, "Side by side", "Side by side",
-         "Both pictures, side by side or one above the other, whichever leaves them larger."},
+         "Both pictures, side by side or one above the other, whichever makes them larger."},
         {CompareView::wipe, "Divider", "A divider to drag",
          "A on the left of a divider, B on the right; drag the divider."},
         {CompareView::blink, "In turn", "A and B in turn",

@@ -17,7 +17,7 @@ constexpr std::array tabs{
             TabGroup::triangle},
     TabInfo{"clip", "Clip",
             "Which part of the triangle is in the view: outcodes, the cuts plane by plane, and "
-            "whether it shows its front.",
+            "whether it faces the camera.",
             TabGroup::triangle, true},
     TabInfo{"rows", "Rows", "The triangle's row table: leftPixels and rightPixels.",
             TabGroup::triangle, false, false, "Inside",

@@ -8,7 +8,7 @@ const DepthWords& depth_words(ClipDepth kind) {
     static constexpr std::array list{
         DepthWords{ClipDepth::inv_z, "1/z", "1/z", "0 is infinitely far; larger is nearer.",
                    "larger", "smaller"},
-        DepthWords{ClipDepth::ndc, "ndc z", "ndc z",
+        DepthWords{ClipDepth::ndc, "NDC z", "NDC z",
                    "0 at the near plane, 1 at the far one; smaller is nearer.", "smaller",
                    "larger"},
         DepthWords{ClipDepth::reversed, "reversed z", "rev z",

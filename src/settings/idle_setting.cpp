@@ -66,7 +66,7 @@ std::string idle_reason(const Setting& setting, const Settings& settings) {
                      [&](const CoverageSetting& one) { return one.name == setting.name; });
     const Coverage coverage = coverage_rule(settings);
     if (found == std::end(coverage_settings) || is_asked(*found, coverage)) return {};
-    if (coverage != settings.coverage) return "before the stage Rows";
+    if (coverage != settings.coverage) return "before the Rows stage";
     return "while pixels are found by " + said_value(*find_setting("coverage"), settings);
 }
 

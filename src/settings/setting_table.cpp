@@ -104,8 +104,8 @@ std::vector<Setting> make_table() {
          .title = "Picture drawn by",
          .group = "Stage",
          .help = "What draws the whole picture: the steps, which you can walk through, or the fast "
-                 "engine, which has none and takes a fraction of the time. It tests the centres of "
-                 "pixels. While you walk through time, the steps draw.",
+                 "engine, which has no steps and takes a fraction of the time. It tests the "
+                 "centres of pixels. While you walk through time, the steps draw.",
          .section = "All sections",
          .unit = "",
          .kind = choice<&Settings::engine>(),
@@ -115,7 +115,7 @@ std::vector<Setting> make_table() {
          "Stage",
          "How many parts each edge of the scene is cut into before anything else happens. n parts "
          "turn each triangle into n², and these are what is drawn and counted: triangles[t] of the "
-         "scene becomes triangles[t n²] and those after it, n² in all. The surfaces stay where "
+         "scene becomes triangles[t n²] and the next ones, n² in all. The surfaces stay where "
          "they are, but there are more vertices at which light can be computed.",
          "Light per vertex",
          "parts",
@@ -153,7 +153,7 @@ std::vector<Setting> make_table() {
          "The point at which a pixel is tested for coverage: its centre, or by mistake its upper "
          "left corner. Used only if coverage is not rows.",
          "Filled triangles", "", choice<&Settings::pixel_sample>()},
-        {"box_walk", "Pixels of a box tested", "Rows and edges",
+        {"box_walk", "Box pixels tested", "Rows and edges",
          "Which pixels of a triangle's bounding box the edge functions test: all of them, or in "
          "each row only the interval between the places where the edges cross it. The picture is "
          "the same. Used only if coverage is edge_functions.",
@@ -163,13 +163,13 @@ std::vector<Setting> make_table() {
          "mistake that of the edge that starts at it. Used only if coverage is edge_functions.",
          "Filled triangles", "", choice<&Settings::weight_edge>()},
         {"line", "Line algorithm", "Rows and edges",
-         "How the samples of an edge are found: by the lab's Interpolate, by Bresenham's whole "
-         "numbers, by the midpoint algorithm, or by the textbook DDA, which adds floats and "
+         "How the samples of an edge are found: by the lab's Interpolate, by Bresenham with "
+         "integers, by the midpoint algorithm, or by the textbook DDA, which adds floats and "
          "rounds to the nearest pixel. Values along rows are always interpolated.",
          "Drawing edges", "", choice<&Settings::line>()},
         {"bresenham_rule", "Bresenham's steps", "Rows and edges",
-         "How Bresenham's line is written: correctly, only for the first of eight octants, or with "
-         "a wrong term after a diagonal step. Used only if the line algorithm is bresenham.",
+         "Whether Bresenham's line is written correctly, only for the first of eight octants, or "
+         "with a wrong term after a diagonal step. Used only if the line algorithm is bresenham.",
          "Drawing edges", "", choice<&Settings::bresenham_rule>()},
         {"line_walk", "Walking a line", "Rows and edges",
          "How the samples of a line are found: by adding up steps, by multiplying, without error, "
@@ -177,7 +177,7 @@ std::vector<Setting> make_table() {
          "samples, or along rows with a 1/z that falls where it should rise. Rows always use this; "
          "edges only if the line algorithm is interpolate.",
          "Drawing edges", "", choice<&Settings::line_walk>()},
-        {"edge_samples", "Samples of an edge", "Rows and edges",
+        {"edge_samples", "Edge samples", "Rows and edges",
          "How many samples an edge has: one for each pixel of its longer axis, one in each row, or "
          "|a − b + 1| where |a − b| + 1 was meant; or all but the last, or none for the last edge. "
          "Used only if the line algorithm is interpolate.",
@@ -189,8 +189,8 @@ std::vector<Setting> make_table() {
          "Filled triangles", "", choice<&Settings::row_start>()},
         {"row_search", "Finding a row", "Rows and edges",
          "How a sample finds its row in the table: by its number; or, by mistake, by searching "
-         "every row, by going to the nearest row if it lies beyond the table, or by its number "
-         "while the row takes only the column of the sample.",
+         "every row, by going to the nearest row if it lies beyond the table, or by its number, "
+         "but only the column of the sample goes into the row.",
          "Filled triangles", "", choice<&Settings::row_search>()},
         {"empty_rows", "Rows without samples", "Rows and edges",
          "What happens to a row that no sample reached: nothing, or it draws right − left + 1 "
@@ -214,21 +214,21 @@ std::vector<Setting> make_table() {
         {"depth_clear", "Depth buffer begins at", "Depth and interpolation",
          "What the depth buffer starts with, measured from the value of the farthest depth: for "
          "1/z, 0 is infinitely far and 1 is one unit away; NDC z starts at 1 minus this.",
-         "Depth buffer", "1/z or ndc z",
+         "Depth buffer", "1/z or NDC z",
          NumberSetting{[](Settings& s) -> float& { return s.depth_clear; }, -largest_depth_clear,
                        largest_depth_clear, 0.01f}},
         {"depth_epsilon", "Nearer by more than", "Depth and interpolation",
          "How much nearer than the stored depth a fragment must be, in 1/z or whatever the depth "
          "buffer holds. A fragment that is only just nearer counts as a tie, and the one drawn "
          "first stays. Only the correct depth test uses it.",
-         "Depth buffer", "1/z or ndc z",
+         "Depth buffer", "1/z or NDC z",
          NumberSetting{[](Settings& s) -> float& { return s.depth_epsilon; }, 0.0f,
                        largest_depth_epsilon, 1e-6f}},
         {"depth_index", "Depth buffer index", "Depth and interpolation",
          "Which cell of the depth buffer belongs to a pixel: [y][x], or by mistake [x][y].",
          "Depth buffer", "", choice<&Settings::depth_index>()},
-        {"depth_order", "Colour worked out", "Depth and interpolation",
-         "When a fragment's colour is worked out: after the depth test, only if the fragment is "
+        {"depth_order", "Colour computed", "Depth and interpolation",
+         "When a fragment's colour is computed: after the depth test, only if the fragment is "
          "drawn; or before it, always.",
          "Depth buffer", "", choice<&Settings::depth_order>()},
         {"interpolation", "Between the vertices", "Depth and interpolation",
@@ -272,7 +272,7 @@ std::vector<Setting> make_table() {
          {},
          true},
         {"texture_alpha",
-         "Alpha of textures",
+         "Texture alpha",
          "Texture",
          "What the alpha of a texture does: it cuts holes where it is below 1/2, as in leaves and "
          "fences; it blends each pixel over what was there; or it does nothing. Shadows are always "
@@ -289,7 +289,7 @@ std::vector<Setting> make_table() {
          nullptr,
          true},
         {"texel_rule",
-         "Number of a texel",
+         "Texel number",
          "Texture",
          "How a position in a texture becomes the number of a texel: correctly, or by mistake with "
          "v from the bottom, with the centres of texels at whole numbers, with a remainder that "
@@ -359,34 +359,34 @@ std::vector<Setting> make_table() {
          "Where the camera is: x right, y down, z forward.", "Moving the camera", "world units",
          VectorSetting{[](Settings& s) -> glm::vec3& { return s.camera.position; }, -largest_place,
                        largest_place, 0.01f, false}},
-        {"camera.yaw", "Turn (yaw)", "Camera", "Turn of the camera about the y axis.",
+        {"camera.yaw", "Turn (yaw)", "Camera", "How far the camera is turned about the y axis.",
          "Moving the camera", "radians",
          NumberSetting{[](Settings& s) -> float& { return s.camera.yaw; }, -largest_yaw,
                        largest_yaw, 0.005f}},
         {"camera.pitch", "Tilt (pitch)", "Camera",
-         "Turn of the camera about the x axis, after the yaw.", "Moving the camera", "radians",
+         "How far the camera is turned about the x axis, after the yaw.", "Moving the camera",
+         "radians",
          NumberSetting{[](Settings& s) -> float& { return s.camera.pitch; }, -largest_pitch,
                        largest_pitch, 0.005f}},
         {"camera.focal_length", "Focal length", "Camera",
-         "Distance from the camera to the picture; doubling it shows everything twice as large.",
+         "Distance from the camera to the picture; doubling it makes everything twice as large.",
          "Drawing points", "pixels",
          NumberSetting{[](Settings& s) -> float& { return s.camera.focal_length; },
                        smallest_focal_length, largest_focal_length, 1.0f}},
         {"camera.aim", "Camera aimed by", "Camera",
-         "What sets the direction in which the camera looks: turn and tilt, or a target, the point "
-         "that it looks at.",
+         "What sets the direction in which the camera looks: turn and tilt, or a target point.",
          "Moving the camera", "",
          ChoiceSetting{
              enum_words<CameraAim>,
              [](const Settings& s) { return static_cast<int>(s.camera.aim); },
              [](Settings& s, int index) { s.camera.aim = static_cast<CameraAim>(index); }}},
         {"camera.target", "Looks at", "Camera",
-         "The point in the middle of the picture, if the camera looks at one.", "Moving the camera",
-         "world units",
+         "The point in the middle of the picture, if the camera is aimed at a target.",
+         "Moving the camera", "world units",
          VectorSetting{[](Settings& s) -> glm::vec3& { return s.camera.target; }, -largest_place,
                        largest_place, 0.01f, false}},
         {"camera.up", "Up", "Camera",
-         "The direction that points up in the picture, if the camera looks at a point.",
+         "The direction that points up in the picture, if the camera is aimed at a target.",
          "Moving the camera", "",
          VectorSetting{[](Settings& s) -> glm::vec3& { return s.camera.up; }, -largest_place,
                        largest_place, 0.01f, false}},
@@ -404,9 +404,9 @@ std::vector<Setting> make_table() {
          .kind = choice<&Settings::camera_move>(),
          .needs_world = true},
         {"image_axes", "Picture axes", "Camera",
-         "Which way the axes of the picture run: x to the right and y down from its middle; or by "
-         "mistake turned by half a turn (a negative focal length), with x and y exchanged, or "
-         "counted from the upper left corner (without half of the picture's size).",
+         "Which way the picture's axes run: x to the right and y down from its middle; or by "
+         "mistake both reversed (a negative focal length), x and y swapped, or both from the upper "
+         "left corner (without adding half the picture's size).",
          "Drawing points", "", choice<&Settings::image_axes>()},
         {.name = "divided_by",
          .title = "x and y divided by",
@@ -437,9 +437,9 @@ std::vector<Setting> make_table() {
          "Where the view matrix has its translation: in the last column, or by mistake in the "
          "bottom row, where it spoils w and moves nothing. Used only if transform is matrices.",
          "Moving the camera", "", choice<&Settings::translation>()},
-        {"normal_w", "w of a normal", "Spaces",
-         "The w with which a normal is taken to camera space for lighting: 0, as a direction, or "
-         "by mistake 1, as a position, so that it is moved too.",
+        {"normal_w", "w of normals", "Spaces",
+         "The w with which a normal is transformed to camera space for lighting: 0, as a "
+         "direction, or by mistake 1, as a position, so that it is moved too.",
          "Illumination", "", choice<&Settings::normal_w>()},
         {"projection", "Projection", "Spaces",
          "Perspective divides by z; orthographic does not, so far things look as large as near "
@@ -479,11 +479,11 @@ std::vector<Setting> make_table() {
          "that too, and walks the others only as far as the picture reaches.",
          "Drawing points", "", choice<&Settings::reject>()},
         {"clip", "Clipped", "View volume",
-         "What happens to triangles that reach out of the view: left out if a vertex lies behind "
+         "What happens to triangles that reach outside the view: left out if a vertex lies behind "
          "the camera, cut by planes before the division (Sutherland-Hodgman), or nothing, so that "
          "what is behind is drawn upside down. The last five are mistakes.",
          "Drawing points", "", choice<&Settings::clip>()},
-        {"cull", "Backs left out", "View volume",
+        {"cull", "Culled", "View volume",
          "How triangles that face away from the camera are found and left out: by the normal of "
          "the surface, by the way their corners go round on the screen, by the normals of all "
          "vertices; or fragment by fragment, by the interpolated normal; or, by mistake, by the "
@@ -508,7 +508,7 @@ std::vector<Setting> make_table() {
          "How a surface reflects light: the same in all directions (Lambert), or also with a "
          "highlight, if its material has one (Blinn-Phong).",
          "Illumination", "", lamp_choice<&Light::model>()},
-        {"light.direction", "Direction of the light", "Light",
+        {"light.direction", "Light direction", "Light",
          "The vector that is compared with the normal: the one to the lamp, made unit length; or "
          "by mistake the one from the lamp, the one to the lamp at its full length, or the one to "
          "the lamp divided by a length that includes w = 1.",
@@ -517,7 +517,7 @@ std::vector<Setting> make_table() {
          "What the power is divided by: 4 pi r^2, r^2, r, nothing, or by mistake 4 pi r^3, or 4 pi "
          "r^2 with a wrong pi.",
          "Illumination", "", light_choice<&LightRules::falloff>()},
-        {"light.sum", "Sum of the light", "Light",
+        {"light.sum", "Light formula", "Light",
          "How the light is put together: reflectance times (D + N); or by mistake D plus "
          "reflectance, or reflectance times itself times (D + N).",
          "Illumination", "", light_choice<&LightRules::sum>()},
@@ -526,8 +526,9 @@ std::vector<Setting> make_table() {
          "on surfaces whose corners have normals of their own.",
          "Light per pixel", "", light_choice<&LightRules::renormalize>()},
         {"light.highlight", "Highlight", "Light",
-         "How the highlight is worked out: correctly, or by mistake on backs too, or with a half "
-         "vector that is not made unit length. Used only if light.model is blinn_phong.",
+         "How the highlight is computed: correctly, or by mistake also on sides that face away "
+         "from the lamp, or with a half vector that is not made unit length. Used only if "
+         "light.model is blinn_phong.",
          "Illumination", "", light_choice<&LightRules::highlight>()},
         {"light.sides", "Lit sides", "Light",
          "How many sides of a surface are lit: the one its normal points to, or both. With both, a "
@@ -612,7 +613,7 @@ std::vector<Setting> make_table() {
         {"shadow_slope_bias",
          "Slope bias",
          "Shadow",
-         "Added to the bias: this many texels, times how steeply the surface runs away from the "
+         "Added to the bias: this many texels, times how steeply the surface slopes away from the "
          "lamp (the tangent of the angle between the light and the normal).",
          "Beyond the lab",
          "texels",
@@ -644,7 +645,7 @@ std::vector<Setting> make_table() {
          "Drawing points", "pixels",
          SizeSetting{[](Settings& s) -> Viewport& { return s.viewport; }, largest_viewport}},
         {"bounds", "In the picture", "Picture",
-         "Which columns and rows count as inside the picture: those from 0 on, or by mistake only "
+         "Which columns and rows count as inside the picture: those from 0 up, or by mistake only "
          "those above 0.",
          "Drawing points", "", choice<&Settings::bounds>()},
         {"encoding", "Bytes hold", "Picture",
@@ -654,11 +655,11 @@ std::vector<Setting> make_table() {
          "not decoded; their bytes are always read as linear numbers.",
          "Beyond the lab", "", choice<&Settings::encoding>()},
         {"colour_over_one", "Channels above 1", "Picture",
-         "What a channel above 1 is shown as: 1, or what is left of it in 8 bits.", "Illumination",
-         "", choice<&Settings::colour_over_one>()},
-        {"channel_order", "Order of channels", "Picture",
+         "What a channel above 1 is shown as: 1, or only its lowest 8 bits.", "Illumination", "",
+         choice<&Settings::colour_over_one>()},
+        {"channel_order", "Channel order", "Picture",
          "The order in which red, green and blue go to the screen: red first, or by mistake blue "
-         "first, so that red and blue change places.",
+         "first, which swaps red and blue.",
          "Drawing points", "", choice<&Settings::channel_order>()},
     };
 }

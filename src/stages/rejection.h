@@ -46,8 +46,8 @@ inline constexpr std::array rejection_list{
         "a vertex on or behind the camera plane (z ≤ 0)", true},
     RejectionWords{Rejection::too_far_out, "too_far_out", "a vertex is projected too far out",
                    "a vertex is projected too far out",
-                   "an absurdly long edge whose vertex is too near or too greatly enlarged",
-                   "a vertex so close to the camera plane, or so greatly enlarged, that its edges "
+                   "an absurdly long edge from a vertex too near or enlarged too much",
+                   "a vertex so close to the camera plane, or enlarged so much, that its edges "
                    "would be absurdly long",
                    true},
     RejectionWords{Rejection::taken_for_behind, "taken_for_behind",
@@ -64,9 +64,9 @@ inline constexpr std::array rejection_list{
     RejectionWords{Rejection::clipped_away, "clipped_away", "clipping leaves nothing of it",
                    "clipping leaves nothing of them", "nothing left after clipping",
                    "nothing left after clipping", false},
-    RejectionWords{Rejection::back_facing, "back_facing", "it turns its back to the camera",
-                   "they turn their backs to the camera", "a back turned to the camera",
-                   "a back turned to the camera", false},
+    RejectionWords{Rejection::back_facing, "back_facing", "it faces away from the camera",
+                   "they face away from the camera", "facing away", "facing away from the camera",
+                   false},
     RejectionWords{Rejection::partly_outside, "partly_outside", "a vertex lies outside the view",
                    "a vertex lies outside the view", "a vertex outside the view",
                    "a vertex outside the view, where one is enough", false},
@@ -82,7 +82,7 @@ constexpr bool rejections_are_in_order() {
     return spelling<static_cast<Rejection>(rejection_count)>().empty();
 }
 static_assert(rejections_are_in_order(),
-              "a Rejection is missing in rejection_list, or out of order");
+              "a Rejection is missing from rejection_list, or out of order");
 
 constexpr const RejectionWords& words(Rejection rejection) {
     return rejection_list[static_cast<std::size_t>(rejection)];

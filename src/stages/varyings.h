@@ -39,7 +39,7 @@ constexpr std::size_t size_of_members(const std::tuple<Values Varyings::*...>&) 
     return (sizeof(Values) + ...);
 }
 static_assert(size_of_members(varying_members) == sizeof(Varyings),
-              "a member of Varyings is missing in varying_members");
+              "a member of Varyings is missing from varying_members");
 
 /// Calls `visit` with the pointer to each member, in order.
 template <class Visit>
@@ -186,7 +186,7 @@ inline constexpr std::array varying_list{
                    {"blue", "blue", "blue/z", "Blue of the light per vertex, interpolated."}}},
                  varying_component<&Varyings::illumination>, &Varyings::illumination),
 };
-static_assert(varying_list.size() == varying_count, "a varying is missing in varying_list");
+static_assert(varying_list.size() == varying_count, "a varying is missing from varying_list");
 
 /// The varyings with this use.
 constexpr VaryingSet varyings_with(VaryingUse use) {

@@ -20,11 +20,11 @@ Phrase phrase_of(const std::string& text, const TomlInput& entry) {
         const std::vector<std::string_view> words = split(place, '|');
         phrase.emplace_back(words.begin(), words.end());
         if (std::find(words.begin(), words.end(), "") != words.end())
-            entry.fail(quoted + " has an empty word: put one blank between words.");
+            entry.fail(quoted + " has an empty word; put one space between words.");
     }
     const std::vector<std::string>& first = phrase.front();
     if (std::find(first.begin(), first.end(), "*") != first.end())
-        entry.fail(quoted + " begins with any word, so it would be found everywhere.");
+        entry.fail(quoted + " begins with '*', so it would match everywhere.");
     return phrase;
 }
 

@@ -311,20 +311,21 @@ ViewField switch_field(std::string_view key, const ViewOption& option, std::stri
 } // namespace
 
 ViewField grid_field() {
-    const ViewOption option{"grid", "WORD", "Grid of pixels from 8x on: on or off"};
+    const ViewOption option{"grid", "WORD", "Grid of pixels, at 8x and above: on or off"};
     return switch_field("grid", option, "the grid", &ViewState::grid, &CanvasView::grid);
 }
 
 ViewField row_table_field() {
-    const ViewOption option{"row-table", "WORD",
-                            "Row table next to the rows of the picture, from 24x on: on or off"};
+    const ViewOption option{
+        "row-table", "WORD",
+        "Row table next to the rows of the picture, at 24x and above: on or off"};
     return switch_field("row_table", option, "the row table", &ViewState::row_table,
                         &CanvasView::row_table);
 }
 
 ViewField fates_field() {
-    const ViewOption option{"fates", "WORD",
-                            "Pass and fail in the cells of the triangle, from 24x on: on or off"};
+    const ViewOption option{
+        "fates", "WORD", "Pass and fail in the cells of the triangle, at 24x and above: on or off"};
     return switch_field("fates", option, "the switch for pass and fail", &ViewState::fates,
                         &CanvasView::fates);
 }
@@ -367,9 +368,8 @@ ViewField canvas_field() {
 
 namespace {
 
-constexpr const char* outside_form =
-    "camera, or yaw and pitch like -0.75,-0.4, or these with a distance and a target like "
-    "-0.75,-0.4,5,0,0,1";
+constexpr const char* outside_form = "camera, or yaw and pitch like -0.75,-0.4, or yaw, pitch, "
+                                     "distance and target like -0.75,-0.4,5,0,0,1";
 
 } // namespace
 
@@ -378,7 +378,8 @@ ViewField outside_field() {
     form.read = [](const TomlBlock& block, const toml::node& node) {
         const std::optional<OutsideView> view = parse_outside_view(block.text(node));
         if (!view) {
-            block.input().fail(node, std::string("the view from outside is ") + outside_form + ".");
+            block.input().fail(node,
+                               std::string("the view from outside must be ") + outside_form + ".");
         }
         return *view;
     };
@@ -397,7 +398,7 @@ ViewField outside_field() {
         session.canvas.outside = view.value_or(OutsideView());
     };
     const ViewOption option{"outside", "YAW,PITCH",
-                            "Where the scene is seen from outside: " + std::string(outside_form)};
+                            "View of the scene from outside: " + std::string(outside_form)};
     ViewField field = make_field("outside", ViewPart::canvas, option, form);
     field.is_of_scene = true;
     field.link = {"outside",

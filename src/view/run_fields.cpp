@@ -24,7 +24,7 @@ ViewField compare_field() {
     };
     const ViewOption option{
         "b", "NAME=VALUE",
-        "A second run next to the first, which differs by this setting; repeatable; none for no "
+        "A second run that differs from the first in this setting; repeatable; none for no "
         "second run",
         true};
     ViewField field = make_field("compare", ViewPart::runs, option, form);

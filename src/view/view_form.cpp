@@ -14,7 +14,7 @@
 namespace rasterwalk {
 
 void refuse_option(const GivenOption& option, std::string_view takes, const std::string& word) {
-    throw UsageError(fmt::format("{} is {}, not {}.", option.name, takes, in_quotes(word)));
+    throw UsageError(fmt::format("{} must be {}, not {}.", option.name, takes, in_quotes(word)));
 }
 
 std::string one_of(std::span<const std::string_view> words) {
@@ -29,8 +29,8 @@ std::size_t option_index(const GivenOption& option, std::span<const std::string_
                          const std::string& word) {
     const auto found = std::find(words.begin(), words.end(), word);
     if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-    throw UsageError(fmt::format("{} is {}, not {}.{}", option.name, one_of(words), in_quotes(word),
-                                 did_you_mean(word, words)));
+    throw UsageError(fmt::format("{} must be {}, not {}.{}", option.name, one_of(words),
+                                 in_quotes(word), did_you_mean(word, words)));
 }
 
 std::string toml_text(std::string_view text) {

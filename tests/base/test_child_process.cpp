@@ -55,7 +55,7 @@ TEST_CASE("A program that is not there is an error that names it") {
 
 TEST_CASE("It is said how a program has ended that owes an answer") {
     CHECK_THAT(complaint("exit 7"), ContainsSubstring("ended with exit code 7"));
-    CHECK_THAT(complaint("kill -SEGV $$"), ContainsSubstring("signal Segmentation fault"));
+    CHECK_THAT(complaint("kill -SEGV $$"), ContainsSubstring("signal: Segmentation fault"));
     CHECK_THAT(complaint("printf half; exit 0"), ContainsSubstring("ended with exit code 0"));
     CHECK_THAT(complaint("exec head -c 100000 /dev/zero"), ContainsSubstring("does not end"));
 }

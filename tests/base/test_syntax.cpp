@@ -100,7 +100,7 @@ TEST_CASE("What is no expression is answered by a sentence") {
     CHECK(refusal("a +") == "the expression 'a +' ends too early.");
     CHECK(refusal("a )") == "it is not clear what ')' means.");
     CHECK(refusal("a § b") == "it is not clear what '§ b' means.");
-    CHECK(refusal("(a") == "a ')' is missing in '(a'.");
+    CHECK(refusal("(a") == "a ')' is missing from '(a'.");
     CHECK(refusal("f()") == "it is not clear what ')' means.");
     CHECK(refusal("1e999 + 2") == "'1e999 + 2' is not a number.");
     CHECK(refusal("a < b < c") == "write 'a < b and b < c' instead of 'a < b < c'.");

@@ -125,8 +125,9 @@ TEST_CASE("An unknown setting, value, preset or stage ends with exit code 2") {
     expect({"stats", "--stage", "filled"}, 2,
            "stage cannot be 'filled': it takes points, edges, rows, fill, depth, vertex_light or "
            "pixel_light.");
-    expect({"render", "--view", "color", "-o", "/dev/null"}, 2,
-           "--view is colour, depth, triangle or overdraw, not 'color'. Did you mean 'colour'?");
+    expect(
+        {"render", "--view", "color", "-o", "/dev/null"}, 2,
+        "--view must be colour, depth, triangle or overdraw, not 'color'. Did you mean 'colour'?");
 }
 
 TEST_CASE("A picture of size 0x0 or 100000x100000 ends with exit code 2") {
@@ -166,7 +167,7 @@ TEST_CASE("A moment of clip or cull that does not exist says which ones do") {
                                            "--set",
                                            "camera.position=0,5,-3"};
     expect(at_edge, 2,
-           "there is no moment t0/e0/s0: triangle t0 is left out: it turns its back to the "
+           "there is no moment t0/e0/s0: triangle t0 is left out: it faces away from the "
            "camera.");
     CHECK(
         run({"stats", "--to", "t0/k", at_edge[3], at_edge[4], at_edge[5], at_edge[6]}).exit_code ==
@@ -193,11 +194,11 @@ TEST_CASE("A moment that does not exist ends with exit code 2 and says which one
     expect({"stats", "--to", "t12/r999"}, 2,
            "there is no moment t12/r999: triangle t12 has the rows r0 to r133.");
     expect({"stats", "--to", "t3/r0", "--stage", "edges"}, 2,
-           "there is no moment t3/r0: in stage edges a triangle has no rows.");
+           "there is no moment t3/r0: in the edges stage a triangle has no rows.");
     expect({"stats", "--to", "t3/e0", "--stage", "points"}, 2,
-           "there is no moment t3/e0: in stage points a triangle has no edges.");
+           "there is no moment t3/e0: in the points stage a triangle has no edges.");
     expect({"stats", "--to", "t3/e0/s0", "--stage", "fill", "--set", "coverage=active_edges"}, 2,
-           "there is no moment t3/e0/s0: coverage=active_edges walks no edges in stage fill.");
+           "there is no moment t3/e0/s0: coverage=active_edges walks no edges in the fill stage.");
     expect({"stats", "--to", "t0", "--set", "camera.position=0,0,900"}, 2,
            "there is no moment t0: triangle t0 is left out: a vertex lies on or behind the camera "
            "plane.");

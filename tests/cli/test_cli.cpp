@@ -208,8 +208,7 @@ TEST_CASE("Several triangles that are left out are reported in the plural") {
     const CliRun all = run({"stats", "--set", "camera.position=0,0,9", "--set", "clip=all"});
     CHECK(all.err == "rasterwalk: 30 triangles are left out: clipping leaves nothing of them.\n");
     const CliRun backs = run({"stats", "--set", "cull=face_normal"});
-    CHECK(backs.err ==
-          "rasterwalk: 10 triangles are left out: they turn their backs to the camera.\n");
+    CHECK(backs.err == "rasterwalk: 10 triangles are left out: they face away from the camera.\n");
 }
 
 TEST_CASE("Settings that contradict each other are reported on standard error") {

@@ -106,7 +106,7 @@ TEST_CASE("engines --json says on what was measured, how, and what came of it") 
                &fast = measurement["engines"][2], &last = measurement["engines"][3];
     CHECK(student["engine"] == "student");
     CHECK(student["ratio"].is_null());
-    CHECK_THAT(student["remark"].get<std::string>(), ContainsSubstring("draws other edges: "));
+    CHECK_THAT(student["remark"].get<std::string>(), ContainsSubstring("draws different edges: "));
     CHECK(steps["engine"] == "steps");
     CHECK(steps["from_llvmpipe"]["differ"] == 0);
     CHECK(steps["from_llvmpipe"]["pixels"] == 400);
@@ -168,8 +168,9 @@ TEST_CASE("Options of engines that mean nothing are wrong usage") {
     };
     CHECK_THAT(complaint("--workload", "w4"), ContainsSubstring("there is no workload 'w4'"));
     CHECK_THAT(complaint("--simd", "mmx"), ContainsSubstring("'mmx'; choose from scalar"));
-    CHECK_THAT(complaint("--threads", "3"), ContainsSubstring("--threads is a whole number from 1 "
-                                                              "to 2, not '3'"));
+    CHECK_THAT(complaint("--threads", "3"),
+               ContainsSubstring("--threads must be a whole number from 1 "
+                                 "to 2, not '3'"));
     CHECK_THAT(complaint("--rounds", "4"), ContainsSubstring("from 5 to 1000"));
     CHECK_THAT(complaint("--rounds", "many"), ContainsSubstring("'many'"));
     CHECK_THAT(complaint("--size", "0x0"), ContainsSubstring("0x0"));

@@ -17,7 +17,7 @@ using Catch::Matchers::ContainsSubstring;
 namespace {
 
 const std::string model_text = "s off\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 9\n";
-const std::string wrong_face = ":7: 'f' names the point 9, but there are 4; the face is left out.";
+const std::string wrong_face = ":7: 'f' names point 9, but the file has 4; the face is left out.";
 
 } // namespace
 
@@ -50,7 +50,7 @@ TEST_CASE("render and stats point out what is correct in a model but easily over
                               ":2: the material 'a' is black because its Kd is 0 and it has no "
                               "map_Kd.";
     const std::string clear =
-        folder.file("m.mtl") + ":3: the material 'a' is wholly transparent because its alpha is 0.";
+        folder.file("m.mtl") + ":3: the material 'a' is fully transparent because its alpha is 0.";
     const CliRun drawn = run({"render", "--scene", path, "-o", folder.file("m.png")});
     CHECK(drawn.exit_code == 0);
     CHECK(drawn.err == "rasterwalk: " + clear + "\nrasterwalk: " + black + "\n");

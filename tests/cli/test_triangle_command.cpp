@@ -175,7 +175,7 @@ TEST_CASE("A triangle that is cut or culled tells of every plane and edge, and o
     CHECK_THAT(back.out,
                ContainsSubstring("\nCulling\n  culls: dot(n, p - C) = 4, the normal points away "
                                  "from the camera\n"));
-    CHECK_THAT(back.out, ContainsSubstring("It is left out: it turns its back to the camera.\n"));
+    CHECK_THAT(back.out, ContainsSubstring("It is left out: it faces away from the camera.\n"));
     CHECK_THAT(json_of({"0", culled[0], culled[1], culled[2], culled[3]}),
                ContainsSubstring("\"cull\":{\"culled\":true,"));
     // Where nothing cuts and nothing culls there is nothing to tell.

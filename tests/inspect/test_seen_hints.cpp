@@ -76,7 +76,7 @@ TEST_CASE("A box whose fronts point inward is reported as seen from behind, and 
     using namespace seen_hints_of_models;
     const std::vector<SeenHint> hints = hints_of(box(true), {});
     REQUIRE(hints.size() == 2);
-    CHECK_THAT(hints[0].seen, StartsWith("Most of what you see is backs, "));
+    CHECK_THAT(hints[0].seen, StartsWith("Most of what you see is back faces, "));
     CHECK(hints[0].settings == std::vector<std::string>{"cull=face_normal"});
     CHECK(hints[1].seen == hints[0].seen);
     CHECK(hints[1].settings == std::vector<std::string>{"light.sides=two"});
@@ -101,7 +101,7 @@ TEST_CASE("For what is black all over the hint names the setting that lights mos
     REQUIRE(back.size() == 1);
     CHECK(back[0].seen == "Everything you see is black");
     CHECK(back[0].settings == std::vector<std::string>{"light.sides=two"});
-    CHECK_THAT(back[0].help, StartsWith("light.sides=two, the setting 'Lit sides', shows "));
+    CHECK_THAT(back[0].help, StartsWith("light.sides=two (the 'Lit sides' setting) shows "));
     // Its front, with the lamp behind it.
     const std::vector<SeenHint> front =
         hints_of(sheet(false), {"light.indirect=0", "light.position=0,0,3"});
@@ -125,7 +125,7 @@ TEST_CASE("For what is wholly transparent the hint names the settings that draw 
         const Scene scene = sheet_of(std::string("Kd 1 1 1\n") + d);
         const std::vector<SeenHint> hints = hints_of(scene, {});
         REQUIRE(hints.size() == 1);
-        CHECK(hints[0].seen == "The model is transparent, so you see nothing of it");
+        CHECK(hints[0].seen == "The model is transparent, so you cannot see it");
         CHECK(hints[0].settings == no_blending);
         CHECK(hints_of(scene, no_blending).empty());
         // Nor would light show it.
@@ -144,12 +144,13 @@ TEST_CASE("For what is wholly transparent the hint names the settings that draw 
     REQUIRE(part.size() == 1);
     CHECK(part[0].seen == "Everything you see is black or transparent");
     CHECK(part[0].settings == no_blending);
-    CHECK_THAT(part[0].help, StartsWith("blend=off, the setting 'Half-transparent', shows "));
+    CHECK_THAT(part[0].help, StartsWith("blend=off (the 'Half-transparent' setting) shows "));
     const std::vector<SeenHint> both = hints_of(sheet_of("Kd 1 1 1\nd 0\nmap_Kd clear.png\n"), {});
     REQUIRE(both.size() == 1);
     CHECK(both[0].settings == std::vector<std::string>{"blend=off", "texture_alpha=off"});
-    CHECK_THAT(both[0].help, ContainsSubstring("', and texture_alpha=off, the setting 'Alpha of "
-                                               "textures', show "));
+    CHECK_THAT(both[0].help,
+               ContainsSubstring("' setting) and texture_alpha=off (the 'Texture alpha' "
+                                 "setting) show "));
 }
 
 TEST_CASE("Hints are the same when they are looked for in parts, and stop at too much work") {

@@ -161,8 +161,9 @@ TEST_CASE("What is not a bug is named too") {
     const Bug& affine = find_bug(bugs, "B3");
     CHECK_THAT(verdict(picture_of(scene, wrong_run(affine, reference))),
                ContainsSubstring("B3 “" + affine.name + "”"));
-    CHECK(verdict(flipped(right, false, true)) == "Upside down makes this very picture.");
-    CHECK(verdict(flipped(right, true, true)) == "Turned by half a turn makes this very picture.");
+    CHECK(verdict(flipped(right, false, true)) == "Upside down exactly matches this picture.");
+    CHECK(verdict(flipped(right, true, true)) ==
+          "Rotated by half a turn exactly matches this picture.");
     Image shifted = right;
     std::rotate(shifted.rgba.begin(), shifted.rgba.begin() + 4L * shifted.width,
                 shifted.rgba.end());

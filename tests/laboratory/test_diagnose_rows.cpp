@@ -88,7 +88,7 @@ TEST_CASE("The table of every bug is recognized if the bug changes it") {
         REQUIRE_FALSE(diagnosis.candidates.empty());
         const std::vector<std::string>& ids = diagnosis.candidates.front().ids();
         CHECK(std::find(ids.begin(), ids.end(), bug.id) != ids.end());
-        CHECK_THAT(diagnosis.verdict, ContainsSubstring("this very table"));
+        CHECK_THAT(diagnosis.verdict, ContainsSubstring("matches this table"));
     }
     CHECK(changed >= 3);
 }
@@ -106,5 +106,6 @@ TEST_CASE("What is wrong with a table is named even without a bug") {
                                          "Start: (13,14). End: (13,14).\n"
                                          "Start: (15,15). End: (14,15).\n",
                                          {});
-    CHECK(diagnosis.verdict == "The last column of every row is missing makes this very table.");
+    CHECK(diagnosis.verdict ==
+          "The last column of every row is missing exactly matches this table.");
 }

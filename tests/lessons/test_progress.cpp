@@ -202,8 +202,8 @@ TEST_CASE("A file of progress that is damaged is refused with its line") {
     CHECK(fault_of("[lessons.a]\nsteps = [-1]") == "progress.toml:2: A step must be a number.");
     CHECK(fault_of("[lessons.a]\nsteps = [65]") == "progress.toml:2: A step must be a number.");
     CHECK(fault_of("[lessons.a]\nlast_step = 9999999999").find("progress.toml:2: ") == 0);
-    CHECK(fault_of("[lessons.a]\ntasks = [5]") == "progress.toml:2: A task must be named by a "
-                                                  "text.");
+    CHECK(fault_of("[lessons.a]\ntasks = [5]") == "progress.toml:2: The name of a task must "
+                                                  "be text.");
     CHECK(fault_of("[lessons.a]\nanswers = [5]") ==
           "progress.toml:2: the answers must be a table.");
     CHECK(fault_of("[lessons.a.answers]\nb = 5") == "progress.toml:2: an answer must be a table.");

@@ -162,7 +162,7 @@ TEST_CASE("A link that cannot be followed is answered by a sentence and changes 
         {"cursor:t0/p99/s99", "there is no moment t0/p99/s99: no plane cuts triangle t0"},
         {"cursor:t0/k", "there is no moment t0/k: no triangle is culled"},
         {"cursor:t99", "there is no moment t99: the scene has the triangles t0 to t29"},
-        {"cursor:t0/e1/s4", "in stage points a triangle has no edges"},
+        {"cursor:t0/e1/s4", "in the points stage a triangle has no edges"},
         {"cursor:t2147483647/r2147483647/c2147483647", "there is no moment"},
         {std::string("set:\0\n=\x01", 8), "there is no setting"},
         {std::string(100'000, 'a'), "leads nowhere"},

@@ -214,7 +214,7 @@ TEST_CASE("Values that a view cannot have are refused with a sentence") {
             "there is no lesson '05-row-tabel'. Did you mean '05-row-table'? 'rasterwalk lessons' "
             "lists them.");
     refuses({"--lesson", "05-row-table", "--step", "99"}, 2,
-            "--step is a number from 0 to 8 in lesson '05-row-table', not '99'.");
+            "--step must be a number from 0 to 8 in lesson '05-row-table', not '99'.");
     refuses({"--lesson", "../05-row-table"}, 2,
             "'../05-row-table' is not a lesson: the name of a lesson is two digits, a hyphen, a "
             "name and .md.");
@@ -224,27 +224,31 @@ TEST_CASE("Values that a view cannot have are refused with a sentence") {
     refuses({"--triangle", "99"}, 2, "there is no triangle 99: the triangles are 0 to 29.");
     refuses({"--triangle", "-1"}, 2, "there is no triangle -1: the triangles are 0 to 29.");
     refuses({"--pixel", "500,1"}, 2, "the pixel 500,1 is outside the picture of 500 x 500 pixels.");
-    refuses({"--pixel", "x"}, 2, "--pixel is a column and a row, like 250,131, or none, not 'x'.");
-    refuses({"--zoom", "65"}, 2, "--zoom is a number from 0.25 to 64 or fit, not '65'.");
-    refuses({"--zoom", "nan"}, 2, "--zoom is a number from 0.25 to 64 or fit, not 'nan'.");
+    refuses({"--pixel", "x"}, 2,
+            "--pixel must be a column and a row, like 250,131, or none, not 'x'.");
+    refuses({"--zoom", "65"}, 2, "--zoom must be a number from 0.25 to 64 or fit, not '65'.");
+    refuses({"--zoom", "nan"}, 2, "--zoom must be a number from 0.25 to 64 or fit, not 'nan'.");
     refuses({"--centre", "1e9,0"}, 2,
-            "--centre is a position in the picture, like 250,131.5, not '1e9,0'.");
+            "--centre must be a position in the picture, like 250,131.5, not '1e9,0'.");
     refuses({"--b", "stage=dept"}, 2,
             "stage cannot be 'dept': it takes points, edges, rows, fill, depth, vertex_light or "
             "pixel_light.");
-    refuses({"--compare-view", "wip"}, 2,
-            "--compare-view is run_a, run_b, difference, side_by_side, wipe or blink, not 'wip'. "
-            "Did you mean 'wipe'?");
-    refuses({"--grid", "yes"}, 2, "--grid is off or on, not 'yes'.");
+    refuses(
+        {"--compare-view", "wip"}, 2,
+        "--compare-view must be run_a, run_b, difference, side_by_side, wipe or blink, not 'wip'. "
+        "Did you mean 'wipe'?");
+    refuses({"--grid", "yes"}, 2, "--grid must be off or on, not 'yes'.");
     refuses({"--canvas", "outsid"}, 2,
-            "--canvas is picture, outside or both, not 'outsid'. Did you mean 'outside'?");
-    refuses({"--outside", "1"}, 2,
-            "--outside is camera, or yaw and pitch like -0.75,-0.4, or these with a distance and a "
-            "target like -0.75,-0.4,5,0,0,1, not '1'.");
-    refuses({"--wipe", "2"}, 2, "--wipe is a number from 0 to 1, not '2'.");
-    refuses({"--depth-range", "0.8,0.2"}, 2,
-            "--depth-range is a range of depths, the smaller first, like 0.2,0.8, or none, not "
-            "'0.8,0.2'.");
+            "--canvas must be picture, outside or both, not 'outsid'. Did you mean 'outside'?");
+    refuses(
+        {"--outside", "1"}, 2,
+        "--outside must be camera, or yaw and pitch like -0.75,-0.4, or yaw, pitch, distance and "
+        "target like -0.75,-0.4,5,0,0,1, not '1'.");
+    refuses({"--wipe", "2"}, 2, "--wipe must be a number from 0 to 1, not '2'.");
+    refuses(
+        {"--depth-range", "0.8,0.2"}, 2,
+        "--depth-range must be a range of depths, the smaller first, like 0.2,0.8, or none, not "
+        "'0.8,0.2'.");
 }
 
 TEST_CASE("A saved view is opened, and what is said beside it wins") {

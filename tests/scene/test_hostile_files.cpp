@@ -109,8 +109,7 @@ TEST_CASE("Files beside a scene are read up to so many bytes, those of one kind 
     BesideBytes bytes(4 * megabyte, "all images");
     bytes.add(folder.write("much", std::string(4 * megabyte - 10, 'x')));
     bytes.add(six);
-    CHECK_THROWS_WITH(bytes.add(six), six + ": together with this file, all images have more than "
-                                            "4 MB.");
+    CHECK_THROWS_WITH(bytes.add(six), six + ": with this file, all images exceed 4 MB in total.");
     bytes.add(folder.write("four", "1234"));
 
     // The same file under other names: as many times as it fits.
@@ -128,8 +127,8 @@ TEST_CASE("Files beside a scene are read up to so many bytes, those of one kind 
     CHECK(read.materials.size() == fitting);
     CHECK(fault_lines(read.report) ==
           std::vector<std::string>{
-              fmt::format("{}:{}: 'mtllib': {}: together with this file, all material files have "
-                          "more than {} MB. It is left out.",
+              fmt::format("{}:{}: 'mtllib': {}: with this file, all material files exceed {} MB "
+                          "in total. It is left out.",
                           path, fitting + 1, folder.file(fmt::format("{}.mtl", fitting)),
                           most_material_bytes >> 20)});
 }

@@ -92,7 +92,7 @@ TEST_CASE("A material that is wholly transparent is reported with its line") {
         REQUIRE(note_lines(*scene.model_report).size() == 2);
         CHECK(note_lines(*scene.model_report)[0] ==
               folder.folder.file("m.mtl") +
-                  ":3: the material 'a' is wholly transparent because its alpha is 0.");
+                  ":3: the material 'a' is fully transparent because its alpha is 0.");
     }
     const Scene half =
         scene_of_model(folder.model_with("newmtl a\nKd 1 1 1\nd 0\nnewmtl b\nKd 1 1 1\n"));

@@ -41,20 +41,19 @@ TEST_CASE("A normal or texture coordinate that is wrong costs no face, and is re
         std::string lines, behind, fault;
     };
     const std::vector<Case> cases{
-        {"", "//1", "'f' names the normal 1, but there are 0;" + computed},
-        {"", "//99", "'f' names the normal 99, but there are 0;" + computed},
-        {"vn 1 0 0\n", "//2", "'f' names the normal 2, but there are 1;" + computed},
+        {"", "//1", "'f' names normal 1, but the file has 0;" + computed},
+        {"", "//99", "'f' names normal 99, but the file has 0;" + computed},
+        {"vn 1 0 0\n", "//2", "'f' names normal 2, but the file has 1;" + computed},
         {"vn 1 0 0\n", "//0", "normals are counted from 1, but 'f' names 0;" + computed},
-        {"vn 1 0 0\n", "//-2", "'f' names the normal -2, but there are 1 before it;" + computed},
-        {"", "//4294967295",
-         "'f' names the normal 4294967295, but there are 0 before it;" + computed},
+        {"vn 1 0 0\n", "//-2", "'f' names normal -2, but the file has 1 so far;" + computed},
+        {"", "//4294967295", "'f' names normal 4294967295, but the file has 0 so far;" + computed},
         {"", "//nan", "'nan' is not the number of a normal;" + computed},
         {"", "//1.0", "'1.0' is not the number of a normal;" + computed},
-        {"", "/1", "'f' names the texture coordinate 1, but there are 0;" + without},
-        {"", "/1/", "'f' names the texture coordinate 1, but there are 0;" + without},
+        {"", "/1", "'f' names texture coordinate 1, but the file has 0;" + without},
+        {"", "/1/", "'f' names texture coordinate 1, but the file has 0;" + without},
         {"vt 1 1\n", "/0", "texture coordinates are counted from 1, but 'f' names 0;" + without},
         {"vt 1 1\n", "/-2",
-         "'f' names the texture coordinate -2, but there are 1 before it;" + without},
+         "'f' names texture coordinate -2, but the file has 1 so far;" + without},
         {"", "/x", "'x' is not the number of a texture coordinate;" + without},
         {"", "///", ""},
         {"", "/", ""},
@@ -156,7 +155,7 @@ TEST_CASE("A hundred thousand faces with a wrong normal are one fault, and leave
     CHECK(model.report.counts.faults == count + 1);
     CHECK(fault_notice(model.report) ==
           "m.obj:100004: 'f' has 2 corners, but a face has at least three; the face is left out. "
-          "m.obj:4: 'f' names the normal 5, but there are 0; the normal is computed. There are "
+          "m.obj:4: 'f' names normal 5, but the file has 0; the normal is computed. There are "
           "99999 more like it.");
 }
 

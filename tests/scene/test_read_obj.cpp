@@ -128,46 +128,45 @@ TEST_CASE("What is wrong in a model is reported with its line, and the rest is r
         std::string line, fault;
     };
     const std::vector<Case> cases{
-        {"v 1 nan 0", "'nan' is not a number that 'v' can have; it is left out."},
-        {"v 1 -inf 0", "'-inf' is not a number that 'v' can have; it is left out."},
-        {"v 1 1e999 0", "'1e999' is not a number that 'v' can have; it is left out."},
-        {"v 1 2e9 0", "'2e9' is not a number that 'v' can have; it is left out."},
+        {"v 1 nan 0", "'nan' is not a valid number, so this 'v' is left out."},
+        {"v 1 -inf 0", "'-inf' is not a valid number, so this 'v' is left out."},
+        {"v 1 1e999 0", "'1e999' is not a valid number, so this 'v' is left out."},
+        {"v 1 2e9 0", "'2e9' is not a valid number, so this 'v' is left out."},
         {"v 1,5 2 3", "'1,5' has a decimal comma, but numbers need a decimal point here; 'v' is "
                       "left out."},
-        {"v 1,2,3 2 3", "'1,2,3' is not a number that 'v' can have; it is left out."},
+        {"v 1,2,3 2 3", "'1,2,3' is not a valid number, so this 'v' is left out."},
         {"vt 0 -0,5e1",
          "'-0,5e1' has a decimal comma, but numbers need a decimal point here; 'vt' is left out."},
         {"v 1 2 3 red 0 0", "'red' is not a valid number for a colour; the point is white."},
-        {"v +-1 2 3", "'+-1' is not a number that 'v' can have; it is left out."},
-        {"v 0x10 2 3", "'0x10' is not a number that 'v' can have; it is left out."},
+        {"v +-1 2 3", "'+-1' is not a valid number, so this 'v' is left out."},
+        {"v 0x10 2 3", "'0x10' is not a valid number, so this 'v' is left out."},
         {"v 1 2", "'v' needs 3 numbers but has 2; it is left out."},
         {"v", "'v' needs 3 numbers but has 0; it is left out."},
         {"vt", "'vt' needs 1 numbers but has 0; it is left out."},
-        {"vt u", "'u' is not a number that 'vt' can have; it is left out."},
+        {"vt u", "'u' is not a valid number, so this 'vt' is left out."},
         {"vn 1 2", "'vn' needs 3 numbers but has 2; it is left out."},
-        {"vn 1.#QNAN 0 0", "'1.#QNAN' is not a number that 'vn' can have; it is left out."},
-        {"v 0 1.#INF 0", "'1.#INF' is not a number that 'v' can have; it is left out."},
-        {"v 0 0 -1.#IND00", "'-1.#IND00' is not a number that 'v' can have; it is left out."},
-        {"v 1.#SNAN 0 0", "'1.#SNAN' is not a number that 'v' can have; it is left out."},
-        {"vt 1.#Q", "'1.#Q' is not a number that 'vt' can have; it is left out."},
-        {"vn 0 0 0", "a normal of length 0 points nowhere; where it is used, it is computed "
-                     "instead."},
+        {"vn 1.#QNAN 0 0", "'1.#QNAN' is not a valid number, so this 'vn' is left out."},
+        {"v 0 1.#INF 0", "'1.#INF' is not a valid number, so this 'v' is left out."},
+        {"v 0 0 -1.#IND00", "'-1.#IND00' is not a valid number, so this 'v' is left out."},
+        {"v 1.#SNAN 0 0", "'1.#SNAN' is not a valid number, so this 'v' is left out."},
+        {"vt 1.#Q", "'1.#Q' is not a valid number, so this 'vt' is left out."},
+        {"vn 0 0 0", "a normal of length 0 has no direction; a computed one is used in its place."},
         {"f", "'f' has 0 corners, but a face has at least three; the face is left out."},
         {"f 1", "'f' has 1 corner, but a face has at least three; the face is left out."},
         {"f 1 2", "'f' has 2 corners, but a face has at least three; the face is left out."},
         {"f 0 1 2", "points are counted from 1, but 'f' names 0; the face is left out."},
-        {"f 1 2 4", "'f' names the point 4, but there are 3; the face is left out."},
-        {"f 1 2 -4", "'f' names the point -4, but there are 3 before it; the face is left out."},
+        {"f 1 2 4", "'f' names point 4, but the file has 3; the face is left out."},
+        {"f 1 2 -4", "'f' names point -4, but the file has 3 so far; the face is left out."},
         {"f 1 2 4294967297",
-         "'f' names the point 4294967297, but there are 3 before it; the face is left out."},
+         "'f' names point 4294967297, but the file has 3 so far; the face is left out."},
         {"f 1 2 99999999999999999999",
-         "'f' names the point 99999999999999999999, but there are 3 before it; the face is left "
+         "'f' names point 99999999999999999999, but the file has 3 so far; the face is left "
          "out."},
         {"f 1/1 2/1 3/1",
-         "'f' names the texture coordinate 1, but there are 0; the face is drawn without texture "
+         "'f' names texture coordinate 1, but the file has 0; the face is drawn without texture "
          "coordinates."},
         {"f 1//0 2 3", "normals are counted from 1, but 'f' names 0; the normal is computed."},
-        {"f 1//-1 2 3", "'f' names the normal -1, but there are 0 before it; the normal is "
+        {"f 1//-1 2 3", "'f' names normal -1, but the file has 0 so far; the normal is "
                         "computed."},
         {"f 1 2 x", "'x' is not the number of a point; the face is left out."},
         {"f 1 2 3.5", "'3.5' is not the number of a point; the face is left out."},
@@ -212,8 +211,8 @@ TEST_CASE("A point that cannot be read keeps its number, and takes its faces wit
     const ObjModel model = parse_obj(text, "m.obj");
     CHECK(fault_lines(model.report) ==
           std::vector<std::string>{
-              "m.obj:3: 'nan' is not a number that 'v' can have; it is left out.",
-              "m.obj:7: 'f' names the point 3, which could not be read; the face is left out."});
+              "m.obj:3: 'nan' is not a valid number, so this 'v' is left out.",
+              "m.obj:7: 'f' names point 3, which could not be read; the face is left out."});
     REQUIRE(model.mesh.triangle_count() == 2);
     CHECK(model.mesh.corner(1, 2).position == glm::vec3(1, 1, 0));
 }

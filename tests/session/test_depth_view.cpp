@@ -181,10 +181,10 @@ TEST_CASE("A stored depth shows how far in front of the camera its vertex is") {
     };
     for (const Choice& choice :
          {Choice{"projection_mix=0", "1/z"}, Choice{"depth_format=reversed_32", "reversed z"},
-          Choice{"depth_format=ndc_32", "ndc z"}, Choice{"projection_mix=0.4", "reversed z"},
+          Choice{"depth_format=ndc_32", "NDC z"}, Choice{"projection_mix=0.4", "reversed z"},
           Choice{"projection=orthographic", "reversed z"},
-          Choice{"depth_format=ndc_32 projection_mix=0.4", "ndc z"},
-          Choice{"depth_format=ndc_32 projection=orthographic", "ndc z"}}) {
+          Choice{"depth_format=ndc_32 projection_mix=0.4", "NDC z"},
+          Choice{"depth_format=ndc_32 projection=orthographic", "NDC z"}}) {
         Settings settings = session.a.settings;
         std::istringstream words(choice.text);
         for (std::string word; words >> word;)

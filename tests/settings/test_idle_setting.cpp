@@ -78,7 +78,7 @@ TEST_CASE("An idle setting says what makes it idle") {
           "while pixels are found by edge functions");
     CHECK(idle_reason(*find_setting("fill_rule"), settings).empty());
     settings.stage = Stage::edges;
-    CHECK(idle_reason(*find_setting("fill_rule"), settings) == "before the stage Rows");
+    CHECK(idle_reason(*find_setting("fill_rule"), settings) == "before the Rows stage");
     CHECK(idle_reason(*find_setting("line"), settings).empty());
 }
 

@@ -139,8 +139,8 @@ TEST_CASE("A file of phrases that is wrong is refused at its line") {
     };
     refused("meant = []\n[[rule]]\nphrases = ['a  b']\nadvice = 'x'", "a.toml:2");
     refused("meant = []\n[[rule]]\nphrases = ['a B']\nadvice = 'x'", "'a B' has a capital");
-    refused("meant = []\n[[rule]]\nphrases = ['a|* b']\nadvice = 'x'", "begins with any word");
-    refused("meant = []\n[[rule]]\nphrases = ['* b']\nadvice = 'x'", "begins with any word");
+    refused("meant = []\n[[rule]]\nphrases = ['a|* b']\nadvice = 'x'", "begins with '*'");
+    refused("meant = []\n[[rule]]\nphrases = ['* b']\nadvice = 'x'", "begins with '*'");
     refused("meant = []\n[[rule]]\nphrases = [\n3]\nadvice = 'x'", "a.toml:4");
     refused("meant = []\n[[rule]]\nphrases = ['a']\n", "advice");
     refused("meant = []\n[[rules]]\n", "rules");

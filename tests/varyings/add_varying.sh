@@ -39,7 +39,7 @@ for forgotten in no_member_pointer:varying_members no_entry:varying_list; do
         echo "$folder: it compiles, and the new varying would silently be 0" >&2
         exit 1
     fi
-    if ! grep -q "missing in $word" "$scratch/$folder/said"; then
+    if ! grep -q "missing from $word" "$scratch/$folder/said"; then
         echo "$folder: the compiler does not say what is missing:" >&2
         cat "$scratch/$folder/said" >&2
         exit 1

@@ -224,9 +224,10 @@ TEST_CASE("What is wrong in a saved view is reported with its line") {
     says(head + "wipe = 2\n", "v.walk.toml:2: the position of the divider must be between 0 and "
                               "1.");
     says(head + "grid = 1\n", "v.walk.toml:2: the grid must be true or false.");
-    says(head + "outside = \"1,2,3\"\n",
-         "v.walk.toml:2: the view from outside is camera, or yaw and pitch like -0.75,-0.4, or "
-         "these with a distance and a target like -0.75,-0.4,5,0,0,1.");
+    says(
+        head + "outside = \"1,2,3\"\n",
+        "v.walk.toml:2: the view from outside must be camera, or yaw and pitch like -0.75,-0.4, or "
+        "yaw, pitch, distance and target like -0.75,-0.4,5,0,0,1.");
     says(head + "depth_range = \"2,1\"\n",
          "v.walk.toml:2: a range of depths is needed here, the smaller first, like \"0.2,0.8\".");
     says(head + "set = [\n\"light.power=1e9\",\n]\n",

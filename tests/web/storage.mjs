@@ -134,7 +134,7 @@ export function testStorage(place) {
             const visit = await Visit.begin(browser, place.site);
             await visit.context.addInitScript(script);
             const program = await visit.go('#lesson=05-row-table&step=3');
-            await program.waitForWords('This browser keeps nothing for this page, so what you do here is gone when you leave.');
+            await program.waitForWords('This browser keeps nothing for this page, so what you do here is lost when you leave.');
             await program.press('PageDown');
             equal(await program.hash(), '#lesson=05-row-table&step=4', 'the address after Page down');
             await program.press('5');

@@ -64,7 +64,7 @@ std::vector<Action> edit_actions() {
         {"edit.undo",
          "Edit",
          "Undo",
-         "Takes back the last change.",
+         "Undoes the last change.",
          {'Z', true},
          [](Ui& ui) {
              if (!undo(ui.session)) ui.session.notice = "Nothing to undo.";
@@ -73,7 +73,7 @@ std::vector<Action> edit_actions() {
         {"edit.redo",
          "Edit",
          "Redo",
-         "Makes the change again that was taken back.",
+         "Redoes the change that was undone.",
          {'Z', true, true},
          [](Ui& ui) {
              if (!redo(ui.session)) ui.session.notice = "Nothing to redo.";

@@ -50,7 +50,7 @@ std::vector<Action> walk_actions() {
         {"walk.play",
          "Walk",
          "Play or pause",
-         "Lets time run as fast as the dial says; at the end, it starts again from the beginning.",
+         "Runs time at the speed of the dial; at the end, it starts again from the beginning.",
          {key::space},
          [](Ui& ui) { toggle_play(ui.session, timeline_of(ui)); },
          [](const Ui& ui) { return ui.session.play.running; }},
@@ -108,7 +108,7 @@ std::vector<Action> walk_actions() {
         {"walk.faster",
          "Walk",
          "Play faster",
-         "Lets time run about twice as fast.",
+         "Makes time run about twice as fast.",
          {key::equal},
          [](Ui& ui) {
              Play& play = ui.session.play;
@@ -119,7 +119,7 @@ std::vector<Action> walk_actions() {
         {"walk.slower",
          "Walk",
          "Play slower",
-         "Lets time run about half as fast.",
+         "Makes time run about half as fast.",
          {key::minus},
          [](Ui& ui) {
              Play& play = ui.session.play;

@@ -112,7 +112,7 @@ void use_frame_line(const TimeLines& s, bool has_window) {
                 has_window
                     ? "The whole frame from its first vertex to its last fragment, with one tick "
                       "per triangle. Drag to go to any moment. The bracket marks what the line "
-                      "below enlarges; the wheel makes it narrower."
+                      "below enlarges; scroll to make it narrower."
                     : "The whole frame from its first vertex to its last fragment, with one tick "
                       "per triangle. Drag to go to any moment.");
     step_by_arrows(s, "walk.scrub");

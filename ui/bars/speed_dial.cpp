@@ -97,7 +97,7 @@ void draw_speed_dial(Ui& ui, ImVec2 at, DialForm form) {
     const Speed meant = speed_in(play.speed, steps);
     name_widget(ui, "walk.speed",
                 "How fast time runs: from one step a second, through the whole frame in a given "
-                "time, to as fast as it can be drawn. Drag it or turn the wheel; a double click "
+                "time, to as fast as it can be drawn. Drag it or scroll; a double click "
                 "sets it back to the whole frame in 15 s.");
     note_text(ui, "walk.speed", speed_text(meant));
     const int more = take_arrows(ui, "walk.speed").more();

@@ -109,7 +109,7 @@ void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
     const std::string about =
         is_notice ? ""
         : is_working(ui.results)
-            ? "\nThis is too much work for one frame of the window, so it goes on in the next ones."
+            ? "\nThis is too much work for one frame of the window, so it is spread over several."
             : "\nThe program guards against this and goes on" + lesson_words(trouble.lessons) + ".";
     name_widget(ui, "status.trouble", trouble.text + about);
     note_text(ui, "status.trouble", words);

@@ -166,7 +166,7 @@ void draw_step_list(Ui& ui, ImVec2 at, ImVec2 size) {
     const auto choices = step_choices(ui.session.a.settings.stage);
     const auto now = static_cast<std::size_t>(ui.session.play.granularity);
     const bool open = ImGui::BeginCombo("##step", choices[now].name);
-    name_widget(ui, "step.list", "How far a step goes.");
+    name_widget(ui, "step.list", "The size of a step.");
     if (!open) return;
     for (const StepChoice& choice : choices) {
         const bool chosen = ui.session.play.granularity == choice.granularity;

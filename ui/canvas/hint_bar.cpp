@@ -35,7 +35,7 @@ void draw_hint_bar(Ui& ui) {
     const auto other = std::find_if(first + 1, hints.found.end(),
                                     [&](const SeenHint& hint) { return hint.seen == first->seen; });
     const NoticeButton act{"canvas.hint_act", first->act, first->help};
-    const NoticeButton no{"canvas.hint_hide", "hide", "Stops showing this for this model."};
+    const NoticeButton no{"canvas.hint_hide", "hide", "Hides this hint for this model."};
     std::vector<NoticeButton> buttons{act, no};
     if (other != hints.found.end())
         buttons.insert(buttons.begin() + 1, {"canvas.hint_other", other->act, other->help});

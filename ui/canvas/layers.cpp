@@ -53,8 +53,7 @@ void draw_zoom_needed(const Ui& ui, float needed) {
     if (ui.canvas.place.scale >= needed) return;
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    text_in(palette(ui.options.theme).dim,
-            "from " + decimals(static_cast<double>(needed), 0) + "x on");
+    text_in(palette(ui.options.theme).dim, decimals(static_cast<double>(needed), 0) + "x and up");
 }
 
 void draw_switch(Ui& ui, const char* name, const char* title, bool& on, float needed,

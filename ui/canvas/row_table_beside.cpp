@@ -183,12 +183,12 @@ void draw_header(const Table& t, float canvas_top) {
               "first row of the triangle."},
         Title{"left", is_bare ? "left" : "leftPixels", left.left, left.number,
               colour_of(Meaning::left_end, theme),
-              "leftPixels[i].x: the column of the row's left end, and who wrote it: e1 [4] is edge "
-              "1, line[4]."},
+              "leftPixels[i].x: the column of the row's left end, and which sample wrote it: e1 "
+              "[4] is edge 1, line[4]."},
         Title{"right", is_bare ? "right" : "rightPixels", right.left, right.number,
               colour_of(Meaning::right_end, theme),
-              "rightPixels[i].x: the column of the row's right end, and who wrote it: e1 [4] is "
-              "edge 1, line[4]."},
+              "rightPixels[i].x: the column of the row's right end, and which sample wrote it: e1 "
+              "[4] is edge 1, line[4]."},
     };
     for (const Title& title : titles) {
         write(t, t.ui.fonts.small, title.text, t.left + title.right, middle, title.colour);

@@ -38,7 +38,7 @@ GLuint compiled(GLenum kind, const std::string& text) {
     if (is_good == GL_TRUE) return shader;
     std::array<char, 1024> log{};
     glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    throw AccessError(std::string("llvmpipe does not accept a shader: ") + log.data());
+    throw AccessError(std::string("llvmpipe cannot compile a shader: ") + log.data());
 }
 
 GLuint linked_program(const ShaderTexts& texts) {
@@ -155,7 +155,7 @@ LlvmpipeDrawing::LlvmpipeDrawing(const PeerTask& task, const Scene& scene)
     setenv("GALLIUM_DRIVER", "llvmpipe", 1);
     context_ = std::make_unique<Context>(size_);
     if (!name().starts_with("llvmpipe"))
-        throw AccessError(fmt::format("OSMesa has no llvmpipe here, but {}.", name()));
+        throw AccessError(fmt::format("OSMesa uses {} here, not llvmpipe.", name()));
     const SurfaceFacts facts = surface_facts(scene);
     const GLuint program = linked_program(shader_texts(task.workload, facts));
     glUseProgram(program);

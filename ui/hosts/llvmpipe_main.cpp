@@ -48,7 +48,7 @@ std::string answer(const std::string& line, LlvmpipeDrawing& drawing) {
         const Milliseconds time = drawing.time_pictures(number, count);
         return fmt::format("{} {}\n", time.processor, time.wall);
     }
-    throw UsageError("expected a round or a picture, not " + in_quotes(line) + '.');
+    throw UsageError("expected 'round' or 'picture', not " + in_quotes(line) + '.');
 }
 
 void run(const std::vector<std::string>& words) {

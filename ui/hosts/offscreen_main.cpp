@@ -37,9 +37,8 @@ using ActionOptions =
 
 ActionOptions describe(CLI::App& app, Arguments& a) {
     app.set_version_flag("--version", "rasterwalk-offscreen " + version_text());
-    app.footer(
-        "--click, --hover, --pick and --press are carried out in the order given.\nExit codes: 0 "
-        "done, 2 wrong usage, 3 bad input, 4 could not read or write.");
+    app.footer("--click, --hover, --pick and --press are done in the order given.\nExit codes: 0 "
+               "done, 2 wrong usage, 3 bad input, 4 could not read or write.");
     app.add_option("FILE", a.view.file,
                    "Scene (.toml), model (.obj), lesson (.md) or saved view (.walk.toml) to open");
     app.add_option("-o,--output", a.output, "PNG file to write")->type_name("FILE")->required();
@@ -92,15 +91,15 @@ void read_window(const std::string& text, OffscreenOptions& options) {
     if (!is_size || options.width < smallest_offscreen_width ||
         options.height < smallest_offscreen_height || options.width > largest_offscreen_side ||
         options.height > largest_offscreen_side) {
-        throw UsageError("--window is a size from 320x240 to 8192x8192, not '" + text + "'.");
+        throw UsageError("--window must be a size from 320x240 to 8192x8192, not '" + text + "'.");
     }
 }
 
 void check_range(const char* name, float value, float smallest, float largest) {
     if (value >= smallest && value <= largest) return;
     const auto number = [](float of) { return significant(static_cast<double>(of), 6); };
-    throw UsageError(fmt::format("{} is a number from {} to {}, not {}.", name, number(smallest),
-                                 number(largest), number(value)));
+    throw UsageError(fmt::format("{} must be a number from {} to {}, not {}.", name,
+                                 number(smallest), number(largest), number(value)));
 }
 
 /// Makes options and session from the arguments. Throws Error.
@@ -110,7 +109,7 @@ Session understand(Arguments& a) {
     check_range("--text-scale", a.text_scale, smallest_text_scale, largest_text_scale);
     options.ui.wished_text_scale = a.text_scale;
     if (a.theme != "dark" && a.theme != "light") {
-        throw UsageError("--theme is dark or light, not '" + a.theme + "'.");
+        throw UsageError("--theme must be dark or light, not '" + a.theme + "'.");
     }
     options.ui.theme = a.theme == "light" ? Theme::light : Theme::dark;
     // A tab requested by name comes in front of anything over the inspector.

@@ -110,10 +110,9 @@ void draw_clip_codes(const ClipPage& page) {
         page, "AND", codes.common(),
         "The bits that all corners have. The whole triangle lies beyond such a plane and can be "
         "rejected at once. The absence of such a bit does not mean that any part is inside.");
-    draw_code_row(
-        page, "OR", codes.any(),
-        "The bits that any corner has. Only these planes can have work to do. If there is no bit, "
-        "the whole triangle lies inside and is accepted at once.");
+    draw_code_row(page, "OR", codes.any(),
+                  "The bits that any corner has. Only these planes can have work to do. If no bit "
+                  "is set, the whole triangle lies inside and is accepted at once.");
     end_clip_table();
 }
 

@@ -128,7 +128,7 @@ void draw_clip_verdict(const ClipPage& page) {
     Ui& ui = page.ui;
     const bool is_culled = page.frame.settings.cull != Cull::none && page.history.cull.is_back;
     wrapped_text(verdict_of(page.history, page.frame.settings) +
-                 (is_culled ? " It is left out because it shows its back." : ""));
+                 (is_culled ? " It is left out because it faces away." : ""));
     keep_text_whole(ui);
     name_widget(ui, "clip.verdict",
                 "What happens to the triangle between the vertex shader and the division by w.");

@@ -41,10 +41,9 @@ std::string answer_help(const Frame& frame, Cull way) {
         return sight + " of the corner whose normal points away least. It is a back face only if "
                        "all of them point away, so a smooth body keeps the faces on its outline.";
     case Cull::fragment_normal:
-        return sight +
-               " at every fragment, with the normal interpolated to it. A fragment shows a back "
-               "only if this is greater than 0. The number is that of the corner whose normal "
-               "points away least.";
+        return sight + " at every fragment, with the normal interpolated to it. A fragment faces "
+                       "away only if this is greater than 0. The number is that of the corner "
+                       "whose normal points away least.";
     case Cull::none:
     case Cull::view_axis:
     case Cull::lamp:
@@ -80,7 +79,7 @@ std::string culling_text(const ClipPage& page, const std::vector<CullAnswer>& an
     const Cull in_force = page.frame.settings.cull;
     std::string text;
     if (in_force == Cull::none) {
-        text = "The setting leaves out no backs, so the triangle is drawn whichever side it shows.";
+        text = "No back faces are left out, so the triangle is drawn whichever side it shows.";
     } else if (in_force == Cull::fragment_normal) {
         text = "The setting checks each fragment separately and leaves out those whose normal "
                "points away.";
@@ -96,7 +95,7 @@ std::string culling_text(const ClipPage& page, const std::vector<CullAnswer>& an
     if (is_open) {
         text += "a corner is behind the camera, so the corners have no order on the screen.";
     } else if (answers[0].is_back != answers[1].is_back) {
-        text += "the normal and the order of the corners disagree about its front.";
+        text += "its normal and corner order disagree on which side is front.";
     } else {
         text += "some of its vertices have normals that point toward the camera.";
     }
@@ -184,7 +183,7 @@ void draw_clip_culling(const ClipPage& page) {
     ImGui::PopStyleColor();
     name_widget(page.ui, "clip.culling",
                 "Of a closed body you see only the sides that face the camera, so the others need "
-                "not be drawn. The setting \"Backs left out\" selects the test that is used.");
+                "not be drawn. The \"Culled\" setting selects the test that is used.");
 }
 
 void draw_clip_counts(const ClipPage& page) {
@@ -214,10 +213,10 @@ void draw_clip_counts(const ClipPage& page) {
          "Triangles after clipping, including the fan of each polygon; those that were not cut "
          "count as well.");
     line("culled", "culled", left_out.of(Rejection::back_facing),
-         "Triangles that show their back and are left out.");
+         "Back faces, which are left out.");
     line(is_whole ? "fragments outside" : "fragments outside, so far", "fragments_outside",
          a.replay.tally().fragments_outside,
-         "Fragments that fall outside the picture and are worked out for nothing. Clipping by all "
+         "Fragments that fall outside the picture and are computed for nothing. Clipping by all "
          "planes avoids them, and so does cheap clipping.");
     end_clip_table();
 }

@@ -213,7 +213,7 @@ void draw_counts(Ui& ui) {
                "Pixels whose colour is not the same to the last bit.");
     count_line(ui, "of them visible", "compare.count.shown", grouped(here.shown),
                known(grouped(whole.shown)),
-               "Pixels whose colour on the screen differs too, in 8 bits a channel.");
+               "Pixels whose colour on the screen differs too, in 8 bits per channel.");
     count_line(ui, "largest difference", "compare.count.largest",
                number(static_cast<double>(here.largest), 4),
                known(number(static_cast<double>(whole.largest), 4)),
@@ -261,7 +261,7 @@ void draw_first(Ui& ui) {
     begin_card(ui);
     if (!list.first) {
         text_in(palette(ui.options.theme).dim, comparison.work.is_done()
-                                                   ? "The two runs do exactly the same."
+                                                   ? "The two runs behave identically."
                                                    : work_words(ui.results).c_str());
         end_card(ui);
         return;
@@ -298,7 +298,7 @@ void draw_first(Ui& ui) {
     draw_difference_key(ui, key);
     keep_item_whole(ui);
     name_widget(ui, "compare.key",
-                "On the time line, this mark shows where the two runs begin to differ.");
+                "On the timeline, this mark shows where the two runs begin to differ.");
     ImGui::PopFont();
 }
 
@@ -357,7 +357,7 @@ void draw_groups(Ui& ui) {
     header_cell(ui, {"phase"}, "compare.header.phase", "Vertices, clip, cull, edges or rows.",
                 true);
     header_cell(ui, {"how"}, "compare.header.kind",
-                "Missing in B: only A does something there. Extra in B: only B does.", true);
+                "Missing from B: only A does something there. Extra in B: only B does.", true);
     header_cell(ui, {"moments"}, "compare.header.moments",
                 "How many moments differ: vertices, samples of edges, fragments of rows.", false);
     ImGuiListClipper clipper;

@@ -80,7 +80,7 @@ void draw_shadow(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
     keep_text_whole(ui);
     ImGui::PopStyleColor();
     name_widget(ui, "fragment.shadow",
-                "Whether the lamp's light arrives, according to the setting shadows. Where it does "
+                "Whether the lamp's light arrives, according to the shadows setting. Where it does "
                 "not, there is no direct light.");
     for (const char* id :
          {"shadow.t", "shadow.seen.z", "shadow.bias", "shadow.compared", "shadow.map", "lit"})
@@ -219,7 +219,7 @@ void draw_fragment_light(Ui& ui) {
         in_force_is_flat ? !ui.inspector.chosen.shows_other_light : shows_vertex;
     const LightChoice choices[] = {in_force_is_flat ? per_triangle : per_vertex,
                                    {"fragment.light.per_pixel", "per pixel",
-                                    "The light worked out at the fragment's own place.", false}};
+                                    "The light computed at the fragment's own place.", false}};
     for (const auto& choice : choices) {
         ImGui::SameLine();
         const bool in_force = choice.is_first == (in_force_is_vertex || in_force_is_flat);

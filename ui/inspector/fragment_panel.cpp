@@ -282,8 +282,8 @@ void draw_no_fragment(Ui& ui) {
     ImGui::PopStyleColor();
     name_widget(ui, "fragment.none");
     if (!has_fragments(frame.settings.stage) &&
-        button(ui, "fragment.fill", "to stage Fill", Look::plain,
-               "Draws the picture as far as filled triangles.")) {
+        button(ui, "fragment.fill", "to Fill stage", Look::plain,
+               "Draws the picture up to filled triangles.")) {
         set_step(ui.session.a.settings, {Stage::fill});
     }
 }

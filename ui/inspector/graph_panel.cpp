@@ -301,8 +301,8 @@ void draw_no_row(Ui& ui) {
     ImGui::PopStyleColor();
     name_widget(ui, "graph.none");
     if (frame.settings.stage < Stage::rows &&
-        button(ui, "graph.rows", "to stage Rows", Look::plain,
-               "Draws the picture as far as the rows of filled triangles.")) {
+        button(ui, "graph.rows", "to Rows stage", Look::plain,
+               "Draws the picture up to the rows of filled triangles.")) {
         set_step(ui.session.a.settings, {Stage::rows});
     }
 }

@@ -203,7 +203,7 @@ void draw_no_pixel(Ui& ui) {
         keep_item_whole(ui);
     }
     if (button(ui, "history.pick_most", "a pixel with the most fragments", Look::plain,
-               "Picks a pixel that more fragments have fallen on so far than on any other.")) {
+               "Picks a pixel with the most fragments so far.")) {
         if (const auto pixel = most_drawn_pixel(*ui.results.a.framebuffer)) {
             pick(ui, *pixel);
         } else {

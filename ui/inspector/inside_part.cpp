@@ -248,7 +248,7 @@ void draw_pixel_test(Ui& ui, const PixelTest& test) {
                         test.is_inside ? "inside" : "outside"));
     name_widget(ui, "inside.pixel",
                 with_minus_signs(pixel_test_text(test)) +
-                    "\nA pixel is inside if E is what it needs to be at all three edges.");
+                    "\nA pixel is inside if it passes the test at all three edges.");
     keep_item_whole(ui);
     draw_place_of_test(ui, settings.pixel_sample, test);
     draw_tested_columns(ui, test, polygon);

@@ -47,17 +47,17 @@ void draw_headline(Ui& ui, const LabAnswer& answer) {
         all += " " + headline.rest;
     }
     ImGui::EndGroup();
-    name_widget(ui, "lab.diagnosis", "What is most likely.");
+    name_widget(ui, "lab.diagnosis", "The most likely cause.");
     note_text(ui, "lab.diagnosis", all);
 }
 
 void draw_pictures(Ui& ui, const LabAnswer& answer) {
     if (!answer.subject.is_picture) return;
     const Diagnosis& diagnosis = answer.diagnosis;
-    draw_lab_pictures(
-        ui, {"Where it is not right", !diagnosis.is_same()         ? "Orange: not as it should be."
-                                      : diagnosis.findings.empty() ? "Exactly the same."
-                                                                   : "Orange: only rounding."});
+    draw_lab_pictures(ui, {"Where it is wrong", !diagnosis.is_same() ? "Orange: wrong."
+                                                : diagnosis.findings.empty()
+                                                    ? "Exactly the same."
+                                                    : "Orange: only rounding."});
 }
 
 /// How much differs and where, and what else can be said about it.
@@ -68,8 +68,8 @@ void draw_findings(Ui& ui, const LabAnswer& answer) {
         "How much is wrong, and where. A single step of 255 does not count, because a byte may be "
         "truncated or rounded.");
     draw_sentence(ui, "lab.rules", rules_words(diagnosis),
-                  "Rules and numbers that differ from the handout's; none of them is wrong. What "
-                  "is wrong is counted without them.");
+                  "Rules and numbers that differ from the handout's; none of them is wrong, so "
+                  "they are not counted.");
     for (std::size_t i = 0; i < diagnosis.findings.size(); ++i) {
         draw_sentence(ui, "lab.finding." + std::to_string(i), diagnosis.findings[i],
                       "What the wrong pixels have in common.");

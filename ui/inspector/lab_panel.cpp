@@ -178,7 +178,7 @@ void draw_modes(Ui& ui) {
         {LabMode::bugs, "lab.mode.bugs", "Make one",
          "The mistakes that rasterizers make, each to be turned on."},
         {LabMode::quiz, "lab.mode.quiz", "Guess one",
-         "The program makes a mistake and hides the settings; you find out which mistake it is."},
+         "The program makes a mistake and hides the settings. You find out which one it is."},
         {LabMode::result, "lab.mode.result",
          ui.inspector.is_narrow ? "Check mine" : "Check my picture",
          "A picture or a printed row table of your own program, and what may be wrong with it."}};

@@ -59,7 +59,7 @@ void draw_keeping(Ui& ui) {
 
 void draw_beginning(Ui& ui) {
     wrapped_text("The program makes a mistake in the open scene and hides the settings. Find out "
-                 "which mistake it is, using the tabs, the overlays, the time line and a look at "
+                 "which mistake it is, using the tabs, the overlays, the timeline and a look at "
                  "the correct run.");
     keep_text_whole(ui);
     ImGui::Spacing();
@@ -148,7 +148,7 @@ void draw_question_card(Ui& ui) {
                               : is_small ? "choose"
                                          : "choose one above";
     if (button(ui, "lab.guess", label, Look::main,
-               "Takes the guess. A wrong one costs " + std::to_string(cost_of_wrong_guess) +
+               "Submits the guess. A wrong one costs " + std::to_string(cost_of_wrong_guess) +
                    " points.")) {
         guess(quiz, ui.lab.chosen);
     }

@@ -138,7 +138,7 @@ LabHeadline headline_of(const LabAnswer& answer) {
     const bool is_picture = answer.subject.is_picture;
     if (diagnosis.is_same()) {
         const bool is_by_other_rules = !diagnosis.rules.empty() || !diagnosis.findings.empty();
-        if (is_by_other_rules) return {{"Your picture is right."}, ""};
+        if (is_by_other_rules) return {{"Your picture is correct."}, ""};
         return {{is_picture ? "Your picture matches the reference, pixel for pixel."
                             : "Your rows match the reference, end for end."},
                 ""};
@@ -160,8 +160,8 @@ std::string difference_words(const LabAnswer& answer) {
     const bool is_one = diagnosis.different == 1;
     const char* const what =
         answer.subject.is_picture
-            ? (is_one ? " pixel differs from the right picture. "
-                      : " pixels differ from the right picture. ")
+            ? (is_one ? " pixel differs from the correct picture. "
+                      : " pixels differ from the correct picture. ")
             : (is_one ? " row differs from the reference. " : " rows differ from the reference. ");
     return grouped(diagnosis.different) + what + diagnosis.place;
 }
@@ -170,8 +170,8 @@ std::string rules_words(const Diagnosis& diagnosis) {
     if (diagnosis.rules.empty()) return "";
     const std::string rules = in_words(diagnosis.rules);
     const bool is_sure = diagnosis.is_same() || likely_candidate(diagnosis) != nullptr;
-    return is_sure ? "Your program draws with " + rules + ", which is just as right."
-                   : "The nearest right picture is drawn with " + rules + ".";
+    return is_sure ? "Your program draws with " + rules + ", which is just as correct."
+                   : "The nearest correct picture is drawn with " + rules + ".";
 }
 
 std::string remedy_words(Ui& ui, const Diagnosis& diagnosis) {

@@ -198,7 +198,7 @@ const char* walk_text(LineWalk walk) {
         return "each sample adds the step to the previous one; the step is divided by the number "
                "of samples, which is one too many";
     case LineWalk::exact:
-        return "pixels come from whole fractions; the floats are only shown";
+        return "pixels come from exact fractions; the floats are only shown";
     }
     return "";
 }

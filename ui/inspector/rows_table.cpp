@@ -29,10 +29,10 @@ void draw_row_headers(Ui& ui) {
         {"left", "Column of the row's left end: leftPixels[i].x"},
         {"right", "Column of the row's right end: rightPixels[i].x"},
         {"count", "Pixels from the left to the right end, both included."},
-        {"left by",
-         "Who wrote the left end: e1 [4] is edge 1, line[4]. ↻ counts how often it was replaced."},
-        {"right by",
-         "Who wrote the right end: e1 [4] is edge 1, line[4]. ↻ counts how often it was replaced."},
+        {"left by", "Which sample wrote the left end: e1 [4] is edge 1, line[4]. ↻ counts how "
+                    "often it was replaced."},
+        {"right by", "Which sample wrote the right end: e1 [4] is edge 1, line[4]. ↻ counts how "
+                     "often it was replaced."},
     };
     static constexpr Header values[] = {
         {"row", "Row of the picture. Row minus first row is the entry i of both arrays."},

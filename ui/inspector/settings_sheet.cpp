@@ -159,7 +159,7 @@ void draw_idle_reason(Ui& ui, const Setting& first, const std::string& reason) {
     ImGui::PopFont();
     name_widget(
         ui, "setting_idle." + std::string(first.name),
-        "The grey settings below can be chosen, but for now they change nothing in the picture.");
+        "The grey settings below can be changed, but have no effect on the picture for now.");
 }
 
 /// The beginning of a preset's description: all that has room next to its button.

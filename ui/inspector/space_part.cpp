@@ -42,7 +42,7 @@ void draw_order(Ui& ui) {
         if (button(ui, "vertices.matrix_order." + word, label,
                    is_chosen ? Look::chosen : Look::outline,
                    "Which side of the matrix the vector is on; the matrix for one side is the "
-                   "transpose of that for the other.")) {
+                   "transpose of the one for the other.")) {
             ui.session.a.settings.matrix_order = order;
         }
         keep_item_whole(ui);
@@ -98,15 +98,15 @@ std::string_view change_words(PictureChange change) {
     case PictureChange::same:
         return "the same picture";
     case PictureChange::half_turn:
-        return "the picture turned by half a turn";
+        return "rotated by half a turn";
     case PictureChange::upside_down:
-        return "the picture upside down";
+        return "upside down";
     case PictureChange::mirrored:
-        return "left and right exchanged";
+        return "left and right swapped";
     case PictureChange::elsewhere:
         break;
     }
-    return "another picture";
+    return "a different picture";
 }
 
 void draw_conventions(Ui& ui, const Vertex& vertex) {

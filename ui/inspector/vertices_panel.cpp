@@ -39,7 +39,7 @@ std::string other_roundings(const VertexReport& vertex, std::string_view id,
 std::string other_convention(const VertexReport& vertex, const Formula& formula,
                              Rotation rotation) {
     const std::string way =
-        rotation == Rotation::row_vector ? "R v instead of v R" : "v R, which is right,";
+        rotation == Rotation::row_vector ? "R v instead of v R" : "the correct v R";
     const bool is_of_pixel = !formula.id.starts_with("rotated.");
     if (is_of_pixel && vertex.transposed.rejection != Rejection::none) {
         return way + " would leave the triangle out: " +
@@ -58,7 +58,7 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
         wrapped_text(other_roundings(vertex, formula.id, settings.vertex_rounding));
         keep_text_whole(ui);
         name_widget(ui, "vertices.other_roundings",
-                    "The same number rounded in the other ways. int() cuts toward zero, so it "
+                    "The same number with the other roundings. int() cuts toward zero, so it "
                     "moves negative numbers in the opposite direction from positive ones.");
     }
     const bool has_camera = ui.results.a.scene->space == SceneSpace::world;

@@ -132,7 +132,8 @@ std::vector<PartWord> words_of(Ui& ui, const Lesson& lesson, const LessonStep& s
         if (part.kind == Kind::text) {
             ++texts;
             word.title = texts == 1 ? "text" : "more";
-            word.help = texts == 1 ? "What the step says first." : "What the step says next.";
+            word.help = texts == 1 ? "Shows the first part of this step."
+                                   : "Shows the next part of this step.";
             if (texts == 1) word.name = "lesson.card.text";
             if (index == shown) word.title += place_of_card(strip, index);
         } else {
@@ -141,7 +142,7 @@ std::vector<PartWord> words_of(Ui& ui, const Lesson& lesson, const LessonStep& s
             ++number;
             word.title = sign_of(ui, lesson, part) + (is_task ? "task" : "question");
             if (count_of(part.kind) > 1) word.title += " " + std::to_string(number);
-            word.help = is_task ? "Something to do."
+            word.help = is_task ? "Shows the task."
                                 : "Answer first; then the program shows its "
                                   "own answer.";
         }

@@ -29,7 +29,7 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     if (std::exchange(view.takes_keys, false)) ImGui::SetKeyboardFocusHere();
     const bool entered = ImGui::InputTextWithHint("##number", "your number", &view.typed,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
-    name_widget(ui, name + ".number", "Your number; 1/3 and 500*2 are numbers too.");
+    name_widget(ui, name + ".number", "Type a number; 1/3 and 500*2 work too.");
     keep_item_whole(ui);
     if (!prediction.unit.empty()) {
         ImGui::SameLine(0.0f, 6.0f * u);
@@ -38,9 +38,7 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     }
     ImGui::SameLine(0.0f, 10.0f * u);
     if (ImGui::GetContentRegionAvail().x < button_width("answer")) ImGui::NewLine();
-    const bool pressed = button(ui, name + ".answer", "answer", Look::main,
-                                "Then the program shows its own "
-                                "answer.");
+    const bool pressed = button(ui, name + ".answer", "answer", Look::main, "Checks your answer.");
     keep_item_whole(ui);
     if (view.is_no_number) {
         text_in(colour_of(Meaning::fail, ui.options.theme),
@@ -236,7 +234,7 @@ void draw_again(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
         return;
     ImGui::SameLine(0.0f, 12.0f * ui.options.text_scale);
     if (button(ui, name + ".show", "show it", Look::link,
-               "Sets up what belongs to the answer: picture, moment and tab.")) {
+               "Sets up the picture, moment and tab of the answer.")) {
         reveal_answer(ui, lesson, prediction);
     }
     keep_item_whole(ui);
@@ -323,7 +321,7 @@ void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
                  side_by_side);
     if (!is_second) return;
     const bool is_pressed =
-        button(ui, name + ".show", "show the answer", Look::link, "Without a second try.");
+        button(ui, name + ".show", "show the answer", Look::link, "Gives up the second try.");
     keep_item_whole(ui);
     if (is_fresh) show_fresh(ui, first_answer(ui, prediction, name));
     if (is_pressed) reveal_answer(ui, lesson, prediction);
@@ -349,7 +347,7 @@ void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& predi
         box.markdown(name + ".text", ui.lesson.pages[name], without_label(prediction.text));
         ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
         if (!take_up_answer(ui, lesson, prediction)) {
-            text_in(palette(ui.options.theme).dim, "Your answer comes back …");
+            text_in(palette(ui.options.theme).dim, "Restoring your answer …");
         } else if (is_revealed(ui, lesson, prediction)) {
             draw_reveal(ui, box, lesson, prediction, name);
         } else {

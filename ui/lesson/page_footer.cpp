@@ -72,8 +72,8 @@ std::string next_help(const PageFooter& footer) {
     case PageFooter::Open::nothing:
         break;
     }
-    return footer.has_more_after ? "What this step says next."
-                                 : "To the next page: " + title_of(footer, footer.current + 1);
+    return footer.has_more_after ? "Shows the next part of this step."
+                                 : "Goes to the next page: " + title_of(footer, footer.current + 1);
 }
 
 bool draw_next(Ui& ui, const PageFooter& footer, const std::string& label, ImVec2 size) {
@@ -83,8 +83,8 @@ bool draw_next(Ui& ui, const PageFooter& footer, const std::string& label, ImVec
 bool draw_previous(Ui& ui, const PageFooter& footer, const std::string& label, ImVec2 size) {
     return button(ui, "lesson.previous", label, Look::plain,
                   footer.has_more_before
-                      ? "What this step said before."
-                      : "To the previous page: " + title_of(footer, footer.current - 1),
+                      ? "Shows the previous part of this step."
+                      : "Goes to the previous page: " + title_of(footer, footer.current - 1),
                   size);
 }
 

@@ -35,7 +35,7 @@ void draw_missing(Ui& ui, const StageInfo& info, const StageNote& note) {
     wrapped_text(info.summary);
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text("The page about it is missing: " + note.fault);
+    wrapped_text("The page about this stage is missing: " + note.fault);
     ImGui::PopStyleColor();
 }
 

@@ -38,11 +38,10 @@ void draw_title(Ui& ui, const StartLayout& page) {
     const int triangles = scene.triangle_count();
     const std::int64_t pixels = std::int64_t{scene.viewport.width} * scene.viewport.height;
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(fmt::format("{} triangle{} become{} a picture of {} pixels. Walk through it one "
-                             "step at a time, forwards and backwards, and ask every number where "
-                             "it comes from.",
-                             triangles, triangles == 1 ? "" : "s", triangles == 1 ? "s" : "",
-                             grouped(pixels)));
+    wrapped_text(fmt::format(
+        "{} triangle{} become{} a picture of {} pixels. Walk through it one step at a time, "
+        "forwards and backwards, and see where every number comes from.",
+        triangles, triangles == 1 ? "" : "s", triangles == 1 ? "s" : "", grouped(pixels)));
     ImGui::PopStyleColor();
 }
 

@@ -31,7 +31,7 @@ std::string hint_of(const Driver& driver) {
     return place != driver.ui.widgets.end() ? place->second.text : std::string();
 }
 
-constexpr const char* transparent = "The model is transparent, so you see nothing of it";
+constexpr const char* transparent = "The model is transparent, so you cannot see it";
 
 } // namespace
 

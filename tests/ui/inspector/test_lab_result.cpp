@@ -159,9 +159,9 @@ TEST_CASE("A diagnosis shows the student's picture beside where it differs from 
     CHECK(marked_pixels(shown(1)) == differences_of(drawn_by(driver, lit), bright).pixels);
     CHECK_THAT(shown_text(driver, "lab.difference"),
                Catch::Matchers::StartsWith(grouped(driver.ui.lab.answer->diagnosis.different)) &&
-                   Catch::Matchers::ContainsSubstring("right picture. They are in "));
+                   Catch::Matchers::ContainsSubstring("correct picture. They are in "));
     CHECK(shown_text(driver, "lab.rules") ==
-          "Your program draws with “Lamp power: 14”, which is just as right.");
+          "Your program draws with “Lamp power: 14”, which is just as correct.");
     CHECK(marked_pixels(shown(1)) == driver.ui.lab.answer->diagnosis.different);
     // Even one pixel is noticed, and its place is given.
     Image scratched = right;
@@ -170,7 +170,7 @@ TEST_CASE("A diagnosis shows the student's picture beside where it differs from 
     CHECK(marked_pixels(shown(1)) >= 1);
     CHECK(marked_pixels(shown(1)) <= 4);
     CHECK(shown_text(driver, "lab.difference") ==
-          "1 pixel differs from the right picture. It is in column 80 and row 80.");
+          "1 pixel differs from the correct picture. It is in column 80 and row 80.");
     check_image(driver, right);
     CHECK_THAT(shown_text(driver, "lab.picture.beside"),
                Catch::Matchers::EndsWith("Exactly the same."));

@@ -71,12 +71,12 @@ TEST_CASE("Rules and numbers of a program are said in words, as right or as the 
     found.rules = "line_walk=exact, light.position=0.1,-0.53480123,-2 and light.power=9";
     const std::string rules =
         "“Walking a line: without error”, “Lamp position: 0.1, −0.5348, −2” and “Lamp power: 9”";
-    CHECK(rules_words(found) == "Your program draws with " + rules + ", which is just as right.");
+    CHECK(rules_words(found) == "Your program draws with " + rules + ", which is just as correct.");
     found.different = 3;
-    CHECK(rules_words(found) == "The nearest right picture is drawn with " + rules + ".");
+    CHECK(rules_words(found) == "The nearest correct picture is drawn with " + rules + ".");
     Diagnosis sure = likely({{{"B9"}, {"Last"}}}, 0);
     sure.rules = found.rules;
-    CHECK(rules_words(sure) == "Your program draws with " + rules + ", which is just as right.");
+    CHECK(rules_words(sure) == "Your program draws with " + rules + ", which is just as correct.");
 }
 
 TEST_CASE("What differs by rounding alone, or by rules, is right all the same") {
@@ -85,10 +85,10 @@ TEST_CASE("What differs by rounding alone, or by rules, is right all the same") 
           Lines{"Your picture matches the reference, pixel for pixel."});
     Diagnosis rounding = found;
     rounding.findings = {"2 pixels differ along edges, as rounding of floats may make them."};
-    CHECK(headline_of(answer_with(rounding)).names == Lines{"Your picture is right."});
+    CHECK(headline_of(answer_with(rounding)).names == Lines{"Your picture is correct."});
     Diagnosis rules = found;
     rules.rules = "light.power=9";
-    CHECK(headline_of(answer_with(rules)).names == Lines{"Your picture is right."});
+    CHECK(headline_of(answer_with(rules)).names == Lines{"Your picture is correct."});
 }
 
 TEST_CASE("The diagnosis says sizes and settings in words") {
@@ -110,9 +110,9 @@ TEST_CASE("The diagnosis says sizes and settings in words") {
                Catch::Matchers::EndsWith("100 x 100 pixels instead of 500 x 500."));
     set_from_text(small, "line_walk=exact");
     check_picture(driver, small);
-    CHECK(shown_text(driver, "lab.diagnosis") == "Your picture is right.");
+    CHECK(shown_text(driver, "lab.diagnosis") == "Your picture is correct.");
     CHECK(shown_text(driver, "lab.rules") ==
-          "Your program draws with “Walking a line: without error”, which is just as right.");
+          "Your program draws with “Walking a line: without error”, which is just as correct.");
 }
 
 TEST_CASE("Of two mistakes at once both are named, described and mended on the card") {
@@ -167,7 +167,7 @@ TEST_CASE("Where no mistake is likely, it is said what the wrong pixels have in 
     CHECK(shown_text(driver, "lab.diagnosis") == "No known mistake explains the difference.");
     CHECK_THAT(shown_text(driver, "lab.difference"),
                Catch::Matchers::StartsWith(grouped(black) +
-                                           " pixels differ from the right picture. "
+                                           " pixels differ from the correct picture. "
                                            "They are in columns 40 to 69 and rows "
                                            "40 to 59."));
     CHECK_THAT(

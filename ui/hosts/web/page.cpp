@@ -120,7 +120,7 @@ void keep_file(Page& page, const KeptFile& file, int& kept_writes) {
     if (page_keep(file.path.c_str()) || page.is_storage_told) return;
     page.is_storage_told = true;
     page.ui.session.notice =
-        "This browser keeps nothing for this page, so what you do here is gone when you leave.";
+        "This browser keeps nothing for this page, so what you do here is lost when you leave.";
 }
 
 void keep_state(Page& page) {
