@@ -57,7 +57,7 @@ TEST_CASE("It is said how a program has ended that owes an answer") {
     CHECK_THAT(complaint("exit 7"), ContainsSubstring("ended with exit code 7"));
     CHECK_THAT(complaint("kill -SEGV $$"), ContainsSubstring("signal: Segmentation fault"));
     CHECK_THAT(complaint("printf half; exit 0"), ContainsSubstring("ended with exit code 0"));
-    CHECK_THAT(complaint("exec head -c 100000 /dev/zero"), ContainsSubstring("does not end"));
+    CHECK_THAT(complaint("exec head -c 100000 /dev/zero"), ContainsSubstring("too long"));
 }
 
 TEST_CASE("To ask a program that has ended is an error, and no signal") {

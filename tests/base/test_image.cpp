@@ -109,7 +109,7 @@ TEST_CASE("A PNG that unpacks to more than its size is refused before memory is 
     const test::TemporaryFolder folder;
     const std::string path = folder.write("bomb.png", png(2, 2, 8, many_zeros(200 * megabyte)));
     CHECK(complaint_within(60 * megabyte, path) ==
-          path + ": a picture of 2 x 2 pixels contains data for more.");
+          path + ": a picture of 2 x 2 pixels contains too much data.");
     // As much as belongs to it: four pixels, and a filter for each row.
     CHECK(complaint_within(60 * megabyte, folder.write("x.png", png(2, 2, 8, many_zeros(1)))) ==
           folder.file("x.png") + ": the picture cannot be read: not enough pixels.");

@@ -96,7 +96,7 @@ TEST_CASE("pixel follows the view: stage, settings, size and scene") {
                ContainsSubstring("stage edges: 10 marks.\n") &&
                    ContainsSubstring("  0  t3/e1/s125 "));
     CHECK_THAT(run({"pixel", "240,300", "--stage", "rows"}).out,
-               ContainsSubstring("draws the two ends of each row only"));
+               ContainsSubstring("draws only the two ends of each row"));
     const std::string fill = run({"pixel", "240,300", "--stage", "fill"}).out;
     CHECK(count_of("written", fill) == 3);
     CHECK_THAT(fill, ContainsSubstring("t23/r80/c8"));

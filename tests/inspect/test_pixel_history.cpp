@@ -422,7 +422,7 @@ TEST_CASE("Where a stage has no fragments, or the scene no triangles, nothing co
         CHECK(history.nearest.empty());
         CHECK_THAT(uncovered_text(frame, {1, 1}),
                    Catch::Matchers::StartsWith(
-                       "Stage " + std::string(stage_info(frame.settings).name) + " draws"));
+                       "The " + std::string(stage_info(frame.settings).name) + " stage draws"));
     }
     const Scene empty = test::pixel_scene({}, {8, 8});
     const Frame frame = prepare_frame(empty, default_settings(empty));

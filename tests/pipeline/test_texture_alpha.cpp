@@ -220,7 +220,7 @@ TEST_CASE("Two runs diverge where one lets a fragment through, and the alpha is 
     REQUIRE(first.has_value());
     // The corner of the picture lies in the first texel, which is clear.
     CHECK(
-        first->text.find("is let through because the alpha of its texture is 0, below 1/2 in A") !=
+        first->text.find("is cut out because the alpha of its texture is 0, below 1/2 in A") !=
         std::string::npos);
 }
 

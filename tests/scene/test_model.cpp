@@ -210,7 +210,7 @@ TEST_CASE("A broken model is refused with its file, line and what is wrong") {
           "s.toml:10: there is no step 'turn'; the steps are: translate, scale, rotate_x, "
           "rotate_y, rotate_z.");
     CHECK_THAT(refusal_of_model("[{ rotate_y = 1, scale = [1, 1, 1] }]"),
-               ContainsSubstring("s.toml:10: ") && ContainsSubstring("must say one thing"));
+               ContainsSubstring("s.toml:10: ") && ContainsSubstring("must have one key"));
     CHECK_THAT(refusal_of_model("[{ scale = [1, 0, 1] }]"),
                ContainsSubstring("s.toml:10: ") &&
                    ContainsSubstring("leaves nothing of the object"));
