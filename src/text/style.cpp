@@ -10,7 +10,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The parts between separators, the empty ones too.
+/// The parts between separators, including empty ones.
 std::vector<std::string> split(std::string_view text, char separator) {
     std::vector<std::string> parts;
     for (;;) {
