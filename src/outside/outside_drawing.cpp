@@ -29,7 +29,7 @@ static_assert(longest_side < fast::guard_band);
 /// The most work on a scene that never gets done.
 constexpr std::int64_t most_work = 2'000'000'000;
 
-/// The cost of a triangle before its first sample, and of a sample in the box around it.
+/// The cost of a triangle up to its first sample, and of a sample in the box around it.
 constexpr double triangle_work = 40.0, sample_work = 0.02;
 
 /// A small scene is drawn in one call, unless its triangles are very large, because half a room

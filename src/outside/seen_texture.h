@@ -14,7 +14,7 @@ namespace rasterwalk {
 class SeenTexture {
   public:
     SeenTexture() = default;
-    /// @param corners of the triangle, which must have an area, in the space of the eye
+    /// @param corners of the triangle, whose area must not be 0, in the space of the eye
     SeenTexture(const Frame& frame, int triangle, std::span<const glm::dvec3> corners,
                 const OutsideEye& eye);
 

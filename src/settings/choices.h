@@ -295,7 +295,7 @@ inline constexpr auto enum_words<EdgeSamples> = word_list("longest_axis", "rows"
                                                           "without_last", "no_last_edge");
 static_assert(words_match<EdgeSamples>);
 
-/// The initial row table: the two ends of a row before its first sample, and the number of rows.
+/// The initial row table: the two ends of a row without samples, and the number of rows.
 enum class RowStart : std::uint8_t {
     extreme,   ///< left at +INT_MAX, right at -INT_MAX: the lab
     window,    ///< left at the picture's width, right at 0: mistake B6, phantom pixels outside it

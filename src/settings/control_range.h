@@ -9,7 +9,7 @@ namespace rasterwalk {
 /// The part of a setting that a control offers: a range of one number (a slider), or some of its
 /// words.
 struct ControlRange {
-    int part = -1; ///< of a vector, 0 to 2; -1: all three, which then have the same value
+    int part = -1;                        ///< of a vector, 0 to 2; -1: all three, with one value
     double smallest = 0.0, largest = 0.0; ///< in the setting's unit
     double step = 0.0;                    ///< between a slider's stops, from the smallest value up
     std::vector<int> words;               ///< indices in ChoiceSetting::words; empty: all

@@ -15,7 +15,7 @@ struct MathNode {
         fraction, ///< children: numerator, denominator
         script,   ///< children: base, superscript, subscript; the last two may be empty rows
         root,     ///< children: what is under the root
-        accent,   ///< children: what has the mark `text`
+        accent,   ///< children: what is under the mark `text`
     };
     enum class Style : std::uint8_t {
         upright,
