@@ -26,7 +26,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// What the fast engine does by rules of its own, whatever these settings say, and why.
+/// What the fast engine does by its own rules, whatever these settings say, and why.
 const std::map<std::string_view, std::string_view> own_rules{
     {"rounding", "corners stand on 256ths of a pixel"},
     {"vertex_rounding", "corners stand on 256ths of a pixel"},

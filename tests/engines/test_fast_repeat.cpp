@@ -56,7 +56,7 @@ std::vector<FastShot> shots_of(const Scene& scene) {
     shots[3].settings.camera.position += glm::vec3(-0.2f, 0.1f, 3.0f);
     shots[3].settings.camera.focal_length *= 0.3f;
     shots[5].settings.light.place = LampPlace::camera;
-    // All lies behind the camera.
+    // Everything is behind the camera.
     shots[6].settings.camera.position.z += 1000.0f;
     return shots;
 }

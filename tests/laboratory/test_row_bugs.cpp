@@ -14,7 +14,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// The row in which a sample should be entered; none: it should not.
+/// The row that a sample should be entered in; none: it should not.
 using RowOf = std::function<std::optional<int>(const SampleEvent&)>;
 
 /// Every table of the wrong run is made of these samples of the right one.

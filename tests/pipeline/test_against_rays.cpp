@@ -43,7 +43,7 @@ struct Interval {
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    /// How far the value lies from the middle, 1 at either end.
+    /// How far the value is from the middle, 1 at either end.
     double strain(double value) const {
         const double middle = 0.5 * (low + high);
         const double half = 0.5 * (high - low) + float_error * std::abs(middle);
@@ -99,7 +99,7 @@ class RayPicture {
     }
 };
 
-/// What a comparison has found: how many numbers lie outside what rays allow, and the worst.
+/// The result of a comparison: how many numbers are outside what rays allow, and the worst.
 struct Verdict {
     int pixels = 0, wrong = 0;
     double worst = 0.0;
@@ -127,7 +127,7 @@ void compare_light(Verdict& verdict, const RayPicture& picture, const StripStep&
             return at_vertices ? rays.light_from_vertices(hit)[c] : rays.light_at_point(hit)[c];
         };
         Interval interval = around(rays, triangle, place, at_vertices ? 1 : 4, light);
-        // Close to the lamp the brightest point may lie between the samples.
+        // Close to the lamp the brightest point may be between the samples.
         const double strain = interval.strain(colour[c]);
         if (!at_vertices && strain > 1.0 && strain < 1.5)
             interval = around(rays, triangle, place, 24, light);

@@ -54,7 +54,7 @@ Image bricks() {
     });
 }
 
-/// The same bricks as heights: they stand before the mortar.
+/// The same bricks as heights: they stick out from the mortar.
 Image brick_heights() {
     return painted(32, 32, [](int x, int y) {
         const int along = (x + (y / 8 % 2) * 8) % 32;
