@@ -1,5 +1,5 @@
-// Whatever is wrong with what the user gives: one sentence on standard error, nothing on standard
-// output, and the exit code that is promised.
+// For any wrong input from the user: one sentence on standard error, nothing on standard output,
+// and the promised exit code.
 
 #include <algorithm>
 #include <string>

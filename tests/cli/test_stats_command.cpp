@@ -1,5 +1,5 @@
-// What `rasterwalk stats` counts of rejecting, clipping and culling, against counts that are made
-// another way: in double, from the scene's own corners; and the times that it measures.
+// The counts of `rasterwalk stats` for rejecting, clipping and culling, compared with counts made
+// another way, in double from the scene's own corners; and the times that it measures.
 
 #include <algorithm>
 #include <array>

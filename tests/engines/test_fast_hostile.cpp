@@ -1,5 +1,5 @@
-// Scenes and settings that you would never choose in earnest: the fast engine finishes, stays
-// within its memory, and draws black or something sane.
+// Scenes and settings that are never chosen seriously: the fast engine finishes, stays within its
+// memory, and draws black or something sensible.
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-// Every word of every setting: the fast engine draws it as the steps do, or says that it does not
-// know it, or it is one of the rules for pixels and edges that it has of its own. A new setting
-// fails this test until it is decided which.
+// Every word of every setting: the fast engine draws it as the steps do, or reports that it does
+// not know it, or it is one of the engine's own rules for pixels and edges. A new setting fails
+// this test until it is decided which.
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
-// What must not change a bit of the fast engine's picture: how many threads draw it, and what the
-// engine has drawn before. Whether depth and owner are kept changes no more than roundings.
+// Neither the number of threads nor what the engine has drawn before may change a bit of the fast
+// engine's picture. Whether depth and owner are kept may only change rounding.
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-// The spaces of a vertex against the vertex as it is drawn, and against sums made by hand; and the
-// conventions against what is known to cancel.
+// The spaces of a vertex, compared with the vertex as drawn and with sums by hand; and the
+// conventions, compared with products that are known to cancel.
 
 #include "explain/vertex_spaces.h"
 

@@ -1,4 +1,4 @@
-// The diagram of a plane in clip space, against the planes written a second time: in double, from
+// The diagram of a plane in clip space, compared with planes written a second time: in double, from
 // the size of the picture and the distances of the near and the far plane.
 
 #include "inspect/clip_diagram.h"

@@ -1,4 +1,4 @@
-// The path of a triangle through clip and cull, as it is reported, against clipping by a second
+// The reported path of a triangle through clip and cull, compared with clipping by a second
 // method: in barycentric coordinates and in double.
 
 #include "inspect/clip_history.h"

@@ -1,5 +1,5 @@
 // With every way to find the pixels of a triangle, and every rule of it: picture, row tables,
-// timeline, histories, statistics and the list of events tell one story.
+// timeline, histories, statistics and the list of events agree.
 
 #include <algorithm>
 #include <map>

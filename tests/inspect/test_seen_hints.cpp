@@ -1,4 +1,4 @@
-// What is counted on the picture of a model, against rays in double, and which settings are named.
+// The counts on the picture of a model, compared with rays in double; and the settings named.
 
 #include <algorithm>
 #include <cmath>

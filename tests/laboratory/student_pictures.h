@@ -1,6 +1,6 @@
 #pragma once
 
-// Pictures that students may bring to the laboratory, each with what is true of it.
+// Pictures that students may bring to the laboratory, each with the facts about it.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace rasterwalk::test {
 
-/// What is true of a picture.
+/// The facts about a picture.
 enum class StudentKind {
     right,         ///< drawn by the handout's own rules
     equally_right, ///< with rules, a lamp or a camera that are just as right

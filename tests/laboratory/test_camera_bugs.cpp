@@ -1,4 +1,4 @@
-// The mistakes on the way from the world to the pixel: what is said about each is worked out here
+// The mistakes on the way from the world to the pixel: the statements about each are computed here
 // from the vertices of the scene, in double.
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The mistakes of edges and of the row table: each table once more from the samples of the right
-// run, by the smallest and the largest column of each row.
+// The mistakes of edges and of the row table: each table is made again from the samples of the
+// right run, by the smallest and the largest column of each row.
 
 #include <cmath>
 #include <functional>

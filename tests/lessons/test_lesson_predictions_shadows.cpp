@@ -1,6 +1,6 @@
-// The predictions and the figures of lesson 31, found a second time: every second pixel's own ray
-// from the eye, and from where it ends one to the lamp; for the map one from the lamp through the
-// centre of the texel. All in double.
+// The predictions and the figures of lesson 31, found a second time: a ray from the eye through
+// every second pixel, and from its end a ray to the lamp; for the map, a ray from the lamp through
+// the centre of the texel. All in double.
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-// The predictions and figures of lessons 23 and 24, found a second time from what the scenes say:
-// where a floor and a wall stand, and how places in a texture go with depth.
+// The predictions and figures of lessons 23 and 24, found a second time from the scenes: the place
+// of a floor and a wall, and how places in a texture change with depth.
 
 #include <cmath>
 #include <string>

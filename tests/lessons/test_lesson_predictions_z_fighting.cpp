@@ -1,5 +1,5 @@
 // The predictions and the figures of lesson 25, found a second time: the fragments of a picture are
-// gathered, and who is nearer by more than epsilon is decided here, in double.
+// gathered, and this file decides in double which is nearer by more than epsilon.
 
 #include <cmath>
 #include <string>

@@ -1,4 +1,4 @@
-// The picture from outside against rays that are cast into the scene one by one.
+// The picture from outside, compared with rays cast into the scene one by one.
 
 #include "outside/outside_drawing.h"
 

@@ -1,4 +1,4 @@
-// The eye outside against the stages, which project in another way.
+// The eye outside, compared with the stages, which project in a different way.
 
 #include "outside/outside_eye.h"
 

@@ -1,12 +1,12 @@
-// The filled stages against a ray caster.
+// The filled stages, compared with a ray caster.
 //
-// For which place of the picture does a pixel stand? Not for one: vertices are cut to whole pixels,
-// which moves each by less than one pixel along either axis; the samples of an edge are cut again,
-// which moves them by less than another. Every number of a fragment is blended from its samples, as
-// its place is, so that it is the number of some place of the true triangle less than two pixels
-// away along either axis. That is a proof, not an experience; accumulated float steps add a little,
-// measured below. So a fragment is right if its number lies between the least and the largest that
-// rays find in the square of two pixels around it. 1/z and light per vertex are extreme at the
+// Which place in the picture does a pixel stand for? Not a single one: vertices are cut to whole
+// pixels, which moves each by less than one pixel along either axis; the samples of an edge are cut
+// again, which moves them by less than another. Every number of a fragment is blended from its
+// samples, like its place, so it is the number at some place of the true triangle less than two
+// pixels away along either axis. That is proved, not observed; accumulated float steps add a
+// little, measured below. So a fragment is right if its number is between the least and the largest
+// that rays find in the square of two pixels around it. 1/z and light per vertex are extreme at the
 // corners of any square; light per pixel is sampled within it too.
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// box_walk=interval: the same picture, by fewer tests. Which pixels must be tested is known by the
-// second implementation of moved_point.h, which solves nothing for a column.
+// box_walk=interval: the same picture, with fewer tests. The second implementation in moved_point.h
+// says which pixels must be tested, without solving anything for a column.
 
 #include <algorithm>
 #include <array>

@@ -113,7 +113,7 @@ void check_walk_by_rows(const Walk& walk) {
         cut += count_clipping(frame).clipped;
         const bool is_told = count_left_out(frame).of(Rejection::too_far_out) > 0;
         if (is_told && settings.clip == Clip::near) {
-            // The near plane alone leaves corners too far out for the arithmetic, and that is
+            // The near plane alone leaves corners too far out for the arithmetic, which is
             // reported.
             ++told;
             continue;

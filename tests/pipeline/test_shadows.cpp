@@ -1,5 +1,5 @@
-// Shadows against a second way in double precision: each pixel's own ray from the eye, and from
-// where it ends another one to the lamp, by planes and sides instead of Cramer's rule.
+// Shadows, compared with a second way in double precision: a ray from the eye for each pixel, and
+// from its end another to the lamp, by planes and sides instead of Cramer's rule.
 
 #include <algorithm>
 #include <array>

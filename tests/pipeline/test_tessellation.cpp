@@ -1,4 +1,4 @@
-// The cut mesh against barycentric points in double, and its pictures against the uncut ones.
+// The cut mesh compared with barycentric points in double, and its pictures with the uncut ones.
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-// Files beside a model or scene that are damaged, named many times, or more than can be read: each
-// is tried once, what is wrong with it is reported once, and reading can be stopped at any of them.
+// Damaged files that a model or scene names, or names many times, or too many of them: each is
+// tried once, its fault is reported once, and reading can be stopped at any of them.
 
 #include <filesystem>
 #include <string>

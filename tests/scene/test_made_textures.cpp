@@ -1,4 +1,4 @@
-// The textures that come with the program, made by number: no picture of anyone else's. With
+// The textures that come with the program, computed, not taken from other pictures. With
 // RASTERWALK_BLESS=1 in the environment this test writes them into lessons/scenes/textures instead
 // of comparing.
 

@@ -1,5 +1,5 @@
-// Model transformations against the same steps carried out one by one on the point, by sine and
-// cosine, and scene files that hold them.
+// Model transformations, compared with the same steps carried out one by one on the point, by sine
+// and cosine; and scene files that hold them.
 
 #include "scene/model.h"
 

@@ -1,7 +1,6 @@
-// Clipping against another way to find the same: in the plane of the triangle itself each plane of
-// the view is a line, and what is left of the triangle is where all half planes meet. Every two of
-// the lines are cut with each other in double, and the points that lie in all half planes are its
-// corners.
+// Clipping, compared with another method: in the plane of the triangle each plane of the view is a
+// line, and what is left of the triangle is the intersection of all half planes. Every two of the
+// lines are intersected in double, and the points in all half planes are its corners.
 
 #include "stages/clip.h"
 

@@ -1,5 +1,5 @@
-// The depth test that asks for more than nothing, against one in double precision: fragment by
-// fragment, and in whole pictures, whose fragments are sorted out once more.
+// The depth test with an epsilon, compared with one in double precision: fragment by fragment, and
+// in whole pictures, whose fragments are tested again.
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
-// What the depth buffer can hold, 1/z, ndc z and reversed ndc z in 32, 24 and 16 bits, against
-// formulas worked out once more in double, and under every depth test.
+// What the depth buffer can hold, 1/z, NDC z and reversed NDC z in 32, 24 and 16 bits, compared
+// with formulas computed again in double, and under every depth test.
 
 #include <cmath>
 #include <limits>

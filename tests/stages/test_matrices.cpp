@@ -1,5 +1,5 @@
-// The matrix path against the lab's: the room comes out in the same bits, and from any camera a
-// vertex is elsewhere only where the exact place lies within rounding of a border between pixels.
+// The matrix path compared with the lab's: the room has the same bits, and from any camera a vertex
+// is elsewhere only if its exact place is within rounding of a border between pixels.
 
 #include "stages/matrices.h"
 

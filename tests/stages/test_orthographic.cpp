@@ -1,5 +1,5 @@
-// Orthographic projection against what is known of it: parallel rays, equal widths, and depths that
-// go in equal steps; and the way there against a camera that goes back.
+// Orthographic projection, compared with its known properties: parallel rays, equal widths, and
+// depths in equal steps; and mixed projection, compared with a camera that moves back.
 
 #include "stages/orthographic.h"
 

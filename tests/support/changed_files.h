@@ -1,8 +1,8 @@
 #pragma once
 
-// Small files of every format that is read, changed at random, and what must hold for each of
-// them: it is read and what comes of it is sound, or it is refused in a sentence; and within the
-// bounds. A test tries a few hundred of each format, tests/fuzz/fuzz as many as it is asked to.
+// Small files of every supported format, changed at random, and what must be true for each of
+// them: it is read with a sound result, or it is refused with a sentence; and within the bounds. A
+// test tries a few hundred of each format, tests/fuzz/fuzz as many as requested.
 
 #include <cstddef>
 #include <cstdint>

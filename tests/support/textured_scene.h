@@ -10,7 +10,7 @@
 
 namespace rasterwalk::test {
 
-/// An opaque picture whose every texel has another colour.
+/// An opaque picture whose texels all have different colours.
 inline Image many_colours(int width, int height) {
     Random random(static_cast<std::uint32_t>(1000 * width + height));
     Image image{width, height, {}};

@@ -1,4 +1,4 @@
-// What is seen of clipping on the picture and from outside.
+// The marks of clipping on the picture and from outside.
 
 #include <algorithm>
 #include <cmath>

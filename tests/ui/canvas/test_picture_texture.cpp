@@ -1,4 +1,4 @@
-// What of the picture the graphics system is given.
+// The part of the picture that is sent to the graphics system.
 
 #include <algorithm>
 #include <cmath>

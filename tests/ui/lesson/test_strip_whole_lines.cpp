@@ -1,4 +1,4 @@
-// What the strip of the lesson shows of a text it shows whole: no letter is cut, and each is
+// The strip of the lesson shows whole lines of a text: no letter is cut, and every one can be
 // reached.
 
 #include <algorithm>
