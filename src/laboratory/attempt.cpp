@@ -25,7 +25,7 @@ void add_bugs(const std::vector<Bug>& bugs, std::vector<Change>& changes) {
     }
 }
 
-/// Every word of every choice but the stage and its shading.
+/// Every word of every choice, except for the stage and its shading.
 void add_choices(const Scene& scene, std::vector<Change>& changes) {
     for (const Setting& setting : setting_table()) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
@@ -106,7 +106,7 @@ double assumptions_of(const Attempt& attempt, const Settings& reference) {
     if (attempt.right == reference) return sum;
     for (const Setting& setting : setting_table()) {
         if (!must_be_said(setting, reference, attempt.right)) continue;
-        // The camera is where the handout has it, or where the student says.
+        // The camera is where the handout puts it, or where the student says.
         const bool is_odd = setting.name.starts_with("camera.") ||
                             (setting.name == "light.power" &&
                              value_text(setting, attempt.right).size() > longest_number);
@@ -130,7 +130,7 @@ double assumption_unit(PictureTrial& trial, const Settings& reference) {
 double price_of(PictureTrial& trial, const Attempt& attempt, const Settings& reference,
                 double unit) {
     constexpr double of_exact =
-        0.05; // what leaves nothing may assume more than what leaves a little
+        0.05; // an attempt that leaves nothing may assume more than one that leaves a little
     const ImageDistance& left = trial.drawn(recipe_of(attempt)).distance;
     const double assumed = unit * assumptions_of(attempt, reference);
     return left.wrong + (left.different == 0 ? of_exact * assumed : assumed);
@@ -139,7 +139,7 @@ double price_of(PictureTrial& trial, const Attempt& attempt, const Settings& ref
 const Attempt& best_base(PictureTrial& trial, const std::vector<Attempt>& tried,
                          const Settings& reference) {
     const double unit = assumption_unit(trial, reference);
-    // Of those that show the same surfaces: a picture that is mostly black is near to many.
+    // Only those that show the same surfaces, because a mostly black picture is near to many.
     constexpr double as_good = 0.1;
     double surface = std::numeric_limits<double>::max();
     for (const Attempt& attempt : tried) {

@@ -34,14 +34,14 @@ Assignments read_named_assignments(const TomlInput& input, std::string_view key)
         } catch (const UsageError& error) {
             input.fail(node, error.what());
         }
-        // By its name in the table, whatever blanks stand around it.
+        // By its name in the table, whatever blanks are around it.
         const Assignment read = read_assignment(assignment);
         values.emplace_back(read.setting->name, read.value);
     }
     return values;
 }
 
-/// B, a number, and a letter where there are variants.
+/// B, a number, and a letter if there are variants.
 bool is_id(std::string_view id) {
     constexpr std::size_t longest = 5;
     if (id.size() < 2 || id.size() > longest || id.front() != 'B') return false;
@@ -50,7 +50,7 @@ bool is_id(std::string_view id) {
     return std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// A file in the folder of scenes and nowhere else.
+/// Is it a file in the folder of scenes and nowhere else?
 bool is_scene_path(std::string_view path) {
     return path.starts_with("scenes/") && path.ends_with(".toml") &&
            path.find("..") == std::string_view::npos &&
@@ -126,7 +126,7 @@ const Bug& find_bug(const std::vector<Bug>& bugs, std::string_view id) {
 Settings correct_run(const Bug& bug, const Settings& base) {
     Settings settings = base;
     assign(bug.against, settings);
-    // The stage is no mistake: both runs must get as far.
+    // The stage is not a mistake: both runs must get that far.
     for (const auto& [name, value] : bug.set) {
         if (name == "stage") assign({{name, value}}, settings);
     }

@@ -11,16 +11,16 @@ namespace rasterwalk {
 
 namespace {
 
-/// What explains less is said to explain nothing, "0.0 %".
+/// A candidate that explains less is shown as "0.0 %".
 constexpr double least_explained = 0.0005;
 
-/// Below this part a mistake that is not likely is not named in the verdict.
+/// Below this part, the verdict does not name an unlikely mistake.
 constexpr double worth_naming = 0.5;
 
 std::string suspect_text(const Suspect& suspect) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < suspect.names.size(); ++i) {
-        // The name of a mistake is a sentence of its own.
+        // The name of a mistake is a separate sentence.
         names.push_back(is_bug_id(suspect.ids[i]) ? suspect.ids[i] + " “" + suspect.names[i] + "”"
                                                   : suspect.names[i]);
     }
@@ -31,13 +31,13 @@ bool has_name(const Suspect& suspect, const std::string& id) {
     return std::find(suspect.ids.begin(), suspect.ids.end(), id) != suspect.ids.end();
 }
 
-/// Do both hold a mistake of this name?
+/// Does the candidate have a mistake of this name?
 bool is_in(const Suspect& one, const Candidate& candidate) {
     return std::any_of(candidate.mistakes.begin(), candidate.mistakes.end(),
                        [&](const Suspect& other) { return has_name(other, one.ids.front()); });
 }
 
-/// Has the candidate all the mistakes of the other, under one of their names?
+/// Does the candidate have all the mistakes of the other, under one of their names?
 bool contains(const Candidate& candidate, const Candidate& other) {
     return std::all_of(other.mistakes.begin(), other.mistakes.end(), [&](const Suspect& suspect) {
         return std::any_of(suspect.ids.begin(), suspect.ids.end(), [&](const std::string& id) {
@@ -46,7 +46,7 @@ bool contains(const Candidate& candidate, const Candidate& other) {
     });
 }
 
-/// Gives the one mistake that only the other has as another name to the one that only this has.
+/// Takes the one mistake that only the other has as another name of the one that only this has.
 void add_names(const Candidate& other, Candidate& candidate) {
     std::vector<Suspect*> own;
     std::vector<const Suspect*> others;
@@ -85,13 +85,13 @@ std::vector<Candidate> ranked(std::vector<Hypothesis> hypotheses) {
                          return a.is_of_bugs && !b.is_of_bugs;
                      });
     std::vector<Candidate> candidates;
-    std::vector<const Hypothesis*> leaders; // of each candidate
+    std::vector<const Hypothesis*> leaders; // one for each candidate
     for (const Hypothesis& h : hypotheses) {
         const auto leader = std::find_if(leaders.begin(), leaders.end(), [&](const Hypothesis* l) {
             return l->result == h.result && l->candidate.distance == h.candidate.distance;
         });
         if (leader != leaders.end()) {
-            // What assumes more, or is only another name of a bug's setting, adds nothing.
+            // One that assumes more, or is only another name of a bug's setting, adds nothing.
             if (h.is_of_bugs == (*leader)->is_of_bugs && h.assumed == (*leader)->assumed)
                 add_names(h.candidate,
                           candidates[static_cast<std::size_t>(leader - leaders.begin())]);
@@ -99,9 +99,9 @@ std::vector<Candidate> ranked(std::vector<Hypothesis> hypotheses) {
         }
         if (candidates.size() == most_candidates || h.candidate.explained < least_explained)
             continue;
-        // Beside what makes the very same nothing explains anything more; nor does the same mistake
-        // under other assumptions, or with a second one that leaves more unexplained, or without
-        // the second one.
+        // After a candidate that makes the same result, others explain nothing more; nor does the
+        // same mistake under different assumptions, or with a second one that leaves more
+        // unexplained, or without the second one.
         const bool adds_nothing =
             std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& better) {
                 return better.different == 0 || contains(h.candidate, better) ||

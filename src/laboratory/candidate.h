@@ -11,7 +11,7 @@
 
 namespace rasterwalk {
 
-/// How a picture that was tried is made: drawn by the settings, then turned, then moved.
+/// How to make a picture to try: drawn with the settings, then turned, then moved.
 struct PictureRecipe {
     Settings settings;
     Orientation orientation = Orientation::upright;
@@ -20,21 +20,21 @@ struct PictureRecipe {
     friend bool operator==(const PictureRecipe&, const PictureRecipe&) = default;
 };
 
-/// One mistake by all the names that it may have: each of them makes the very same result.
+/// One mistake with all its possible names: each of them makes exactly the same result.
 struct Suspect {
-    std::vector<std::string> ids;   ///< of bugs: "B9"; of others a word: "upside_down"
-    std::vector<std::string> names; ///< what they are, in the same order
+    std::vector<std::string> ids;   ///< of bugs: "B9"; of others, a word: "upside_down"
+    std::vector<std::string> names; ///< their names, in the same order
 };
 
-/// What may have made a result: one mistake, or a few that come together.
+/// A possible explanation of a result: one mistake, or a few together.
 struct Candidate {
     std::vector<Suspect> mistakes;
-    std::string remark;         ///< by which rules it is drawn, beside those of the reference that
-                                ///< was asked for: "with light.power=14"; may be empty
-    double distance = 0.0;      ///< from the result; 0: the very same
+    std::string remark;         ///< its rules besides those of the requested reference: "with
+                                ///< light.power=14"; may be empty
+    double distance = 0.0;      ///< from the result; 0: exactly the same
     std::int64_t different = 0; ///< pixels or rows that still differ from the result
-    double explained = 0.0;     ///< part of the wrong pixels that are said to be wrong, 0..1
-    bool is_likely = false;     ///< it explains nearly all, and next to nothing speaks against it
+    double explained = 0.0;     ///< part of the wrong pixels that it explains, 0..1
+    bool is_likely = false;     ///< it explains nearly all, and almost nothing contradicts it
     std::optional<PictureRecipe> recipe{}; ///< of its picture; none: it makes rows
     std::optional<Settings> right{};       ///< the same without the mistakes; none: the reference
 
@@ -42,37 +42,37 @@ struct Candidate {
     std::vector<std::string> ids() const;
 };
 
-/// What may be wrong with a result that was compared with the reference.
+/// What may be wrong with a result, compared with the reference.
 struct Diagnosis {
     std::string verdict;        ///< a sentence; "no difference"
-    std::string rules;          ///< by which other rules, just as right, and with which numbers the
-                                ///< result was made: "stage=fill and light.power=9". The reference
-                                ///< has taken them over. Empty: by those that were asked for
+    std::string rules;          ///< other rules, just as right, and numbers that the result was
+                                ///< made with: "stage=fill and light.power=9". The reference has
+                                ///< taken them over. Empty: those asked for
     double distance = 0.0;      ///< of the reference from the result
     std::int64_t different = 0; ///< pixels or rows that differ from it
     std::string place;          ///< where they do, a sentence; empty if none does
-    std::vector<std::string> findings; ///< what can be said all the same where no mistake is
-                                       ///< likely: sentences
+    std::vector<std::string> findings; ///< sentences about what is known even if no mistake is
+                                       ///< likely
     std::vector<Candidate> candidates; ///< most likely first
-    bool is_complete = true;           ///< all was tried; else it was stopped before
+    bool is_complete = true;           ///< everything was tried; otherwise it was stopped
 
     bool is_same() const { return different == 0; }
 };
 
-/// A candidate before it is known which others come to the same.
+/// A candidate before it is known which others make the same result.
 struct Hypothesis {
     Candidate candidate;      ///< each mistake with one name
-    double price = 0.0;       ///< of what it leaves unexplained and of what it assumes
-    double assumed = 0.0;     ///< of what it assumes alone
+    double price = 0.0;       ///< of what it leaves unexplained and what it assumes
+    double assumed = 0.0;     ///< of only what it assumes
     std::uint64_t result = 0; ///< the same number for the same result
     bool is_of_bugs = false;  ///< all its mistakes are the laboratory's
 };
 
-/// The best hypotheses, at most most_candidates: those of the same result are named together, and
-/// none is listed that adds nothing to a better one.
+/// The best hypotheses, at most most_candidates: those with the same result are one candidate, and
+/// one that adds nothing to a better one is not listed.
 std::vector<Candidate> ranked(std::vector<Hypothesis> hypotheses);
 
-/// The candidate of which the verdict says that it is likely; null if there is none.
+/// The candidate that the verdict calls likely; null if there is none.
 const Candidate* likely_candidate(const Diagnosis& diagnosis);
 
 /// The verdict on what differs.
@@ -82,20 +82,20 @@ std::string verdict_on(const Diagnosis& diagnosis, std::string_view same);
 /// The mistakes of a candidate, without its remark: "B3 “Position interpolated as it is”".
 std::string candidate_text(const Candidate& candidate);
 
-/// How much of the difference is explained, as it is said: "87 %", "87.2 %". Less than all is never
-/// rounded up to it: it then has a digit more, or ends below it, "99.9 %".
+/// How much of the difference is explained, as text: "87 %", "87.2 %". Less than all is never
+/// rounded up to it: it then has one more digit, or stays below it, "99.9 %".
 /// @param part   Candidate::explained
-/// @param digits behind the point
+/// @param digits after the point
 std::string explained_text(double part, int digits);
 
 /// B and a number: is this the id of a mistake of the laboratory?
 bool is_bug_id(std::string_view id);
 
-/// So many candidates are named at most.
+/// The most candidates that are listed.
 inline constexpr std::size_t most_candidates = 10;
 
-/// A candidate is likely that explains at least this part of what is wrong, and makes at most this
-/// part of what is right wrong.
+/// A candidate is likely if it explains at least this part of what is wrong, and spoils at most
+/// this part of what is right.
 inline constexpr double explains_nearly_all = 0.99, speaks_against = 0.001;
 
 } // namespace rasterwalk

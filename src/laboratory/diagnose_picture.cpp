@@ -26,7 +26,7 @@ Candidate candidate_of(const Attempt& attempt, const Settings& reference) {
     return candidate;
 }
 
-/// Does each of its changes take something away from what is wrong without it?
+/// Does each of its changes reduce what is wrong without it?
 bool needs_each_change(PictureTrial& trial, const Attempt& attempt) {
     constexpr double least_gain = 0.01;
     const double wrong = trial.drawn(recipe_of(attempt)).distance.wrong;
@@ -34,12 +34,12 @@ bool needs_each_change(PictureTrial& trial, const Attempt& attempt) {
         Attempt less = attempt;
         less.changes.erase(less.changes.begin() + static_cast<std::ptrdiff_t>(i));
         const double without = trial.drawn(recipe_of(less)).distance.wrong;
-        if (wrong >= (1.0 - least_gain) * without) return false; // also where nothing is wrong
+        if (wrong >= (1.0 - least_gain) * without) return false; // also if nothing is wrong
     }
     return true;
 }
 
-/// What was tried and comes nearer than the picture without any mistake.
+/// The attempts that come nearer than the picture without any mistake.
 std::vector<Hypothesis> hypotheses_of(PictureTrial& trial, const std::vector<Attempt>& tried,
                                       const Attempt& base, const Settings& reference) {
     const double unit = assumption_unit(trial, reference);
@@ -48,7 +48,7 @@ std::vector<Hypothesis> hypotheses_of(PictureTrial& trial, const std::vector<Att
     for (const Attempt& attempt : tried) {
         const PictureRecipe recipe = recipe_of(attempt);
         const Drawn& drawn = trial.drawn(recipe);
-        // Nor is it named if the base explains as much and assumes less.
+        // An attempt is not listed if the base explains as much and assumes less.
         const double price = price_of(trial, attempt, reference, unit);
         if (attempt.changes.empty() || price >= base_price) continue;
         if (!needs_each_change(trial, attempt)) continue;
@@ -68,8 +68,8 @@ std::vector<Hypothesis> hypotheses_of(PictureTrial& trial, const std::vector<Att
     return hypotheses;
 }
 
-/// The reference where no mistake is likely: with rules and numbers of its own only if they explain
-/// most of what differs, or else something untrue would be said about the program.
+/// The reference if no mistake is likely: with different rules and numbers only if they explain
+/// most of what differs, or else the verdict on the program could be false.
 const Attempt& convincing_base(PictureTrial& trial, const std::vector<Attempt>& tried,
                                const Attempt& best, const Settings& reference) {
     constexpr double convincing = 0.5;
@@ -95,10 +95,10 @@ const Attempt& convincing_base(PictureTrial& trial, const std::vector<Attempt>& 
     return *plain;
 }
 
-/// Counts, pixel by pixel, what speaks for a candidate and what speaks against it. What its own
-/// lamp or camera spoils, and its mistakes mend again, explains nothing.
+/// Counts, pixel by pixel, the evidence for and against a candidate. What its own lamp or camera
+/// spoils and its mistakes mend again explains nothing.
 /// @param base  the nearest without a mistake
-/// @param shown the one whose differences are said
+/// @param shown the one whose differences are reported
 void weigh(PictureTrial& trial, const Attempt& base, const Attempt& shown, Candidate& candidate) {
     const PixelCounts counts = trial.compared(*candidate.recipe, PictureRecipe{*candidate.right});
     const auto part = [](std::int64_t some, std::int64_t all) {
@@ -155,7 +155,7 @@ void DiagnosisWork::stop_searching() {
     pictures_ = {};
 }
 
-/// Asks all that can be asked with what is drawn, and notes what must be drawn next.
+/// Asks all that can be answered with what is drawn, and notes what must be drawn next.
 void DiagnosisWork::ask() {
     PictureTrial& trial = *trial_;
     const ImageDistance& apart = trial.drawn(reference_).distance;
@@ -176,7 +176,7 @@ void DiagnosisWork::ask() {
 void DiagnosisWork::look_closely(const std::vector<Attempt>& tried) {
     PictureTrial& trial = *trial_;
     const Attempt none{reference_, {}};
-    const bool is_as_asked = tried.size() <= 1; // nothing was searched, or nothing but one picture
+    const bool is_as_asked = tried.size() <= 1; // nothing was searched, or only one picture
     const Attempt& base = is_as_asked ? none : best_base(trial, tried, reference_);
     Diagnosis found;
     std::vector<Hypothesis> hypotheses;

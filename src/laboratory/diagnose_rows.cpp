@@ -17,8 +17,8 @@ namespace {
 
 using Rows = std::vector<PrintedRow>;
 
-/// Of larger scenes only the first triangles are looked at, and of them only as many as it takes to
-/// hold so many rows against the table.
+/// In larger scenes only the first triangles are examined, and of them only as many as have so many
+/// rows to compare with the table.
 constexpr int most_triangles_tried = 2000;
 constexpr std::size_t most_rows_held = 10'000'000;
 
@@ -92,7 +92,7 @@ TablePolygon nearest_polygon(const Rows& rows, const Scene& scene, const Setting
     return nearest;
 }
 
-/// A way in which a right table may have come out wrong after all.
+/// A way in which a right table may still have come out wrong.
 struct RowsEdit {
     const char *id, *name;
     void (*apply)(Rows&);
@@ -106,7 +106,7 @@ void for_each_end(Rows& rows, Change change) {
     }
 }
 
-/// The ends of rows that no sample reached stay as they are.
+/// The ends of rows that no sample reached stay unchanged.
 void move_column(int& column, int by) {
     if (std::abs(column) != INT_MAX) column += by;
 }
@@ -177,7 +177,7 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
         candidate.distance = distance.mean;
         candidate.different = distance.different;
         candidate.explained = std::clamp(1.0 - distance.mean / apart.mean, 0.0, 1.0);
-        // Rows are few: at most one in a hundred of those that differ may still do so.
+        // Rows are few: at most one in a hundred of those that differed may still differ.
         candidate.is_likely = static_cast<double>(distance.different) <=
                               (1.0 - explains_nearly_all) * static_cast<double>(apart.different);
         hypothesis.price = distance.mean;

@@ -12,7 +12,7 @@ const std::vector<Assignments>& equal_rules() {
         {{"vertex_rounding", "truncate"}},
         {{"vertex_rounding", "floor"}},
         {{"vertex_rounding", "round"}},
-        {{"interpolation", "affine"}}, // of light that was worked out at the vertices
+        {{"interpolation", "affine"}}, // of light that was computed at the vertices
         {{"line_rounding", "round"}},
         {{"line_rounding", "truncate"}},
         {{"line_walk", "multiply"}},
@@ -38,7 +38,7 @@ const std::vector<Assignments>& equal_rules() {
 }
 
 bool is_of_equal_rules(std::string_view setting) {
-    if (setting == "rounding") return true; // says two of them
+    if (setting == "rounding") return true; // sets two of them
     const auto& rules = equal_rules();
     return std::any_of(rules.begin(), rules.end(), [&](const Assignments& rule) {
         return std::any_of(rule.begin(), rule.end(),

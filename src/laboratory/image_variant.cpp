@@ -16,7 +16,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The picture with its pixels taken from elsewhere; black where that lies outside. Opacity stays.
+/// The picture with its pixels taken from elsewhere; black where that is outside. Opacity stays.
 template <class From>
 Image rearranged(const Image& image, From from) {
     Image result = image;
@@ -37,10 +37,10 @@ Image rearranged(const Image& image, From from) {
     return result;
 }
 
-/// Steps of 255: as much is no difference, and so much is one that counts in full.
+/// Steps of 255: the largest that is no difference, and the smallest that counts in full.
 constexpr int same_within = 1, wholly_wrong = 16;
 
-/// A hash with one pixel more: FNV-1a, by whole pixels.
+/// A hash with one more pixel: FNV-1a, by whole pixels.
 std::uint64_t hashed(std::uint64_t hash, const std::uint8_t* pixel) {
     const std::uint32_t bytes = std::uint32_t{pixel[0]} | std::uint32_t{pixel[1]} << 8u |
                                 std::uint32_t{pixel[2]} << 16u | std::uint32_t{pixel[3]} << 24u;
@@ -125,7 +125,7 @@ Image with_differences_marked(const Image& image, const Image& other, float scal
     const auto pixel = [](auto& of, int column, int row) {
         return of.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(row) * of.width + column);
     };
-    // The new pixels in which an old one lies, at least in part.
+    // The new pixels that contain at least a part of an old one.
     const auto first = [&](int place, int side) {
         return std::min(static_cast<int>(scale * static_cast<float>(place)), side - 1);
     };

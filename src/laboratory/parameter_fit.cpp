@@ -18,27 +18,27 @@ namespace rasterwalk {
 
 namespace {
 
-/// The longer side of the small picture, pixels, in which most of the search goes on, and of that
-/// in which it ends for the lamp. For the camera it ends in the picture's own size, up to a limit:
-/// an edge tells each pixel.
+/// The longer side, pixels, of the small picture for most of the search, and of the one in which
+/// it ends for the lamp. For the camera it ends in the picture's own size, up to a limit, because
+/// an edge shows each pixel.
 constexpr int small_side = 100, larger_side = 200, largest_side_of_edges = 1000;
-/// And of that in which the camera's starts, and a lamp in a hurry, are looked for.
+/// The longer side of the picture for finding the camera's starts, or a lamp quickly.
 constexpr int smallest_side = 50;
 
 /// A difference of a channel above this, steps of 255, counts by its size and not by its square.
 constexpr double far_apart = 20.0;
 
-/// Rounder numbers are taken if they are no worse than this.
+/// Rounder numbers are taken if they are worse by at most this factor.
 constexpr double hardly_worse = 1.02;
-/// Others than the usual ones are taken only if these are worse than by this.
+/// Unusual numbers are taken only if the usual ones are worse by more than this factor.
 constexpr double clearly_worse = 1.15;
-/// And one number more of the camera must be worth this part, another position of the lamp this.
+/// Each further number of the camera must be worth this part, another position of the lamp this.
 constexpr double for_each_number = 0.1, for_position = 0.03;
-/// And coloured light only if white light is worse than by this.
+/// Coloured light is taken only if white light is worse by more than this factor.
 constexpr double much_worse = 2.0;
 
-/// The lamp's power in the pictures from which the right one is worked out: neither hardly to be
-/// seen nor cut off at white.
+/// The lamp's power in the pictures from which the right one is computed: neither hardly visible
+/// nor cut off at white.
 constexpr double trial_power = 5.0;
 
 /// Numbers of the camera that programs change together: a camera that turns or moves sideways
@@ -46,14 +46,14 @@ constexpr double trial_power = 5.0;
 constexpr std::array<std::pair<std::size_t, std::size_t>, 6> camera_pairs{
     {{2, 3}, {0, 3}, {0, 2}, {1, 2}, {2, 4}, {0, 1}}};
 
-/// How far a coarse search looks around itself at first, a part of what was scanned.
+/// The first stride of a coarse search, as a part of what was scanned.
 constexpr double longest_stride = 0.125;
 
 constexpr std::uint32_t all_free = ~0u, all_but_focal = ~(1u << 4u), all_but_position = ~7u;
 
 constexpr int most_steps = 12, most_larger_steps = 8, most_refused = 4;
 
-/// A byte may be cut or rounded: a step is no difference.
+/// The cost of a difference. A byte may be cut or rounded, so one step is not a difference.
 double huber(double difference) {
     const double size = std::max(std::abs(difference) - 1.0, 0.0);
     return size <= far_apart ? size * size : far_apart * (2.0 * size - far_apart);
@@ -96,13 +96,13 @@ Settings ParameterFit::with(const Numbers& numbers) const {
     return settings;
 }
 
-/// The same in the size in which it is compared with the picture.
+/// The same in the size for comparing it with the picture.
 Settings ParameterFit::in_sight(const Numbers& numbers) const {
     Settings settings = with(numbers);
     settings.viewport = sight_.size;
     settings.camera.focal_length /= static_cast<float>(sight_.shrunk);
     if (subject_ == FitSubject::camera && !is_larger_) {
-        // A vertex that is rounded to a whole pixel of a small picture hides how far it is from its
+        // Rounding a vertex to a whole pixel of a small picture would hide how far it is from its
         // place.
         settings.coverage = Coverage::edge_functions;
         settings.fill_rule = FillRule::top_left;
@@ -111,8 +111,8 @@ Settings ParameterFit::in_sight(const Numbers& numbers) const {
     return settings;
 }
 
-/// Colours as they are for the lamp; for the camera the share of each channel, which the light does
-/// not change where it is white.
+/// For the lamp the colours themselves; for the camera the share of each channel, which white light
+/// does not change.
 std::vector<float> ParameterFit::values_of(const Image& image) const {
     std::vector<float> values;
     values.reserve(image.rgba.size() / 4 * 3);
@@ -200,7 +200,7 @@ void ParameterFit::begin_scan() {
     const SceneBox box = box_of(*scene_);
     if (subject_ == FitSubject::lamp) {
         sight_ = make_sight(effort_ == FitEffort::quick ? smallest_side : small_side);
-        // What is black and what it is without the lamp, then with it in many places.
+        // What is black, and the picture without the lamp, then with it in many places.
         const auto lit = [](const glm::dvec3& p, double power, double indirect) {
             return Numbers{p.x, p.y, p.z, power, power, power, indirect};
         };
@@ -248,8 +248,8 @@ void ParameterFit::end_scan() {
     const Probe own = probes_.front();
     if (subject_ == FitSubject::camera) probes_.erase(probes_.begin()); // own is added below
     if (subject_ == FitSubject::lamp) {
-        // Light is a sum of what is there without the lamp, and what grows with each of both
-        // numbers: the best of them are known without a picture more.
+        // Light is a sum of a part without the lamp and parts proportional to each of the two
+        // numbers, so the best of these are known without another picture.
         const std::vector<float>&black = probes_[1].colours, &indirect = probes_[2].colours;
         for (std::size_t p = 3; p < probes_.size(); ++p) {
             const std::vector<float>& lit = probes_[p].colours;
@@ -286,7 +286,7 @@ void ParameterFit::end_scan() {
     const Probe in_place = probes_.back(); // of a lamp in its usual place
     std::stable_sort(probes_.begin(), probes_.end(),
                      [](const Probe& a, const Probe& b) { return a.cost < b.cost; });
-    // Of the camera the nearest of each kind: one number alone, a pair.
+    // For the camera, the nearest of each kind: one number alone, a pair.
     for (const Probe& probe : probes_) {
         if (starts_.size() == wanted || probe.cost == std::numeric_limits<double>::max()) break;
         const bool is_there = std::any_of(starts_.begin(), starts_.end(), [&](const Probe& start) {
@@ -321,7 +321,7 @@ ParameterFit::Numbers ParameterFit::moved(Numbers numbers, std::size_t which, do
 }
 
 /// Looks around a start of the camera, one number or a pair at a time, as long as there is a nearer
-/// place; then in shorter strides. (Hooke and Jeeves 1961.)
+/// place; then with shorter strides (Hooke and Jeeves 1961).
 void ParameterFit::approach() {
     const Probe& start = starts_[approached_];
     const Numbers from = start.place;
@@ -362,7 +362,7 @@ void ParameterFit::take_approach() {
     approached_ < starts_.size() ? approach() : begin_descent();
 }
 
-/// From the last of the starts.
+/// Begins from the last of the starts.
 void ParameterFit::begin_descent() {
     damping_ = 1e-2;
     steps_taken_ = 0;
@@ -371,8 +371,8 @@ void ParameterFit::begin_descent() {
     begin_slopes(from);
 }
 
-/// What a little of each number changes. Light changes evenly; an edge only shows the pixels that
-/// it runs over, so that the camera must be moved to both sides.
+/// Asks what a small change of each number does. Light changes smoothly; an edge only shows the
+/// pixels that it crosses, so the camera must be moved to both sides.
 void ParameterFit::begin_slopes(const Probe& from) {
     from_ = from; // whose numbers are free
     probes_.assign(1, {from.place, from.free});
@@ -456,7 +456,7 @@ void ParameterFit::take_step() {
 }
 
 void ParameterFit::end_descent() {
-    // Whatever has one number more to be chosen must be worth it.
+    // Each further number that is chosen must be worth it.
     double price = 1.0;
     if (subject_ == FitSubject::camera) {
         price += for_each_number * static_cast<double>(std::popcount(from_.free & 31u));
@@ -464,7 +464,7 @@ void ParameterFit::end_descent() {
         if (from_.free == all_free) price += for_position;
         if (!is_white_) price *= much_worse;
     }
-    // A fit to within a step has no cost, and yet its price.
+    // A fit to within a step has no cost, but still a price.
     if (price * (from_.cost + 1.0) < best_.cost) {
         best_ = from_;
         best_.cost = price * (best_.cost + 1.0);
@@ -493,7 +493,7 @@ void ParameterFit::end_descent() {
     begin_descent();
 }
 
-/// Numbers as a person would have chosen them: all of them to so many digits, then one by one.
+/// Rounds the numbers as a person would have chosen them: all to so many digits, then one by one.
 void ParameterFit::begin_rounding() {
     const Numbers& own = usual_;
     probes_.clear();
@@ -503,14 +503,14 @@ void ParameterFit::begin_rounding() {
     };
     constexpr std::array<double, 5> units{0.1, 0.05, 0.01, 0.005, 0.001};
     if (rounded_ == 0) {
-        probes_.push_back({best_.place}); // in another size than it was measured in
+        probes_.push_back({best_.place}); // in a different size from the one it was measured in
         best_.cost = std::numeric_limits<double>::max();
         probes_.push_back({own});
         for (const double digits : units) {
             Numbers all = best_.place;
             for (std::size_t i = 0; i < number_count(); ++i) {
                 all[i] = rounded_to(all[i], unit(i, digits));
-                // Nearer to what it was than what it would be rounded to.
+                // The start's own number is at least as near as rounding.
                 if (std::abs(own[i] - best_.place[i]) <= 0.5 * unit(i, digits)) all[i] = own[i];
             }
             probes_.push_back({all});
@@ -535,7 +535,7 @@ void ParameterFit::begin_rounding() {
             const double rounded = rounded_to(best_.place[i], unit(i, digits));
             ask(rounded);
             if (subject_ == FitSubject::lamp || digits > 0.05 || digits < 0.01) continue;
-            // By an edge it is not known so exactly: the numbers beside it too.
+            // An edge does not determine it so exactly: try the neighbouring numbers too.
             ask(rounded - unit(i, digits));
             ask(rounded + unit(i, digits));
         }
@@ -550,7 +550,7 @@ void ParameterFit::take_rounding() {
     double least = best_.cost;
     for (const Probe& probe : probes_)
         least = std::min(least, probe.cost);
-    // What is not rounded at all comes last.
+    // The numbers without rounding come last.
     if (rounded_ == 0) std::rotate(probes_.begin(), probes_.begin() + 1, probes_.end());
     for (Probe& probe : probes_) {
         const bool is_usual = rounded_ == 0 && probe.place == usual_;

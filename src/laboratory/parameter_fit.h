@@ -1,9 +1,9 @@
 #pragma once
 
-// The numbers that a program chooses freely, found from its picture: where the lamp is and how
-// bright, where the camera stands and how it looks. Levenberg's and Marquardt's damped least
-// squares (Marquardt 1963) from several starts, with derivatives by differences; what differs by
-// far counts for little (Huber 1964), so that a mistake elsewhere does not lead astray.
+// Finds the numbers that a program chooses freely from its picture: the place and brightness of the
+// lamp, the place and direction of the camera. Levenberg and Marquardt's damped least squares
+// (Marquardt 1963) from several starts, with derivatives by differences; large differences count
+// less (Huber 1964), so that a mistake elsewhere does not mislead the search.
 
 #include <array>
 #include <cstdint>
@@ -16,60 +16,60 @@
 
 namespace rasterwalk {
 
-/// Which numbers are found.
+/// Which numbers to find.
 enum class FitSubject : std::uint8_t {
-    lamp,   ///< position, power of each channel and indirect light, from the colours as they are
-    camera, ///< position, yaw and focal length, from hues: light does not change them
+    lamp,   ///< position, power of each channel and indirect light, from the colours themselves
+    camera, ///< position, yaw and focal length, from hues, which light does not change
 };
 
-/// How much is spent on it.
+/// How much work to spend.
 enum class FitEffort : std::uint8_t {
-    quick,    ///< of the lamp only, on a small picture: near enough to show which mistake it may be
+    quick,    ///< only for the lamp, on a small picture: near enough to show likely mistakes
     closer,   ///< as thorough, but only from numbers that are nearly right already
-    thorough, ///< on a larger one, and rounded as a person would have chosen them
+    thorough, ///< on a larger picture, and rounded as a person would have chosen them
 };
 
-/// From where it begins.
+/// Where the search starts.
 struct FitStart {
-    Settings settings; ///< all that is not found stays as it is here; the picture's size
-    Settings usual;    ///< whose numbers are taken where they are hardly worse
+    Settings settings; ///< all else stays as it is here; the picture's size
+    Settings usual;    ///< its numbers are taken if they are hardly worse
 };
 
 /// One search, in parts.
 class ParameterFit {
   public:
-    /// Picture and scene must live as long.
+    /// Picture and scene must outlive this.
     void begin(const Image& picture, const Scene& scene, const FitStart& start, FitSubject subject,
                FitEffort effort);
 
-    /// Goes on.
-    /// @param most about how much work that may be
-    /// @return about how much it was
+    /// Continues the search.
+    /// @param most roughly the most work to do
+    /// @return roughly the work done
     double advance(double most);
 
     bool is_done() const { return phase_ == Phase::done; }
 
-    /// The start with the numbers with which the picture comes nearest: those of the start where no
-    /// others are clearly better.
+    /// The start with the numbers that bring the picture nearest, or its own if no others are
+    /// clearly better.
     Settings found() const { return with(best_.place); }
 
   private:
-    /// Of the lamp there are seven, of the camera five: the last two then stay 0.
+    /// The lamp has seven, the camera five, and its last two stay 0.
     static constexpr std::size_t most_numbers = 7;
     using Numbers = std::array<double, most_numbers>;
 
     enum class Phase : std::uint8_t { scan, approach, slopes, step, rounding, done };
 
-    /// The picture as it is compared with what is drawn, in a smaller size.
+    /// The picture in a smaller size, to compare with what is drawn.
     struct Sight {
         Viewport size{};
-        int shrunk = 1;             ///< pixels of the picture for one of these, each way
-        std::vector<float> colours; ///< three a pixel; see values_of()
+        int shrunk = 1;             ///< pixels of the picture per pixel of this, each way
+        std::vector<float> colours; ///< three per pixel; see values_of()
     };
     /// Numbers that were tried.
     struct Probe {
         Numbers place{};
-        std::uint32_t free = 0; ///< a bit for each number that is changed on the way
+        std::uint32_t free = 0; ///< a bit for each number that may change
         double cost = 0.0;
         std::vector<float> colours{};
     };
@@ -105,27 +105,27 @@ class ParameterFit {
     FitEffort effort_ = FitEffort::quick;
     Phase phase_ = Phase::done;
     Sight sight_;
-    Numbers reach_{}; ///< how far from its start each number of the camera is looked for
-    Numbers steps_{}; ///< by which each number is changed to see what it does
+    Numbers reach_{}; ///< how far from its start to look for each number of the camera
+    Numbers steps_{}; ///< the change of each number for its derivative
 
-    std::vector<Probe> probes_; ///< that are asked for, and drawn up to drawn_
+    std::vector<Probe> probes_; ///< requested, and drawn up to drawn_
     std::size_t drawn_ = 0;
     FrameDrawing drawing_;
     bool is_drawing_ = false;
     Image image_;
 
-    std::vector<Probe> starts_;  ///< from which a descent is still to go
-    std::size_t approached_ = 0; ///< starts that are as near as a coarse search brings them
-    double stride_ = 0.0;        ///< of it, a part of what was scanned
-    Probe from_;                 ///< of the descent
+    std::vector<Probe> starts_;  ///< of descents still to do
+    std::size_t approached_ = 0; ///< starts that the coarse search has finished
+    double stride_ = 0.0;        ///< of that search, a part of what was scanned
+    Probe from_;                 ///< where the descent is
     std::array<std::array<double, most_numbers>, most_numbers> squares_{};
     Numbers slopes_{};
     double damping_ = 0.0;
     int steps_taken_ = 0, steps_refused_ = 0;
     bool is_white_ = false;   ///< the lamp's channels are equally strong
     bool is_larger_ = false;  ///< the sight, for the end of the search
-    std::size_t rounded_ = 0; ///< numbers that are rounded, all together counting as one
-    Probe best_;              ///< of the sight that is compared
+    std::size_t rounded_ = 0; ///< rounded numbers; all together count as one
+    Probe best_;              ///< for the sight in use
 };
 
 } // namespace rasterwalk

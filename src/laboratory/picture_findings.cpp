@@ -15,14 +15,14 @@ namespace rasterwalk {
 
 namespace {
 
-/// Of all pixels, so many may be those of rounding alone.
+/// The largest part of all pixels that rounding alone may have made.
 constexpr double rounding_part = 0.002;
 
 const std::uint8_t* pixel_of(const Image& image, std::size_t i) {
     return image.rgba.data() + 4 * i;
 }
 
-/// How the wrong pixels are wrong.
+/// In what way the wrong pixels are wrong.
 struct Kinds {
     std::int64_t missing = 0, extra = 0, other_hue = 0, brightness = 0;
 };
@@ -52,14 +52,14 @@ std::string first_stage(const Kinds& kinds) {
            "light first.";
 }
 
-/// Pixels that a part or a triangle has in the right picture, and how many of them are wrong.
+/// Pixels of a part or a triangle in the right picture, and how many of them are wrong.
 struct Share {
     std::int64_t all = 0, wrong = 0;
 };
 
 using Shares = std::map<int, Share>;
 
-/// Those with most wrong pixels first.
+/// Those with wrong pixels, the most first.
 std::vector<std::pair<int, Share>> by_wrong(const Shares& shares) {
     std::vector<std::pair<int, Share>> sorted;
     for (const auto& [number, share] : shares) {

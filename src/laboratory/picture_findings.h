@@ -1,7 +1,7 @@
 #pragma once
 
-// What can be said about a wrong picture without knowing the mistake: how far along the pipeline it
-// is right, which parts of the scene are, and which are not.
+// What is known about a wrong picture without the mistake: how far along the pipeline it is right,
+// and which parts of the scene are right or wrong.
 
 #include <string>
 #include <vector>
@@ -12,17 +12,17 @@
 
 namespace rasterwalk {
 
-/// In sentences: the first stage that is affected, the parts and triangles where most pixels are
-/// wrong, and the parts that are right. Empty where nothing differs.
+/// Sentences about the first stage affected, the parts and triangles where most pixels are wrong,
+/// and the parts that are right. Empty if nothing differs.
 /// @param right         the picture of the reference
 /// @param picture       of the same size
-/// @param parts_of_side into how many parts each edge of the scene was cut, see tessellation_of()
+/// @param parts_of_side parts into which each edge of the scene was cut, see tessellation_of()
 std::vector<std::string> findings_of(const KeptPicture& right, const Image& picture,
                                      const Scene& scene, int parts_of_side);
 
-/// Are there so few wrong pixels, each of the colour of a neighbour, that rounding alone may have
-/// made them? An edge then runs a pixel beside where it runs in the reference, because the last bit
-/// of a float fell the other way.
+/// Are there so few wrong pixels, each in the colour of a neighbour, that rounding alone may have
+/// made them? An edge is then one pixel away from its place in the reference, because the last bit
+/// of a float was rounded the other way.
 bool is_rounding(const KeptPicture& right, const Image& picture);
 
 } // namespace rasterwalk

@@ -18,7 +18,7 @@ glm::vec3 rounded_to_parts(const glm::vec3& value, float parts) {
     return glm::round(value * parts) / parts + 0.0f; // no -0
 }
 
-/// The lamp as it is and with a rounder position, or the usual one; the same for indirect light.
+/// The lamp itself, and with a rounder position or the usual one; the same for indirect light.
 std::vector<Light> with_rounder_places(const Light& light, const Light& usual) {
     std::vector<Light> lights;
     for (const glm::vec3& position :
@@ -33,7 +33,7 @@ std::vector<Light> with_rounder_places(const Light& light, const Light& usual) {
     return lights;
 }
 
-/// The lamp as it is and with a white power that is rounder, or the usual one.
+/// The lamp itself, and with a rounder white power or the usual one.
 std::vector<Light> with_rounder_powers(const Light& light, const Light& usual) {
     const float mean = (light.power.x + light.power.y + light.power.z) / 3.0f;
     std::vector<Light> lights{light, light};
@@ -61,7 +61,7 @@ class Search {
     }
 
   private:
-    /// So many of the nearest are looked at more closely.
+    /// How many of the nearest are examined more closely.
     static constexpr std::size_t nearest_count = 6;
 
     double pixel_count() const {
@@ -81,7 +81,8 @@ class Search {
     void sort(std::vector<Attempt>& attempts) {
         sort(attempts, [&](const Attempt& attempt) { return price(attempt); });
     }
-    /// By how bright each pixel is: with a lamp that is nearly right every pixel is a little wrong.
+    /// Sorts by the difference in brightness, because with a lamp that is nearly right every pixel
+    /// is a little wrong.
     void sort_by_light(std::vector<Attempt>& attempts) {
         sort(attempts, [&](const Attempt& attempt) { return drawn(attempt).distance.mean; });
     }
@@ -98,7 +99,7 @@ class Search {
         attempts = std::move(sorted);
     }
 
-    /// The nearest of all that was found, none that makes the same picture as another.
+    /// The nearest of all that was found, no two of which make the same picture.
     std::vector<Attempt> nearest(std::size_t count, std::size_t most_changes) {
         std::vector<Attempt> sorted = found_, best;
         sort(sorted);
@@ -115,7 +116,7 @@ class Search {
         return best;
     }
 
-    /// Is nearly all explained that is wrong without the changes?
+    /// Do the changes explain nearly all that is wrong without them?
     bool is_explained(const Attempt& attempt) {
         const std::int64_t left = drawn(attempt).distance.different;
         if (left == 0) return true;
@@ -128,9 +129,9 @@ class Search {
                (1.0 - explains_nearly_all) * static_cast<double>(wrong);
     }
 
-    /// The attempt by those of the equally right rules with which it comes nearest, taken one by
-    /// one as long as one helps clearly.
-    /// @param vertices_only only by rules of how a vertex becomes a pixel
+    /// The attempt with the equally right rules that bring it nearest, taken one by one as long as
+    /// one helps clearly.
+    /// @param vertices_only only rules for how a vertex becomes a pixel
     Attempt by_best_rules(Attempt attempt, bool vertices_only = false) {
         constexpr int most_rules = 3;
         constexpr double least_help = 0.02; // part of what is wrong
@@ -165,8 +166,8 @@ class Search {
         return attempt;
     }
 
-    /// The two stages at which the picture is nearest to having been drawn: the nearest, and the
-    /// one that a mistake most easily makes it look like.
+    /// The two stages that the picture most probably shows: the nearest, and the one that a mistake
+    /// most easily makes it look like.
     std::vector<Attempt> stage_bases() {
         std::vector<Attempt> all{{reference_, {}}};
         for (const StageInfo& info : stage_list()) {
@@ -177,8 +178,7 @@ class Search {
             note(attempt);
         if (is_waiting()) return {};
         unit_ = assumption_unit(trial_, reference_);
-        // A picture of points is mostly black, and so near to any that shows nothing where it
-        // should.
+        // A picture of points is mostly black, and so near to any that wrongly shows nothing.
         constexpr double shows_marks = 0.5;
         std::erase_if(all, [&](const Attempt& attempt) {
             return attempt.right.stage <= Stage::rows &&
@@ -213,15 +213,15 @@ class Search {
         const StripStep other = sibling(step_of(all.front().right));
         const StageInfo& info = stage_list()[static_cast<std::size_t>(strip_place(other))];
         if (is_of_use(info, trial_.scene())) add(at_step(other));
-        // A shading that is no step of the strip is asked for.
+        // The requested shading is not a step of the strip.
         if (!(at_step(step_of(reference_)).right == reference_)) add({reference_, {}});
-        // Much is wrong: then the stage may not be the one it seems, but the one that is asked for.
+        // If much is wrong, the stage may not be the one it seems, but the requested one.
         constexpr double much = 0.3;
         if (drawn(all.front()).distance.wrong > much * pixel_count()) add({reference_, {}});
         return bases;
     }
 
-    /// Each change on a base; only bugs, or only the others.
+    /// Tries each change on a base; only bugs, or only the others.
     void try_changes(const Attempt& base, bool bugs) {
         for (const Change& change : changes_) {
             if ((change.bug != nullptr) != bugs) continue;
@@ -231,7 +231,8 @@ class Search {
         }
     }
 
-    /// One that the reference does not make: the laboratory shows some mistakes against others.
+    /// Do these settings make a mistake that the reference does not make? The laboratory shows some
+    /// mistakes compared with others.
     bool makes_mistake(const Settings& settings) const {
         return std::any_of(changes_.begin(), changes_.end(), [&](const Change& change) {
             return change.bug != nullptr && is_made_by(*change.bug, settings) &&
@@ -250,7 +251,7 @@ class Search {
         }
     }
 
-    /// The nearest by their best rules.
+    /// Tries the nearest with their best rules.
     void refine(std::size_t count, std::size_t most_changes) {
         for (const Attempt& attempt : nearest(count, most_changes))
             note(by_best_rules(attempt));
@@ -268,8 +269,8 @@ class Search {
         return result;
     }
 
-    /// The camera that fits best. Hues show where it is, whatever the light; and half a pixel, by
-    /// which the vertices are rounded differently, is a few hundredths of a unit.
+    /// The camera that fits best. Hues show where it is, whatever the light; and the half pixel by
+    /// which vertices are rounded differently is a few hundredths of a unit.
     Attempt with_fitted_camera(const Attempt& start) {
         const Attempt first = fitted(start, FitSubject::camera, FitEffort::thorough);
         if (is_waiting() || first.right.camera == start.right.camera) return start;
@@ -306,7 +307,7 @@ class Search {
         if (is_waiting()) return {};
         std::vector<Attempt> cameras{camera};
         if (!(camera.right.camera == reference_.camera)) {
-            // A mistake may only look like another camera.
+            // It may be a mistake that only looks like another camera.
             cameras.push_back(camera);
             cameras.back().right.camera = reference_.camera;
         }
@@ -317,7 +318,7 @@ class Search {
                 starts.push_back(at);
                 set_step(starts.back().right, info.step);
             }
-            Attempt straight = at; // as right, for light of the vertices
+            Attempt straight = at; // equally right, for light at the vertices
             set_step(straight.right, StripStep::vertex_light);
             straight.right.interpolation = Interpolation::affine;
             if (is_equal_there({{"interpolation", "affine"}}, straight.right, trial_.scene()))
@@ -354,12 +355,12 @@ class Search {
         return nearest;
     }
 
-    /// A mistake changes which lamp fits: each bug with a lamp of its own.
+    /// A mistake changes which lamp fits, so each bug gets its own lamp.
     void try_bugs_with_lamps(const std::vector<Attempt>& bases) {
         std::vector<Attempt> attempts;
         for (Attempt base : bases) {
             if (shading_rule(base.right) == Shading::unlit) continue;
-            // Without a lamp no mistake of the light shows.
+            // Without a lamp, mistakes of the light do not show.
             if (base.right.light.power == glm::vec3(0.0f)) base.right.light = reference_.light;
             for (const Change& change : changes_) {
                 if (change.bug == nullptr) continue;
@@ -383,8 +384,9 @@ class Search {
             note(fitted(attempt, FitSubject::lamp, FitEffort::thorough));
     }
 
-    /// The nearest with a lamp that fits better, then with numbers as a person chooses them, and
-    /// with those and the rules of the reference: a fit in a small picture can end next to them.
+    /// Tries the nearest with a lamp that fits better, then with numbers as a person chooses them,
+    /// and with those and the rules of the reference, because a fit in a small picture can end next
+    /// to them.
     void try_better_lamps(std::size_t count) {
         const Light& usual = reference_.light;
         for (Attempt attempt : nearest(count, 2)) {
@@ -426,15 +428,15 @@ class Search {
         return others.front();
     }
 
-    /// What helps beside the nearest.
+    /// Tries what helps in addition to the nearest.
     void try_second_changes(std::size_t count) {
         for (const Attempt& attempt : nearest(count, 1)) {
             if (!attempt.changes.empty()) try_changes(attempt, true);
         }
     }
 
-    /// Is it clear what made the picture? Where one mistake explains nearly all, a second one may
-    /// hide in the rest.
+    /// Is it clear what made the picture? If one mistake explains nearly all, a second may hide in
+    /// the rest.
     bool is_settled() {
         if (is_waiting()) return true; // until it is asked again
         const std::vector<Attempt> best = nearest(1, 2);
@@ -462,14 +464,14 @@ class Search {
         if (is_settled()) return;
         for (const Attempt& base : bases)
             try_changes(base, true);
-        // A mistake may hide that the sum is cut, as most programs do.
+        // A mistake may hide that the sum is cut, as in most programs.
         const Attempt sum_cut{by_equal_rule(equal_rules().front(), at_stages.front().right), {}};
         if (!(sum_cut.right == bases.front().right)) try_changes(sum_cut, true);
         try_as_shown();
         if (is_waiting()) return;
         refine(nearest_count, 1);
         if (is_settled()) return;
-        // A picture that is moved by a pixel looks as if its vertices were rounded otherwise.
+        // A picture moved by a pixel looks as if its vertices were rounded differently.
         for (const std::vector<Attempt>& all : {bases, at_stages}) {
             for (const Attempt& base : all)
                 try_changes(base, false);
@@ -479,7 +481,7 @@ class Search {
         const std::vector<Attempt> fitted = fitted_bases();
         if (is_settled()) return;
         for (const bool with_other_camera : {false, true}) {
-            // The nearest with the camera that is asked for, and the nearest with another.
+            // The nearest with the requested camera, and the nearest with another.
             const auto base = std::find_if(fitted.begin(), fitted.end(), [&](const Attempt& one) {
                 return (one.right.camera == reference_.camera) != with_other_camera;
             });

@@ -1,7 +1,7 @@
 #pragma once
 
-// The search for what may have made a picture: by which rules and with which numbers it is drawn,
-// none of them wrong, and which mistake is made on top of them, or which two.
+// The search for what may have made a picture: the rules and numbers it is drawn with, none of them
+// wrong, and the one or two mistakes made on top of them.
 
 #include <vector>
 
@@ -11,8 +11,8 @@
 
 namespace rasterwalk {
 
-/// Everything that was tried and is drawn, in no order; the first is the reference. Asks the trial:
-/// as long as that is waiting, more is to come.
+/// Everything that was tried and is drawn; the first is the reference, the rest are in no order.
+/// Asks the trial: as long as that is waiting, more will follow.
 std::vector<Attempt> search_picture(PictureTrial& trial, const Settings& reference,
                                     const std::vector<Change>& changes);
 

@@ -10,7 +10,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What a pixel costs beside a fragment, that is made visible and measured.
+/// The cost of making a pixel visible and measuring it, relative to a fragment.
 constexpr double pixel_work = 1.5;
 
 /// The row up to which this work leads.
@@ -21,7 +21,7 @@ int row_after(double work, int done, const Image& picture) {
 
 } // namespace
 
-/// Of the numbers and words that most often differ; others only cost a comparison more.
+/// A hash of the numbers and words that differ most often; others only cost one more comparison.
 std::size_t PictureTrial::Hash::operator()(const PictureRecipe& recipe) const {
     const Settings& s = recipe.settings;
     std::size_t hash = 0;
@@ -135,8 +135,8 @@ void PictureTrial::advance(const WorkLimit& limit) {
     }
 }
 
-/// Draws the settings, then makes them visible; what was drawn last is there already. Returns 0
-/// when nothing of it is left to do.
+/// Draws the settings, then makes them visible; what was drawn last is kept. Returns 0 when nothing
+/// is left to do.
 double PictureTrial::draw(const Settings& settings, double most) {
     if (on_canvas_ != settings) {
         on_canvas_ = settings;
@@ -146,7 +146,7 @@ double PictureTrial::draw(const Settings& settings, double most) {
         image_rows_ = 0;
     }
     if (!drawing_.is_done()) {
-        // Never for nothing, or it would seem to be done.
+        // Never 0, or it would seem to be done.
         return std::max(drawing_.advance(most), 1.0);
     }
     const int end = row_after(most, image_rows_, image_);

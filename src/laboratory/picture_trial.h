@@ -17,13 +17,13 @@
 
 namespace rasterwalk {
 
-/// What was drawn and measured once.
+/// The result of drawing and measuring something once.
 struct Drawn {
     ImageDistance distance; ///< from the picture
     std::uint64_t print = 0;
 };
 
-/// What a mistake does to the pixels of a picture that is drawn without it.
+/// What a mistake does to the pixels of a picture drawn without it.
 struct PixelCounts {
     std::int64_t wrong = 0;     ///< without the mistake
     std::int64_t explained = 0; ///< of these, right with it
@@ -31,48 +31,46 @@ struct PixelCounts {
     std::int64_t spoilt = 0;    ///< of these, wrong with it
 };
 
-/// A picture with what is asked of it at the end.
+/// A picture with what is needed of it at the end.
 struct KeptPicture {
     Image image;
     std::vector<std::int32_t> owners; ///< triangle that each pixel shows; -1: none
 };
 
-/// Everything that is tried on one picture. What a question needs is drawn in parts: until all of
-/// it is there, answers are empty and the trial is waiting; then the question is asked again.
+/// Everything that is tried on one picture. What a question needs is drawn in parts. Until all of
+/// it exists, answers are empty and the trial is waiting; then the question must be asked again.
 class PictureTrial {
   public:
-    /// Picture and scene must live as long.
+    /// Picture and scene must outlive this.
     PictureTrial(const Image& picture, const Scene& scene) : picture_(&picture), scene_(&scene) {}
 
-    /// What the recipe makes; valid as long as the trial. Nothing while it is waiting for it.
+    /// What the recipe makes; valid as long as the trial. Empty while the trial is waiting for it.
     const Drawn& drawn(const PictureRecipe& recipe);
     const Drawn& drawn(const Settings& settings) { return drawn(PictureRecipe{settings}); }
 
-    /// The settings with the numbers with which their picture comes nearest; as they are while the
-    /// trial is waiting for it, and where no light or no camera counts.
+    /// The settings with the numbers that bring their picture nearest; unchanged while the trial is
+    /// waiting for it, and if no light or no camera counts.
     /// @param usual see FitStart
     const Settings& fitted(const Settings& settings, const Settings& usual, FitSubject subject,
                            FitEffort effort);
 
-    /// How a picture made by one recipe compares with the picture made by another.
+    /// How the picture of one recipe compares with that of another.
     PixelCounts compared(const PictureRecipe& with, const PictureRecipe& without);
 
-    /// The picture itself, which is kept until another is asked for; null while the trial is
-    /// waiting for it.
+    /// The picture itself, kept until another is requested; null while the trial is waiting for it.
     const KeptPicture* picture_of(const PictureRecipe& recipe);
 
-    /// Has a question not been answered?
+    /// Is a question still unanswered?
     bool is_waiting() const { return !wanted_.empty() || !is_answered_; }
     std::size_t pictures_missing() const { return wanted_.size(); }
 
-    /// Goes on drawing and measuring what was asked for.
+    /// Continues drawing and measuring what was requested.
     void advance(const WorkLimit& limit);
 
-    /// About how much work a picture is, drawn and measured; known once one is.
+    /// About how much work it is to draw and measure a picture; known once one is done.
     double picture_work() const { return picture_work_; }
 
-    /// From now on nothing new is drawn: what is missing stays so, and what was asked for is let
-    /// go.
+    /// From now on nothing new is drawn: what is missing stays missing, and requests are dropped.
     void stop_drawing();
     void draw_again() {
         is_stopped_ = false;
@@ -89,7 +87,7 @@ class PictureTrial {
         PictureRecipe recipe;
         FitSubject subject = FitSubject::lamp;
         FitEffort effort = FitEffort::quick;
-        PictureRecipe without{}; ///< of a comparison; of a fit, what is usual
+        PictureRecipe without{}; ///< for a comparison; for a fit, the usual numbers
 
         friend bool operator==(const Wanted&, const Wanted&) = default;
     };
@@ -114,10 +112,10 @@ class PictureTrial {
     std::optional<PictureRecipe> kept_recipe_;
     KeptPicture kept_;
     std::deque<Wanted> wanted_;
-    bool is_answered_ = true; ///< false: a question was refused since nothing is drawn any more
+    bool is_answered_ = true; ///< false: a question was refused because drawing has ended
     bool is_stopped_ = false;
 
-    // The first that is wanted, on its way:
+    // The first that is wanted, in progress:
     FrameDrawing drawing_;
     std::optional<Settings> on_canvas_; ///< what is being drawn, or was drawn last
     Image image_;                       ///< of that, as far as `image_rows_`
@@ -126,7 +124,7 @@ class PictureTrial {
     ImageMeasure measure_;
     ParameterFit fit_;
     bool is_fitting_ = false;
-    std::optional<PictureRecipe> without_; ///< of which `is_right_` is
+    std::optional<PictureRecipe> without_; ///< that `is_right_` belongs to
     std::vector<bool> is_right_;           ///< its pixels
     double picture_work_ = 0.0;
 };

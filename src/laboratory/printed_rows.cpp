@@ -71,10 +71,10 @@ std::int64_t columns_off(int a, int b) {
     return std::min(apart, most_columns_off);
 }
 
-/// The rows of two tables, where each has one of this number.
+/// The rows of two tables that have the same number.
 using RowsByNumber = std::map<int, std::pair<const PrintedRow*, const PrintedRow*>>;
 
-/// @param repeated grows by the rows that a table has more than once; of these the last counts
+/// @param repeated grows by the rows that a table has more than once; the last of these counts
 RowsByNumber by_number(const std::vector<PrintedRow>& a, const std::vector<PrintedRow>& b,
                        std::int64_t& repeated) {
     RowsByNumber rows;
@@ -145,7 +145,7 @@ RowsDistance rows_distance(const std::vector<PrintedRow>& a, const std::vector<P
 }
 
 std::vector<PrintedRow> parse_printed_rows(std::string_view text, const std::string& path) {
-    constexpr std::string_view mark = "\xEF\xBB\xBF"; // with which some editors begin UTF-8
+    constexpr std::string_view mark = "\xEF\xBB\xBF"; // that some editors put before UTF-8
     if (text.starts_with(mark)) text.remove_prefix(mark.size());
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
         throw InputError(path, 1, "the text is UTF-16; save it as UTF-8.");

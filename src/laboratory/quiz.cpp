@@ -17,17 +17,17 @@ namespace rasterwalk {
 
 namespace {
 
-/// Power with which the lamp shows beside the indirect light.
+/// A power at which the lamp shows next to the indirect light.
 constexpr float visible_power = 14.0f;
 
-/// The larger side of the picture in which it is tried which mistakes show, pixels.
+/// The larger side, pixels, of the picture for testing which mistakes show.
 constexpr int largest_tried = 500;
 
 std::uint64_t print_of(const Scene& scene, const Settings& settings) {
     return fingerprint(view_image(draw_frame(prepare_frame(scene, settings)), View::colour));
 }
 
-/// The settings that a quiz begins with, before any mistake is made.
+/// The settings that a quiz begins with, without any mistake.
 Settings quiz_settings(const Session& session) {
     Settings settings = with_handout_rules(session.a.settings);
     set_step(settings, StripStep::pixel_light);
@@ -101,7 +101,7 @@ QuizQuestion question_about(const Session& session, const Shown& shown, std::siz
     return question;
 }
 
-/// Can the two be made together so that each still shows?
+/// Can both be made together so that each still shows?
 bool can_meet(const Session& session, const Shown& shown, std::size_t a, std::size_t b) {
     if (a == b || shown.prints[a] == shown.prints[b]) return false;
     for (const auto& [name, value] : shown.bugs[a]->set) {

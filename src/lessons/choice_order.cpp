@@ -10,7 +10,7 @@ namespace rasterwalk {
 namespace {
 
 /// Source: G. Fowler, L. C. Noll, K. Vo, FNV-1a, 64 bits, and a last mix as in splitmix64. Not
-/// std::hash: that is another one in every library.
+/// std::hash, which differs between libraries.
 std::uint64_t hash_of(std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const char letter : text) {

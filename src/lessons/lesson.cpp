@@ -26,7 +26,7 @@ Lesson read_lesson(const std::string& path) {
     } catch (const Error& fault) {
         Lesson lesson = parse_lesson("", path);
         std::string sentence = fault.what();
-        // The path stands before the sentence already.
+        // The sentence already begins with the path.
         const std::string cannot = "cannot read '" + path + "': ";
         if (sentence.starts_with(path + ": ")) {
             sentence.erase(0, path.size() + 2);

@@ -18,33 +18,33 @@ namespace rasterwalk {
 /// A link target with its place.
 struct LinkPlace {
     std::string target;
-    std::string words; ///< what is read in its place, without styles
+    std::string words; ///< the text shown, without styles
     int line = 0;
     bool is_picture = false; ///< ![words](target)
 };
 
-/// What is said to a try that does not solve a task.
+/// The reply to a try that does not solve a task.
 struct NotYet {
     Expression when;  ///< holds for such tries, and not when the step opens
     std::string says; ///< Markdown with {EXPRESSION}, see fill_in(): what is missing
     int line = 0;
 };
 
-/// Something to do, ticked off when a condition holds at rest.
+/// Something to do, ticked off when a condition holds while the input is at rest.
 struct LessonTask {
     std::string id;
     std::optional<Expression> done;  ///< none if it could not be read
     std::vector<std::string> recipe; ///< link targets that solve it, from what the step shows
     std::string hint;                ///< Markdown; may be empty
     std::string because;         ///< why it is solved: Markdown with {EXPRESSION}, see fill_in()
-    std::vector<NotYet> not_yet; ///< the first that holds is said
+    std::vector<NotYet> not_yet; ///< the first that holds is the reply
     std::string text;            ///< Markdown that the student reads, without the quote's `>`
     int step = 0;
     int line = 0; ///< of its comment
     int done_line = 0, recipe_line = 0, because_line = 0;
 };
 
-/// A wrong answer that a misconception gives, and what is said to it before the second try.
+/// A wrong answer that comes from a misconception, and the reply to it before the second try.
 struct Misconception {
     /// Of a number: that number. Of a pixel: a condition, with the student's pixel picked.
     std::optional<Expression> answer;
@@ -63,19 +63,19 @@ struct LessonPrediction {
     // A number:
     std::optional<Expression> answer;
     std::optional<Expression> tolerance; ///< how far a right answer may be off; none: 0
-    std::string unit;                    ///< behind the field; may be empty
+    std::string unit;                    ///< after the field; may be empty
     // One of several:
     std::vector<std::string> choices;
     std::vector<Expression> right; ///< a condition for each choice; exactly one holds
-    std::vector<int> order;        ///< in which they are offered, see shuffled()
+    std::vector<int> order;        ///< the order they are offered in, see shuffled()
     // A pixel:
     std::optional<Expression> where;                    ///< with the student's pixel picked
     std::optional<glm::ivec2> right_pixel, wrong_pixel; ///< examples; both are tried by `check`
 
-    std::vector<Misconception> misconceptions; ///< the first that fits is the one
+    std::vector<Misconception> misconceptions; ///< the first that fits counts
 
-    ViewState at;                  ///< in which the answer is found; the step's is in it already
-    std::optional<ViewState> then; ///< shown after the answer, complete too; none: nothing changes
+    ViewState at;                  ///< where the answer is found; already includes the step's
+    std::optional<ViewState> then; ///< shown after the answer, also complete; none: no change
     std::string because; ///< Markdown with {answer} and {EXPRESSION}, see fill_in(); may be empty
     std::string text;    ///< Markdown that the student reads, without the quote's `>`
     int step = 0;
@@ -83,21 +83,21 @@ struct LessonPrediction {
     int answer_line = 0, because_line = 0;
 };
 
-/// A setting that is turned in the step itself.
+/// A setting with a control in the step itself.
 struct LessonControl {
-    std::string name;                 ///< as conditions have it: `camera.position.z`
+    std::string name;                 ///< as in conditions: `camera.position.z`
     const Setting* setting = nullptr; ///< of this name
-    ControlRange range;               ///< what of it is offered
+    ControlRange range;               ///< the part of it that is offered
     std::string read_out;             ///< text with {EXPRESSION}, see fill_in(); may be empty
     int line = 0;                     ///< of its comment
     int read_out_line = 0;
 };
 
-/// A piece of a step, in the order of reading.
+/// A piece of a step, in reading order.
 struct LessonPart {
     enum class Kind : std::uint8_t { text, task, prediction, control };
     Kind kind = Kind::text;
-    std::string text; ///< Markdown; of a text only
+    std::string text; ///< Markdown; only for a text
     int index = -1;   ///< in Lesson::tasks, Lesson::predictions or Lesson::controls
     int line = 0;     ///< where its text begins
 };
@@ -110,7 +110,7 @@ struct TextPlace {
 
 /// One screen of a lesson.
 struct LessonStep {
-    std::string heading; ///< inline Markdown; that of step 0 is the lesson's
+    std::string heading; ///< inline Markdown; in step 0, the lesson's
     ViewState state;     ///< complete: the lesson's and the step's own
     std::vector<LessonPart> parts;
     std::vector<LinkPlace> links;     ///< and pictures in its texts, tasks, hints and predictions
@@ -126,18 +126,18 @@ struct LessonFootnote {
     int line = 0;
 };
 
-/// A lesson as it was read. Where there are faults, the rest is still there as far as it goes.
+/// A lesson as read. If there are faults, everything else is still there as far as possible.
 struct Lesson {
     std::string id;     ///< the file's name without .md: `07-painters-order`
     std::string path;   ///< of the file
-    std::string folder; ///< in which it lies; scenes and pictures are found from there
+    std::string folder; ///< that it is in; scenes and pictures are found from there
     std::string title;
     std::string section; ///< of the lab
     int minutes = 0;
     std::string about;                ///< one sentence for the list
-    std::string program;              ///< the part of the student's own program it speaks of
+    std::string program;              ///< the part of the student's program that it is about
     int picture = 0;                  ///< step that its picture in screenshots/ shows
-    std::vector<std::string> sources; ///< Markdown of a line each: what it rests on
+    std::vector<std::string> sources; ///< its sources, Markdown of one line each
     std::vector<LessonStep> steps;    ///< step 0 is the opening; there is always one
     std::vector<LessonTask> tasks;
     std::vector<LessonPrediction> predictions;
@@ -146,8 +146,8 @@ struct Lesson {
     std::vector<Fault> faults; ///< in the order of their lines
 };
 
-/// Reads a lesson. Never throws: what is wrong stands in its faults. Of one that goes beyond the
-/// limits below nothing is left but its faults, see is_readable().
+/// Reads a lesson. Never throws: what is wrong is in its faults. If it exceeds the limits below,
+/// only its faults are left, see is_readable().
 /// @param path names the lesson, and is used in messages
 Lesson parse_lesson(std::string_view text, const std::string& path);
 Lesson read_lesson(const std::string& path);
@@ -155,7 +155,7 @@ Lesson read_lesson(const std::string& path);
 /// Is there anything to show of it?
 bool is_readable(const Lesson& lesson);
 
-/// "lessons/01-pinhole.md:12: sentence", as it is printed.
+/// "lessons/01-pinhole.md:12: sentence", as printed.
 std::string fault_text(const Lesson& lesson, const Fault& fault);
 
 /// A link to the lesson in Markdown, with its title.
@@ -177,10 +177,10 @@ inline constexpr int most_choices = 8;
 inline constexpr std::size_t longest_choice = 400; ///< bytes
 inline constexpr std::size_t longest_unit = 60;    ///< bytes
 inline constexpr int most_misconceptions = 12;
-inline constexpr int most_not_yet = 12; ///< sentences of a task
+inline constexpr int most_not_yet = 12; ///< replies of a task
 inline constexpr int most_sources = 8;
 inline constexpr std::size_t most_lesson_footnotes = 99;
 inline constexpr int most_table_columns = 40;
-inline constexpr int deepest_lesson = 24; ///< quotes, lists, emphasis and brackets in one another
+inline constexpr int deepest_lesson = 24; ///< nesting of quotes, lists, emphasis and brackets
 
 } // namespace rasterwalk

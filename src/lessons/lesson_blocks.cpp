@@ -24,16 +24,16 @@ Expression condition(const TomlBlock& block, const toml::node& node) {
     return parse_condition(block.text(node));
 }
 
-/// An expression is text; a plain number may stand without quotes.
+/// An expression is text; a plain number needs no quotes.
 Expression expression(const TomlBlock& block, const toml::node& node) {
     if (const std::optional<double> number = node.value<double>()) {
-        // All digits of a double: a count may be larger than a float tells.
+        // All digits of a double, because a count may be larger than a float can hold.
         return parse_expression(shortest(*number));
     }
     return parse_expression(block.text(node));
 }
 
-/// Ids are lowercase letters, digits, - and _: they are written into the file of the progress.
+/// Ids are lower-case letters, digits, - and _, because they are written to the progress file.
 std::string id(const TomlBlock& block, const toml::node& node) {
     constexpr std::size_t longest = 60;
     std::string text = block.text(node);
@@ -47,7 +47,7 @@ std::string id(const TomlBlock& block, const toml::node& node) {
     return text;
 }
 
-/// Throws UsageError for an {EXPRESSION} in code or in a formula, which would be shown as it is.
+/// Throws UsageError for an {EXPRESSION} in code or in a formula, which would be shown unchanged.
 void refuse_numbers_in_code(std::string_view text) {
     while (true) {
         const std::size_t begin = text.find_first_of("`$");
@@ -67,7 +67,7 @@ void refuse_numbers_in_code(std::string_view text) {
     }
 }
 
-/// Markdown with {EXPRESSION}, but without {answer}, which would give it away or is not there.
+/// Markdown with {EXPRESSION}, but without {answer}, which would be given away or does not exist.
 /// Throws UsageError for an expression that is not understood.
 std::string told(const TomlBlock& block, const toml::node& node) {
     std::string text = block.text(node);
@@ -88,7 +88,7 @@ std::string short_text(const TomlBlock& block, const toml::node& node, std::size
 
 using PredictionKind = LessonPrediction::Kind;
 
-/// Which keys each kind needs, and which belong to another kind.
+/// The keys that each kind needs, and those that belong to another kind.
 void check_kind(TomlBlock& block, PredictionKind kind) {
     struct Rule {
         std::string_view key;
@@ -209,7 +209,7 @@ LessonTask read_task(const toml::table& table, int line, FaultList& faults) {
             task.recipe.push_back(target);
         });
         if (links == 0) block.input().fail(n, "a recipe must have at least one link.");
-        // Half a recipe solves nothing; that need not be reported as well.
+        // Half a recipe solves nothing, but that need not be reported too.
         if (task.recipe.size() < links) task.recipe.clear();
     };
     keys["hint"] = [&](const toml::node& n) { task.hint = block.text(n); };
@@ -284,7 +284,7 @@ LessonPrediction read_prediction(const toml::table& table, int line, const ViewS
     block.read(keys);
     for (const char* key : {"id", "kind"})
         block.require(key);
-    // They are read by kind and choices, which may stand below them.
+    // Reading them needs kind and choices, which may be below them.
     if (misconceptions != nullptr) {
         faults.attempt(line_of(*misconceptions),
                        [&] { p.misconceptions = read_misconceptions(block, *misconceptions, p); });

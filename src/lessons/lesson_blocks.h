@@ -12,13 +12,13 @@
 
 namespace rasterwalk {
 
-/// What the block `lesson` says: into the lesson, and what it shows.
-/// In all of these `line` is where the block begins: faults of the whole block are reported there.
+/// Reads the `lesson` block into the lesson, and what it shows. In all of these, `line` is where
+/// the block begins: faults of the whole block are reported there.
 ViewState read_lesson_block(const toml::table& table, int line, Lesson& lesson, FaultList& faults);
 
 LessonTask read_task(const toml::table& table, int line, FaultList& faults);
 
-/// @param step what the step shows in which it stands
+/// @param step what the step that it is in shows
 LessonPrediction read_prediction(const toml::table& table, int line, const ViewState& step,
                                  FaultList& faults);
 

@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Plays a lesson and writes down what goes wrong.
+/// Plays a lesson and records what goes wrong.
 class Checker {
   public:
     Checker(const Lesson& lesson, const Session& like, LessonTrial& trial, const CheckWatch& watch)
@@ -53,7 +53,7 @@ class Checker {
         }
     }
 
-    /// What one step hands on to the next is reported once.
+    /// A fault that one step passes on to the next is reported once.
     void add(int line, const std::string& sentence) {
         const Fault fault{line, sentence};
         if (std::find(faults_.begin(), faults_.end(), fault) == faults_.end()) {
@@ -85,7 +85,7 @@ class Checker {
         }
         if (session.scene == nullptr) return;
         check_controls(step);
-        // A link may build on those before it.
+        // A link may build on earlier ones.
         Session walked = session;
         for (const LinkPlace& link : step.links) {
             if (link.is_picture) {
@@ -96,7 +96,7 @@ class Checker {
         }
     }
 
-    /// They reach what the step opens with, and their read-outs have their numbers there.
+    /// Controls must reach what the step opens with, and their read-outs must have numbers there.
     void check_controls(const LessonStep& step) {
         bool is_open = false; // for all of them
         for (const LessonPart& part : step.parts) {
@@ -116,8 +116,8 @@ class Checker {
         }
     }
 
-    /// A name in the braces of the text of which there is no value; empty: all have one. Throws
-    /// UsageError for an expression that is not understood.
+    /// A name in braces in the text that has no value; empty: all have one. Throws UsageError for
+    /// an expression that is not understood.
     static std::string missing_in(std::string_view text, const Facts& facts) {
         std::string missing;
         fill_in(text, "", 0.0, [&](std::string_view name) {
@@ -156,7 +156,7 @@ class Checker {
                 follow(walked, link);
                 return;
             }
-            // What cannot be reached from here is no place to go on from.
+            // A link that cannot be followed here is no place to go on from.
             try {
                 follow(walked, link);
             } catch (const Error&) {
@@ -172,7 +172,7 @@ class Checker {
         follow_lesson_link(session, prepare_frame(*session.scene, session.a.settings), link);
     }
 
-    /// What a link names that the session does not know.
+    /// Reports what a link names that the session does not know.
     void check_target(const LessonLink& link) const {
         if (link.kind == LessonLink::Kind::lesson) {
             std::error_code ignored;
@@ -267,7 +267,7 @@ class Checker {
         }
     }
 
-    /// What its misconceptions give is wrong, and whatever is said has its numbers.
+    /// Answers from misconceptions must be wrong, and all replies must have their numbers.
     void check_misconceptions(const LessonPrediction& prediction) {
         if (prediction.misconceptions.empty()) return;
         const GivenAnswer none{prediction.kind == LessonPrediction::Kind::number ? GivenAnswer{0.0}
@@ -299,7 +299,7 @@ class Checker {
                         fmt::format("this answer to '{}' is not a number.", prediction.id));
                     continue;
                 }
-                // A near miss of the right answer is no misconception.
+                // A near miss of the right answer is not a misconception.
                 const double reach =
                     std::abs(*off) + std::abs(value(prediction.tolerance).value_or(0));
                 is_right = own.fault.empty() && std::abs(*number - own.number) <= reach;
@@ -343,7 +343,7 @@ class Checker {
         }
     }
 
-    /// Every number that is shown after the answer must be there. False if it cannot be read.
+    /// Every number shown after the answer must exist. False if it cannot be read.
     bool check_because(const LessonPrediction& prediction) {
         if (prediction.because.empty()) return true;
         ViewState at = prediction.at;
@@ -368,7 +368,7 @@ class Checker {
     LessonTrial& trial_;
     const CheckWatch& watch_;
     std::vector<Fault> faults_;
-    std::map<std::string, std::string> pictures_; ///< what is wrong with each; empty: nothing
+    std::map<std::string, std::string> pictures_; ///< the fault of each; empty: none
 };
 
 } // namespace

@@ -12,7 +12,7 @@ LessonComment read_comment(const std::vector<std::string_view>& lines, std::size
                            FaultList& faults) {
     LessonComment comment;
     comment.line = static_cast<int>(next) + 1;
-    // The TOML stands where it does in the file, so that faults find their lines.
+    // The TOML keeps its place in the file, so that faults find their lines.
     std::string toml(next, '\n');
     std::string_view line = lines[next].substr(4);
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));

@@ -18,8 +18,8 @@ struct LessonComment {
     bool is_good = false; ///< its TOML was read; a comment `note` has none
 };
 
-/// Reads the comment that begins on line `next`, counted from 0, and goes on to the line behind it.
-/// What is wrong with it goes to the list.
+/// Reads the comment that begins on line `next`, counted from 0, and moves `next` to the line after
+/// it. What is wrong with it goes to the list.
 LessonComment read_comment(const std::vector<std::string_view>& lines, std::size_t& next,
                            FaultList& faults);
 

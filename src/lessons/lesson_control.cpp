@@ -19,8 +19,8 @@ namespace rasterwalk {
 
 namespace {
 
-/// A setting that takes more than so much has no slider over all of it: a step of it would be too
-/// coarse.
+/// A setting with a wider range than this has no slider over all of it, because its steps would be
+/// too coarse.
 constexpr float widest_own_range = 10.0f;
 
 /// The usual slider has so many steps.
@@ -32,7 +32,7 @@ struct GivenNumber {
     int line = 0;
 };
 
-/// What the block says about the range.
+/// The range that the block gives.
 struct GivenRange {
     std::optional<GivenNumber> from, to, step;
     const toml::node* words = nullptr;
@@ -75,7 +75,7 @@ std::optional<ControlRange> slider_range(const LessonControl& control, const Giv
     const GivenNumber from = given.from.value_or(GivenNumber{smallest, control.line});
     const GivenNumber to = given.to.value_or(GivenNumber{largest, control.line});
     for (const GivenNumber& end : {from, to}) {
-        // The bounds are floats: one that is written with fewer digits may lie a hair outside.
+        // The bounds are floats, so one that is written with fewer digits may be a hair outside.
         const auto rounded = static_cast<float>(std::clamp(end.value, -1e30, 1e30));
         if (rounded >= own.smallest && rounded <= own.largest) continue;
         faults.add(end.line, fmt::format("{} takes numbers from {}.", control.name,
@@ -100,7 +100,7 @@ std::optional<ControlRange> slider_range(const LessonControl& control, const Giv
     return range;
 }
 
-/// Which of the words of a choice are offered.
+/// The words of a choice that are offered.
 std::optional<ControlRange> word_range(const LessonControl& control, const TomlBlock& block,
                                        const ChoiceSetting& choice, const GivenRange& given) {
     ControlRange range = control.range;
@@ -113,7 +113,7 @@ std::optional<ControlRange> word_range(const LessonControl& control, const TomlB
         range.words.push_back(static_cast<int>(found - choice.words.begin()));
     });
     const toml::array* const list = given.words->as_array();
-    // A word that does not exist was reported already.
+    // A word that does not exist has already been reported.
     if (list == nullptr || list->size() != range.words.size()) return std::nullopt;
     if (range.words.size() < 2) {
         block.faults().add(line_of(*given.words), "there must be at least two words to choose "
@@ -150,7 +150,7 @@ std::optional<ControlRange> range_of(const LessonControl& control, const TomlBlo
     return std::nullopt;
 }
 
-/// A line of numbers. Throws UsageError for one that says none, or cannot be read.
+/// Checks a read-out. Throws UsageError for one that has no numbers, or cannot be read.
 std::string given_read_out(const TomlBlock& block, const toml::node& node) {
     std::string text = block.text(node);
     if (text.size() > longest_read_out)

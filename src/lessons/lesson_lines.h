@@ -1,6 +1,6 @@
 #pragma once
 
-// The lines of a lesson's file, and what is asked of them before they are read.
+// The lines of a lesson's file, and checks before they are read.
 
 #include <string_view>
 #include <vector>

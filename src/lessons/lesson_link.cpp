@@ -19,7 +19,7 @@ namespace {
 
 using LinkKind = LessonLink::Kind;
 
-/// The links that are no field of the view.
+/// The links that do not belong to a field of the view.
 constexpr std::array<std::pair<std::string_view, LinkKind>, 4> kinds{{
     {"show", LinkKind::show},
     {"preset", LinkKind::preset},
@@ -27,7 +27,7 @@ constexpr std::array<std::pair<std::string_view, LinkKind>, 4> kinds{{
     {"term", LinkKind::term},
 }};
 
-/// What a link can begin with, those that lessons use most first.
+/// What a link can begin with, the most common first.
 std::vector<std::string_view> link_names() {
     std::vector<std::string_view> names{"set", "cursor", "show", "compare"};
     const auto add = [&](std::string_view name) {
@@ -79,7 +79,7 @@ void check_argument(const LessonLink& link) {
     }
 }
 
-/// What the word before the colon means; throws UsageError if it means nothing.
+/// The meaning of the word before the colon; throws UsageError if there is none.
 void find_kind(std::string_view target, std::string_view name, LessonLink& link) {
     const auto found = std::find_if(kinds.begin(), kinds.end(),
                                     [&](const auto& kind) { return kind.first == name; });

@@ -28,7 +28,7 @@ int lesson_number(std::string_view id) {
 
 namespace {
 
-/// A lesson that can no longer be read leaves what was read before, and says why.
+/// A lesson that can no longer be read keeps its earlier text, and says why.
 void take_up(Lesson& lesson, Lesson&& newer) {
     if (is_readable(newer) || !is_readable(lesson)) {
         lesson = std::move(newer);
@@ -90,7 +90,7 @@ const std::vector<Lesson>& LessonList::all() {
         try {
             read_folder(lessons_folder());
         } catch (const Error&) {
-            is_read_ = true; // no folder, no lessons; code that needs them says so
+            is_read_ = true; // no folder, no lessons; code that needs them reports that
         }
     }
     return lessons_;
@@ -105,7 +105,7 @@ const Lesson* LessonList::find(std::string_view id) {
     const FileState now = file_state(files_[index].path);
     if (now != files_[index].state) {
         files_[index].state = now;
-        // A file that was taken away, or is just being written, leaves its lesson open.
+        // A file that was removed, or is just being written, leaves its lesson open.
         if (now.size > 0) {
             take_up(lessons_[index], read_lesson(files_[index].path));
             ++number_;

@@ -11,7 +11,7 @@
 namespace rasterwalk {
 
 /// The lessons of a folder, in the order of their names. A file that changes is read again; if
-/// nothing of it can be shown any more, what was read before stays, with the new faults.
+/// nothing of it can be shown any more, the earlier text stays, with the new faults.
 class LessonList {
   public:
     /// All lessons: those of lessons_folder(), unless read_folder() named another. Valid until the
@@ -25,14 +25,14 @@ class LessonList {
     /// Has the file of this lesson changed since it was read?
     bool is_edited(std::string_view id) const;
 
-    /// Grows whenever a lesson is read: what was found in them may be out of date then.
+    /// Grows whenever a lesson is read, because earlier findings may then be out of date.
     std::uint64_t number() const { return number_; }
 
-    /// Looks whether files were changed, added or taken away, and reads those again.
+    /// Checks whether files were changed, added or removed, and reads those again.
     void refresh();
 
-    /// Reads the lessons of this folder from now on. Never throws: a folder that cannot be read has
-    /// none.
+    /// From now on, reads the lessons of this folder. Never throws: a folder that cannot be read
+    /// has none.
     void read_folder(const std::string& folder);
 
     /// The folder whose lessons these are; empty before any was read.
@@ -50,21 +50,21 @@ class LessonList {
     bool is_read_ = false;
     std::uint64_t number_ = 0;
     std::string folder_;
-    std::vector<LessonFile> files_; ///< of the same index as lessons_
+    std::vector<LessonFile> files_; ///< with the same index as lessons_
     std::vector<Lesson> lessons_;
 };
 
 /// Is this the name of a lesson's file: two digits, a hyphen, a name, `.md`?
 bool is_lesson_file(std::string_view name);
 
-/// The number with which a lesson's id begins; 0 if it begins with none.
+/// The number that a lesson's id begins with; 0 if there is none.
 int lesson_number(std::string_view id);
 
-/// The number that is missing between the lesson of this index and its predecessor: that of a
-/// lesson that is to come. 0 if none is, or more than one.
+/// The number missing between the lesson of this index and the previous one, for a lesson yet to
+/// come. 0 if none is missing, or more than one.
 int number_to_come(const std::vector<Lesson>& lessons, std::size_t index);
 
-/// The most lessons of a folder that are read.
+/// The most lessons that are read from a folder.
 inline constexpr std::size_t most_lessons = 100;
 
 } // namespace rasterwalk

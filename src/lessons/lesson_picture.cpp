@@ -23,7 +23,7 @@ bool is_within(const fs::path& file, const fs::path& folder) {
            folder.end();
 }
 
-/// The file itself, after all links of the file system.
+/// The file itself, with symbolic links resolved.
 fs::path find_picture(const fs::path& folder, std::string_view target) {
     const bool is_screenshot = target.starts_with(screenshots);
     const std::string_view inner = target.substr(is_screenshot ? screenshots.size() : 0);
@@ -54,7 +54,7 @@ Image read_lesson_picture(const std::string& folder, const std::string& target) 
     try {
         return read_png(file.string(), largest_lesson_picture);
     } catch (const Error& fault) {
-        // "path: sentence": the picture is named as the lesson names it.
+        // "path: sentence", with the picture's name as in the lesson.
         std::string_view sentence = fault.what();
         const std::string path = file.string() + ": ";
         if (sentence.starts_with(path)) sentence.remove_prefix(path.size());

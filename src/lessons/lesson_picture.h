@@ -7,12 +7,12 @@
 namespace rasterwalk {
 
 /// Reads a picture that a lesson shows. It is a PNG in the folder of the lessons or in
-/// ../screenshots/; no path and no link of the file system leads out of there. Throws UsageError
-/// with a sentence that names it.
+/// ../screenshots/; no path and no symbolic link leads out of there. Throws UsageError with a
+/// sentence that names it.
 /// @param folder of the lesson
-/// @param target as it stands in the lesson
+/// @param target as written in the lesson
 Image read_lesson_picture(const std::string& folder, const std::string& target);
 
-inline constexpr int largest_lesson_picture = 4096; ///< pixels a side
+inline constexpr int largest_lesson_picture = 4096; ///< pixels per side
 
 } // namespace rasterwalk

@@ -49,7 +49,7 @@ class Reader {
     LessonStep& step() { return lesson_.steps.back(); }
     int step_number() const { return static_cast<int>(lesson_.steps.size()) - 1; }
 
-    /// What was read is not to be shown.
+    /// Drops what was read, so that it is not shown.
     void drop_all() {
         Lesson dropped;
         dropped.id = lesson_.id;
@@ -85,7 +85,7 @@ class Reader {
         text_.append(line).append("\n");
     }
 
-    /// Blank lines around a text are no part of it; text of blank lines is none.
+    /// Blank lines around a text are not part of it, and blank lines alone are not a text.
     void end_text() {
         const std::size_t last = text_.find_last_not_of(" \t\n");
         if (last != text_.npos) {
@@ -170,7 +170,7 @@ class Reader {
         note.label = std::string(line.substr(2, close - 2));
         note.text = std::string(trimmed(line.substr(close + 2)));
         note.line = line_number();
-        add_text(""); // keeps the lines of what follows
+        add_text(""); // keeps the line numbers of what follows
         ++next_;
         while (next_ < lines_.size() && lines_[next_].starts_with("  ") &&
                !trimmed(lines_[next_]).empty()) {
@@ -399,7 +399,7 @@ class Reader {
     Lesson lesson_;
     ViewState lesson_state_;
     int links_ = 0;
-    std::string text_; ///< of the part that is being read
+    std::string text_; ///< of the part being read
     int text_line_ = 1;
     bool in_code_ = false;
     int code_line_ = 0; ///< where the block of code began or ended

@@ -18,7 +18,7 @@ namespace {
 
 using PredictionKind = LessonPrediction::Kind;
 
-/// Before the place of a pixel that is an answer.
+/// The word before the place of a pixel in an answer.
 constexpr std::string_view pixel_word = "pixel ";
 
 std::string pixel_text(const glm::ivec2& pixel) {
@@ -73,7 +73,7 @@ void judge_choice(const LessonPrediction& prediction, const Facts& facts, int gi
     result.answer = prediction.choices[static_cast<std::size_t>(result.choice)];
 }
 
-/// Is this the answer that the misconception leads to?
+/// Does the misconception lead to this answer?
 bool gives(const Misconception& one, const LessonPrediction& prediction, const GivenAnswer& given,
            const FactReader& fact) {
     if (const int* const choice = std::get_if<int>(&given.value)) return *choice == one.choice;
@@ -85,8 +85,8 @@ bool gives(const Misconception& one, const LessonPrediction& prediction, const G
     return is_within(*number, value_of(*one.answer, fact), tolerance);
 }
 
-/// The text with all numbers filled in. What begins with a number and a full stop is a sentence,
-/// not the item of a list that Markdown would make of it.
+/// The text with all numbers filled in. If it begins with a number and a full stop, it stays a
+/// sentence, instead of becoming a list item in Markdown.
 std::string filled(std::string_view text, std::string_view answer, std::optional<double> number,
                    const FactReader& fact) {
     std::string result = fill_in(text, answer, number, fact);
@@ -106,7 +106,7 @@ bool is_in_lessons_folder(const Lesson& lesson) {
 
 std::vector<Fault> open_step(Session& session, const Lesson& lesson, int step) {
     const int last = static_cast<int>(lesson.steps.size()) - 1;
-    // Another step leaves the student the tab of their own choice; the same step again does not.
+    // A different step leaves the student's own tab; the same step again does not.
     const bool keeps_tab = session.tab_guide.is_own && session.lesson == lesson.id &&
                            session.step != std::clamp(step, 0, last);
     const std::string own_tab(tab_below(session));
@@ -244,7 +244,7 @@ std::optional<GivenAnswer> answer_in_words(const LessonPrediction& prediction,
 std::optional<double> read_answer(std::string_view text) {
     std::string written(trimmed(text));
     if (const auto comma = written.find(','); comma != written.npos) written[comma] = '.';
-    // Typographic minus signs, as they stand in the lessons.
+    // Typographic minus signs, as in the lessons.
     for (const std::string_view minus : {"\xe2\x88\x92", "\xe2\x80\x93"}) {
         for (std::size_t at = 0; (at = written.find(minus, at)) != written.npos; ++at)
             written.replace(at, minus.size(), "-");
@@ -263,7 +263,7 @@ std::string answer_text(double number, int digits) {
     const double size = std::abs(number);
     const bool is_whole = number == std::floor(number) && size < 1e15;
     if (is_whole) return with_minus_signs(decimals(number + 0.0, 0));
-    // Five figures that matter; of zeros in front of them at most four.
+    // Five significant figures, with at most four zeros in front of them.
     const int before = size >= 1.0 ? static_cast<int>(std::floor(std::log10(size))) + 1
                                    : -static_cast<int>(std::floor(-std::log10(size)));
     if (size >= 1e15 || before < -4) return with_minus_signs(scientific(number, 4));
@@ -292,7 +292,7 @@ std::string fill_in(std::string_view text, std::string_view answer, std::optiona
         result += text.substr(0, begin);
         text.remove_prefix(begin);
         if (text.empty()) return result;
-        // Code and formulas have braces of their own.
+        // Code and formulas have their own braces.
         if (text[0] != '{') {
             const std::size_t end = text.find(text[0], 1);
             const std::size_t length = end == text.npos ? 1 : end + 1;

@@ -35,7 +35,7 @@ std::size_t character_start(std::string_view text, std::size_t at) {
     return std::min(at, text.size());
 }
 
-/// About a hundred letters around a place, cut at blanks where it can be.
+/// About a hundred letters around a place, cut at blanks where possible.
 std::string excerpt_at(const std::string& text, std::size_t place) {
     constexpr std::size_t before = 36, length = 110;
     std::size_t begin = character_start(text, place > before ? place - before : 0);

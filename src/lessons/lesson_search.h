@@ -17,12 +17,12 @@ struct SearchHit {
     std::string excerpt; ///< the words around the place, plain text
 };
 
-/// Finds every step and term in which all words of the query stand, whatever their case: first
-/// terms, then steps whose heading has them, then the others, each in the order of the lessons.
+/// Finds every step and term that contains all words of the query, in any case: first terms, then
+/// steps whose heading has them, then other steps, each in the order of the lessons.
 std::vector<SearchHit> search_lessons(const std::vector<Lesson>& lessons,
                                       const std::vector<Term>& glossary, std::string_view query);
 
-/// Markdown without its marks, on one line: what a reader sees of it.
+/// Markdown without its marks, on one line, as a reader sees it.
 std::string plain_text(std::string_view markdown);
 
 inline constexpr std::size_t most_search_hits = 60;

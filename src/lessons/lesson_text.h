@@ -1,7 +1,7 @@
 #pragma once
 
-// What is written inside the lines of a lesson's text: links, pictures, formulas, footnotes. Code
-// is skipped.
+// What is inside the lines of a lesson's text: links, pictures, formulas, footnotes. Code is
+// skipped.
 
 #include <string_view>
 #include <vector>
@@ -11,16 +11,16 @@
 
 namespace rasterwalk {
 
-/// What was found, each in the order of reading.
+/// What was found, each in reading order.
 struct InlineParts {
     std::vector<LinkPlace> links;     ///< and pictures
     std::vector<TextPlace> formulas;  ///< without the dollar signs
     std::vector<TextPlace> footnotes; ///< labels of [^label]
 };
 
-/// Finds them by the parse that the student sees drawn. What the format of lessons does not have
-/// (reference links, bare addresses, comments within a line, too deep nesting) is a fault.
-/// @param first_line of the file in which the text begins
+/// Finds them with the parse that is drawn for the student. What the format of lessons does not
+/// have (reference links, bare addresses, comments within a line, too deep nesting) is a fault.
+/// @param first_line line of the file where the text begins
 InlineParts find_inline_parts(std::string_view text, int first_line, FaultList& faults);
 
 } // namespace rasterwalk

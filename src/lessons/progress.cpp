@@ -64,7 +64,7 @@ const std::string& key_of(const std::pair<const std::string, FirstAnswer>& answe
     return answer.first;
 }
 
-/// Takes away what went from `before` to `after`, and adds what came.
+/// Removes what is gone in `after` compared with `before`, and adds what is new.
 template <class Container>
 void carry_over(const Container& before, const Container& after, Container& theirs) {
     for (const auto& one : before) {
@@ -255,7 +255,7 @@ Progress merged(const Progress& before, const Progress& after, const Progress& t
 }
 
 Progress write_progress(const Progress& before, const Progress& after, const std::string& path) {
-    std::error_code fault; // the writing itself will tell
+    std::error_code fault; // writing the file will report it
     std::filesystem::create_directories(std::filesystem::path(path).parent_path(), fault);
     const FileLock lock(path);
     Progress kept = merged(before, after, read_progress(path));

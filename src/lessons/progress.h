@@ -12,28 +12,28 @@ namespace rasterwalk {
 
 /// The first answer to a prediction.
 struct FirstAnswer {
-    std::string said; ///< as the student gave it
+    std::string said; ///< as given by the student
     bool is_right = false;
     bool has_second_try = false; ///< it was wrong, and the program has not shown its own yet
-    std::string second{};        ///< what was said then; empty: nothing
+    std::string second{};        ///< the second answer; empty: none
 
     friend bool operator==(const FirstAnswer&, const FirstAnswer&) = default;
 };
 
-/// What the student has done of one lesson.
+/// The student's progress in one lesson.
 struct LessonProgress {
     std::set<int> steps;                        ///< that were shown
-    std::set<std::string> tasks;                ///< ids of those that were solved
+    std::set<std::string> tasks;                ///< ids of solved tasks
     std::map<std::string, FirstAnswer> answers; ///< by the id of the prediction
     int last_step = 0;
 
     friend bool operator==(const LessonProgress&, const LessonProgress&) = default;
 };
 
-/// What the student has done of all lessons.
+/// The student's progress in all lessons.
 struct Progress {
     std::map<std::string, LessonProgress> lessons; ///< by id
-    std::string last_lesson;                       ///< that was open; empty: none
+    std::string last_lesson;                       ///< the one open last; empty: none
 
     /// The progress of a lesson; an empty one if it was never open.
     const LessonProgress& of(const std::string& lesson) const;
@@ -45,17 +45,17 @@ struct Progress {
     /// Only the first answer is kept.
     void note_answer(const std::string& lesson, const std::string& prediction,
                      const FirstAnswer& answer);
-    /// The first answer was wrong, and the program has not shown its own yet.
+    /// Was the first answer wrong, and has the program not shown its own yet?
     bool has_second_try(const std::string& lesson, const std::string& prediction) const;
     /// @param said the second answer; empty: there was none
     void end_second_try(const std::string& lesson, const std::string& prediction,
                         const std::string& said = {});
-    /// The program has shown its own answer.
+    /// Has the program shown its own answer?
     bool is_revealed(const std::string& lesson, const std::string& prediction) const;
 
-    /// To be called whenever one of the members above was set directly.
+    /// Call it whenever one of the members above was set directly.
     void touch();
-    /// Another number whenever the rest may be another, also than that of any other progress.
+    /// Changes whenever the rest may have, and differs between any two progresses.
     std::uint64_t number() const { return number_; }
 
     friend bool operator==(const Progress& a, const Progress& b) {
@@ -77,24 +77,24 @@ struct LessonScore {
 };
 LessonScore score_of(const Progress& progress, const Lesson& lesson);
 
-/// The lesson with which to go on: the one that was left, or else the first that is not done; empty
-/// if there is no lesson at all.
+/// The lesson to go on with: the one that was left, or else the first that is not done; empty if
+/// there is no lesson at all.
 std::string lesson_to_open(const Progress& progress, const std::vector<Lesson>& lessons);
 
 /// Progress as TOML, and back. Reading throws InputError with file:line.
 std::string progress_text(const Progress& progress);
 Progress parse_progress(std::string_view text, const std::string& path);
 
-/// Reads what was kept; a file that is not there is no progress. Throws AccessError or InputError.
+/// Reads what was kept; without a file there is no progress. Throws AccessError or InputError.
 Progress read_progress(const std::string& path);
 
-/// What is to be kept where someone else has written since: their progress, with what changed from
-/// `before` to `after` added or taken away. The answer that is there already stays the first one.
+/// The progress to keep if another window has written since: `theirs`, with what changed from
+/// `before` to `after` added or removed. An answer that is already there stays the first.
 Progress merged(const Progress& before, const Progress& after, const Progress& theirs);
 
-/// Keeps what changed from `before` to `after` in a file that other windows write too, and returns
-/// what it then holds. Makes the folder if need be. Throws AccessError, or InputError if the file
-/// cannot be understood; it then stays as it is.
+/// Saves what changed from `before` to `after` in a file that other windows write too, and returns
+/// its new content. Makes the folder if necessary. Throws AccessError, or InputError if the file
+/// cannot be understood; it then stays unchanged.
 Progress write_progress(const Progress& before, const Progress& after, const std::string& path);
 
 /// The folder for what is kept between runs: $XDG_STATE_HOME/rasterwalk, or

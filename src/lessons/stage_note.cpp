@@ -14,7 +14,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// None where one of its numbers is not there.
+/// The paragraph filled in; none if one of its numbers is missing.
 std::optional<std::string> paragraph_about(std::string_view paragraph, const FactReader& fact) {
     if (paragraph.find('{') == std::string_view::npos) return std::string(paragraph);
     bool is_whole = true;

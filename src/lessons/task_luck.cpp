@@ -17,7 +17,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Where on its slider a number is tried.
+/// Where on its slider to try a number.
 enum class Stop : std::uint8_t { random, smallest, largest };
 
 /// A value between the ends.
@@ -45,7 +45,7 @@ void set_numbers(const Setting& setting, const std::vector<float>& numbers, Sett
     }
 }
 
-/// Tries one task again and again.
+/// Tries one task repeatedly.
 class Trier {
   public:
     Trier(const Lesson& lesson, const LessonTask& task, const Session& like, LessonTrial& trial)
@@ -55,7 +55,7 @@ class Trier {
             links_.push_back(parse_lesson_link(target));
     }
 
-    /// What can be tried at random; empty: nothing.
+    /// The name of what can be tried at random; empty: nothing.
     std::string control() const {
         std::vector<std::string> names;
         if (!is_open_) return {};
@@ -91,7 +91,7 @@ class Trier {
   private:
     const LessonStep& step() const { return lesson_.steps[static_cast<std::size_t>(task_.step)]; }
 
-    /// By chance a try may leave everything as it was.
+    /// Has a try changed nothing, by chance?
     bool is_as_opened() const {
         const Session& now = trial_.session;
         return now.a.settings == opened_.a.settings && now.selection == opened_.selection &&
@@ -151,7 +151,7 @@ class Trier {
             return text_of(*session.selection.triangle);
         }
         if (name == "row") {
-            finish(session, trial_.results); // the table of what was tried before it
+            finish(session, trial_.results); // for the table of what was tried earlier
             const Value top = trial_.facts()("table.first_row");
             const Value rows = trial_.facts()("table.rows");
             const double* const first = std::get_if<double>(&top);

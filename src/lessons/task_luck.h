@@ -1,6 +1,6 @@
 #pragma once
 
-// Is a task solved by chance? What its recipe turns is given random values instead.
+// Tests whether a task can be solved by chance, with random values for what its recipe sets.
 
 #include <string>
 
@@ -9,28 +9,28 @@
 
 namespace rasterwalk {
 
-/// What became of random tries at a task.
+/// The result of random tries at a task.
 struct TaskLuck {
-    std::string control; ///< what was given random values: "pixel"; empty: the task asks for words
-                         ///< of lists alone, and cannot be tried so
+    std::string control; ///< what was given random values: "pixel"; empty: the task only asks for
+                         ///< words of lists, and cannot be tried this way
     int tries = 0;
     int passed = 0;            ///< tries that solved it
     bool ends_pass = false;    ///< either end of its slider solves it
-    int unanswered = 0;        ///< tries that missed, and nothing is said to them
+    int unanswered = 0;        ///< tries that failed without a reply
     std::string unanswered_by; ///< one of them: "pixel:250,131"
 };
 
 /// Tries a task from where its step opens. The pixels, triangles, rows, moments and numbers that
-/// its recipe names are replaced by random ones, equally distributed: over the picture, the scene,
-/// the table, the bar of time, the stops of the step's slider. A number without a slider is taken
-/// from as far around the one that the step opens with as four times the way to the recipe's. All
-/// else of the recipe is followed as it is.
+/// its recipe names are replaced by random ones, uniformly distributed over the picture, the scene,
+/// the table, the timeline, the stops of the step's slider. A number without a slider is taken from
+/// around the one that the step opens with, up to four times as far away as the recipe's. The rest
+/// of the recipe is followed unchanged.
 /// Throws Error for a recipe that cannot be followed.
-/// @param tries how many; 0 gives the control alone
+/// @param tries how many; 0 only gives the control
 TaskLuck luck_of(const Lesson& lesson, const LessonTask& task, int tries, const Session& like,
                  LessonTrial& trial);
 
-/// A task that more of the tries solve asks for no understanding: a tenth of them.
+/// A task that more than this share of the tries solve needs no understanding.
 bool is_luck(const TaskLuck& luck);
 
 } // namespace rasterwalk

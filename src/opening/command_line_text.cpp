@@ -26,7 +26,7 @@ std::string absolute_path(const std::string& path) {
     return fault ? path : absolute.lexically_normal().string();
 }
 
-/// One of the program's own scenes is named from the folder of the lessons, so that the line means
+/// A scene of the program is named relative to the folder of the lessons, so that the line means
 /// the same on every machine.
 std::string name_of_scene(const std::string& path) {
     const std::optional<std::string> name = name_in_lessons_folder(path);
@@ -50,7 +50,7 @@ ViewOptions start_without_texture(const Session& session) {
             }
             return options;
         } catch (const Error&) {
-            options = {}; // the lesson is no longer what it was
+            options = {}; // the lesson has changed
         }
     }
     const std::string usual = lessons_folder() + "/" + std::string(usual_scene);
@@ -60,7 +60,7 @@ ViewOptions start_without_texture(const Session& session) {
     return options;
 }
 
-/// What the line begins with: that, and the image that is laid on the scene.
+/// The beginning of the line: the same, and the image that is laid on the scene.
 ViewOptions start_of(const Session& session) {
     ViewOptions options = start_without_texture(session);
     const std::string& texture = session.scene->laid_texture;
@@ -68,7 +68,7 @@ ViewOptions start_of(const Session& session) {
     return options;
 }
 
-/// Words after one another, as far as they differ from where the line begins.
+/// The words of the line for what differs from its beginning.
 class Line {
   public:
     Line(const Session& session, const ViewOptions& start)
@@ -120,7 +120,7 @@ std::vector<std::string> command_line_words(const Session& session) {
     if (hides_settings(session)) {
         throw UsageError("the view cannot be copied while a quiz is hiding its settings.");
     }
-    scene_in_file(session); // says why, if there is none
+    scene_in_file(session); // throws with a reason if there is none
     return Line(session, start_of(session)).words();
 }
 

@@ -34,7 +34,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In ViewState::lines: this was said by the options, not by a file.
+/// In ViewState::lines: this was given by the options, not by a file.
 constexpr int said_by_options = -1;
 
 /// What the options start from.
@@ -43,7 +43,7 @@ struct Start {
     ViewState state;
     std::string path;    ///< of the lesson or the saved view; empty: neither
     std::string own_tab; ///< of a saved view: the student's, instead of the lesson's; empty: none
-    bool covers_tab = false; ///< the settings lie over it
+    bool covers_tab = false; ///< the settings cover it
 };
 
 std::string sentence_of(const std::string& path, const Fault& fault) {
@@ -51,7 +51,7 @@ std::string sentence_of(const std::string& path, const Fault& fault) {
                           : fmt::format("{}: {}", path, fault.sentence);
 }
 
-/// The first of these faults, thrown.
+/// Throws the first of these faults.
 void refuse_faults(const std::string& path, const std::vector<Fault>& faults) {
     if (faults.empty()) return;
     const Fault& first = faults.front();
@@ -90,10 +90,10 @@ Start start_of_lesson(const ViewOptions& options, const ReadingWatch& watch) {
     return start;
 }
 
-/// A picture in the place of a scene: what was meant is another command.
+/// A picture in place of a scene: another command was meant.
 void refuse_picture(const std::string& path) {
     std::error_code fault;
-    // What is no file, as a pipe, could not be read a second time.
+    // What is not a file, such as a pipe, could not be read a second time.
     if (!fs::is_regular_file(path, fault) || !is_image_file(path)) return;
     throw UsageError(in_quotes(path) +
                      " is a picture, not a scene. 'rasterwalk diagnose FILE' suggests what is "
@@ -109,8 +109,8 @@ Start start_of_scene(const ViewOptions& options, const std::optional<Bug>& bug,
     return start;
 }
 
-/// The lesson saved with a view. Its step says which panels are shown, and to which tab the student
-/// can go back from their own. If it is no longer there, the view opens all the same.
+/// The lesson saved with a view. Its step says which panels are shown, and which tab the student
+/// can go back to. If it no longer exists, the view opens all the same.
 void take_lesson(const SavedView& saved, Start& start) {
     if (saved.lesson.empty()) return;
     Session& session = start.session;
@@ -149,14 +149,14 @@ Start start_of_saved_view(const std::string& path, const ReadingWatch& watch) {
     return start;
 }
 
-/// Over the lesson's tab comes the student's own, and the settings over that.
+/// The student's own tab replaces the lesson's, and the settings cover it.
 void show_own_tab(const Start& start, Session& session) {
     choose_tab(session, start.own_tab);
     if (start.covers_tab) choose_tab(session, settings_tab);
 }
 
-/// Puts the scene that the options name into the place of the lesson's: its rules stay, its places
-/// mean nothing there.
+/// Puts the scene that the options name in place of the lesson's: the lesson's rules stay, but its
+/// places mean nothing there.
 void replace_scene(Start& start, const std::string& name, const ReadingWatch& watch) {
     set_scene(start.session, read_scene_file(find_scene_file(name), watch));
     for (const ViewField& field : view_table()) {
@@ -164,7 +164,7 @@ void replace_scene(Start& start, const std::string& name, const ReadingWatch& wa
     }
 }
 
-/// Gives the picture another size and the same field of view.
+/// Gives the picture another size with the same field of view.
 void set_size(Settings& settings, SceneSpace space, const std::string& size) {
     const float old_height = static_cast<float>(settings.viewport.height);
     set_value(settings, *find_setting("viewport.size"), size);
@@ -174,7 +174,7 @@ void set_size(Settings& settings, SceneSpace space, const std::string& size) {
     set_value(settings, *find_setting("camera.focal_length"), number_text(focal_length));
 }
 
-/// The settings that the start asks for.
+/// Applies the settings that the start asks for.
 void set_as_start_says(Start& start) {
     Settings& settings = start.session.a.settings;
     settings = default_settings(*start.session.scene);
@@ -187,13 +187,13 @@ void set_as_start_says(Start& start) {
     }
 }
 
-/// What was set by the options, on top of the start.
+/// Applies what the options set, on top of the start.
 void set_as_options_say(const ViewOptions& options, const std::optional<Bug>& bug,
                         Session& session) {
     Settings& settings = session.a.settings;
     if (!options.size.empty()) set_size(settings, session.scene->space, options.size);
     if (bug) apply_bug(*bug, session);
-    // Both runs of a mistake: or else what is set would count as a part of it.
+    // Both runs of a mistake, or else what is set would count as a part of it.
     for (Settings* const run : {&settings, bug ? &session.b->settings : nullptr}) {
         if (run == nullptr) continue;
         for (const std::string& name : options.presets)
@@ -204,14 +204,14 @@ void set_as_options_say(const ViewOptions& options, const std::optional<Bug>& bu
     }
 }
 
-/// Do the options draw another picture than the start's?
+/// Do the options draw a picture different from the start's?
 bool changes_picture(const ViewOptions& o) {
     return !(o.scene.empty() && o.texture.empty() && o.size.empty() && o.stage.empty() &&
              o.bug.empty() && o.presets.empty() && o.assignments.empty() &&
              o.given.count("vertices") == 0);
 }
 
-/// Where the start's cursor, pixel and row do not exist with other settings, they give way.
+/// Moves or drops the start's cursor, pixel and row if they do not exist with other settings.
 void fit(const Session& session, ViewState& state) {
     const Frame frame = prepare_frame(*session.scene, session.a.settings);
     if (state.cursor) state.cursor = Timeline(frame).at_or_after(*state.cursor);
@@ -226,7 +226,7 @@ void fit(const Session& session, ViewState& state) {
     }
 }
 
-/// Puts the vertices of a bench where they are to lie, so that everything after it finds them.
+/// Moves the vertices of a bench, so that everything after it finds them there.
 std::vector<Fault> place_vertices(Session& session, const ViewState& state) {
     try {
         view_field("vertices").show(state, session);
@@ -236,8 +236,8 @@ std::vector<Fault> place_vertices(Session& session, const ViewState& state) {
     }
 }
 
-/// Puts what the options say on top of what is there. What goes wrong with it is then the options'
-/// fault, not the file's.
+/// Puts the options on top of the state. Anything wrong with them is then the options' fault, not
+/// the file's.
 void take_options(const ViewOptions& options, ViewState& state) {
     for (const ViewField& field : view_table()) {
         const auto given = options.given.find(field.key);
@@ -247,7 +247,7 @@ void take_options(const ViewOptions& options, ViewState& state) {
     }
 }
 
-/// FILE stands for one of the other options, by its ending.
+/// FILE stands for one of the other options, depending on its ending.
 ViewOptions with_file_sorted(ViewOptions options) {
     if (options.file.empty()) return options;
     if (is_view_file(options.file)) {
@@ -262,7 +262,7 @@ ViewOptions with_file_sorted(ViewOptions options) {
         throw UsageError(is_lesson ? "the lesson is named twice, as FILE and by --lesson."
                                    : "the scene is named twice, as FILE and by --scene.");
     }
-    // A path, even where it has no folder.
+    // A path, even if it has no folder.
     place = is_lesson && file.find('/') == file.npos ? "./" + file : file;
     return options;
 }
@@ -341,7 +341,7 @@ Lesson lesson_named(const std::string& name) {
                          " is not a lesson: the name of a lesson is two digits, a hyphen, a name "
                          "and .md.");
     }
-    read_file(path, largest_lesson); // says why it cannot be read
+    read_file(path, largest_lesson); // throws with the reason why it cannot be read
     return read_lesson(path);
 }
 

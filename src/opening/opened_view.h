@@ -1,7 +1,6 @@
 #pragma once
 
-// From what a command line, a lesson or a saved view says to a session: what the program opens
-// with.
+// Makes the session that the program opens with from a command line, a lesson or a saved view.
 
 #include <functional>
 #include <map>
@@ -16,8 +15,8 @@ namespace rasterwalk {
 
 struct ViewField;
 
-/// What a command line says about the view, as it was written. What is empty was not said. Where a
-/// lesson or a saved view sets something, `none` takes it away again.
+/// What a command line says about the view, as written. Empty members were not given. If a lesson
+/// or a saved view sets something, `none` removes it again.
 struct ViewOptions {
     std::string file;    ///< a scene (.toml, .obj), a lesson (.md) or a saved view (.walk.toml)
     std::string scene;   ///< path, from here or from lessons_folder(); the lab's room if not given
@@ -25,12 +24,12 @@ struct ViewOptions {
     std::string lesson;  ///< id, or path of a lesson
     std::string step;    ///< of the lesson; 0 is its opening
     std::string stage;
-    std::string bug; ///< id; its scene is taken unless one is named
+    std::string bug; ///< id; its scene is used unless one is named
     std::vector<std::string> presets;
     std::vector<std::string> assignments; ///< name=value
     std::string size;                     ///< WIDTHxHEIGHT; keeps the field of view
     /// The words of the other options by the key of their field in view_table(), `compare` for
-    /// --b. None is empty.
+    /// --b. No list is empty.
     std::map<std::string, std::vector<std::string>, std::less<>> given;
 
     friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
@@ -44,15 +43,15 @@ struct ViewOptions {
 /// faults. Throws ReadingStopped if the watch stops it.
 Session open_view(const ViewOptions& given, const ReadingWatch& watch = {});
 
-/// The option of a field as it is written: "--compare-view".
+/// The option of a field as written: "--compare-view".
 std::string option_name(const ViewField& field);
 
 /// The path of the scene that a text names: a file, or one in lessons_folder()
 /// ("scenes/fence.toml").
 std::string find_scene_file(const std::string& name);
 
-/// The lesson of this id or at this path. Throws Error if there is none; what is wrong in it stands
-/// in its faults.
+/// The lesson of this id or at this path. Throws Error if there is none; what is wrong in it is in
+/// its faults.
 Lesson lesson_named(const std::string& name);
 
 /// Is this the name of a saved view?

@@ -33,12 +33,12 @@ struct LinkPair {
 
 // --- from a link
 
-/// UTF-8 on one line, with nothing in it that is obeyed instead of shown.
+/// Is it UTF-8 on one line, without control characters?
 bool is_plain_text(std::string_view text) {
     return is_utf8(text) && text.find('\t') == text.npos && visible_line(text) == text;
 }
 
-/// The value of a hexadecimal digit, large or small.
+/// The value of a hexadecimal digit in either case.
 std::optional<unsigned> digit_of(char c) {
     const char large = c >= 'a' && c <= 'f' ? static_cast<char>(c - 'a' + 'A') : c;
     const std::size_t digit = hexadecimal.find(large);
@@ -96,7 +96,7 @@ std::vector<LinkPair> parse_pairs(std::string_view link) {
     }
 }
 
-/// Each name is an option's, once unless it may be repeated.
+/// Checks that each name is an option's, and is there once unless it may be repeated.
 void check_names(const CLI::App& app, const std::vector<LinkPair>& pairs) {
     std::vector<std::string_view> known;
     std::set<std::string_view> single;
@@ -117,7 +117,7 @@ void check_names(const CLI::App& app, const std::vector<LinkPair>& pairs) {
     }
 }
 
-/// The options as they are given, whatever files they name.
+/// The options as given, whatever files they name.
 ViewOptions read_pairs(const std::vector<LinkPair>& pairs) {
     ViewOptions options;
     CLI::App app;
@@ -126,7 +126,7 @@ ViewOptions read_pairs(const std::vector<LinkPair>& pairs) {
     add_look_options(app, options);
     check_names(app, pairs);
     std::vector<std::string> arguments;
-    // One word each, so that no value is taken for an option.
+    // One word each, so that no value is mistaken for an option.
     for (const LinkPair& pair : pairs)
         arguments.push_back(fmt::format("--{}={}", pair.name, pair.value));
     std::reverse(arguments.begin(), arguments.end()); // as CLI11 wants them
@@ -155,7 +155,7 @@ std::optional<std::string> find_own_file(const std::string& name) {
     }
 }
 
-/// What the options call the lesson that a link names: its id, or its path in a subfolder.
+/// The options' name for the lesson that a link names: its id, or its path in a subfolder.
 std::string lesson_of_link(std::string name) {
     if (name.ends_with(lesson_ending)) name.resize(name.size() - lesson_ending.size());
     const std::string file = name + std::string(lesson_ending);
@@ -180,7 +180,7 @@ std::string encoded(std::string_view text) {
     return result;
 }
 
-/// The name of a file that is there, by its path or its name from lessons_folder().
+/// The name of an existing file, from its path or its name relative to lessons_folder().
 std::optional<std::string> name_of_own_file(const std::string& path) {
     const std::optional<std::string> name =
         name_in_lessons_folder((fs::path(lessons_folder()) / path).string());
@@ -193,7 +193,7 @@ std::optional<std::string> name_of_own_file(const std::string& path) {
                                  what, in_quotes(fs::path(path).filename().string())));
 }
 
-/// What a link says for the word of an option.
+/// The text in a link for the word of an option.
 std::string value_for_link(std::string_view name, const std::string& word) {
     if (name == "scene" || name == "texture") {
         const std::optional<std::string> scene = name_of_own_file(word);
@@ -222,7 +222,7 @@ ViewOptions parse_view_link(std::string_view fragment) {
         throw UsageError("step can only be used with lesson.");
     }
     if (!options.lesson.empty()) options.lesson = lesson_of_link(options.lesson);
-    // A path, or else a file that happens to lie where the program was started would come first.
+    // A path, because otherwise a file where the program was started could come first.
     if (!options.scene.empty()) options.scene = find_lesson_file(lessons_folder(), options.scene);
     if (!options.texture.empty())
         options.texture = find_lesson_file(lessons_folder(), options.texture);

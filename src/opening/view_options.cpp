@@ -35,7 +35,7 @@ bool begins_negative(std::string_view argument) {
 void add_field(CLI::App& command, ViewOptions& o, const ViewField& field) {
     const ViewOption& option = field.option;
     const auto take = [&o, &field](const std::vector<std::string>& words) {
-        // Nothing between two quotes says nothing.
+        // An empty word counts as no option.
         if (!field.option.is_repeatable && words.back().empty()) return;
         o.given[std::string(field.key)] = words;
     };
@@ -43,7 +43,7 @@ void add_field(CLI::App& command, ViewOptions& o, const ViewField& field) {
         option_name(field), take, std::string(option.help));
     made->type_name(std::string(option.type))->group(view_group);
     if (!option.is_repeatable) made->expected(1);
-    made->allow_extra_args(false); // what comes after the word is not the option's
+    made->allow_extra_args(false); // what follows the word does not belong to the option
 }
 
 void add_part(CLI::App& command, ViewOptions& o, ViewPart part) {

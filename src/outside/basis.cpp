@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// In the middle of the triangle; none if no normal map bends its normals.
+/// The axes in the middle of the triangle; none if no normal map bends its normals.
 std::vector<Basis> surface_basis(const Frame& frame, std::optional<int> triangle) {
     const Scene& scene = *frame.scene;
     if (!frame.bends || !triangle || *triangle < 0 || *triangle >= scene.triangle_count() ||

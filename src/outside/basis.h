@@ -1,8 +1,8 @@
 #pragma once
 
-// The axes of the spaces that matrices lead through, as arrows in the world: one unit along each of
-// the world's own, of the camera's, and of those in which an object is made; and the axes by which
-// a surface reads its normal map.
+// The axes of the spaces that matrices connect, as arrows in the world: one unit along each axis of
+// the world, of the camera and of object space; and the axes by which a surface reads its normal
+// map.
 
 #include <array>
 #include <cstdint>
@@ -24,20 +24,20 @@ static_assert(words_match<BasisOf>);
 
 inline constexpr int axis_count = 3;
 
-/// The axes of a space, as they stand in the world.
+/// The axes of a space, in the world.
 struct Basis {
     BasisOf of = BasisOf::world;
     glm::dvec3 origin{0.0};
-    /// From the origin, one unit of that space long, world units: x, y, z; those of the camera
-    /// point right, down and forward. Those of an object are the first columns of Tm, and its
-    /// origin is the last; those of the camera are the rows of Tv. Those of a surface are tangent,
-    /// bitangent and normal, a third as long as its triangle.
+    /// From the origin, one unit of that space long, world units: x, y, z; the camera's point
+    /// right, down and forward. An object's are the first columns of Tm, and its origin is the
+    /// last; the camera's are the rows of Tv. A surface's are tangent, bitangent and normal, a
+    /// third as long as its triangle.
     std::array<glm::dvec3, axis_count> axes{};
 };
 
-/// Of the triangle those by which its normal map is read, if one bends its normals. And where
-/// matrices do the work the world's, the camera's and, if its part is moved, turned or scaled,
-/// those of the part of the triangle. None in a scene in pixels.
+/// The axes by which the triangle's normal map is read, if one bends its normals. With matrices,
+/// also the world's, the camera's and, if its part is moved, turned or scaled, those of that part.
+/// None in a scene in pixels.
 std::vector<Basis> bases_of(const Frame& frame, std::optional<int> triangle);
 
 } // namespace rasterwalk

@@ -12,7 +12,7 @@ FilledPart::FilledPart(const Frame& frame, const Cursor& cursor, int triangle)
     : frame_(frame), cursor_(cursor), triangle_(triangle),
       is_whole_(frame.is_drawn(triangle) && triangle < cursor.triangle),
       has_columns_(has_fragments(frame.settings.stage)) {
-    // One that has not come to its rows yet is not filled at all.
+    // A triangle whose rows have not begun is not filled at all.
     has_rows_ = !is_whole_ && frame.is_drawn(triangle) && frame.settings.stage >= Stage::rows &&
                 cursor > Cursor{triangle, Phase::rows, 0, 0};
     if (has_rows_) compute_rows(frame, triangle, rows_, nullptr, VaryingSet());

@@ -8,19 +8,18 @@
 
 namespace rasterwalk {
 
-/// Which part of a triangle is filled at a moment of its frame.
+/// The part of a triangle that is filled at a moment of its frame.
 class FilledPart {
   public:
-    /// @param frame    must live as long
-    /// @param triangle of the frame; must be one
+    /// @param frame    must outlive this
+    /// @param triangle must be one of the frame
     FilledPart(const Frame& frame, const Cursor& cursor, int triangle);
 
     bool is_whole() const { return is_whole_; }
     bool is_empty() const { return !is_whole_ && (!has_rows_ || rows_.size() == 0); }
 
-    /// Is what the camera sees in this place of its picture filled? To be asked of a part that is
-    /// not empty.
-    /// @param pixel from its corner
+    /// Is what the camera sees at this place of its picture filled? The part must not be empty.
+    /// @param pixel from the picture's corner
     bool has(const glm::dvec2& pixel) const;
 
   private:

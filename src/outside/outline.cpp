@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The cosine from which on two directions are the same.
+/// From this cosine up, two directions are the same.
 constexpr float same_direction = 0.999f;
 
 /// An edge of one triangle, its ends in order.
@@ -31,7 +31,7 @@ glm::vec3 normal_of(const Scene& scene, int triangle) {
                        scene.corner(triangle, 2).position);
 }
 
-/// Do these triangles lie in one plane, as two halves of a wall?
+/// Are these triangles in one plane, like two halves of a wall?
 bool is_flat(const Scene& scene, int a, int b) {
     return part_of(scene, a) == part_of(scene, b) &&
            std::abs(glm::dot(normal_of(scene, a), normal_of(scene, b))) > same_direction;

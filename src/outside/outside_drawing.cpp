@@ -19,29 +19,30 @@ namespace rasterwalk {
 
 namespace {
 
-/// A picture of more samples than this is drawn with one a pixel, or with larger pixels.
+/// A picture with more samples than this is drawn with one per pixel, or with larger pixels.
 constexpr std::int64_t most_samples = 3'000'000;
 
 /// No side has more samples than the engine's guard band leaves room for.
 constexpr int longest_side = 8000;
 static_assert(longest_side < fast::guard_band);
 
-/// What is drawn at most of a scene that never gets done.
+/// The most work on a scene that never gets done.
 constexpr std::int64_t most_work = 2'000'000'000;
 
-/// What a triangle costs before its first sample, and a sample of the box around it.
+/// The cost of a triangle up to its first sample, and of a sample in the box around it.
 constexpr double triangle_work = 40.0, sample_work = 0.02;
 
-/// A small scene is drawn whole, unless its triangles are hostile: half a room is no room.
+/// A small scene is drawn in one call, unless its triangles are very large, because half a room
+/// looks wrong.
 constexpr std::int64_t small_scene_factor = 6;
 
-/// A surface must win against the same surface, worked out once more.
+/// A surface must win against the same surface computed again.
 constexpr float same_surface = 1.0005f;
 
-/// How much is seen of the picture where nothing is drawn: it is a pane of glass there.
+/// The opacity of the picture where nothing is drawn, like a pane of glass.
 constexpr float glass = 0.4f;
 
-/// The ids of what is no triangle: pixels of the picture.
+/// The ids of what is not a triangle: nothing, or pixels of the picture.
 constexpr std::int32_t nothing = -1;
 constexpr std::int32_t first_pixel_id = -2;
 
@@ -54,17 +55,17 @@ OutsideEye scaled(OutsideEye eye, double scale) {
     return eye;
 }
 
-/// So many triangles of a large scene follow each other as in the mesh, because they lie beside
-/// each other in memory.
+/// This many triangles of a large scene are drawn in the order of the mesh, because they are next
+/// to each other in memory.
 constexpr int triangles_in_a_row = 64;
 
-/// The n-th triangle to be drawn. Those of a large scene come from everywhere in turn, so that the
-/// first of them show the whole.
+/// The n-th triangle to draw. In a large scene they come from everywhere in turn, so that the first
+/// ones show the whole.
 int triangle_in_turn(int n, int count) {
     const int groups = count / triangles_in_a_row;
     const int group = n / triangles_in_a_row;
     if (count <= most_ordered || group >= groups) return n;
-    // About the golden section of their number, and without a divisor in common with it.
+    // About the golden section of their number, and coprime to it.
     auto step = static_cast<std::int64_t>(0.6180339887 * groups);
     while (std::gcd(step, static_cast<std::int64_t>(groups)) != 1)
         ++step;
@@ -75,7 +76,7 @@ glm::vec3 over_ground(const OutsideStyle& style, const glm::vec3& colour, float 
     return glm::mix(style.ground, glm::clamp(colour, 0.0f, 1.0f), share);
 }
 
-/// None if it has no texture that is shown.
+/// The texture of a triangle; none if it has no texture that is shown.
 SeenTexture seen_texture(const OutsideSubject& subject, int triangle, const OutsideEye& eye) {
     if (!is_textured(subject.frame)) return {};
     return {subject.frame, triangle, seen_corners(*subject.scene, triangle, eye), eye};
@@ -85,7 +86,7 @@ bool is_triangle_of(const Scene& scene, std::optional<int> triangle) {
     return triangle && *triangle >= 0 && *triangle < scene.triangle_count();
 }
 
-/// What it costs to draw a triangle, at most: as if it lay as near as its first corner allows.
+/// The most that a triangle can cost: as if it were as near as its first corner allows.
 std::int64_t work_of(const WorldTriangle& triangle, const OutsideEye& eye, glm::ivec2 size) {
     const double extent = triangle.extent;
     const double z = glm::dot(glm::dvec3(triangle.corner) - eye.position, eye.rotation[2]);
@@ -105,7 +106,7 @@ FastEye fast_eye(const OutsideEye& eye, const Rectangle& samples) {
             .near = static_cast<float>(eye.near_distance)};
 }
 
-/// The place that a sample shows, in the space of the eye.
+/// The place shown by a sample, in the space of the eye.
 glm::dvec3 place_at(const OutsideEye& eye, int column, int row, float inv_z) {
     return eye.ray({column + 0.5, row + 0.5}) / static_cast<double>(inv_z);
 }
@@ -132,7 +133,7 @@ void resolve_row(const std::uint32_t* from, int stride, int pixels, std::uint8_t
     }
 }
 
-/// Tells of places on a triangle whether they lie in what clipping leaves of it.
+/// Tests whether places on a triangle are in what clipping leaves of it.
 class InsideTest {
   public:
     /// @param seen the corners of the triangle, in the space of the eye
@@ -156,7 +157,7 @@ class InsideTest {
     }
 
   private:
-    /// Inside of one edge dot(inward, place) is not less.
+    /// On the inner side of an edge, dot(inward, place) >= least.
     struct Side {
         glm::dvec3 inward;
         double least;
@@ -176,10 +177,10 @@ class OutsideDrawing::BasePainter {
           is_ordered_(subject.scene->triangle_count() <= most_ordered),
           has_textures_(is_textured(subject.frame)) {}
 
-    /// Where it has no texture.
+    /// The colour of a triangle without texture.
     std::uint32_t plain(int triangle) const { return shown(triangle, glm::vec3(1.0f)); }
 
-    /// At a sample. Those of one triangle are quickest one after the other.
+    /// The colour at a sample. Fastest for samples of one triangle in a row.
     std::uint32_t at(int triangle, int column, int row, float inv_z) {
         const std::uint32_t colour = drawing_.colours_[static_cast<std::size_t>(triangle)];
         if (!has_textures_) return colour;
@@ -213,7 +214,7 @@ bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& lo
     const int count = subject.scene->triangle_count();
     const int begun = count <= most_ordered ? std::clamp(subject.cursor.triangle, 0, count) : count;
     if (base_key_ != base) {
-        // Noted as begun only when it is: what throws is begun again next time.
+        // Noted as begun only when it is, so that after an exception it is begun again.
         const std::optional<BaseKey> before = std::exchange(base_key_, std::nullopt);
         begin_base(look);
         const bool has_colours = before && before->frame_number == base.frame_number &&
@@ -224,7 +225,7 @@ bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& lo
     }
     const MomentKey moment{subject.cursor, subject.triangle, subject.picture_number};
     if (base_is_done_ && moment_key_ == moment) return false;
-    // What has changed since the image was made. Nothing is known of one that is not made yet.
+    // What has changed since the image was made; everything, if it has not been made yet.
     const bool is_whole = !moment_key_ || !base_is_done_;
     Rectangle changed = is_whole ? base_.all() : changed_by(subject, moment, *moment_key_);
     moment_key_ = std::nullopt;
@@ -240,7 +241,7 @@ bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& lo
     return true;
 }
 
-/// The samples in which this moment may look different from the last one, beside the colours of
+/// The samples in which this moment may look different from the last one, apart from the colours of
 /// the scene's triangles.
 Rectangle OutsideDrawing::changed_by(const OutsideSubject& subject, const MomentKey& now,
                                      const MomentKey& last) const {
@@ -278,8 +279,8 @@ void OutsideDrawing::colour_all(const OutsideSubject& subject, const OutsideStyl
         colours_[i] = painter.plain(static_cast<int>(i));
 }
 
-/// Gives those triangles another colour that have been begun since, or are still to come again.
-/// @return the samples among which they lie
+/// Gives a new colour to triangles that have been begun since, or are yet to come again.
+/// @return a box of samples that contains them
 Rectangle OutsideDrawing::colour_anew(const OutsideSubject& subject, const OutsideStyle& style,
                                       int begun) {
     const int first = std::min(begun, begun_), end = std::max(begun, begun_);
@@ -301,7 +302,7 @@ Rectangle OutsideDrawing::colour_anew(const OutsideSubject& subject, const Outsi
     return box;
 }
 
-/// Lays over these samples of the base what belongs to the moment.
+/// Lays what belongs to the moment over these samples of the base.
 void OutsideDrawing::compose(const OutsideSubject& subject, const OutsideStyle& style,
                              const Rectangle& samples) {
     resize(grid_, base_.size);
@@ -358,7 +359,7 @@ void OutsideDrawing::begin_base(const OutsideLook& look) {
     work_ = 0;
 }
 
-/// Those that are to be drawn in one call.
+/// The triangles to draw in one call.
 std::vector<std::int32_t> OutsideDrawing::next_triangles(std::int64_t work_at_once) {
     const int count = scene_->triangle_count();
     const std::int64_t end =
@@ -377,7 +378,7 @@ std::vector<std::int32_t> OutsideDrawing::next_triangles(std::int64_t work_at_on
 
 void OutsideDrawing::draw_base(const OutsideSubject& subject, const OutsideStyle& style,
                                std::int64_t work_at_once) {
-    const bool is_first = next_ == 0; // what the base holds is another one's
+    const bool is_first = next_ == 0; // the base still holds an earlier picture
     shape_->draw(fast_eye(sample_eye_, base_.all()), next_triangles(work_at_once), seen_);
     const std::uint32_t ground = packed_colour(style.ground);
     BasePainter painter(*this, subject, style);
@@ -433,7 +434,7 @@ void OutsideDrawing::draw_triangle_at_work(const OutsideSubject& subject, const 
     const InsideTest inside(subject.clipping, seen_corners(scene, triangle, sample_eye_),
                             sample_eye_);
     const PicturePlane& plane = things_.plane;
-    // From the space of the eye outside to that of the camera.
+    // From the space of the eye outside to camera space.
     const glm::dvec3 shift = (sample_eye_.position - plane.eye) * plane.rotation;
     const auto colour_at = [&](const glm::dvec3& place) {
         if (inside.is_cut() && !inside.has(place)) return cut_off;
@@ -490,7 +491,7 @@ void OutsideDrawing::draw_picture(const OutsideSubject& subject, const Rectangle
             const glm::dvec3 ray = sample_eye_.ray({column + 0.5, row + 0.5});
             const double inv_z = glm::dot(pane->inv_z, ray);
             const std::size_t sample = grid_.at(column, row);
-            // Seen almost along itself the pane has no depth that could be worked out.
+            // Seen edge-on, the pane has no depth that can be computed.
             if (!(inv_z > 0.0) || inv_z * sample_eye_.near_distance > 1.0 ||
                 inv_z < static_cast<double>(grid_.inv_z[sample]))
                 continue;
@@ -506,7 +507,7 @@ void OutsideDrawing::draw_picture(const OutsideSubject& subject, const Rectangle
     }
 }
 
-/// Makes the pixels of the image in which these samples lie.
+/// Makes the pixels of the image that contain these samples.
 void OutsideDrawing::resolve(const Rectangle& samples) {
     image_.rgba.resize(4 * static_cast<std::size_t>(image_.width) *
                        static_cast<std::size_t>(image_.height));

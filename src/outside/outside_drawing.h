@@ -1,6 +1,6 @@
 #pragma once
 
-// The scene as the eye outside sees it, as a picture: its triangles at half their brightness, the
+// The scene as seen by the eye outside, as a picture: its triangles at half their brightness, the
 // one at work lit as far as it is drawn, and the picture of the moment on its pane.
 
 #include <cstdint>
@@ -22,18 +22,18 @@
 
 namespace rasterwalk {
 
-/// What is seen. Everything must live while the drawing is updated.
+/// What is seen. All of it must outlive the update of the drawing.
 struct OutsideSubject {
     std::shared_ptr<const Scene> scene; ///< of the frame, in world space
     const Frame& frame;
-    std::uint64_t frame_number = 0; ///< another one whenever `frame` is another
+    std::uint64_t frame_number = 0; ///< changes whenever `frame` does
     Cursor cursor;
     std::optional<int> triangle; ///< at work, or selected
     const Image& picture;        ///< of the moment
     std::uint64_t picture_number = 0;
-    const Framebuffer& framebuffer;   ///< of which the picture was made
+    const Framebuffer& framebuffer;   ///< that the picture was made from
     std::uint64_t picture_before = 0; ///< the picture with this number differs from it only in
-    Rectangle picture_changed;        ///< these pixels; 0: nothing is known
+    Rectangle picture_changed;        ///< these pixels; 0: not known
     SeenClipping clipping{};          ///< of the triangle
 };
 
@@ -41,8 +41,8 @@ struct OutsideSubject {
 struct OutsideStyle {
     glm::vec3 ground{0.04f};
     glm::vec3 line{0.5f};
-    float drawn = 0.45f;                 ///< how much of its colour a triangle has that is drawn
-    float coming = 0.15f;                ///< the same for one that is still to come, or left out
+    float drawn = 0.45f;                 ///< how much of its colour a drawn triangle has
+    float coming = 0.15f;                ///< the same for one that is yet to come, or left out
     glm::vec3 cut_off{0.9f, 0.4f, 0.1f}; ///< what clipping takes of the triangle at work
     float cut_off_share = 0.25f;         ///< how much of that colour it has
 
@@ -52,57 +52,57 @@ struct OutsideStyle {
 /// How it is seen.
 struct OutsideLook {
     OutsideView view;
-    glm::ivec2 size{1, 1}; ///< of the place that it is shown in, screen pixels
-    double margin = 0.0;   ///< around all that is seen, screen pixels
+    glm::ivec2 size{1, 1}; ///< of the place it is shown in, screen pixels
+    double margin = 0.0;   ///< around everything seen, screen pixels
     OutsideStyle style;
 
     friend bool operator==(const OutsideLook&, const OutsideLook&) = default;
 };
 
-/// What lies under the pointer.
+/// What is under the pointer.
 struct OutsidePick {
     std::optional<int> triangle;     ///< of the scene
     std::optional<glm::ivec2> pixel; ///< of the picture on its pane: column, row
 };
 
-/// Up to this many triangles those that are still to come are darker; and the whole scene is drawn
-/// at once, unless its triangles are large.
+/// Up to this many triangles, those yet to come are darker, and the whole scene is drawn in one
+/// call unless its triangles are large.
 inline constexpr int most_ordered = 5'000;
 
-/// What one update draws at most, in parts of some 4 ns each: it takes some 10 ms, and what it
-/// takes to go through the samples.
+/// The most that one update draws, in units of some 4 ns: some 10 ms, plus the time to go through
+/// the samples.
 inline constexpr std::int64_t outside_work_at_once = 2'500'000;
 
 class OutsideDrawing {
   public:
-    /// Draws what has changed. Of a scene that is too much for one call a part is drawn, spread
-    /// over all of it, and each further call draws more, as long as is_working().
-    /// @return true if the image is another one
+    /// Draws what has changed. If a scene is too much for one call, a part spread over all of it is
+    /// drawn, and each further call draws more, as long as is_working().
+    /// @return true if the image has changed
     bool update(const OutsideSubject& subject, const OutsideLook& look,
                 std::int64_t work_at_once = outside_work_at_once);
     bool is_working() const { return !base_is_done_; }
 
     /// The picture; one of its pixels is pixel_size() screen pixels wide.
     const Image& image() const { return image_; }
-    std::uint64_t number() const { return number_; } ///< another one with each image
+    std::uint64_t number() const { return number_; } ///< changes with each image
     int pixel_size() const { return pixel_size_; }
 
     /// The eye, in screen pixels, and what it looks at.
     const OutsideEye& eye() const { return eye_; }
     const OutsideThings& things() const { return things_; }
 
-    /// What is seen at a place, screen pixels from the corner.
+    /// The thing at a place, screen pixels from the corner.
     OutsidePick at(glm::vec2 place) const;
 
   private:
-    /// Where the triangles of the scene are seen follows from this.
+    /// Determines where the triangles of the scene are seen.
     struct BaseKey {
         std::uint64_t frame_number = 0;
         OutsideLook look;
 
         friend bool operator==(const BaseKey&, const BaseKey&) = default;
     };
-    /// What lies over them, and which of them are still to come.
+    /// Determines what is over them, and which of them are yet to come.
     struct MomentKey {
         Cursor cursor;
         std::optional<int> triangle;
@@ -132,7 +132,7 @@ class OutsideDrawing {
     void draw_picture(const OutsideSubject& subject, const Rectangle& samples);
     void resolve(const Rectangle& samples);
 
-    std::shared_ptr<const Scene> scene_; ///< to which all up to the box of the things belong
+    std::shared_ptr<const Scene> scene_; ///< all up to the box of the things belongs to it
     std::vector<OutlineEdge> outline_;
     std::vector<WorldTriangle> triangles_;
     std::optional<FastShape> shape_;
@@ -141,11 +141,11 @@ class OutsideDrawing {
     OutsideEye sample_eye_; ///< in samples
     std::optional<BaseKey> base_key_;
     std::optional<MomentKey> moment_key_;
-    std::vector<std::uint32_t> colours_; ///< of all triangles, where they have no texture
+    std::vector<std::uint32_t> colours_; ///< of all triangles, for those without texture
     FastPicture seen_;                   ///< those that were drawn last
     SampleGrid base_;                    ///< the triangles of the scene
-    SampleGrid grid_;                    ///< and what lies over them
-    /// The triangle at work by itself, also where others stand before it.
+    SampleGrid grid_;                    ///< with what is over them
+    /// The triangle at work alone, even where others are in front of it.
     struct AtWork {
         std::optional<int> triangle; ///< none: not found yet
         Rectangle box;               ///< of the samples that the picture shows
@@ -153,12 +153,12 @@ class OutsideDrawing {
     } at_work_;
     bool base_is_done_ = true;
     int next_ = 0;          ///< how many triangles are drawn
-    int begun_ = 0;         ///< those before have the colour of what is drawn
+    int begun_ = 0;         ///< those before it have the colour of drawn triangles
     std::int64_t work_ = 0; ///< on this base so far
     int samples_ = 1;       ///< across a pixel of the image
     int pixel_size_ = 1;
     ShrunkenPicture shown_;
-    std::uint64_t shown_number_ = 0; ///< of the picture that it was made of; 0: of none
+    std::uint64_t shown_number_ = 0; ///< of the picture it was made from; 0: none
     Image image_;
     std::uint64_t number_ = 0;
 };

@@ -15,16 +15,17 @@ namespace rasterwalk {
 
 namespace {
 
-/// Focal length of the eye outside, smaller sides of its picture: some 40 degrees are seen.
+/// Focal length of the eye outside, in units of its picture's smaller side: a field of view of some
+/// 40 degrees.
 constexpr double outside_lens = 1.4;
 
-/// A lamp farther from the middle of the scene than this is not looked for, radii of the scene.
+/// A lamp farther from the middle of the scene than this is ignored, radii of the scene.
 constexpr double farthest_lamp = 4.0;
 
-/// The nearest that is seen, in parts of the distance from eye to target.
+/// The nearest distance seen, in parts of the distance from eye to target.
 constexpr double near_share = 1e-3;
 
-/// The part of the picture that what the camera sees takes up.
+/// The part of the picture filled by what the camera sees.
 constexpr double camera_share = 0.98;
 
 glm::dmat3 rotation_of(const OutsideView& view) {
@@ -44,7 +45,7 @@ std::vector<glm::dvec3> places_to_see(const OutsideThings& things) {
     }
     for (const glm::dvec3& corner : things.plane.corners()) {
         places.push_back(corner);
-        // Where rays do not meet in the camera, its view volume begins beside it.
+        // If rays do not meet in the camera, its view volume begins next to it.
         if (things.plane.mix > 0.0)
             places.push_back(
                 things.plane.in_world(things.plane.on_ray(things.plane.in_camera(corner), 0.0)));
@@ -56,7 +57,7 @@ std::vector<glm::dvec3> places_to_see(const OutsideThings& things) {
     return places;
 }
 
-/// How one axis of the picture holds the eye: of all places, with z forward, each must satisfy
+/// The limits of the eye along one axis of the picture: every place, with z forward, must satisfy
 /// |x - eye| <= slope * (z - eye_z).
 struct Hold {
     double low = -std::numeric_limits<double>::infinity(); ///< largest x - slope z
@@ -74,7 +75,7 @@ double usual_focal_length(glm::ivec2 size) {
     return outside_lens * std::max(std::min(size.x, size.y), 1);
 }
 
-/// Through the camera: what it sees is as large as fits.
+/// Through the camera, what it sees is as large as fits.
 double camera_focal_length(const PicturePlane& plane, glm::ivec2 size, double margin) {
     const double width = std::max(size.x - 2.0 * margin, 0.5 * size.x);
     const double height = std::max(size.y - 2.0 * margin, 0.5 * size.y);
@@ -115,7 +116,7 @@ OutsideView settled(const OutsideView& view, const OutsideThings& things, glm::i
         down.add(turned_place.y, turned_place.z, slopes.y);
     }
     const double eye_z = std::min(across.farthest_eye(slopes.x), down.farthest_eye(slopes.y));
-    // The target lies as deep as the middle of the scene: about it the eye turns.
+    // The target is as deep as the middle of the scene, and the eye turns about it.
     const double target_z = (things.box.middle() * rotation).z;
     const double distance = std::max(target_z - eye_z, 0.1 * things.box.radius());
     whole.distance = static_cast<float>(distance);

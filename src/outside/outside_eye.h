@@ -12,14 +12,14 @@
 
 namespace rasterwalk {
 
-/// The eye that looks at the scene from outside: a pinhole camera like the scene's own, with its
-/// own picture. All in double, since it may stand close to what is far from the origin.
+/// The eye that looks at the scene from outside: a pinhole camera like the scene's, with its own
+/// picture. All in double, since it may be close to something far from the origin.
 struct OutsideEye {
     glm::dvec3 position{0.0};
     glm::dmat3 rotation{1.0};    ///< R, for row vectors
     double focal_length = 1.0;   ///< pixels
     glm::dvec2 middle{0.0};      ///< of its picture, pixels
-    double near_distance = 1e-3; ///< what is nearer is not seen, world units
+    double near_distance = 1e-3; ///< anything nearer is not seen, world units
 
     /// A place in the space of the eye: x right, y down, z forward.
     glm::dvec3 seen(const glm::dvec3& world) const { return (world - position) * rotation; }
@@ -29,19 +29,19 @@ struct OutsideEye {
     }
     /// The ray through a place in its picture, pixels, in its space; z is 1.
     glm::dvec3 ray(const glm::dvec2& pixel) const { return {(pixel - middle) / focal_length, 1.0}; }
-    /// Where a place of the world is in its picture, pixels; none if it is too near or behind.
+    /// Where a place in the world is in its picture, pixels; none if it is too near or behind.
     std::optional<glm::dvec2> pixel_of(const glm::dvec3& world) const;
 };
 
-/// What must be seen when all is: the corners of the scene's box and of the picture, the camera,
-/// and the lamp unless it is far away.
+/// What must be in view when everything is: the corners of the scene's box and of the picture, the
+/// camera, and the lamp unless it is far away.
 struct OutsideThings {
     SceneBox box;
     PicturePlane plane;
     glm::dvec3 lamp{0.0};
 };
 
-/// The view with its distance and target set: such that all is seen, if they are not set yet. A
+/// The view with its distance and target set, so that everything is seen if they were not set. A
 /// view through the camera becomes one that looks the same way from outside.
 /// @param size   of the picture, pixels, at least 1
 /// @param margin around what is seen, pixels
@@ -53,7 +53,7 @@ OutsideEye eye_of(const OutsideView& view, const OutsideThings& things, glm::ive
                   double margin);
 
 /// The view with the target moved across it.
-/// @param pixels that it moves by in the picture of this eye
+/// @param pixels its movement in the picture of this eye
 OutsideView shifted(OutsideView view, const OutsideEye& eye, glm::vec2 pixels);
 
 } // namespace rasterwalk

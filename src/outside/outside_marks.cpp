@@ -13,10 +13,10 @@ namespace rasterwalk {
 
 namespace {
 
-/// Lines are cut so far outside the picture, pixels: no end of one is seen.
+/// Lines are cut this far outside the picture, pixels, so that their ends are not seen.
 constexpr double beside = 40.0;
 
-/// The far plane is drawn up to so far behind the middle of the scene, radii of it.
+/// The far plane is drawn up to this far behind the middle of the scene, radii of the scene.
 constexpr double farthest_end = 3.0;
 
 /// Collects what the eye can see.
@@ -37,14 +37,14 @@ struct Collector {
     }
 };
 
-/// As deep as the middle of the scene, seen from the camera, world units; at least as far as the
-/// picture. Farther in, the frustum is wider than the scene.
+/// The depth of the middle of the scene, seen from the camera, world units; at least that of the
+/// picture. Beyond it, the frustum is wider than the scene.
 double end_of_frustum(const OutsideThings& things) {
     return std::max(things.plane.distance, things.plane.in_camera(things.box.middle()).z);
 }
 
-/// Where the ray to a place in camera space begins: at the eye, or where rays do not meet there,
-/// beside it.
+/// Where the ray to a place in camera space begins: at the eye, or next to it if rays do not meet
+/// there.
 glm::dvec3 begin_of_ray(const PicturePlane& plane, const glm::dvec3& seen) {
     return plane.mix == 0.0 ? plane.eye : plane.in_world(plane.on_ray(seen, 0.0));
 }
@@ -66,7 +66,7 @@ void add_camera(const OutsideThings& things, Collector& collector) {
     }
 }
 
-/// Where a convex polygon is not on the outer side: d(corner) >= 0.
+/// The part of a convex polygon that is not on the outer side: d(corner) >= 0.
 template <class Place, class Distance>
 std::vector<Place> cut_by(const std::vector<Place>& corners, Distance distance) {
     std::vector<Place> kept;
@@ -79,7 +79,7 @@ std::vector<Place> cut_by(const std::vector<Place>& corners, Distance distance) 
     return kept;
 }
 
-/// A convex polygon in the space of the eye, as far as it is seen: pixels.
+/// The visible part of a convex polygon in the space of the eye, pixels.
 std::vector<glm::vec2> seen_face(const OutsideEye& eye, const std::vector<glm::dvec3>& corners,
                                  const glm::dvec2& size) {
     std::vector<glm::dvec2> places;
@@ -123,7 +123,7 @@ void add_ends(const OutsideThings& things, const glm::dvec2& ends, Collector& co
     }
 }
 
-/// The edges of a triangle that is cut: what is left of them, and what is taken.
+/// Adds the edges of a clipped triangle: what is left of them, and what is taken away.
 void add_cut_edges(const SeenClipping& clipping, const Corners& corners, Collector& collector) {
     const std::vector<SeenCorner>& left = clipping.corners;
     std::array<std::optional<std::size_t>, triangle_corners> left_of_edge;
@@ -154,7 +154,7 @@ void add_cut_edges(const SeenClipping& clipping, const Corners& corners, Collect
     }
 }
 
-/// The face of the plane at work, and a place for its name.
+/// Adds the face of the plane at work, and a place for its name.
 void add_plane(const SeenClipping& clipping, const OutsideThings& things, Collector& collector) {
     const std::vector<glm::dvec3> face = plane_face(clipping, things.plane);
     if (face.size() < 3) return;
@@ -169,7 +169,7 @@ void add_plane(const SeenClipping& clipping, const OutsideThings& things, Collec
         collector.point(OutsidePointKind::plane, number, corner);
 }
 
-/// Where the division puts a vertex behind the camera: on the other side of the picture.
+/// Adds where the division puts a vertex behind the camera: on the other side of the picture.
 void add_mirrored(int vertex, const glm::dvec3& seen, const PicturePlane& plane,
                   Collector& collector) {
     if (!(plane.w_at(seen.z) < 0.0)) return;
@@ -226,7 +226,7 @@ void add_basis(const Basis& basis, Collector& collector) {
     collector.point(OutsidePointKind::origin, static_cast<int>(basis.of), basis.origin);
 }
 
-/// What is met may stand behind the lamp, by mistake: then the way ends there.
+/// Something met by mistake may be behind the lamp; then the way ends there.
 void add_lamp_way(const SeenLampWay& way, const glm::dvec3& lamp, Collector& collector) {
     if (way.met) {
         const bool is_beyond = glm::dot(*way.met - way.from, lamp - way.from) >
@@ -248,7 +248,7 @@ bool meet(const OutsideBox& a, const OutsideBox& b) {
 /// Does the line touch the box?
 bool touches(const OutsideLine& line, const OutsideBox& box) {
     const glm::vec2 way = line.to - line.from;
-    float begin = 0.0f, end = 1.0f; // parts of the line between which it lies in the box
+    float begin = 0.0f, end = 1.0f; // the part of the line that is in the box
     for (int axis = 0; axis < 2; ++axis) {
         const float low = box.low[axis] - line.from[axis], high = box.high[axis] - line.from[axis];
         if (way[axis] == 0.0f) {
@@ -262,12 +262,12 @@ bool touches(const OutsideLine& line, const OutsideBox& box) {
     return begin <= end;
 }
 
-/// Where a text may stand beside its point, the best first: in parts of its size from the point.
+/// Places for a text next to its point, the best first: in parts of its size from the point.
 constexpr std::array<glm::vec2, 8> label_sides{
     glm::vec2{1.0f, 0.0f},  glm::vec2{-1.0f, 0.0f},  glm::vec2{0.0f, 1.0f}, glm::vec2{0.0f, -1.0f},
     glm::vec2{1.0f, -1.0f}, glm::vec2{-1.0f, -1.0f}, glm::vec2{1.0f, 1.0f}, glm::vec2{-1.0f, 1.0f}};
 
-/// The place in label_sides at which the search begins.
+/// The index in label_sides where the search begins.
 std::size_t place_of(LabelSide side) {
     switch (side) {
     case LabelSide::right:
@@ -280,13 +280,13 @@ std::size_t place_of(LabelSide side) {
     return 0;
 }
 
-/// A text that is moved along stays so far from the border, in parts of its height.
+/// A text that is shifted stays this far from the border, in parts of its height.
 constexpr float border_part = 0.3f;
 
-/// Above, below or at a side of a point near the border it is moved along until it is seen whole.
+/// Above, below or at a side of a point near the border, it is shifted until all of it is seen.
 OutsideBox label_box(const OutsideLabel& label, const glm::vec2& side, glm::vec2 size) {
     glm::vec2 low = label.point + side * (0.5f * label.size + label.distance) - 0.5f * label.size;
-    // Where there is hardly room for it, it stands in the middle.
+    // If there is hardly room for it, it is in the middle.
     const glm::vec2 room = glm::max(size - label.size, glm::vec2(0.0f));
     const glm::vec2 border = glm::min(glm::vec2(border_part * label.size.y), 0.5f * room);
     const glm::vec2 most = room - border;

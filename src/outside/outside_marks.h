@@ -2,7 +2,7 @@
 
 // What is drawn over the view from outside, thin and sharp: the camera, its frustum, the border of
 // its picture, the rays of a triangle and what planes cut off it, the lamp, the axes of spaces; and
-// where their names may stand.
+// the places for their names.
 
 #include <cstdint>
 #include <optional>
@@ -20,19 +20,19 @@ namespace rasterwalk {
 
 enum class OutsideLineKind : std::uint8_t {
     frustum,  ///< from the camera to a corner of its picture
-    beyond,   ///< from there on through the scene
+    beyond,   ///< from there onward, through the scene
     border,   ///< of the picture
     edge,     ///< of the triangle, or what clipping leaves of it; number: which edge
-    cut_off,  ///< what it takes of it; number: which edge
+    cut_off,  ///< what clipping takes away; number: which edge
     cut,      ///< where a plane cuts the triangle
-    fan,      ///< between the triangles that are drawn of what is left
-    plane,    ///< around the part of a plane that is seen
-    end,      ///< around near and far plane within the view volume; number: of which ClipPlane
+    fan,      ///< between the triangles into which the rest is divided
+    plane,    ///< around the visible part of a plane
+    end,      ///< around near and far plane within the view volume; number: which ClipPlane
     ray,      ///< from a vertex of the triangle to the camera; number: which vertex
     behind,   ///< the same for a vertex that is not in front of the camera
-    mirrored, ///< from there on to where the division puts such a vertex; number: which vertex
-    lamp_way, ///< from a point of a surface toward the lamp, as far as light comes from there
-    dark_way, ///< from what stands between to the lamp
+    mirrored, ///< from there to where the division puts such a vertex; number: which vertex
+    lamp_way, ///< from a point on a surface toward the lamp, as far as light comes from there
+    dark_way, ///< from what is in between to the lamp
     axis,     ///< an arrow from the origin of a space; number: see axis_number()
 };
 
@@ -46,19 +46,19 @@ struct OutsideLine {
 enum class OutsidePointKind : std::uint8_t {
     camera,
     lamp,
-    picture,  ///< a corner of the picture, at which its name may stand
+    picture,  ///< a corner of the picture, a place for its name
     vertex,   ///< of the triangle; number: which
     behind,   ///< the same if it is not in front of the camera
-    crossing, ///< where the ray of a vertex goes through the picture; number: of which vertex
+    crossing, ///< where the ray of a vertex crosses the picture; number: which vertex
     pixel,    ///< the middle of the picked pixel on the picture
-    cut,      ///< a corner that a plane has made; number: of which ClipPlane
-    plane,    ///< where the name of a plane may stand; number: of which ClipPlane
-    end,      ///< where the name of the near or far plane may stand; number: of which ClipPlane
+    cut,      ///< a corner that a plane has made; number: which ClipPlane
+    plane,    ///< a place for the name of a plane; number: which ClipPlane
+    end,      ///< a place for the name of the near or far plane; number: which ClipPlane
     mirrored, ///< where the division puts a vertex behind the camera; number: which vertex
-    shaded,   ///< a point of a surface that the lamp lights, or would
-    occluder, ///< where what stands between is met
-    axis,     ///< the tip of such an arrow, at which its name may stand; number: see axis_number()
-    origin,   ///< where the arrows of a space begin; number: of which BasisOf
+    shaded,   ///< a point on a surface that the lamp lights, or would
+    occluder, ///< where the ray meets what is in between
+    axis,     ///< the tip of such an arrow, a place for its name; number: see axis_number()
+    origin,   ///< where the arrows of a space begin; number: which BasisOf
 };
 
 struct OutsidePoint {
@@ -69,13 +69,13 @@ struct OutsidePoint {
 
 struct OutsideMarks {
     std::vector<glm::vec2> face;      ///< of the plane that cuts, convex, pixels; below all lines
-    std::vector<OutsideLine> lines;   ///< the first are to be drawn first
+    std::vector<OutsideLine> lines;   ///< in drawing order
     std::vector<OutsidePoint> points; ///< in the same order
 };
 
-/// The triangle whose rays are drawn, and what is known of it.
+/// The triangle whose rays are drawn, and what is known about it.
 struct MarkedTriangle {
-    std::optional<int> triangle; ///< if it is one of the scene
+    std::optional<int> triangle; ///< if it is in the scene
     SeenClipping clipping{};
     bool is_mirrored = false; ///< it is shown where the division puts vertices behind the camera
 };
@@ -85,17 +85,17 @@ constexpr int axis_number(BasisOf of, int axis) {
     return axis_count * static_cast<int>(of) + axis;
 }
 
-/// The way from a point of a surface to the lamp.
+/// The way from a point on a surface to the lamp.
 struct SeenLampWay {
     glm::dvec3 from{0.0};
-    std::optional<glm::dvec3> met; ///< where something stands between, or does by mistake
+    std::optional<glm::dvec3> met; ///< where something is in between, or seems to be by mistake
 };
 
-/// All marks that can be seen; lines end where the picture of the eye ends, or a little beyond.
-/// @param pixel of the scene's picture that is picked
+/// All visible marks; lines end where the picture of the eye ends, or a little beyond.
+/// @param pixel the picked pixel of the scene's picture
 /// @param size  of the picture of the eye, pixels
 /// @param bases whose axes are drawn
-/// @param lamp_way to the lamp, if it is shown
+/// @param lamp_way the way to the lamp, if it is shown
 OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, const OutsideEye& eye,
                            const MarkedTriangle& marked, std::optional<glm::ivec2> pixel,
                            glm::ivec2 size, std::span<const Basis> bases = {},
@@ -106,24 +106,24 @@ struct OutsideBox {
     glm::vec2 low{0.0f}, high{0.0f};
 };
 
-/// Where a text is tried first.
+/// The first place to try for a text.
 enum class LabelSide : std::uint8_t { right, below, above_right };
 
-/// A text that is to stand beside a point.
+/// A text to put next to a point.
 struct OutsideLabel {
     glm::vec2 point{0.0f}; ///< pixels
     glm::vec2 size{0.0f};  ///< of the text with the room around it, pixels
     float distance = 0.0f; ///< between them, pixels
     LabelSide first = LabelSide::right;
-    float line_distance = 0.0f;  ///< how far it stays from lines where it can, pixels
-    bool needs_distance = false; ///< where it cannot it has no place
+    float line_distance = 0.0f;  ///< distance to keep from lines if possible, pixels
+    bool needs_distance = false; ///< if that is impossible, it has no place
 };
 
-/// The top left corner of each text: beside its point, within the picture, and where it can be
-/// neither over an earlier text nor over what is taken. A text for which there is no such place, or
-/// whose point lies outside the picture, has none: what matters most comes first.
+/// The top left corner of each text: next to its point, within the picture, and over neither an
+/// earlier text nor what is taken. A text without such a place, or whose point is outside the
+/// picture, has none, so what matters most should come first.
 /// @param taken to be kept free of texts
-/// @param lines to be kept free where there is a place that allows it
+/// @param lines to be kept free if some place allows it
 /// @param size  of the picture, pixels
 std::vector<std::optional<glm::vec2>> label_places(std::span<const OutsideLabel> labels,
                                                    std::vector<OutsideBox> taken,

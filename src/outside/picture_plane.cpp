@@ -12,7 +12,8 @@ namespace rasterwalk {
 
 namespace {
 
-/// How far before the eye the picture stands, and half its diagonal at most, radii of the scene.
+/// The distance of the picture from the eye, and the largest half of its diagonal, radii of the
+/// scene.
 constexpr double usual_distance = 0.5;
 constexpr double largest_half_diagonal = 0.6;
 

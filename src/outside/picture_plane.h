@@ -1,8 +1,8 @@
 #pragma once
 
-// The picture as a thing in the world: a pane of glass before the camera, at right angles to where
-// it looks, which every ray from a vertex to the eye goes through. A pinhole camera has no size, so
-// neither has the distance of the pane; only its width in relation to it counts. Under orthographic
+// The picture as a thing in the world: a pane of glass in front of the camera, perpendicular to its
+// direction, which every ray from a vertex to the eye crosses. A pinhole camera has no size, so the
+// distance of the pane is arbitrary; only the ratio of its width to it counts. Under orthographic
 // projection the rays are parallel, and the pane is as wide as what is seen.
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace rasterwalk {
 
-/// Where the picture stands in the world.
+/// Where the picture is in the world.
 struct PicturePlane {
     glm::dvec3 eye{0.0};          ///< of the camera
     glm::dmat3 rotation{1.0};     ///< R of the camera, for row vectors
@@ -33,7 +33,7 @@ struct PicturePlane {
     /// A place in camera space: x right, y down, z forward.
     glm::dvec3 in_camera(const glm::dvec3& world) const { return (world - eye) * rotation; }
     glm::dvec3 in_world(const glm::dvec3& camera) const { return eye + rotation * camera; }
-    /// w of a place in camera space at this z: z, 1, or between.
+    /// w of a place in camera space at this z: z, 1, or in between.
     double w_at(double z) const { return clip_w(z, mix); }
     /// The place at this depth on the ray through a place in camera space; w there must not be 0.
     glm::dvec3 on_ray(const glm::dvec3& camera, double z) const {
@@ -42,14 +42,14 @@ struct PicturePlane {
     }
     /// A place in the picture, pixels from its corner, as a place in the world.
     glm::dvec3 place_of(const glm::dvec2& pixel) const;
-    /// Through which place of the picture, pixels from its corner, the ray through a place in
-    /// camera space goes; none for one whose w is not positive: it lies behind the eye.
+    /// Where the ray through a place in camera space crosses the picture, pixels from its corner;
+    /// none if w there is not positive, that is, behind the eye.
     std::optional<glm::dvec2> pixel_of(const glm::dvec3& camera) const;
-    /// Top left, top right, bottom right, bottom left.
+    /// Its corners: top left, top right, bottom right, bottom left.
     std::array<glm::dvec3, 4> corners() const;
 };
 
-/// As large and as near as suits the scene.
+/// The picture at a size and distance that suit the scene.
 PicturePlane picture_plane(const Camera& camera, const Viewport& size, const SceneBox& box,
                            const Projection& projection = {});
 

@@ -16,7 +16,7 @@ struct SampleGrid {
     glm::ivec2 size{0, 0};
     std::vector<float> inv_z;          ///< 1/z of the eye's space, larger is nearer; 0: nothing
     std::vector<std::uint32_t> colour; ///< bytes red, green, blue from the lowest; the fourth is
-                                       ///< not shown, and drawing may use it
+                                       ///< not shown, and free for drawing
     std::vector<std::int32_t> id;      ///< of what is seen; -1: nothing
 
     std::size_t at(int column, int row) const {
@@ -26,10 +26,10 @@ struct SampleGrid {
     Rectangle all() const { return {0, 0, size.x, size.y}; }
 };
 
-/// Makes room for so many samples, of which nothing is known yet.
+/// Makes room for so many samples, still without content.
 void resize(SampleGrid& grid, glm::ivec2 size);
 
-/// A colour as the samples have it.
+/// A colour in the form of the samples.
 /// @param colour red, green, blue; cut at 0 and 1
 std::uint32_t packed_colour(const glm::vec3& colour);
 

@@ -12,7 +12,7 @@ namespace {
 /// How far a face reaches beyond what it cuts, in parts of its size.
 constexpr double face_margin = 0.08;
 
-/// A side of the view volume is drawn so many times as deep as the picture stands, at least.
+/// A side of the view volume is drawn at least to this multiple of the picture's distance.
 constexpr double side_depth = 1.0;
 
 /// Where the plane cuts, in camera space.
@@ -51,7 +51,7 @@ std::vector<glm::dvec2> hull_of(std::vector<glm::dvec2> places) {
     return hull;
 }
 
-/// A rectangle at right angles to where the camera looks.
+/// A rectangle perpendicular to the camera's direction.
 std::vector<glm::dvec3> end_face(const SeenClipping& clipping, const PicturePlane& picture,
                                  double z) {
     const glm::dvec2 size(picture.size.width, picture.size.height);
@@ -68,11 +68,11 @@ std::vector<glm::dvec3> end_face(const SeenClipping& clipping, const PicturePlan
             picture.in_world({high.x, high.y, z}), picture.in_world({low.x, high.y, z})};
 }
 
-/// A side of the view volume, from the near plane on.
+/// A side of the view volume, from the near plane onward.
 /// @param slope across the side: x/w, or y/w for top and bottom
 std::vector<glm::dvec3> side_face(const SeenClipping& clipping, const PicturePlane& picture,
                                   double slope, bool is_upright) {
-    const int along = is_upright ? 1 : 0; // the axis that runs along the border of the picture
+    const int along = is_upright ? 1 : 0; // the axis along the border of the picture
     const glm::dvec2 size(picture.size.width, picture.size.height);
     const double low = -picture.middle[along] / picture.scale[along];
     const double high = (size[along] - picture.middle[along]) / picture.scale[along];
@@ -108,7 +108,7 @@ std::vector<glm::dvec3> plane_face(const SeenClipping& clipping, const PicturePl
     if (!has_x && !has_y) {
         face = end_face(clipping, picture, clipping.plane->depth);
     } else if (has_x != has_y) {
-        // x and y of clip space are those of camera space times the scale, plus w times the shift.
+        // In clip space, x and y are those of camera space times scale, plus w times shift.
         const int axis = has_x ? 0 : 1;
         const double slope = (-c.w / c[axis] - picture.shift[axis]) / picture.scale[axis];
         face = side_face(clipping, picture, slope, has_x);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What clipping does to a triangle, as it stands in the world.
+// What clipping does to a triangle, in the world.
 
 #include <optional>
 #include <vector>
@@ -17,31 +17,31 @@ namespace rasterwalk {
 struct SeenCorner {
     glm::dvec3 place{0.0};          ///< in the world
     std::optional<ClipPlane> plane; ///< that made it; none: it is a vertex of the triangle
-    int edge = -1; ///< of the triangle, on which the way to the next corner lies; -1: on a plane
+    int edge = -1; ///< of the triangle, along which the next corner follows; -1: along a plane
 };
 
 /// A plane that cuts.
 struct SeenPlane {
     ClipPlane plane = ClipPlane::near;
-    glm::vec4 coefficients{0.0f}; ///< in clip space, see ClipPlanes
-    double depth = 0.0;           ///< where near or far plane stands before the camera, world units
+    glm::vec4 coefficients{0.0f};   ///< in clip space, see ClipPlanes
+    double depth = 0.0;             ///< of near or far plane in front of the camera, world units
     std::vector<glm::dvec3> cuts{}; ///< where it cuts the triangle, in the world
 };
 
 /// The clipping of the triangle shown.
 struct SeenClipping {
-    /// Near and far plane, world units in front of the camera; none where no plane cuts, and the
-    /// depth does not go from the one to the other.
+    /// Near and far plane, world units in front of the camera; none if no plane cuts and the depth
+    /// is not measured between them.
     std::optional<glm::dvec2> ends;
     bool is_cut = false;             ///< a plane takes a part of the triangle away
     std::vector<SeenCorner> corners; ///< of what is left of it; may be none
     std::vector<SeenCorner> made;    ///< those that planes have made so far
-    std::optional<SeenPlane> plane;  ///< that is looked at
+    std::optional<SeenPlane> plane;  ///< the one shown
 };
 
 /// The part of a plane that is drawn, as a convex polygon in the world: its side of the view volume
-/// and whatever it cuts of the triangle. None for a plane of another kind than view_planes() and
-/// guard_band_planes() have.
+/// and whatever it cuts of the triangle. None for a plane of a kind that view_planes() and
+/// guard_band_planes() do not have.
 std::vector<glm::dvec3> plane_face(const SeenClipping& clipping, const PicturePlane& picture);
 
 } // namespace rasterwalk

@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A line on a surface must win against the surface, which lies as near as it.
+/// A line on a surface must win against the surface, which is equally near.
 constexpr double line_bias = 1.002;
 
 bool is_finite(const glm::dvec3& v) {

@@ -10,7 +10,7 @@
 
 namespace rasterwalk {
 
-/// A line in the space of the eye, as far as it is not nearer than its near distance, in pixels.
+/// The part of a line in the space of the eye beyond the near distance, in pixels.
 struct SeenLine {
     glm::dvec2 from{0.0}, to{0.0};
     double inv_z_from = 0.0, inv_z_to = 0.0;
@@ -18,10 +18,10 @@ struct SeenLine {
 };
 SeenLine seen_line(const OutsideEye& eye, glm::dvec3 from, glm::dvec3 to);
 
-/// The part of the line inside of a rectangle, pixels; not seen if there is none.
+/// The part of the line inside a rectangle, pixels; not seen if there is none.
 SeenLine clipped_to(const SeenLine& line, glm::dvec2 low, glm::dvec2 high);
 
-/// Draws a line over what is not nearer than it, `width` samples wide.
+/// Draws a line, `width` samples wide, over whatever is not nearer.
 /// @param from, to in the space of the eye
 void draw_line(const OutsideEye& eye, const glm::dvec3& from, const glm::dvec3& to,
                std::uint32_t colour, int width, SampleGrid& grid);

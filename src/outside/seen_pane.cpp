@@ -12,8 +12,8 @@ namespace rasterwalk {
 
 namespace {
 
-/// Below this cosine between the pane's normal and the way to it a pane is seen along itself: the
-/// pixel under a sample is then worked out with too little accuracy to say where it is seen.
+/// Below this cosine between its normal and the way to it, a pane is seen edge-on: the pixel under
+/// a sample is then not accurate enough to say where it is seen.
 constexpr double smallest_cosine = 1e-4;
 
 bool is_seen_along(const SeenPane& pane) {
@@ -53,7 +53,7 @@ Rectangle box_of_pixels(const SeenPane& pane, const OutsideEye& eye, const Recta
     if (is_empty(pixels)) return {};
     const Rectangle whole = box_around(eye, pane.corners, area);
     if (is_seen_along(pane)) return whole;
-    // What is seen at the border of a pixel may count to its neighbour.
+    // A place at the border of a pixel may count as its neighbour's.
     const auto place = [&](int column, int row) {
         return pane.corners[0] + static_cast<double>(column) * pane.right +
                static_cast<double>(row) * pane.down;

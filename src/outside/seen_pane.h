@@ -17,14 +17,14 @@ namespace rasterwalk {
 struct SeenPane {
     std::array<glm::dvec3, 4> corners{}; ///< of the picture, in the space of the eye
     glm::dvec3 right{0.0};               ///< one pixel to the right and
-    glm::dvec3 down{0.0};                ///< one down, as they lie on the pane
+    glm::dvec3 down{0.0};                ///< one down, along the pane
     glm::dvec3 across{0.0};              ///< the product with these counts the pixels to the right
     glm::dvec3 along{0.0};               ///< and down
     glm::dvec3 inv_z{0.0};        ///< the product with a ray is 1/z where the ray meets its plane
-    double samples_a_pixel = 1.0; ///< across, about
+    double samples_a_pixel = 1.0; ///< across, roughly
 
-    /// Of a place on its plane, in the space of the eye: pixels from the corner of the picture; may
-    /// lie outside of it, or be no number.
+    /// A place on its plane, in the space of the eye, as pixels from the corner of the picture; may
+    /// be outside it, or NaN.
     glm::dvec2 pixel_of(const glm::dvec3& place) const {
         return {glm::dot(place - corners[0], across), glm::dot(place - corners[0], along)};
     }
@@ -34,9 +34,9 @@ struct SeenPane {
 /// @param eye in samples
 std::optional<SeenPane> seen_pane(const PicturePlane& plane, const OutsideEye& eye);
 
-/// A rectangle of samples outside of which none of these pixels is seen.
+/// A rectangle of samples that contains all that is seen of these pixels.
 /// @param pixels of the picture
-/// @param area   the samples that are asked for
+/// @param area   the samples of interest
 Rectangle box_of_pixels(const SeenPane& pane, const OutsideEye& eye, const Rectangle& pixels,
                         const Rectangle& area);
 

@@ -37,7 +37,7 @@ SeenTexture::SeenTexture(const Frame& frame, int triangle, std::span<const glm::
 
 glm::vec3 SeenTexture::at(const glm::dvec3& place) const {
     if (texture_ == nullptr) return glm::vec3(1.0f);
-    // As often as the covered texels can be halved.
+    // As many levels as the covered texels can be halved.
     int exponent = 0;
     const double covered = texels_ * place.z;
     if (covered > 1.0 && std::isfinite(covered)) std::frexp(covered, &exponent);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The texture of a triangle as it is seen from outside: nearest texels, of the level that suits
-// how far away they are.
+// The texture of a triangle as seen from outside: nearest texels, of the level that suits their
+// distance.
 
 #include <span>
 
@@ -10,11 +10,11 @@
 
 namespace rasterwalk {
 
-/// The texture of one triangle in the space of the eye; white where it has none.
+/// The texture of one triangle in the space of the eye; white if it has none.
 class SeenTexture {
   public:
     SeenTexture() = default;
-    /// @param corners those of the triangle, in the space of the eye; it has an area
+    /// @param corners of the triangle, whose area must not be 0, in the space of the eye
     SeenTexture(const Frame& frame, int triangle, std::span<const glm::dvec3> corners,
                 const OutsideEye& eye);
 
@@ -29,7 +29,7 @@ class SeenTexture {
     const Stages* stages_ = nullptr;
     glm::dvec3 corner_{0.0};
     glm::dvec2 texcoord_{0.0};               ///< at the corner
-    glm::dvec3 u_slope_{0.0}, v_slope_{0.0}; ///< what u and v grow by along each axis
+    glm::dvec3 u_slope_{0.0}, v_slope_{0.0}; ///< growth of u and v along each axis
     double texels_ = 0.0;                    ///< that a sample covers at distance 1
 };
 

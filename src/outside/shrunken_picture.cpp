@@ -7,10 +7,10 @@ namespace rasterwalk {
 
 namespace {
 
-/// Of a large block so many pixels a side are looked at.
+/// The most pixels per side that are examined in a large block.
 constexpr int most_looked_at = 4;
 
-/// Is this pixel drawn? Planes of another size tell nothing.
+/// Is this pixel drawn? Outside of the planes it counts as drawn.
 bool is_drawn(const Framebuffer& framebuffer, int column, int row) {
     return !framebuffer.contains(column, row) ||
            framebuffer.owner[framebuffer.at(column, row)] >= 0;

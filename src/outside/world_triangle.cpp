@@ -11,12 +11,12 @@ namespace rasterwalk {
 
 namespace {
 
-/// The smallest share of its colour that a side turned away from the light has.
+/// The smallest share of its colour that a side can have: one edge-on to the light.
 constexpr double shaded = 0.72;
 
 const glm::dvec3 light_direction(0.36, -0.80, -0.48);
 
-/// Lighter or darker by where it faces, 0..1.
+/// The brightness for the direction of a normal, 0..1.
 float shade_of(const glm::dvec3& normal) {
     const double length = glm::length(normal);
     if (!(length > 0.0)) return 1.0f;

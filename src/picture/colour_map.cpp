@@ -19,7 +19,7 @@ glm::vec<3, std::uint8_t> to_bytes(const glm::vec3& c) {
 } // namespace
 
 glm::vec<3, std::uint8_t> viridis(float t) {
-    // Nine points of matplotlib's table; between them a straight line is within 2/255 of it.
+    // Nine points of matplotlib's table; straight lines between them are within 2/255 of it.
     static constexpr std::array<glm::vec3, 9> points{{{0.267f, 0.005f, 0.329f},
                                                       {0.282f, 0.156f, 0.471f},
                                                       {0.243f, 0.290f, 0.537f},
@@ -36,7 +36,7 @@ glm::vec<3, std::uint8_t> viridis(float t) {
 }
 
 glm::vec<3, std::uint8_t> distinct_colour(int number) {
-    // Steps of the golden ratio around the colour circle never come close to each other soon.
+    // Steps of the golden ratio around the colour circle do not come close to each other soon.
     const float hue = std::fmod(static_cast<float>(number) * 0.61803399f, 1.0f) * 6.0f;
     const float lightness = number % 2 == 0 ? 0.85f : 0.6f;
     const auto channel = [&](float offset) {

@@ -10,7 +10,7 @@ namespace rasterwalk {
 /// @param t is clamped to 0..1
 glm::vec<3, std::uint8_t> viridis(float t);
 
-/// A colour for a number, such that numbers close to each other differ clearly.
+/// A colour for a number; numbers close to each other differ clearly.
 glm::vec<3, std::uint8_t> distinct_colour(int number);
 
 } // namespace rasterwalk

@@ -1,7 +1,7 @@
 #pragma once
 
-// What is drawn of one triangle, as if there were no other: a way to look for a mistake in one's
-// own program, too.
+// One triangle drawn as if there were no other. This is also a way to look for a mistake in your
+// own program.
 
 #include <cstdint>
 #include <optional>
@@ -12,13 +12,12 @@
 
 namespace rasterwalk {
 
-/// One triangle of a frame, up to a moment. Forwards it is drawn on from where it stands.
+/// One triangle of a frame, up to a moment. Going forward, drawing continues from there.
 class LoneTriangle {
   public:
-    /// Goes toward everything that the pipeline draws of the triangle up to the cursor, as far as
-    /// the limit allows.
+    /// Draws what the pipeline draws of the triangle up to the cursor, as far as the limit allows.
     /// @param work   of this frame
-    /// @param number of the frame: another one whenever it is another
+    /// @param number of the frame: changes whenever the frame does
     /// @return has it changed?
     bool draw(const Frame& frame, const FrameWork& work, std::uint64_t number, int triangle,
               const Cursor& cursor, const WorkLimit& limit);
@@ -27,14 +26,14 @@ class LoneTriangle {
     bool is_drawing() const { return triangle_ && at_ < to_; }
 
     std::optional<int> triangle() const { return triangle_; }
-    /// Its planes; without pixels before it is drawn.
+    /// Its planes; they have no pixels before it is drawn.
     const Framebuffer& picture() const { return picture_; }
-    std::int64_t pixels() const { return pixels_; } ///< that it has
+    std::int64_t pixels() const { return pixels_; } ///< how many it has
 
   private:
     std::uint64_t number_ = 0;
     std::optional<int> triangle_;
-    Cursor at_, to_; ///< everything before is drawn, and is to be drawn
+    Cursor at_, to_; ///< drawn up to here, and to be drawn up to here
     Framebuffer picture_;
     std::int64_t pixels_ = 0;
 };

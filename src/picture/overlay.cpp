@@ -93,7 +93,7 @@ void count_owners(const Framebuffer& framebuffer, int triangles, OverlayTotals& 
 OverlayTotals count_totals(const Frame& frame, const Framebuffer& framebuffer, OverlaySet shown,
                            const PixelFacts& facts) {
     OverlayTotals totals;
-    if (shown.empty()) return totals; // a moment of a large picture is not to cost all its pixels
+    if (shown.empty()) return totals; // a moment of a large picture must not cost all its pixels
     if (shown.has(Overlay::owner)) count_owners(framebuffer, frame.triangle_count(), totals);
     for (const std::uint32_t overdraw : framebuffer.overdraw) {
         totals.fragments += overdraw;
@@ -131,7 +131,7 @@ OverlayTotals count_totals(const Frame& frame, const Framebuffer& framebuffer, O
     return totals;
 }
 
-/// The different edges of the frame, in the order of drawing, each once.
+/// The different edges of the frame, in drawing order, each once.
 std::vector<WireEdge> find_wires(const Frame& frame) {
     std::vector<WireEdge> wires;
     for (int t = 0; t < frame.triangle_count(); ++t) {
@@ -183,7 +183,7 @@ Image compose_image(const Framebuffer& framebuffer, OverlaySet shown, const Amou
     return image;
 }
 
-/// 0..period - 1, for numbers of either sign.
+/// The remainder, 0..period - 1, for numbers of either sign.
 int wrapped(int value, int period) {
     return ((value % period) + period) % period;
 }
@@ -267,7 +267,7 @@ void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffe
 }
 
 Image ground_of_overlays(const Image& picture) {
-    // Of 256: what the channels weigh in brightness, and how much of it is left.
+    // Out of 256: the channels' shares of brightness, and how much of it is kept.
     constexpr int red = 54, green = 183, blue = 19, kept = 160;
     Image ground = picture;
     for (std::size_t at = 0; at + 3 < ground.rgba.size(); at += 4) {
@@ -291,7 +291,7 @@ Tint overlay_tint(Overlay overlay, float amount, glm::ivec2 pixel, int triangle)
         if (amount > 0.0f) return {vermillion, wrapped(pixel.x + pixel.y, 6) < 2 ? 0.9f : 0.35f};
         return {sky_blue, 0.22f};
     case Overlay::over_one:
-        // Stripes as cameras show what is too bright; between them the picture can be seen.
+        // Stripes, like those for overexposed parts in cameras, with the picture visible between.
         switch (wrapped(pixel.x - pixel.y, 6)) {
         case 0:
         case 1:

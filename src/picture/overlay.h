@@ -1,7 +1,7 @@
 #pragma once
 
-// What can be laid over the picture, any number of them at once: each is a plane of facts about the
-// pixels, a way to colour it, a total, and a sentence about the pixel pointed at.
+// Overlays on the picture, any number at once: each is a plane of facts about the pixels, a way to
+// colour it, a total, and a sentence about the pixel under the pointer.
 
 #include <array>
 #include <cstdint>
@@ -25,12 +25,12 @@ namespace rasterwalk {
 enum class Overlay : std::uint8_t {
     wireframe,    ///< the edges of all triangles that are drawn, as lines
     alone,        ///< only the triangle shown is filled; all others are lines
-    owner,        ///< each triangle tinted in a colour of its own
+    owner,        ///< each triangle tinted in its own colour
     overdraw,     ///< how many fragments fell on the pixel
     drawn_twice,  ///< pixels on which two neighbours both drew; see PixelFacts
     depth,        ///< whether some fragment of the pixel failed the depth test
     uncovered,    ///< pixels on which nothing fell
-    over_one,     ///< pixels of a colour that is cut at 1 when it is shown
+    over_one,     ///< pixels whose colour is cut at 1 when shown
     affine_error, ///< how far off affine interpolation puts the visible point
 };
 
@@ -42,7 +42,7 @@ static_assert(words_match<Overlay>);
 
 inline constexpr int overlay_count = static_cast<int>(enum_words<Overlay>.size());
 
-/// What the interface says about an overlay.
+/// An overlay's words in the interface.
 struct OverlayInfo {
     Overlay overlay;
     std::string_view title;                   ///< on the switch and in the legend
@@ -71,18 +71,18 @@ struct OverlaySet {
 FactsWanted facts_wanted(OverlaySet overlays);
 
 /// The edge of a triangle between two projected vertices, column and row. An edge that several
-/// triangles have in common is that of the first.
+/// triangles share belongs to the first.
 struct WireEdge {
     glm::ivec2 from, to;
     int triangle = 0;
     int edge = 0; ///< 0..2
 };
 
-/// More edges than this are not drawn: they would be a carpet, and ImGui's draw lists count their
-/// corners in 16 bits.
+/// More edges than this are not drawn: they would cover the picture, and ImGui's draw lists count
+/// their corners in 16 bits.
 inline constexpr int most_wires = 3000;
 
-/// What the overlays come to, in the whole picture. Only numbers of those shown are worked out.
+/// The totals of the overlays, over the whole picture. Only those of overlays shown are computed.
 struct OverlayTotals {
     int wires = 0;                   ///< different edges, drawn or not
     int visible_triangles = 0;       ///< that own a pixel
@@ -95,7 +95,7 @@ struct OverlayTotals {
     std::int64_t over_one = 0;  ///< pixels
     float brightest = 0.0f;     ///< largest channel of any pixel
     float largest_error = 0.0f; ///< world units
-    double mean_error = 0.0;    ///< world units, over the pixels that are covered
+    double mean_error = 0.0;    ///< world units, over the covered pixels
 };
 
 /// The overlays shown, ready to be laid over the picture.
@@ -104,18 +104,18 @@ struct OverlayPicture {
     PixelFacts facts;
     OverlayTotals totals;
     std::vector<WireEdge> wires; ///< at most most_wires
-    LoneTriangle lone;           ///< the triangle shown, while it is to be alone
-    Image image; ///< all overlays that tint the picture; without pixels if there is none
+    LoneTriangle lone;           ///< the triangle shown, while it is alone
+    Image image; ///< all overlays that tint the picture; no pixels if there are none
 };
 
-/// Makes what is shown over the framebuffer that stands at `cursor`. Facts that `picture` has
-/// already are kept if `same_moment`: the frame and the cursor are those of the last call.
-/// What is alone is drawn by itself: see LoneTriangle.
+/// Makes what is shown over the framebuffer, which is at `cursor`. Facts that `picture` already has
+/// are kept if `same_moment`: the frame and the cursor are the same as in the last call. A triangle
+/// alone is drawn separately, see LoneTriangle.
 void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffer& framebuffer,
                       OverlaySet overlays, bool same_moment, OverlayPicture& picture);
 
 /// The picture as the ground of overlays: without colour, and darker, so that every tint stands out
-/// from what lies below it.
+/// from what is below it.
 Image ground_of_overlays(const Image& picture);
 
 /// A colour laid over the picture.
@@ -124,12 +124,11 @@ struct Tint {
     float opacity = 0.0f; ///< 0..1
 };
 
-/// How an overlay colours a pixel. The pattern, if it has one, distinguishes it from others without
-/// colour.
-/// @param amount how much of it, 0..1; for depth 1 is failed and 0 passed; for the owner unused
+/// How an overlay colours a pixel. A pattern, if it has one, distinguishes it even without colour.
+/// @param amount how much of it, 0..1; for depth, 1 is failed and 0 passed; for the owner, unused
 Tint overlay_tint(Overlay overlay, float amount, glm::ivec2 pixel, int triangle = 0);
 
-/// What the overlay comes to: "998 pixels".
+/// The overlay's total in words: "998 pixels".
 std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPicture& picture);
 
 /// The two ends of the overlay's scale, "0" and "0.52 world units"; both empty if it has none.

@@ -14,8 +14,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The frame with the same fragments and the same depth test, but without light, which would only
-/// take time.
+/// The frame with the same fragments and the same depth test, but without light, to save time.
 Frame unlit_frame(const Frame& frame, Interpolation interpolation) {
     Settings settings = frame.settings;
     settings.interpolation = interpolation;
@@ -23,7 +22,7 @@ Frame unlit_frame(const Frame& frame, Interpolation interpolation) {
     return prepare_frame(*frame.given, settings, frame.replace);
 }
 
-/// A side of a triangle: the two points that it joins, the smaller one first.
+/// A side of a triangle: the two points it joins, the smaller one first.
 struct Side {
     std::array<float, 6> points;
     int triangle;
@@ -40,20 +39,20 @@ Side side_of(const Scene& scene, int triangle, int from) {
     return {{a.x, a.y, a.z, b.x, b.y, b.z}, triangle, (from + 2) % triangle_corners};
 }
 
-/// Where a corner stands for the pixels of its triangle: walks go from whole pixel to whole pixel,
-/// the others from where the corner was snapped.
+/// Where a corner is for the pixels of its triangle: walks go from whole pixel to whole pixel,
+/// other methods from where the corner was snapped.
 GridPoint standing_point(const Frame& frame, const ScreenVertex& vertex) {
     return walks_edges(frame.stages) ? snap_to_centre(vertex) : frame.stages.snap(vertex);
 }
 
-/// On which side of the line from a to b does p lie in the picture? 0: on it.
+/// The side of the line from a to b that p is on in the picture; 0: on the line.
 int side_of_line(const GridPoint& a, const GridPoint& b, const GridPoint& p) {
     const std::int64_t area = double_area(a, b, p);
     return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
-/// For each triangle the earlier ones that have an edge in common with it and are not folded over
-/// it: those of triangle t stand from begin[t] up to begin[t + 1].
+/// For each triangle, the earlier ones that share an edge with it and are not folded over it. Those
+/// of triangle t run from begin[t] up to, not including, begin[t + 1].
 struct Neighbours {
     std::vector<int> begin;
     std::vector<int> earlier;
@@ -67,7 +66,7 @@ struct Neighbours {
 Neighbours find_neighbours(const Frame& frame) {
     std::vector<Side> sides;
     for (int t = 0; t < frame.triangle_count(); ++t) {
-        // Of a triangle that was cut, the sides drawn are not those of the scene.
+        // The sides that are drawn of a clipped triangle are not those of the scene.
         const bool is_whole = frame.is_drawn(t) && !frame.is_cut(t);
         for (int v = 0; is_whole && v < triangle_corners; ++v)
             sides.push_back(side_of(*frame.scene, t, v));
@@ -145,7 +144,7 @@ class FactsObserver : public Observer {
         }
     }
 
-    /// The row tables of the triangle's neighbours: what they have drawn, since they came earlier.
+    /// The row tables of the triangle's neighbours, which have been drawn because they are earlier.
     void make_rows(int triangle) {
         rows_of_ = triangle;
         const std::span<const int> earlier = neighbours_.of(triangle);

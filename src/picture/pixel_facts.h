@@ -1,7 +1,7 @@
 #pragma once
 
-// What a framebuffer does not remember of its pixels: worked out by drawing the frame again under
-// an observer, and only what is asked for.
+// What a framebuffer does not remember about its pixels, computed by drawing the frame again under
+// an observer, and only as requested.
 
 #include <cstdint>
 #include <vector>
@@ -11,14 +11,14 @@
 
 namespace rasterwalk {
 
-/// Which planes are worked out.
+/// Which planes to compute.
 struct FactsWanted {
     bool drawn_twice = false;
     bool depth = false;
     bool affine_error = false;
 
     bool any() const { return drawn_twice || depth || affine_error; }
-    /// Is everything that `other` wants among it?
+    /// Does it include everything that `other` wants?
     bool includes(const FactsWanted& other) const {
         return (drawn_twice || !other.drawn_twice) && (depth || !other.depth) &&
                (affine_error || !other.affine_error);
@@ -26,7 +26,7 @@ struct FactsWanted {
     friend bool operator==(const FactsWanted&, const FactsWanted&) = default;
 };
 
-/// Two triangles with an edge in common that both drew on one pixel; -1: no such two did.
+/// Two triangles that share an edge and both drew on one pixel; -1: there are none.
 struct DrawnTwice {
     int first = -1;  ///< triangle drawn earlier
     int second = -1; ///< triangle drawn later
@@ -47,26 +47,25 @@ struct DepthVerdicts {
 struct PixelFacts {
     FactsWanted known;
 
-    /// The last two neighbours that drew on the pixel. Neighbours have two vertices in common and
-    /// lie on different sides of the edge between them, so that no pixel should be due to both.
-    /// Where one is folded over the other in the picture they cover each other rightly, and do not
-    /// count.
+    /// The last two neighbours that drew on the pixel. Neighbours share two vertices and are on
+    /// different sides of the edge between them, so no pixel should belong to both. Where one is
+    /// folded over the other in the picture, they rightly cover each other and do not count.
     std::vector<DrawnTwice> drawn_twice;
 
-    /// Empty as well where no depth test is in force.
+    /// Also empty if no depth test is in force.
     std::vector<DepthVerdicts> depth;
 
     /// Distance between the affine and the perspective-correct position of the visible fragment,
-    /// world units; 0 where there is none.
+    /// world units; 0 if there is none.
     std::vector<float> affine_error;
 };
 
-/// Draws everything before `to` again and notes what is wanted. Only stages from `fill` on have
-/// fragments: before, nothing is drawn twice and nothing has an error.
+/// Draws everything before `to` again and notes what is wanted. Only stages from `fill` onward have
+/// fragments; before that, nothing is drawn twice and nothing has an error.
 PixelFacts pixel_facts(const Frame& frame, const Cursor& to, const FactsWanted& wanted);
 
-/// Of so many triangles with one edge in common at most, the later ones are compared with these
-/// earlier ones; a scene made of sensible surfaces has two.
+/// Of the triangles that share an edge, the later ones are compared with at most this many earlier
+/// ones; a scene of sensible surfaces has two.
 inline constexpr int most_on_an_edge = 4;
 
 } // namespace rasterwalk

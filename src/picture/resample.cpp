@@ -12,17 +12,17 @@ namespace rasterwalk {
 
 namespace {
 
-/// What one new column or row covers of the old ones.
+/// The old columns or rows that a new one covers.
 struct Cover {
-    int first, last;             ///< old ones, last included
-    float first_part, last_part; ///< of these two, how much; those between are covered whole
+    int first, last;             ///< old ones, including the last
+    float first_part, last_part; ///< covered part of these two; those between are covered whole
 
     float part_of(int old) const {
         return old == first ? first_part : old == last ? last_part : 1.0f;
     }
 };
 
-/// For the new ones from `begin` up to, not including, `end`.
+/// The covers of the new ones from `begin` up to, not including, `end`.
 std::vector<Cover> covers_of(int side, int begin, int end, float scale) {
     std::vector<Cover> covers;
     covers.reserve(static_cast<std::size_t>(end - begin));
@@ -39,7 +39,7 @@ std::vector<Cover> covers_of(int side, int begin, int end, float scale) {
     return covers;
 }
 
-using Line = std::vector<float>; ///< red, green, blue times opacity, opacity: four numbers a pixel
+using Line = std::vector<float>; ///< per pixel: red, green, blue times opacity; opacity
 
 /// Pixels of one row, four bytes each.
 using RowPixels = std::span<const std::uint8_t>;
@@ -53,7 +53,7 @@ bool is_opaque(RowPixels row) {
     return common[3] == 255;
 }
 
-/// What a pixel of this opacity, 0 to 255, counts for where this part of it is covered.
+/// The weight of a pixel of this opacity, 0 to 255, if this part of it is covered.
 float weight_of(float part, std::uint8_t opacity) {
     return part * static_cast<float>(opacity) * (1.0f / 255.0f);
 }
@@ -68,8 +68,8 @@ void add_row(RowPixels row, float part, Line& line) {
     }
 }
 
-/// The same of an opaque row, where all pixels count the same, but leaves what it adds to every
-/// opacity to `opacity`: so all numbers are alike, and the compiler takes many at once.
+/// The same for an opaque row, where all pixels count the same. What it would add to every opacity
+/// goes to `opacity`, so that the compiler can vectorize the loop.
 void add_opaque_row(RowPixels row, float part, Line& line, float& opacity) {
     const float weight = weight_of(part, 255);
     for (std::size_t i = 0; i < line.size(); ++i)
@@ -78,7 +78,7 @@ void add_opaque_row(RowPixels row, float part, Line& line, float& opacity) {
 }
 
 /// The mean of the rows that one new row covers.
-/// @param column of the picture with which the line begins
+/// @param column of the picture that the line begins with
 void add_rows(const Image& image, const Cover& rows, int column, Line& line) {
     const auto pixels = [&](int row) {
         const std::size_t at =
@@ -119,7 +119,7 @@ void mix_pixel(const float* from, const Cover& columns, float area, float* to) {
     to[3] = 255.0f * sum[3] * area;
 }
 
-/// A whole line at once, which is faster than a number here and there.
+/// A whole line at a time, which is faster than single numbers.
 void write_bytes(const Line& line, std::uint8_t* to) {
     for (std::size_t i = 0; i < line.size(); ++i)
         to[i] = static_cast<std::uint8_t>(

@@ -11,10 +11,10 @@ namespace rasterwalk {
 
 namespace {
 
-/// What it costs to clear a pixel and to show it, in the work of a fragment.
+/// The cost of clearing and showing a pixel, relative to the work of a fragment.
 constexpr double work_of_pixel = 0.5;
 
-/// A picture of a few pixels is not made larger than it is.
+/// A picture of a few pixels is not enlarged.
 float scale_to(const Scene& scene, const Settings& settings, int side) {
     const Viewport whole = settings.viewport;
     const float scale =
@@ -22,13 +22,13 @@ float scale_to(const Scene& scene, const Settings& settings, int side) {
     return scene.space == SceneSpace::pixels ? std::min(scale, 1.0f) : scale;
 }
 
-/// The frame of a small picture, and the scene that it refers to.
+/// The frame of a small picture, and the scene it refers to.
 struct SmallFrame {
-    Scene scene; ///< one in pixels, made smaller; else without triangles
+    Scene scene; ///< one in pixels, made smaller; otherwise without triangles
     Frame frame;
 };
 
-/// The middle of each pixel on which a vertex lies goes where it lies in the smaller picture.
+/// The middle of each pixel that has a vertex moves to its place in the smaller picture.
 Mesh shrunken(const Mesh& mesh, float scale) {
     Mesh small;
     for (Vertex vertex : mesh.vertices()) {

@@ -15,7 +15,7 @@ using Rgb = glm::vec<3, std::uint8_t>;
 Rgb depth_colour(float depth, ClipDepth kind, const DepthRange& range) {
     if (!is_depth(depth, kind)) return {0, 0, 0};
     const float place = range.place(depth);
-    // Of endless numbers the place may be no number.
+    // For infinite numbers the place may be NaN.
     return viridis(place > 0.0f ? place : 0.0f);
 }
 
@@ -25,13 +25,13 @@ DepthRange range_of(ClipDepth kind, const DepthInterval& values) {
                                    : DepthRange{values.smallest, values.largest};
 }
 
-/// From what to what the colours go, over the whole picture.
+/// The ranges of the colours, over the whole picture.
 struct Scales {
     DepthRange depths;
     std::uint32_t most = 1; ///< fragments on a pixel
 };
 
-/// @tparam arranges are the channels in another order than red first?
+/// @tparam arranges are the channels in a different order from red first?
 /// @param  i        index of the pixel in the planes
 template <bool arranges>
 Rgb pixel_colour(const Framebuffer& framebuffer, View view, const Scales& scales, std::size_t i) {
@@ -140,7 +140,7 @@ OverdrawCounts overdraw_counts(const Framebuffer& framebuffer) {
         if (entry >= counts.pixels.size()) counts.pixels.resize(entry + 1);
         ++counts.pixels[entry];
     }
-    // The last entry would be that of all larger numbers.
+    // The last entry is for all larger numbers.
     if (counts.pixels.size() > most_overdraw_listed + 1)
         counts.pixels.resize(most_overdraw_listed + 1);
     return counts;

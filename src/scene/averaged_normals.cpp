@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A sum of unit normals that is shorter is what rounding leaves where they cancel.
+/// Where unit normals cancel, rounding leaves a sum that is shorter than this.
 constexpr double shortest_sum = 1e-9;
 
 } // namespace

@@ -24,7 +24,7 @@ bool has_step_up(const fs::path& name) {
     return std::find(name.begin(), name.end(), "..") != name.end();
 }
 
-/// Is this a place in the folder above, or below that: "../textures/wood.png"?
+/// Is this a place in the folder above, or below it: "../textures/wood.png"?
 bool is_below_parent(const fs::path& name) {
     return name.begin() != name.end() && *name.begin() == ".." &&
            !has_step_up(name.lexically_relative(".."));
@@ -44,13 +44,13 @@ std::string slashed(std::string_view name) {
     return with_slashes;
 }
 
-/// The folder of a file that names others; never empty.
+/// The folder of a file that names other files; never empty.
 fs::path folder_of(const std::string& namer) {
     const fs::path folder = fs::path(namer).parent_path();
     return folder.empty() ? fs::path(".") : folder;
 }
 
-/// Does a place really lie below the parent of the namer's folder, whatever links there are?
+/// Is a place really below the parent of the namer's folder, with all links resolved?
 bool stays_below_parent(const fs::path& folder, const fs::path& place) {
     std::error_code fault;
     const fs::path parent = fs::canonical(folder / "..", fault);
@@ -110,7 +110,7 @@ BesideFile BesideFiles::find_exactly(const std::string& name) const {
             ""};
 }
 
-/// The path of a file of the same last part; empty if there is none.
+/// The path of a file with the same last part; empty if there is none.
 std::string BesideFiles::find_similar(const std::string& name) {
     if (!is_usable(name)) return {};
     const fs::path whole(slashed(name));
@@ -161,7 +161,7 @@ void BesideFiles::look_around(const std::string& namer) {
     }
 }
 
-/// Adds the plain files of a folder to those that are known, and its folders to a list.
+/// Adds the plain files of a folder to the known ones, and its subfolders to a list.
 void BesideFiles::look_into(const std::string& folder, std::vector<std::string>& folders) {
     std::vector<std::string> names;
     std::error_code fault;
@@ -184,7 +184,7 @@ void BesideFiles::look_into(const std::string& folder, std::vector<std::string>&
 void BesideBytes::add(const std::string& path) {
     std::error_code fault;
     const std::uintmax_t size = fs::file_size(path, fault);
-    if (fault) return; // reading it says why
+    if (fault) return; // reading the file will report why
     if (size > most_ - count_) {
         throw InputError(fmt::format("{}: with this file, {} exceed {} MB in total.", path, plural_,
                                      most_ >> 20));

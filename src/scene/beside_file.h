@@ -10,39 +10,38 @@
 
 namespace rasterwalk {
 
-/// A file that another one names.
+/// A file that another file names.
 struct BesideFile {
-    std::string path;    ///< empty: it is not to be read
+    std::string path;    ///< empty: it must not be read
     std::string trouble; ///< why not: "there is no file 'x.mtl'"; empty if it is there
-    std::string remark;  ///< where it is not named as it is called: "there is no file 'X.PNG';
-                         ///< 'x.png' is used"; empty if it is
+    std::string remark;  ///< if its real name differs: "there is no file 'X.PNG'; 'x.png' is
+                         ///< used"; otherwise empty
 };
 
-/// The most names in folders that are looked at for files that are not where they are said to be.
+/// The most folder entries that are searched for files that are not where they should be.
 inline constexpr std::size_t most_names_looked_at = 1000;
 
-/// Looks for files that other ones name. Such a file lies beside the one that names it or anywhere
-/// below that one's folder, so that both can be handed on together, or below the folder that holds
+/// Looks for files that other files name. Such a file is in the folder of the file that names it
+/// (the namer) or anywhere below, so that both can be passed on together, or below the parent of
 /// that folder: archives of models come as `source/model.obj` and `textures/wood.png`. Nothing is
 /// read from anywhere else.
 ///
-/// A name is tried as it stands, with the backslashes of another system as slashes; then beside the
-/// namer under its last part alone, since many programs write the place that an image had on their
-/// own disk. Where there is no such file, one of the same last part is looked for without regard to
-/// case: beside the namer, in the folders there, in the folders next to the namer's own, and deeper
-/// below; among several, one in a folder of the name that was given comes first. That search
-/// follows no links. Nothing is opened; what is no plain file, as a folder, a pipe or a device, is
-/// refused.
+/// A name is tried as written, with backslashes read as slashes; then its last part alone is tried
+/// in the namer's folder, since many programs write the place that an image had on their own disk.
+/// If there is no such file, the search for one with the same last part ignores case: in the
+/// namer's folder, in the folders in it, in the folders next to it, and deeper below; of several,
+/// one in a folder of the given name comes first. That search follows no links. Nothing is opened;
+/// anything but a plain file (a folder, a pipe, a device) is refused.
 class BesideFiles {
   public:
-    /// @param namers paths of the file that names others, and of those that led there: the image of
-    /// a material may lie beside the materials, or beside the model
+    /// @param namers paths of the file that names others, and of those that led to it: the image of
+    /// a material may be next to the materials, or next to the model
     explicit BesideFiles(std::vector<std::string> namers);
 
     BesideFile find(std::string_view name) { return find(std::vector{std::string(name)}); }
 
-    /// The first of several readings of one name that there is.
-    /// @param names at least one; messages tell of the first
+    /// The first file that exists, of several readings of one name.
+    /// @param names at least one; messages quote the first
     BesideFile find(const std::vector<std::string>& names);
 
     /// The file of a name, without the search for one of a similar name.
@@ -58,20 +57,20 @@ class BesideFiles {
     void look_into(const std::string& folder, std::vector<std::string>& folders);
 
     std::vector<std::string> namers_;
-    std::map<std::string, std::vector<KnownFile>> known_; ///< by their names in small letters
+    std::map<std::string, std::vector<KnownFile>> known_; ///< by their names in lower case
     std::size_t looked_at_ = 0;
     bool has_looked_ = false;
 };
 
-/// Counts the bytes of the files of one kind that are read for a scene.
+/// Counts the bytes of all files of one kind that are read for a scene.
 class BesideBytes {
   public:
-    /// @param most   bytes of them all
-    /// @param plural says what they are: "all images"
+    /// @param most   bytes of all together
+    /// @param plural their name: "all images"
     BesideBytes(std::size_t most, std::string_view plural) : most_(most), plural_(plural) {}
 
-    /// A file is to be read. Throws InputError if all together would be more than may be read; it
-    /// is then not counted.
+    /// Counts a file that is about to be read. Throws InputError if all together would exceed the
+    /// limit; the file is then not counted.
     void add(const std::string& path);
 
   private:

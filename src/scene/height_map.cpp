@@ -20,7 +20,7 @@ int grey_sum(const Image& image, int column, int row) {
     return image.rgba[at] + image.rgba[at + 1] + image.rgba[at + 2];
 }
 
-/// The byte of a part of an arrow, -1..1.
+/// The byte for a component of an arrow, -1..1.
 std::uint8_t byte_of_part(float part) {
     return static_cast<std::uint8_t>(std::floor((part + 1.0f) / 2.0f * 255.0f + 0.5f));
 }

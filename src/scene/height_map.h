@@ -8,12 +8,12 @@
 
 namespace rasterwalk {
 
-/// Is the picture light blue on the whole, as normal maps are, and not grey?
+/// Is the picture mostly light blue, as normal maps are, and not grey?
 bool looks_like_normals(const Image& image);
 
 /// The normal map of a picture whose grey, the mean of red, green and blue, is a height. Slopes are
-/// differences between the texels on both sides; beyond a border the picture repeats.
-/// @param height texels by which white stands above black; below 0 it lies deeper
+/// differences between the texels on both sides; beyond its borders the picture repeats.
+/// @param height of white above black, texels; below 0 white is deeper
 Image normals_of_heights(const Image& heights, float height);
 
 } // namespace rasterwalk

@@ -4,7 +4,7 @@
 
 namespace rasterwalk {
 
-/// Do the normals point inward: on the whole toward the middle? Of a flat mesh they do neither.
+/// Do most of the normals point inward, toward the middle? False for a flat mesh.
 bool is_inside_out(const Mesh& mesh);
 
 } // namespace rasterwalk

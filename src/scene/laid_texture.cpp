@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Do the corners of any triangle of a part lie apart in a texture?
+/// Has any triangle of a part corners that differ in their place in a texture?
 bool has_texcoords(const Scene& scene, const Part& part) {
     for (int i = 0; i < part.triangle_count; ++i) {
         const int triangle = part.first_triangle + i;
@@ -30,7 +30,7 @@ std::size_t texels_of(const Scene& scene) {
     return count;
 }
 
-/// The image that was laid on it before: the last of its textures.
+/// The image that was laid on the scene earlier: the last of its textures.
 void take_laid_texture_off(Scene& scene) {
     if (scene.laid_texture.empty()) return;
     const int index = static_cast<int>(scene.textures.size()) - 1;

@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The direction, or the other one if it has no length.
+/// The unit direction, or the other one if it has no length.
 glm::vec3 unit_or(const glm::vec3& direction, const glm::vec3& other) {
     // In double, so that the square of a small length is not 0.
     const glm::dvec3 wide(direction);
@@ -20,9 +20,9 @@ glm::vec3 forward_to(const glm::vec3& eye, const glm::vec3& target) {
     return unit_or(target - eye, {0.0f, 0.0f, 1.0f});
 }
 
-/// Across both; zero if one points along the other.
+/// Perpendicular to both; zero if one points along the other.
 glm::vec3 across(const glm::vec3& forward, const glm::vec3& direction) {
-    // What is left of it is rubbish of rounding if it points along the view.
+    // Along the view, only rounding errors are left.
     constexpr float smallest_sine = 1e-6f;
     const glm::vec3 right = glm::cross(forward, unit_or(direction, glm::vec3(0.0f)));
     return glm::length(right) > smallest_sine ? right : glm::vec3(0.0f);

@@ -1,6 +1,6 @@
 #pragma once
 
-// A camera that looks at a point: its three axes, and what it cannot look at.
+// A camera that looks at a point: its three axes, and the cases in which it has none.
 //
 // Source: Shirley, Marschner, Fundamentals of Computer Graphics, 4th edition, section 7.1.3, the
 // camera transformation.
@@ -15,19 +15,19 @@
 
 namespace rasterwalk {
 
-/// R of a camera that looks at a point, for row vectors: forward is the way to it, right is across
-/// that and up, and down is across both. Where up points along the view, or nowhere, another
-/// direction takes its place; where the target is the eye, forward is +z. aim_fault() says so.
+/// R of a camera that looks at a point, for row vectors: forward points to it, right is
+/// perpendicular to that and up, and down to both. If up points along the view, or nowhere, another
+/// direction takes its place; if the target is the eye, forward is +z. aim_fault() reports both.
 glm::mat3 look_at_rotation(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up);
 
-/// What a camera that looks at a point lacks to have a direction.
+/// What a camera that looks at a point lacks for its axes.
 enum class AimFault : std::uint8_t {
     none,
-    no_way, ///< it stands where it looks
+    no_way, ///< it is at its own target
     no_up,  ///< up points along the view, or nowhere
 };
 
-/// None of a camera that is turned by angles.
+/// None for a camera that is turned by angles.
 AimFault aim_fault(const Camera& camera);
 
 /// The words for one fault.

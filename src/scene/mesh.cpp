@@ -56,7 +56,7 @@ CornerDifferences Mesh::differences(int triangle) const {
     return found;
 }
 
-/// Of the triangle that was added last.
+/// Notes those of the triangle that was added last.
 void Mesh::note_differences() {
     const CornerDifferences found = differences(triangle_count() - 1);
     differences_.normals = differences_.normals || found.normals;
@@ -87,7 +87,7 @@ bool operator==(const Mesh& a, const Mesh& b) {
 }
 
 std::size_t VertexJoin::BitsHash::operator()(const Vertex& vertex) const {
-    // Multiplied by 2^64 over the golden ratio: Knuth, The Art of Computer Programming, volume 3,
+    // Multiplied by 2^64 / golden ratio: Knuth, The Art of Computer Programming, volume 3,
     // section 6.4.
     std::uint64_t hash = 0;
     for (const std::uint32_t bits : bits_of(vertex)) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Triangles that share their corners: a vertex stands in the list once, however many triangles meet
-// in it, and is shaded once.
+// Triangles that share their corners: a vertex is in the list once, however many triangles meet at
+// it, and is shaded once.
 
 #include <array>
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace rasterwalk {
 
-/// How a surface shines, beside what it gives back to all sides alike: the highlight of Blinn and
-/// Phong, see stages/highlight.h.
+/// How a surface shines, besides its diffuse light: the highlight of Blinn and Phong, see
+/// stages/highlight.h.
 struct Shine {
     glm::vec3 specular{0.0f}; ///< share of light in the highlight, red green blue; 0: none
     float exponent = 1.0f;    ///< the larger, the smaller and sharper the highlight
@@ -27,20 +27,20 @@ struct Shine {
 struct Vertex {
     glm::vec3 position{0.0f}; ///< world units; in a scene in pixel space: column, row, depth z > 0
     glm::vec3 normal{0.0f};   ///< unit length, world space
-    glm::vec3 reflectance{1.0f}; ///< share of light given back, red green blue, 0..1
+    glm::vec3 reflectance{1.0f}; ///< share of light reflected, red green blue, 0..1
     glm::vec2 texcoord{0.0f}; ///< place in a texture: u from its left, v from its top, 0..1 in it
     Shine shine{};            ///< the same at all corners of a triangle
 
     friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
-/// Is this, as a share of light or as an alpha, too little to be seen in a byte of a picture?
+/// Is this share of light, or alpha, too small to show in a byte of a picture?
 inline bool is_invisible(const glm::vec3& share) {
     constexpr float least = 0.5f / 255.0f;
     return share.x < least && share.y < least && share.z < least;
 }
 
-/// Corners of a triangle as the scene gives it. What is drawn of it may have more, or none.
+/// Corners of a triangle as the scene gives it. What is left after clipping may have more, or none.
 inline constexpr int triangle_corners = 3;
 
 /// The corners of a triangle as indices of vertices.
@@ -48,35 +48,35 @@ using TriangleIndices = std::array<int, triangle_corners>;
 
 /// What differs between the corners of a triangle, so that it changes from pixel to pixel.
 struct CornerDifferences {
-    bool normals = false; ///< the surface is bent, or is to look so
+    bool normals = false; ///< the surface is curved, or meant to look so
     bool colours = false; ///< reflectances
 
     friend bool operator==(const CornerDifferences&, const CornerDifferences&) = default;
 };
 
-/// An indexed mesh. Both lists only grow, and every index is that of a vertex.
+/// An indexed mesh. Both lists only grow, and every index refers to a vertex.
 class Mesh {
   public:
     /// Puts a vertex at the end of the list.
     /// @return its index
     int add_vertex(const Vertex& vertex);
 
-    /// Puts a triangle at the end of the list. Throws InputError if an index is not that of a
-    /// vertex; the mesh is then as it was.
+    /// Puts a triangle at the end of the list. Throws InputError if there is no vertex of an index;
+    /// the mesh is then unchanged.
     void add_triangle(const TriangleIndices& indices);
 
     /// Puts a triangle at the end of the list with three vertices of its own.
     void add_triangle_of(const std::array<Vertex, triangle_corners>& corners);
 
-    /// Puts one corner of a triangle elsewhere. Other triangles stay as they are: a vertex that
-    /// they share with it is theirs from now on, and the corner has one of its own.
+    /// Moves one corner of a triangle. Other triangles stay unchanged: if they share its vertex,
+    /// they keep it, and the corner gets a new one.
     /// @param corner 0, 1 or 2
     void place_corner(int triangle, int corner, const glm::vec3& position);
 
-    /// Each vertex once, in the order in which they were added.
+    /// Each vertex once, in the order they were added.
     const std::vector<Vertex>& vertices() const { return vertices_; }
 
-    /// In the order of drawing.
+    /// In drawing order.
     const std::vector<TriangleIndices>& triangles() const { return triangles_; }
     int triangle_count() const { return static_cast<int>(triangles_.size()); }
 
@@ -104,15 +104,14 @@ class Mesh {
     CornerDifferences differences_;
 };
 
-/// Joins equal vertices while a mesh is made: those whose members are equal in every bit, so that
-/// no number of the scene becomes another one.
+/// Joins equal vertices while a mesh is built: those whose members are equal in every bit, so that
+/// no number of the scene changes.
 class VertexJoin {
   public:
-    /// Adds to this mesh, which must live as long.
+    /// Adds to this mesh, which must outlive it.
     explicit VertexJoin(Mesh& mesh) : mesh_(mesh) {}
 
-    /// The index of the vertex that was given before and is equal to this one, or of this one,
-    /// which is then added.
+    /// The index of an equal vertex that was given earlier, or else of this one, which is added.
     int index_of(const Vertex& vertex);
 
   private:

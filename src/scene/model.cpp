@@ -12,7 +12,7 @@ namespace {
 /// The turn in the plane of two axes, from the first toward the second.
 glm::dmat4 rotation_in_plane(int from, int toward, double angle) {
     glm::dmat4 matrix(1.0);
-    // A column is what becomes of an axis.
+    // Each column is the image of an axis.
     matrix[from][from] = std::cos(angle);
     matrix[from][toward] = std::sin(angle);
     matrix[toward][from] = -std::sin(angle);

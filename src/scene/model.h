@@ -1,12 +1,12 @@
 #pragma once
 
-// The model transformation Tm: from the space in which an object is made to the world.
+// The model transformation Tm: from the object's own space to the world.
 //
-// A house is drawn once, around its own origin; a list of steps says where it stands, how it is
+// A house is modelled once, around its own origin; a list of steps says where it stands, how it is
 // turned and how large it is. Each step is a matrix, and Tm is their product. With column vectors
 // the first step is on the right, next to the point: Tm = step[n] ... step[1] step[0]. The order
 // matters: turning and then moving leads to a different place from moving and then turning, because
-// every step works about the origin of the world.
+// every step is about the origin of the world.
 //
 // A normal is not a point. It stays perpendicular to its surface only under the inverse transpose:
 // n . t = 0 is nT t = 0, and (A n)T (M t) = nT AT M t is 0 for every t if AT M = 1. Where a
@@ -47,10 +47,10 @@ struct ModelStep {
     friend bool operator==(const ModelStep&, const ModelStep&) = default;
 };
 
-/// An object as it is made, before its steps. The mesh has it in the world already.
+/// An object before its steps. In the mesh it is in world space already.
 struct Model {
-    std::vector<ModelStep> steps; ///< in the order in which they are carried out
-    /// Three a triangle, in object space and in the order of the mesh; none: no steps.
+    std::vector<ModelStep> steps; ///< in the order they are carried out
+    /// Three per triangle, in object space and in the order of the mesh; none: no steps.
     std::vector<glm::vec3> positions;
 
     friend bool operator==(const Model&, const Model&) = default;
@@ -59,22 +59,22 @@ struct Model {
 /// The matrix of one step, for column vectors.
 glm::dmat4 step_matrix(const ModelStep& step);
 
-/// Tm, for column vectors: the product of the steps, the first at the right.
+/// Tm, for column vectors: the product of the steps, the first on the right.
 glm::dmat4 model_matrix(const std::vector<ModelStep>& steps);
 
-/// The inverse transpose of the linear part of Tm, times its determinant, which only changes the
-/// length: so no division is needed. Where an axis is mirrored the sign is turned back.
+/// The inverse transpose of the linear part of Tm, times its determinant. This changes only the
+/// length, and saves the division. If an axis is mirrored, the sign is corrected.
 /// @return all zero if Tm flattens the object to a line
 glm::dmat3 normal_matrix(const glm::dmat4& model);
 
-/// A point: with w = 1 it is moved too.
+/// A point: with w = 1, translations apply.
 glm::dvec3 transform_point(const glm::dmat4& matrix, const glm::dvec3& point);
 
-/// A direction: with w = 0 it is not moved.
+/// A direction: with w = 0, translations do not apply.
 glm::dvec3 transform_direction(const glm::dmat4& matrix, const glm::dvec3& direction);
 
-/// Does Tm turn left into right? Then the corners go round the other way, and where the object is
-/// put into the world they are given in reverse order, so that its fronts stay fronts.
+/// Does Tm swap left and right? Then the corners go round the other way, and an object that is put
+/// into the world has them in reverse order, so that its fronts stay fronts.
 bool is_mirrored(const glm::dmat4& model);
 
 } // namespace rasterwalk

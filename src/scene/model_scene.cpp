@@ -33,12 +33,12 @@ ModelBox box_of(const Mesh& mesh) {
                   mesh.vertices().size());
 }
 
-/// What puts a box into the middle of the world.
+/// The steps that put a box into the middle of the world.
 std::vector<ModelStep> fitting_steps(const ModelBox& box) {
     const glm::vec3 middle = box.least + (box.most - box.least) * 0.5f;
     const glm::vec3 half = (box.most - box.least) * 0.5f;
     const float longest = std::max({half.x, half.y, half.z});
-    // What is smaller is a point: there is nothing to be seen larger.
+    // Anything smaller is a point, and scaling does not help.
     constexpr float smallest = 1e-30f;
     const float scale = longest > smallest ? 1.0f / longest : 1.0f;
     return {{ModelStepKind::translate, -middle}, {ModelStepKind::scale, {scale, -scale, -scale}}};
@@ -70,8 +70,8 @@ Camera fitting_camera(const ModelBox& box, const Viewport& viewport) {
     return camera;
 }
 
-/// Above the camera and to its left. Where the box has its middle, a surface across the way to the
-/// lamp gives back three quarters of the light that white can.
+/// Above the camera and to its left. In the middle of the box, a surface that faces the lamp
+/// reflects three quarters of the light that white can.
 Light fitting_light(const Camera& camera) {
     const glm::mat3 axes = look_at_rotation(camera.position, glm::vec3(0.0f), camera.up);
     Light light;

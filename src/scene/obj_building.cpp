@@ -44,8 +44,8 @@ class ModelBuilder {
         }
     }
 
-    /// Leaves out the faces that name a point that is not there. Of the others the corners name no
-    /// texture coordinate and no normal that is not there.
+    /// Leaves out the faces that name a point that does not exist. In the others, removes texture
+    /// coordinates and normals that do not exist.
     void keep_sound_faces() {
         const auto is_wrong = [&](const ObjFace& face) {
             const std::string trouble = trouble_of(face);
@@ -53,7 +53,7 @@ class ModelBuilder {
             reporter_.fault(model_.path, face.line, [&] { return trouble; });
             return true;
         };
-        // In their order, since the first faults are those that are kept.
+        // In order, since only the first faults are kept.
         std::vector<ObjFace> sound;
         std::copy_if(file_.faces.begin(), file_.faces.end(), std::back_inserter(sound),
                      [&](const ObjFace& face) { return !is_wrong(face); });
@@ -134,7 +134,7 @@ class ModelBuilder {
             ObjCorner& corner = file_.corners[static_cast<std::size_t>(face.first_corner + i)];
             drop(corner.texcoord, 1, file_.texcoords.size(), ObjFaultKind::missing_texcoord);
             drop(corner.normal, 2, file_.normals.size(), ObjFaultKind::missing_normal);
-            // That it could not be read has been told.
+            // It could not be read, and that has been reported.
             if (corner.texcoord >= 0 &&
                 std::isnan(file_.texcoords[static_cast<std::size_t>(corner.texcoord)].x))
                 corner.texcoord = -1;
@@ -146,7 +146,7 @@ class ModelBuilder {
                file_.normals[static_cast<std::size_t>(corner.normal)] == glm::vec3(0.0f);
     }
 
-    /// Normals for all corners of all faces, one face after another; none if the file has them all.
+    /// Normals for all corners of all faces, face by face; none if the file has them all.
     std::vector<glm::vec3> missing_normals() const {
         FaceCorners all;
         bool is_one_missing = false;
@@ -187,7 +187,7 @@ class ModelBuilder {
         return true;
     }
 
-    /// The share of light that the faces of a material give back. Where an image or the points have
+    /// The share of light that the faces of a material reflect. If an image or the points have
     /// colours, some programs write Kd 0 and mean 1.
     glm::vec3 reflectance_of(const ObjMaterial& of) {
         if (!is_invisible(of.diffuse)) return of.diffuse;
@@ -207,7 +207,7 @@ class ModelBuilder {
     }
 
     /// A corner with the look of a material and nothing else, made when its first face is drawn.
-    /// White and dull where there is no material.
+    /// White and dull without a material.
     const Vertex& look_of(int material) {
         const auto [known, is_new] = looks_.try_emplace(material);
         Vertex& look = known->second;
@@ -245,8 +245,8 @@ class ModelBuilder {
         return {};
     }
 
-    /// Begins another part where the face needs one. A part has one texture or none, and one
-    /// normal map or none.
+    /// Begins another part if the face needs one. A part has at most one texture and one normal
+    /// map.
     void begin_drawn_part(const ObjFace& face, int material, const ObjMaps& maps) {
         const auto part = static_cast<std::size_t>(face.part);
         const bool is_other = drawn_part_ != face.part;
@@ -259,7 +259,7 @@ class ModelBuilder {
                                 maps.texture, maps.normal_map});
     }
 
-    /// The place of the texture that a corner has.
+    /// The place in the texture that a corner has.
     glm::vec2 place_in_texture(const ObjCorner& corner, int material) const {
         const glm::vec2 given = file_.texcoords[static_cast<std::size_t>(corner.texcoord)];
         if (material < 0) return given;
@@ -308,12 +308,12 @@ class ModelBuilder {
 
     std::vector<glm::vec3> points_; ///< the positions of the file
     std::vector<int> material_of_;  ///< each part of the file: index, or -1
-    std::set<int> bare_;            ///< materials with an image, of faces that cannot show it
+    std::set<int> bare_;            ///< materials whose image some faces cannot show
     std::map<int, Vertex> looks_;   ///< of the materials that are drawn
-    int drawn_part_ = -1;           ///< of the face before
+    int drawn_part_ = -1;           ///< of the previous face
 
     PolygonCutter cutter_;
-    std::vector<glm::vec3> places_; ///< of the face that is cut
+    std::vector<glm::vec3> places_; ///< of the face being cut
     std::vector<int> indices_;      ///< its vertices
 };
 

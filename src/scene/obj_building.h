@@ -1,6 +1,6 @@
 #pragma once
 
-// The mesh of a model, made of the faces that its statements name.
+// The mesh of a model, built from the faces that its statements name.
 
 #include "scene/obj_statements.h"
 #include "scene/read_obj.h"
@@ -8,10 +8,10 @@
 namespace rasterwalk {
 
 /// Builds mesh and parts of a model, and counts them: looks up the material of each part, leaves
-/// out the faces that name a point that is not there, computes the normals that are missing, cuts
-/// the faces into triangles. Faults go into the report.
+/// out the faces that name a point that does not exist, computes missing normals, cuts the faces
+/// into triangles. Faults go into the report.
 /// @param model has its path and its materials
-/// Throws ReadingStopped if the watch wants no more of it.
+/// Throws ReadingStopped if the watch stops it.
 void build_model(ObjStatements& file, const ObjOptions& options, WatchedSteps& watched,
                  ObjReporter& reporter, ObjModel& model);
 

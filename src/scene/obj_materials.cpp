@@ -15,11 +15,11 @@ namespace rasterwalk {
 
 void ObjLibraries::read(std::string_view names, int line) {
     line_ = line;
-    // Some programs say the same before each object.
+    // Some programs repeat the statement before each object.
     if (lists_.contains(names)) return;
     if (lists_.size() >= most_material_files) return refuse_library();
     lists_.emplace(names);
-    // One name may have blanks without quotes, or a quote of its own.
+    // A single name may have blanks without quotes, or contain a quote.
     if (beside_.find(names).trouble.empty()) return read_library(names);
     std::string_view rest = names;
     do {
@@ -69,7 +69,7 @@ std::string image_name(const std::string& path) {
 
 } // namespace
 
-/// The index of an image that was read; -1 if it cannot be used. Why not is reported once as a
+/// The index of an image that was read; -1 if it cannot be used. The reason is reported once, as a
 /// fault, however many materials name it.
 int ObjImages::index_of(const ReadTexture& image, const ObjMaterial& of, std::string_view word,
                         int line) {
@@ -80,7 +80,7 @@ int ObjImages::index_of(const ReadTexture& image, const ObjMaterial& of, std::st
     return image.index;
 }
 
-/// The index of the texture that colour and alpha of a material make.
+/// The index of the texture made from a material's colour and alpha.
 int ObjImages::texture_of(const ObjMaterial& of) {
     const std::string name = image_name(of.diffuse_map.empty() ? of.alpha_map : of.diffuse_map);
     if (of.alpha_map.empty())

@@ -20,15 +20,15 @@ namespace rasterwalk {
 /// Reads the files of materials that a model names, each once.
 class ObjLibraries {
   public:
-    /// @param model     path of the model, beside which they lie
-    /// @param materials receives theirs; all must live as long
+    /// @param model     path of the model, next to which they are
+    /// @param materials receives them; all arguments must outlive this
     ObjLibraries(const std::string& model, std::vector<ObjMaterial>& materials,
                  WatchedSteps& watched, ObjReporter& reporter)
         : model_(model), materials_(materials), watched_(watched), reporter_(reporter),
           beside_({model}) {}
 
     /// Reads what a statement names. What cannot be read becomes a fault. Throws ReadingStopped.
-    /// @param names may have blanks in them, or may be several
+    /// @param names one that may contain blanks, or several
     /// @param line  of the statement, from 1
     void read(std::string_view names, int line);
 
@@ -47,7 +47,7 @@ class ObjLibraries {
     BesideFiles beside_;
     int line_ = 0;
     std::set<std::string, std::less<>> lists_; ///< what has been named so far
-    std::set<std::string, std::less<>> names_; ///< that were looked for
+    std::set<std::string, std::less<>> names_; ///< names that were looked for
     BesideBytes bytes_{most_material_bytes, "all material files"};
 };
 
@@ -56,10 +56,10 @@ struct ObjMaps {
     int texture = -1, normal_map = -1;
 };
 
-/// The images of materials. Those of each are read when its first face is drawn.
+/// The images of materials, each read when the first face of its material is drawn.
 class ObjImages {
   public:
-    /// @param textures receives them; all must live as long
+    /// @param textures receives them; all arguments must outlive this
     ObjImages(const std::vector<ObjMaterial>& materials, std::vector<SharedTexture>& textures,
               WatchedSteps& watched, ObjReporter& reporter)
         : materials_(materials), reporter_(reporter), files_(textures, watched) {}
@@ -76,7 +76,7 @@ class ObjImages {
     ObjReporter& reporter_;
     TextureFiles files_;
     std::map<int, ObjMaps> known_; ///< of the materials that are drawn
-    std::set<std::string> told_;   ///< what is wrong with images
+    std::set<std::string> told_;   ///< reported faults of images
 };
 
 } // namespace rasterwalk

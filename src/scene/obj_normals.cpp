@@ -66,7 +66,7 @@ std::vector<glm::vec3> corner_normals(const FaceCorners& faces, std::span<const 
         normals.push_back(face_normal_of(i));
     if (!smooths) return normals;
 
-    // The corners in each point, one point after another.
+    // The corners at each point, point by point.
     std::vector<int> begin(points.size() + 1, 0);
     for (const int point : faces.positions)
         ++begin[static_cast<std::size_t>(point) + 1];

@@ -1,6 +1,6 @@
 #pragma once
 
-// Normals that a model file does not give.
+// Computes the normals that a model file does not give.
 
 #include <span>
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace rasterwalk {
 
-/// The corners of faces, one face after another.
+/// The corners of faces, face by face.
 struct FaceCorners {
     std::vector<int> positions;    ///< of each corner: index of its point
-    std::vector<int> first_corner; ///< of each face; at the end the count of corners
+    std::vector<int> first_corner; ///< of each face; at the end, the count of corners
 };
 
-/// The unit normal of each corner: that of its face, smoothed over the faces that meet in its point
-/// and lean from it by no more than `crease_angle` radians, each with its angle at the point as its
-/// weight. Zero for a face without area. In a point in which more than `most_smoothed_faces` faces
-/// meet nothing is smoothed.
+/// The unit normal of each corner: its face's normal, averaged with the faces at its point whose
+/// normals differ by no more than `crease_angle` radians, each weighted by its angle at the point.
+/// Zero for a face without area. Where more than `most_smoothed_faces` faces meet, nothing is
+/// smoothed.
 ///
 /// Source: Thuermer, Wuethrich, Computing vertex normals from polygonal facets (Journal of Graphics
 /// Tools, 1998).

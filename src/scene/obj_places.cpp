@@ -30,7 +30,7 @@ glm::dvec3 origin_of(const ObjStatements& file) {
     const double half = 0.5 * longest(most - least);
     constexpr double far = 16.0;
     if (half == 0.0 || longest(middle) <= far * half) return glm::dvec3(0.0);
-    // A power of two, so that nothing is rounded again when the middle is subtracted.
+    // A power of two, so that subtracting the middle rounds nothing again.
     const double unit = std::ldexp(1.0, std::ilogb(half) - 7);
     for (int i = 0; i < 3; ++i) {
         const double units = middle[i] / unit;

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t longest_kind = 24;
 constexpr std::string_view further_kinds = "others";
 
-/// Faults that are not among the first ones of the list, nor counted with them.
+/// Faults that are neither in the list nor counted with one in it.
 std::int64_t faults_after(const ObjReport& report, std::size_t first) {
     std::int64_t left = report.counts.faults;
     for (std::size_t i = 0; i < first; ++i)

@@ -1,6 +1,6 @@
 #pragma once
 
-// What was found in a model file, and what of it is not in the model.
+// What was found in a model file, and what of that the model does not have.
 
 #include <array>
 #include <cstdint>
@@ -14,9 +14,9 @@
 
 namespace rasterwalk {
 
-/// How much a model file holds. In 64 bits: no file can make a count run over.
+/// How much a model file holds. In 64 bits, so that no file can make a count overflow.
 struct ObjCounts {
-    std::int64_t lines = 0;            ///< of the model file, without those of its materials
+    std::int64_t lines = 0;            ///< of the model file, without its material files
     std::int64_t positions = 0;        ///< statements v
     std::int64_t texcoords = 0;        ///< statements vt
     std::int64_t normals = 0;          ///< statements vn
@@ -28,7 +28,7 @@ struct ObjCounts {
     std::int64_t parts = 0;            ///< runs of faces of one object, group and material
     std::int64_t materials = 0;        ///< statements newmtl
     std::int64_t textures = 0;         ///< images that are drawn: map_Kd, norm, bump
-    std::int64_t faults = 0;           ///< statements in which something is wrong
+    std::int64_t faults = 0;           ///< statements with something wrong
 
     friend bool operator==(const ObjCounts&, const ObjCounts&) = default;
 };
@@ -39,7 +39,7 @@ struct ObjCountInfo {
     std::int64_t ObjCounts::*count;
 };
 
-/// All of them, in the order in which they are reported.
+/// All counts, in the order they are reported.
 inline constexpr std::array obj_count_list{
     ObjCountInfo{"lines", "lines of the model file", &ObjCounts::lines},
     ObjCountInfo{"positions", "points in space: v", &ObjCounts::positions},
@@ -62,13 +62,13 @@ inline constexpr std::array obj_count_list{
 static_assert(sizeof(ObjCounts) == obj_count_list.size() * sizeof(std::int64_t),
               "every count has its row");
 
-/// What there is to say about a statement, or about several that are alike: what is wrong and what
-/// is done instead, or what is right and easily overlooked.
+/// A remark about a statement, or about several that are alike: what is wrong and what is done
+/// instead, or what is right and easily overlooked.
 struct ObjFault {
     std::string path;       ///< of the model or of its materials, as messages show it
     int line = 0;           ///< of the first, from 1
     std::string sentence;   ///< of the first; ends with a full stop
-    std::int64_t count = 1; ///< statements of which it is said
+    std::int64_t count = 1; ///< statements it applies to
 
     friend bool operator==(const ObjFault&, const ObjFault&) = default;
 };
@@ -88,7 +88,7 @@ struct ObjReport {
     ObjCounts counts;
     std::vector<ObjFault> faults;    ///< the first `most_faults` of them, in the order of reading
     std::vector<ObjFault> notes;     ///< what is right and easily overlooked; as many at most
-    std::vector<ObjSkipped> skipped; ///< in the order in which the kinds were met
+    std::vector<ObjSkipped> skipped; ///< in the order the kinds were met
 
     friend bool operator==(const ObjReport&, const ObjReport&) = default;
 };
@@ -99,8 +99,8 @@ enum class ObjFaultKind : std::uint8_t {
     colour,              ///< what follows its point
     texcoord,            ///< a statement vt
     normal,              ///< a statement vn
-    normal_of_no_length, ///< which has no direction
-    missing_texcoord,    ///< a face names one that is not there
+    normal_of_no_length, ///< so it has no direction
+    missing_texcoord,    ///< a face names one that does not exist
     missing_normal,      ///< the same
     strange_texcoord,    ///< a face has something else in its place
     strange_normal,      ///< the same
@@ -117,7 +117,7 @@ static_assert(words_match<ObjFaultKind>);
 /// Fills a report while a model and its materials are read.
 class ObjReporter {
   public:
-    /// Adds to this report, which must live as long.
+    /// Adds to this report, which must outlive it.
     explicit ObjReporter(ObjReport& report) : report_(report) {}
 
     /// Counts a fault, and keeps it if there is room.
@@ -129,8 +129,8 @@ class ObjReporter {
     }
 
     /// Counts a fault that a file may be full of: the first of each kind is kept, and the others
-    /// are counted with it. Each kind is reported once per line.
-    /// @param path the same for all of a kind
+    /// are counted with it. Each kind counts once per line.
+    /// @param path the same for all faults of a kind
     template <class Say>
     void fault(ObjFaultKind kind, std::string_view path, int line, Say say) {
         Repeated& known = repeated_[static_cast<std::size_t>(kind)];
@@ -148,7 +148,7 @@ class ObjReporter {
     /// Keeps a note if there is room.
     void note(std::string_view path, int line, std::string sentence);
 
-    /// Counts a statement that has no effect. Beyond `most_skipped_kinds` kinds all are one.
+    /// Counts a statement that has no effect. Beyond `most_skipped_kinds`, all kinds count as one.
     /// @param statement its first word
     void skip(std::string_view path, int line, std::string_view statement, std::string_view why);
 
@@ -157,8 +157,8 @@ class ObjReporter {
   private:
     /// What is known about a kind of fault that is reported once.
     struct Repeated {
-        int index = -1;    ///< of the first in the list, or where it had no room
-        int last_line = 0; ///< in which it was found
+        int index = -1;    ///< of the first in the list; its end if there was no room; -1: none yet
+        int last_line = 0; ///< that it was found in
     };
 
     bool has_room() const;
@@ -173,13 +173,13 @@ class ObjReporter {
 /// like it."
 std::string fault_line(const ObjFault& fault);
 
-/// The faults as sentences with file:line; those that were not kept are counted in a last one.
+/// The faults as sentences with file:line; a last one counts those that were not kept.
 std::vector<std::string> fault_lines(const ObjReport& report);
 
 /// The notes as sentences with file:line.
 std::vector<std::string> note_lines(const ObjReport& report);
 
-/// The same of what was skipped: "m.obj:3: 4 statements 's' are skipped: ..."
+/// The same for what was skipped: "m.obj:3: 4 statements 's' are skipped: ..."
 std::vector<std::string> skipped_lines(const ObjReport& report);
 
 /// The first fault, and how many more there are, as one notice; empty if there is none.

@@ -124,7 +124,7 @@ class StatementReader {
 
     /// Reads as many numbers as there is room for.
     /// @param kind of the faults
-    /// @return how many there are; nothing, and a fault, if a word is not a number or there are
+    /// @return how many there are; nothing, and a fault, if a word is not a number or if there are
     /// fewer than `fewest`
     std::optional<int> read_numbers(ObjFaultKind kind, std::string_view what,
                                     std::string_view& rest, int fewest, std::span<double> numbers) {
@@ -158,7 +158,7 @@ class StatementReader {
             refuse(fmt::format("the model has more than {} {}.", most_model_points, many));
     }
 
-    // What cannot be read keeps its number, or all after it would have another one.
+    // One that cannot be read keeps its number, so that the numbers of all later ones stay right.
 
     void read_position(std::string_view rest) {
         check_room(file_.positions, indexed_kinds[0].many);
@@ -171,7 +171,7 @@ class StatementReader {
         }
     }
 
-    /// What follows the coordinates of the last point.
+    /// Reads what follows the coordinates of the last point.
     void read_colour(std::string_view rest) {
         std::array<std::string_view, 5> words;
         std::size_t count = 0;
@@ -220,8 +220,8 @@ class StatementReader {
         });
     }
 
-    /// Reports what is wrong with the index of a corner: each face without its point, but the
-    /// others, which cost no face, by kind.
+    /// Reports what is wrong with the index of a corner: a missing point for each face, but other
+    /// faults, which cost no face, by kind.
     template <class Say>
     void index_fault(std::size_t kind, bool is_strange, Say say) {
         if (kind == 0) return fault(say);
@@ -265,8 +265,8 @@ class StatementReader {
         return std::nullopt;
     }
 
-    /// A corner: a, a/b, a//c or a/b/c. Without a point there is none; whatever else is wrong is
-    /// reported and left out of the corner.
+    /// A corner: a, a/b, a//c or a/b/c. Without a point there is no corner; anything else that is
+    /// wrong is reported and left out of it.
     bool read_corner(std::string_view word) {
         const std::array counts_before{file_.positions.size(), file_.texcoords.size(),
                                        file_.normals.size()};
@@ -335,7 +335,7 @@ class StatementReader {
     }
 
     void use_material(std::string_view rest) {
-        // Each part keeps it: a name of megabytes would fill the memory.
+        // Each part keeps a copy: a name of megabytes would fill the memory.
         material_ = trimmed(rest).substr(0, longest_material_name);
         material_line_ = lines_.line();
         is_part_over_ = true;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the statements of a model file say, before anything is built of it (read_obj.h).
+// The statements of a model file, before anything is built from them (read_obj.h).
 
 #include <array>
 #include <cstddef>
@@ -49,11 +49,11 @@ inline constexpr std::array indexed_kinds{
     IndexedKind{"normal", "normals", "the normal is computed."}};
 
 struct ObjStatements {
-    std::vector<glm::dvec3> positions; ///< not a number where one could not be read
+    std::vector<glm::dvec3> positions; ///< NaN if one could not be read
     std::vector<glm::vec2> texcoords;  ///< the same
-    std::vector<glm::vec3> normals;    ///< unit length; zero where one is not to be used
+    std::vector<glm::vec3> normals;    ///< unit length; zero if one must not be used
     std::vector<glm::vec3> colours;    ///< of positions, 0..1; empty: none has one
-    std::vector<ObjCorner> corners;    ///< of all faces; may name what is not there
+    std::vector<ObjCorner> corners;    ///< of all faces; may name what does not exist
     std::vector<ObjFace> faces;
     std::vector<NamedPart> parts;
     int lines = 0;              ///< of the file
@@ -66,8 +66,8 @@ struct ObjStatements {
 
 /// Reads the statements of a model. Faults go into the report.
 /// @param path for messages
-/// @param libraries reads the files of materials that are named
-/// Throws InputError if the model is too large, ReadingStopped if the watch wants no more of it.
+/// @param libraries reads the material files that are named
+/// Throws InputError if the model is too large, ReadingStopped if the watch stops it.
 ObjStatements read_statements(std::string_view text, const std::string& path, WatchedSteps& watched,
                               ObjLibraries& libraries, ObjReporter& reporter);
 

@@ -23,7 +23,7 @@ bool is_comment(std::string_view line) {
     return first != line.end() && *first == '#';
 }
 
-/// Takes the backslash from the end of a line; blanks may stand behind it.
+/// Removes the backslash from the end of a line; blanks may follow it.
 bool take_backslash(std::string_view& line) {
     std::string_view text = line;
     while (!text.empty() && is_blank(text.back()))
@@ -96,7 +96,7 @@ std::string_view take_number_word(std::string_view& text) {
     std::string_view word = take_word(text);
     const std::size_t comment = word.find('#');
     if (comment == word.npos) return word;
-    // Digits may be cut off behind the first letter: "1.#Q".
+    // Digits may be cut off after the first letter: "1.#Q".
     constexpr std::string_view first_letters = "IQS";
     const bool is_broken_number = comment > 0 && word[comment - 1] == '.' &&
                                   word.find_first_of(first_letters, comment) == comment + 1;
@@ -115,7 +115,7 @@ std::optional<double> parse_model_number(std::string_view word) {
     if (word.empty() || end != word.data() + word.size()) return std::nullopt;
     if (fault == std::errc::result_out_of_range) {
         // It is too small, not too large, if its exponent is negative, or if it has none and only
-        // zeros stand before its point.
+        // zeros before its point.
         const std::size_t exponent = word.find_first_of("eE");
         const bool is_small = exponent != word.npos
                                   ? word.substr(exponent + 1).starts_with('-')

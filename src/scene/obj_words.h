@@ -9,9 +9,8 @@
 
 namespace rasterwalk {
 
-/// The statements of a text one after another. A line ends with LF, CR or CR LF; a backslash at its
-/// end joins the next one to it, but not from a comment. A byte order mark at the beginning is
-/// passed over.
+/// The statements of a text, one by one. A line ends with LF, CR or CR LF; a backslash at its end
+/// joins the next line to it, except in a comment. A byte order mark at the beginning is skipped.
 class ObjLines {
   public:
     explicit ObjLines(std::string_view text);
@@ -21,11 +20,11 @@ class ObjLines {
 
     /// The statement, without the end of its line. Valid until next() is called again.
     std::string_view text() const { return statement_; }
-    /// The line in which it begins, from 1.
+    /// The line it begins on, from 1.
     int line() const { return line_; }
-    /// Lines read so far, those that were joined among them.
+    /// Lines read so far, including joined ones.
     int line_count() const { return line_count_; }
-    /// Bytes of the text that are not read yet.
+    /// Bytes of the text that have not been read yet.
     std::size_t bytes_left() const { return rest_.size(); }
 
   private:
@@ -41,21 +40,21 @@ class ObjLines {
 /// Takes the first word from a text; empty if there is none.
 std::string_view take_word(std::string_view& text);
 
-/// Takes what stands in quotes, " or ', from the beginning of a text, without blanks at its ends;
-/// nothing if the text begins with no quote. Where the second quote is missing that is all of it.
+/// Takes the text in quotes, " or ', from the beginning of a text, without blanks at its ends;
+/// nothing if the text does not begin with a quote. Without a second quote that is all of it.
 std::optional<std::string_view> take_quoted(std::string_view& text);
 
-/// Takes the first name of a file from a text: a word, or what stands in quotes, as some programs
-/// write names with blanks.
+/// Takes the first file name from a text: a word, or text in quotes, since some programs quote
+/// names with blanks.
 std::string_view take_name(std::string_view& text);
 
 /// Takes the first word from the text of a statement that consists of numbers: "#" begins a
-/// comment, but not in "1.#INF", "1.#IND", "1.#QNAN" and "1.#SNAN", as some programs write what is
-/// no number.
+/// comment, but not in "1.#INF", "1.#IND", "1.#QNAN" and "1.#SNAN", as some programs write values
+/// that are not numbers.
 std::string_view take_number_word(std::string_view& text);
 
-/// A number as models write it: 1, -1.5, +.5, 1e-3; too small for double is 0. Nothing for what is
-/// no number, for nan and inf, and beyond `largest_model_coordinate`.
+/// A number as models write it: 1, -1.5, +.5, 1e-3; one too small for double is 0. Nothing for
+/// anything else, for nan and inf, and beyond `largest_model_coordinate`.
 std::optional<double> parse_model_number(std::string_view word);
 
 /// Is this a number with a decimal comma, "1,5", as programs write it under some locales?

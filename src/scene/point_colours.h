@@ -1,6 +1,6 @@
 #pragma once
 
-// Colours of the points of a model. OBJ has none; programs write them in two ways: behind the
+// Colours of the points of a model. OBJ has none; programs write them in two ways: after the
 // coordinates of a point, "v x y z r g b" (MeshLab and others), or in comments "#MRGB" (ZBrush).
 
 #include <cstddef>
@@ -14,21 +14,22 @@
 
 namespace rasterwalk {
 
-/// Gathers the colours while a model is read. What their numbers mean is known at its end.
+/// Gathers the colours while a model is read. What their numbers mean is known only at its end.
 class PointColours {
   public:
     /// The numbers that follow the coordinates of a point: r g b; or w r g b, or r g b a.
-    /// @param point   index of the point; larger than that of the last call
+    /// @param point   index of the point; larger than in the last call
     /// @param numbers three or four
     /// @param line    of the statement, from 1
     void add(std::size_t point, std::span<const double> numbers, int line);
 
-    /// The text behind "#MRGB": for each point, one after another, two hexadecimal digits each of
-    /// a mask, red, green and blue. Ends where there is no such digit, or at `most_model_points`.
+    /// The text after "#MRGB": for each point, one after another, two hexadecimal digits each for
+    /// a mask, red, green and blue. Ends at anything that is no such digit, or at
+    /// `most_model_points`.
     void add_polypaint(std::string_view text);
 
-    /// Do the numbers run to 255? Yes, if one of them is 2 or more; numbers that are a little over
-    /// 1 count as 1.
+    /// Do the numbers go up to 255? Yes, if one of them is 2 or more; numbers a little above 1
+    /// count as 1.
     bool are_bytes() const { return largest_ >= 2.0; }
     /// The line of the first number that shows it, from 1.
     int line_of_bytes() const { return line_of_bytes_; }
@@ -39,7 +40,7 @@ class PointColours {
     std::vector<glm::vec3> colours(std::size_t points) const;
 
   private:
-    std::vector<glm::vec4> given_; ///< behind a point; what is not given is not a number
+    std::vector<glm::vec4> given_; ///< after a point; NaN where nothing is given
     std::vector<std::uint32_t> polypaint_;
     bool is_weight_first_ = true; ///< in all points so far, four numbers begin with 1
     bool is_alpha_last_ = true;   ///< in all points so far, they end with 1

@@ -50,8 +50,8 @@ PolygonCut PolygonCutter::cut(std::span<const glm::vec3> corners) {
     return how;
 }
 
-/// Leaves out the axis along which the polygon shows the largest area. Where it has none, since its
-/// edges cross or lie on one line, it is the axis along which it is shortest.
+/// Leaves out the axis along which the polygon shows the largest area. If it has none, because its
+/// edges cross or are on one line, leaves out the axis along which it is shortest.
 void PolygonCutter::flatten(std::span<const glm::vec3> corners) {
     glm::dvec3 least(corners.front()), most(least);
     for (const glm::vec3& corner : corners) {
@@ -76,7 +76,7 @@ void PolygonCutter::flatten(std::span<const glm::vec3> corners) {
         extent = glm::max(extent, glm::abs(places_[i]));
         far_out = std::max({far_out, std::abs(place[first]), std::abs(place[second])});
     }
-    // Corners are floats: each lies within half a unit in its last place of where it was meant.
+    // Corners are floats: each is within half a unit in the last place of where it was meant.
     constexpr double float_rounding = 1.2e-7;
     fuzz_ = 4.0 * float_rounding * far_out * std::max(extent.x, extent.y);
 }
@@ -101,8 +101,9 @@ double PolygonCutter::turn(int a, int b, int c) const {
     return cross(place(b) - place(a), place(c) - place(a));
 }
 
-/// Nothing of an ear lies outside the polygon: it turns to the inside, and no reflex corner lies in
-/// it. One that lies on a corner of it, as where a hole is joined to the outline, does not count.
+/// No part of an ear is outside the polygon: it turns to the inside, and no reflex corner is in it.
+/// One that coincides with a corner of it, as where a hole is joined to the outline, does not
+/// count.
 bool PolygonCutter::is_ear(int corner) {
     const auto at = static_cast<std::size_t>(corner);
     const int a = before_[at], b = corner, c = behind_[at];
@@ -118,7 +119,7 @@ bool PolygonCutter::is_ear(int corner) {
     });
 }
 
-/// Takes a corner out of the ring, with its triangle.
+/// Cuts a corner, and its triangle, from the ring.
 void PolygonCutter::clip(int corner) {
     const auto at = static_cast<std::size_t>(corner);
     const int a = before_[at], c = behind_[at];
@@ -133,8 +134,8 @@ void PolygonCutter::clip(int corner) {
     reflex_.erase(std::remove_if(reflex_.begin(), reflex_.end(), is_convex_now), reflex_.end());
 }
 
-/// The first ear of the ring from a corner on; one without area if there is no other; -1 if there
-/// is none.
+/// The first ear of the ring, starting at a corner; one without area if there is no other; -1 if
+/// there is none.
 int PolygonCutter::find_ear(int start) {
     int flat = -1;
     int corner = start;
@@ -175,7 +176,7 @@ PolygonCut PolygonCutter::cut_ears() {
             return PolygonCut::crossed;
         }
         clip(ear);
-        // The corner after next: or else the ears of a round polygon would become a fan.
+        // The corner after next: otherwise the ears of a round polygon would become a fan.
         at = behind_[static_cast<std::size_t>(behind_[static_cast<std::size_t>(ear)])];
     }
     const auto last = static_cast<std::size_t>(at);

@@ -1,14 +1,14 @@
 #pragma once
 
-// Polygons into triangles: a fan where that is right, ears where it is not.
+// Cuts polygons into triangles: a fan where that is right, ears where it is not.
 //
-// A fan from the first corner is right if all its triangles go round the same way, and together not
-// more than once round that corner: so for every convex polygon. Others are cut ear by ear: an ear
-// is a triangle of three corners that follow each other with no other corner in it.
+// A fan from the first corner is right if all its triangles go round the same way, and together at
+// most once round that corner, as in every convex polygon. Others are cut ear by ear: an ear is a
+// triangle of three consecutive corners with no other corner in it.
 //
 // Source: Meisters, Polygons have ears (American Mathematical Monthly, 1975); Eberly, Triangulation
-// by ear clipping (Geometric Tools, 2002), of which only reflex corners are asked; the normal by
-// which the plane is chosen is that of Newell (Sutherland, Sproull, Schumacker, A characterization
+// by ear clipping (Geometric Tools, 2002), which tests only reflex corners; the normal that
+// chooses the plane is Newell's (Sutherland, Sproull, Schumacker, A characterization
 // of ten hidden-surface algorithms, ACM Computing Surveys, 1974).
 
 #include <array>
@@ -25,15 +25,16 @@ namespace rasterwalk {
 enum class PolygonCut : std::uint8_t {
     fan,     ///< all triangles have the first corner
     ears,    ///< ear by ear
-    crossed, ///< its edges cross, so that no cut is right; there are triangles all the same
+    crossed, ///< its edges cross, so no cut is right; there are triangles all the same
     refused, ///< not cut: more corners, or more work, than the limits allow
 };
 
-/// Twice the area of a polygon as a vector across it, by Newell: no corner decides alone. It points
-/// to where the corners go round counterclockwise, in axes of which the third points to the viewer.
+/// Twice the area of a polygon as a vector perpendicular to it, by Newell's method: no corner
+/// decides alone. It points to where the corners are seen to go round counterclockwise, in axes
+/// whose third points to the viewer.
 glm::dvec3 newell_normal(std::span<const glm::vec3> corners);
 
-/// Cuts polygons, and keeps count of the work of all of them (`most_ear_tests`).
+/// Cuts polygons, and counts the work for all of them (`most_ear_tests`).
 class PolygonCutter {
   public:
     /// The triangles of a polygon with at least three corners, as indices of its corners: always

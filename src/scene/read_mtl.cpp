@@ -22,7 +22,7 @@ namespace {
 /// An option of an image: "-bm 0.5".
 struct MapOption {
     std::string_view name;
-    int fewest, most; ///< words after it; more than the fewest only where they are numbers
+    int fewest, most; ///< words after it; more than the fewest only if they are numbers
 };
 
 constexpr MapOption map_options[] = {
@@ -31,7 +31,7 @@ constexpr MapOption map_options[] = {
     {"-s", 1, 3},      {"-t", 1, 3},          {"-texres", 1, 1}, {"-type", 1, 1},
 };
 
-/// What the options of an image say.
+/// The options of an image.
 struct MapOptions {
     float strength = 1.0f;               ///< -bm
     glm::vec2 scale{1.0f}, offset{0.0f}; ///< -s and -o; their third number is for solid textures
@@ -46,7 +46,7 @@ struct MapOptions {
 
 using UsedOptions = std::initializer_list<std::string_view>;
 
-/// Images of one file that are looked for on the disk.
+/// The most images of one file that are looked for on the disk.
 constexpr std::size_t most_lookups = 2 * most_materials;
 
 constexpr std::string_view skipped_option =
@@ -54,8 +54,8 @@ constexpr std::string_view skipped_option =
 constexpr std::string_view skipped_halo = "alpha is the same from every direction";
 constexpr std::string_view skipped_material = "this property of a material is not used";
 
-/// What an image may be called if no file has the name as it is written: without the quotes,
-/// the comment or the options behind it, and without unknown options before it.
+/// What an image may be called if no file has the name as written: without the quotes, and without
+/// the comment or options after it, or unknown options before it.
 std::vector<std::string> readings_of_name(std::string_view name) {
     constexpr std::size_t most_readings = 16;
     std::vector<std::string> readings;
@@ -149,7 +149,7 @@ class MtlReader {
         material.bump_is_normal = key == "norm";
     }
 
-    /// Is a word of a statement a number with a decimal comma? That is reported.
+    /// Is a word of a statement a number with a decimal comma? If so, reports it.
     bool tells_comma(std::string_view statement, std::string_view rest) {
         std::string_view word = take_number_word(rest);
         while (!word.empty() && !has_decimal_comma(word))
@@ -207,7 +207,7 @@ class MtlReader {
         material.shininess = static_cast<float>(*number);
     }
 
-    /// d is alpha, Tr is what is missing to 1. Of a file that has both, d counts.
+    /// d is alpha, Tr is 1 - alpha. If a file has both, d counts.
     void read_alpha(bool is_dissolve, std::string_view rest, ObjMaterial& material) {
         const std::string_view word = is_dissolve ? "'d'" : "'Tr'";
         std::string_view first = take_number_word(rest);
@@ -232,8 +232,8 @@ class MtlReader {
         material.has_dissolve = material.has_dissolve || is_dissolve;
     }
 
-    /// Takes the options from in front of an image's name.
-    /// @param used of them; a fault says that the others are not
+    /// Takes the options that precede an image's name.
+    /// @param used the options that have an effect; others are reported as skipped
     void read_options(std::string_view& rest, const UsedOptions& used, MapOptions& options) {
         while (true) {
             std::string_view behind = rest;

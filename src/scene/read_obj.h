@@ -2,8 +2,8 @@
 
 // Models in Wavefront's format (OBJ), as many programs write them.
 //
-// The reader goes on after whatever is wrong: a statement that cannot be read is left out and told
-// in the report, with file and line.
+// The reader goes on after faults: a statement that cannot be read is left out and reported, with
+// file and line.
 //
 // Source: Wavefront Technologies, Advanced Visualizer manual, appendix B1, object files.
 
@@ -21,16 +21,16 @@ namespace rasterwalk {
 
 /// What a model file leaves to its reader.
 struct ObjOptions {
-    /// Where normals are missing: faces that lean from each other by no more than this, radians,
-    /// are smoothed; 0: each face has its own normal. 40 degrees make a pipe of ten sides
-    /// round, and leave a box its edges.
+    /// Where normals are missing, faces whose normals differ by no more than this, radians, are
+    /// smoothed; 0: each face has its own normal. 40 degrees make a pipe of ten sides round, and
+    /// leave a box its edges.
     float crease_angle = 0.7f;
 };
 
-/// Faces that follow each other in one object or group and have one material, with a texture or
-/// without.
+/// Consecutive faces of one object or group that have the same material, with or without a
+/// texture.
 struct ObjPart {
-    std::string name; ///< of o or g, whichever came last, as it can be shown
+    std::string name; ///< of o or g, whichever came last, in printable form
     int first_triangle = 0;
     int triangle_count = 0; ///< at least 1
     int material = -1;      ///< index in ObjModel::materials; -1: none
@@ -40,9 +40,9 @@ struct ObjPart {
     friend bool operator==(const ObjPart&, const ObjPart&) = default;
 };
 
-/// A model as its file has it: in its own axes and units, fronts counterclockwise, v of texcoords
-/// running up. What a corner names and is not there costs only itself: a normal is computed, and
-/// without texture coordinates a face has no texture.
+/// A model as in its file: in its own axes and units, fronts counterclockwise, v of texcoords
+/// running up. If a corner names something that does not exist, only that is lost: a normal is
+/// computed, and without texture coordinates a face has no texture.
 struct ObjModel {
     std::string path;
     glm::dvec3 origin{0.0};     ///< subtracted from all positions of a model that lies far away
@@ -56,13 +56,13 @@ struct ObjModel {
 /// Is this the name of a model file?
 bool is_model_file(std::string_view path);
 
-/// Reads a model, and the materials and images beside it. Throws AccessError if it cannot be read,
-/// InputError with file:line if nothing of it can be drawn, or if it is larger than limits.h
-/// allows: the file, its points, its triangles; ReadingStopped if the watch wants no more of it.
+/// Reads a model with its materials and images. Throws AccessError if it cannot be read, InputError
+/// with file:line if nothing of it can be drawn, or if its file, points or triangles exceed
+/// limits.h; ReadingStopped if the watch stops it.
 ObjModel read_obj(const std::string& path, const ObjOptions& options = {},
                   const ReadingWatch& watch = {});
 
-/// The same from text; `path` is for messages, and to find materials beside it.
+/// The same from text; `path` is for messages, and to find materials next to it.
 ObjModel parse_obj(std::string_view text, const std::string& path, const ObjOptions& options = {},
                    const ReadingWatch& watch = {});
 

@@ -22,10 +22,10 @@ namespace rasterwalk {
 
 namespace {
 
-/// An object that is scaled by less is flat.
+/// An object scaled by less is flat.
 constexpr float smallest_scale = 1e-6f;
 
-/// No entry of a model's matrix is larger: its points and normals stay numbers.
+/// No entry of a model's matrix may be larger, so that points and normals stay finite.
 constexpr double largest_entry = 1e12;
 
 constexpr std::string_view step_form = "{ rotate_y = 0.5 }.";
@@ -65,7 +65,7 @@ void read_camera(const TomlInput& input, Camera& camera) {
     }
 }
 
-/// A key that takes one of the words of an enum.
+/// Reads a key whose value is a word of an enum.
 template <class Enum>
 void read_word(const TomlInput& input, std::string_view key, Enum& value) {
     if (input.find(key) == nullptr) return;
@@ -113,7 +113,7 @@ SceneTransform read_transform(const TomlInput& input) {
     return transform;
 }
 
-/// The step that a table of the list `model` says: { rotate_y = 0.5 }.
+/// The step that a table of the `model` list describes: { rotate_y = 0.5 }.
 ModelStep read_model_step(const TomlInput& input) {
     if (input.nodes().size() != 1)
         input.fail(input.what() + " must have one key, such as " + std::string(step_form));
@@ -181,7 +181,7 @@ SceneSpace read_space(const TomlInput& input) {
                "'space' must be \"world\" or \"pixels\", not '" + space + "'.");
 }
 
-/// A place in pixels: column, row, and a depth that is 1 if it is not given.
+/// A place in pixels: column, row, and a depth that defaults to 1.
 glm::vec3 read_pixel_point(const TomlInput& input, const toml::node& node,
                            const std::string& what) {
     const toml::array* array = node.as_array();
@@ -242,8 +242,8 @@ bool has_area(const std::array<Vertex, triangle_corners>& corners) {
                                   glm::dvec3(corners[2].position) - first)) > 0.0;
 }
 
-/// Puts the corners of a triangle in the world. Their normals, which they have in object space, go
-/// by the inverse transpose.
+/// Puts the corners of a triangle in the world. Their normals, given in object space, are
+/// transformed by the inverse transpose.
 void place_in_world(const TomlInput& part, const toml::node& node, const glm::dmat4& model,
                     std::array<Vertex, triangle_corners>& corners) {
     const glm::dmat3 normals = normal_matrix(model);
@@ -259,7 +259,8 @@ void place_in_world(const TomlInput& part, const toml::node& node, const glm::dm
         const double length = glm::length(normal);
         corner.normal = length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f);
     }
-    // Steps of double that are none of float: too small, or too far from the origin for its size.
+    // Corners that differ as double but not as float: the triangle is too small, or too far from
+    // the origin for its size.
     if (had_area && !has_area(corners))
         part.fail(node, "'" + std::string(node.value_or("")) +
                             "' shrinks to nothing after the model's steps because, as floats, its "
@@ -268,7 +269,7 @@ void place_in_world(const TomlInput& part, const toml::node& node, const glm::dm
 
 using NamedPoint = PointSet::value_type;
 
-/// The points that are named one after the other.
+/// The named points, in order.
 std::vector<const NamedPoint*> read_named_points(const TomlInput& part, const toml::node& node,
                                                  const std::vector<std::string>& names,
                                                  const PointSets::value_type& set) {
@@ -337,7 +338,7 @@ void check_triangle_count(const TomlInput& input, const toml::node& node, std::s
     input.fail(node, "the scene has more than " + std::to_string(max_triangles) + " triangles.");
 }
 
-/// The triangles of a part: those that it names, then its polygons as fans.
+/// The triangles of a part: the ones it names, then its polygons as fans.
 std::vector<NamedCorners> read_triangles(const TomlInput& input, const PointSets::value_type& set,
                                          WatchedSteps& watched, Scene& scene) {
     std::vector<NamedCorners> result;
@@ -411,9 +412,9 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
         std::array<Vertex, triangle_corners>& corners = triangles[number].corners;
         for (std::size_t i = 0; i < corners.size() && !texcoords.empty(); ++i)
             corners[i].texcoord = texcoords[number][i];
-        // In a mirror clockwise is counterclockwise. The front of a triangle is where its corners
-        // go round clockwise, for its normal and on the screen alike; so they change places here,
-        // once, before anyone reads an order from them.
+        // A mirror makes clockwise counterclockwise. The front of a triangle is where its corners
+        // go round clockwise, both for its normal and on the screen, so two change places here,
+        // once, before anything reads their order.
         if (is_turned_round) std::swap(corners[1], corners[2]);
         if (!model.steps.empty()) {
             for (const Vertex& corner : corners)

@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The normals that need no set.
+/// The words for normals that need no set.
 constexpr std::string_view face_word = "face", averaged_word = "averaged";
 
 /// Calls `read` with each table of a section such as [normals.ball], and its name.
@@ -87,7 +87,7 @@ const PointVectors& find_set(const TomlInput& part, std::string_view key,
     return found->second;
 }
 
-/// The vector of a point; a point that the set does not name has the other one.
+/// The vector of a point; `other` if the set does not name the point.
 glm::vec3 vector_of(const PointVectors& vectors, const std::string& name, const glm::vec3& other) {
     const auto found = vectors.find(name);
     return found != vectors.end() ? found->second : other;

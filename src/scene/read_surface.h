@@ -1,6 +1,6 @@
 #pragma once
 
-// What a scene file says about surfaces: materials, and normals and colours of points.
+// Surfaces in a scene file: materials, and normals and colours of points.
 
 #include <array>
 #include <functional>
@@ -26,7 +26,7 @@ struct ScenePoint {
 };
 using PointSet = std::unordered_map<std::string, ScenePoint>;
 
-/// A vector for each of some points, by their names: normals of unit length, or colours.
+/// Vectors of some points, by the points' names: normals of unit length, or colours.
 using PointVectors = std::unordered_map<std::string, glm::vec3>;
 
 /// The sections of a scene file that parts name.
@@ -34,8 +34,8 @@ struct SurfaceSections {
     std::map<std::string, Material, std::less<>> materials;
     std::map<std::string, PointVectors, std::less<>> normals;
     std::map<std::string, PointVectors, std::less<>> colours;
-    /// Of which sets all points are known to stand in which sets of points: many parts may name
-    /// the same.
+    /// Pairs that have been checked: every point of this set is in that set of points. Many parts
+    /// may name the same pair.
     std::set<std::pair<const PointVectors*, const PointSet*>> checked;
 };
 
@@ -44,15 +44,15 @@ struct SurfaceSections {
 SurfaceSections read_surface_sections(const TomlInput& scene, SceneSpace space,
                                       const std::array<bool, 3>& mirror);
 
-/// The corners of a triangle as a part gives it: where, and which points of its set.
+/// The corners of a triangle as a part gives it: their places, and which points of its set.
 struct NamedCorners {
     std::array<Vertex, triangle_corners> corners; ///< each with the triangle's own normal
-    std::array<const std::string*, triangle_corners> names{}; ///< they live as long as the set
+    std::array<const std::string*, triangle_corners> names{}; ///< valid as long as the set
     TriangleIndices numbers{};                                ///< of the points in the set
     const toml::node* written = nullptr;                      ///< where the scene names them
 };
 
-/// How the triangles of a part are coloured, and which normals their corners have.
+/// The colours of a part's triangles, and the normals of their corners.
 struct PartSurface {
     Material material;
     const PointVectors* colours = nullptr; ///< null: the material's for all
@@ -63,8 +63,8 @@ struct PartSurface {
     void dress(NamedCorners& triangle) const;
 };
 
-/// Reads `material`, `reflectance`, `colours` and `normals` of a part. Where normals are averaged,
-/// its triangles are still to be added. Throws InputError.
+/// Reads `material`, `reflectance`, `colours` and `normals` of a part. If normals are averaged, its
+/// triangles have yet to be added. Throws InputError.
 /// @param points   the part's set
 /// @param set_name and its name
 PartSurface read_part_surface(const TomlInput& part, SurfaceSections& sections,

@@ -1,6 +1,6 @@
 #pragma once
 
-// How far the reading of a large file is, and how it is stopped on the way.
+// The progress of reading a large file, and how to stop it.
 
 #include <cstdint>
 #include <exception>
@@ -8,13 +8,13 @@
 
 namespace rasterwalk {
 
-/// What a model is made of on the way, in the order in which it is done.
+/// The phases of reading a model, in order.
 enum class ReadingPart : std::uint8_t {
     bytes,     ///< of its file are read
-    triangles, ///< are made of its faces
+    triangles, ///< are made from its faces
 };
 
-/// How far a reading is.
+/// How far the reading has got.
 struct ReadingState {
     ReadingPart part = ReadingPart::bytes;
     std::int64_t done = 0;
@@ -23,34 +23,34 @@ struct ReadingState {
     friend bool operator==(const ReadingState&, const ReadingState&) = default;
 };
 
-/// Called now and then with how far a reading is, some thousand times a second at most. False:
-/// stop. May be empty.
+/// Called now and then with the progress, at most about a thousand times a second. False: stop. May
+/// be empty.
 using ReadingWatch = std::function<bool(const ReadingState&)>;
 
-/// Thrown where a watch stops a reading. No fault of the file, and so no Error.
+/// Thrown when a watch stops the reading. Not a fault of the file, so not an Error.
 class ReadingStopped : public std::exception {
   public:
     const char* what() const noexcept override { return "reading was stopped."; }
 };
 
-/// Asks a watch once in so many steps, so that a step costs next to nothing.
+/// Asks a watch only once every so many steps, so that a step costs next to nothing.
 class WatchedSteps {
   public:
     explicit WatchedSteps(const ReadingWatch& watch) : watch_(watch) {}
 
-    /// One step more is done. Throws ReadingStopped.
+    /// Counts one more step. Throws ReadingStopped.
     /// @param state makes the ReadingState; called only where the watch is asked
     template <class State>
     void step(State state) {
         if (++steps_ % steps_between == 0) ask(state());
     }
 
-    /// One step more, of a file that is read on the way: how far the whole is stays.
+    /// Counts one more step of a file that is read in between: the reported progress stays.
     void step() {
         if (++steps_ % steps_between == 0) ask();
     }
 
-    /// One step more, after which so much of the same part is done.
+    /// Counts one more step, after which so much of the same phase is done.
     void step_to(std::int64_t done) {
         state_.done = done;
         step();

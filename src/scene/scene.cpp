@@ -25,7 +25,7 @@ int part_of(const Scene& scene, int triangle) {
 
 namespace {
 
-/// A picture that the part of a triangle names; null if it names none.
+/// The picture that a triangle's part names; null if it names none.
 const Texture* picture_of(const Scene& scene, int triangle, int Part::*index) {
     if (scene.textures.empty()) return nullptr;
     const int part = part_of(scene, triangle);

@@ -18,19 +18,19 @@ namespace rasterwalk {
 
 /// What a surface is made of.
 struct Material {
-    glm::vec3 reflectance{1.0f}; ///< share of light given back to all sides, red green blue, 0..1
+    glm::vec3 reflectance{1.0f}; ///< share of light reflected diffusely, red green blue, 0..1
     Shine shine{};
     float alpha = 1.0f; ///< 0 (clear) to 1 (opaque)
 
     friend bool operator==(const Material&, const Material&) = default;
 };
 
-/// A named group of triangles ("tall block") that follow each other in the mesh.
+/// A named group of consecutive triangles of the mesh ("tall block").
 struct Part {
     std::string name;
     int first_triangle = 0;
     int triangle_count = 0;
-    Model model{};       ///< how the scene file made it; without steps it was given in the world
+    Model model{};       ///< how the scene file made it; no steps: given in world space
     int texture = -1;    ///< index in Scene::textures; -1: none
     float alpha = 1.0f;  ///< of all its triangles, 0 (clear) to 1 (opaque)
     int normal_map = -1; ///< index in Scene::textures; -1: none
@@ -38,7 +38,7 @@ struct Part {
     friend bool operator==(const Part&, const Part&) = default;
 };
 
-/// How the direction of the camera is said.
+/// How the direction of the camera is given.
 enum class CameraAim : std::uint8_t {
     angles,  ///< by yaw and pitch: the lab
     look_at, ///< by a point that it looks at, and a direction that is up
@@ -61,10 +61,10 @@ struct Camera {
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-/// What a surface gives back of the light that falls on it.
+/// How a surface reflects the light that falls on it.
 enum class LightModel : std::uint8_t {
-    lambert,     ///< the same to all sides: the lab
-    blinn_phong, ///< and a highlight on top of it, where the material has one
+    lambert,     ///< the same in all directions: the lab
+    blinn_phong, ///< plus a highlight, if the material has one
 };
 template <>
 inline constexpr auto enum_words<LightModel> = word_list("lambert", "blinn_phong");
@@ -73,7 +73,7 @@ static_assert(words_match<LightModel>);
 /// Where the lamp is.
 enum class LampPlace : std::uint8_t {
     fixed,  ///< at its position
-    camera, ///< where the camera stands, like a flashlight on a helmet
+    camera, ///< where the camera is, like a flashlight on a helmet
 };
 template <>
 inline constexpr auto enum_words<LampPlace> = word_list("fixed", "camera");
@@ -98,14 +98,14 @@ struct Viewport {
     friend bool operator==(const Viewport&, const Viewport&) = default;
 };
 
-/// In which space a scene's positions are given.
+/// The space in which a scene's positions are given.
 enum class SceneSpace : std::uint8_t {
     world,  ///< to be projected by the camera
     pixels, ///< already columns and rows: the bench, where projection would only be in the way
 };
 
-/// A polygon of more than three corners. The mesh has it as a fan of triangles about its first
-/// corner; its outline is corner 0 and corner 1 of the first of them, and corner 2 of each.
+/// A polygon of more than three corners. In the mesh it is a fan of triangles about its first
+/// corner; its outline is corners 0 and 1 of the first triangle, and corner 2 of each.
 struct ScenePolygon {
     int first_triangle = 0;
     int triangle_count = 0; ///< two less than its corners
@@ -116,13 +116,13 @@ struct ScenePolygon {
 /// A further set of pixel-space triangles that a bench scene offers.
 struct BenchExample {
     std::string name;
-    std::string about; ///< one sentence: what there is to see
+    std::string about; ///< one sentence: what it shows
     std::array<glm::vec3, 3> positions;
 
     friend bool operator==(const BenchExample&, const BenchExample&) = default;
 };
 
-/// What is drawn, and the view with which it opens.
+/// What is drawn, and the view it opens with.
 struct Scene {
     std::string name;
     std::string path; ///< the file it came from; empty for a scene made in memory
@@ -132,12 +132,12 @@ struct Scene {
     std::vector<SharedTexture> textures; ///< each once, however many parts show it
     std::string
         laid_texture; ///< file of an image that was laid on it, see with_texture(); empty: none
-    std::vector<ScenePolygon> polygons; ///< in the order of drawing; only of a scene in pixels
+    std::vector<ScenePolygon> polygons; ///< in drawing order; only in a scene in pixels
     std::vector<BenchExample> examples;
     Camera camera;
     Light light;
     Viewport viewport;
-    std::string stage;                     ///< name of the stage the scene asks for; empty: no wish
+    std::string stage;                     ///< name of the stage the scene asks for; empty: any
     std::optional<ObjReport> model_report; ///< of a scene that was read from a model file
 
     int triangle_count() const { return mesh.triangle_count(); }

@@ -6,12 +6,12 @@
 
 namespace rasterwalk {
 
-/// The smallest box, along the axes of the world, around all that a scene draws.
+/// The smallest box, along the world's axes, around everything a scene draws.
 struct SceneBox {
     glm::dvec3 low{-1.0}, high{1.0};
 
     glm::dvec3 middle() const { return 0.5 * (low + high); }
-    /// Of the ball around it; never 0.
+    /// Radius of the ball around it; never 0.
     double radius() const;
 };
 

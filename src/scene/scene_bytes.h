@@ -7,7 +7,7 @@
 
 namespace rasterwalk {
 
-/// Memory that scenes take, bytes: what several of them share counts once.
+/// Memory that scenes take, bytes. What several of them share counts once.
 class SceneBytes {
   public:
     /// Counts this scene too; null counts nothing.

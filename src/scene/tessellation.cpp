@@ -16,13 +16,13 @@ namespace rasterwalk {
 
 namespace {
 
-/// Mixed normals are shorter than 1. One that has no length, and so no direction, stays so.
+/// Mixed normals are shorter than 1. One without length, and so without direction, stays so.
 glm::vec3 of_unit_length(const glm::vec3& normal) {
     const float length = std::sqrt(glm::dot(normal, normal));
     return length > 0.0f ? normal / length : normal;
 }
 
-/// The normal of a surface that is flat stays the same to the last bit.
+/// The normal of a flat surface stays the same to the last bit.
 bool are_same(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     return a == b && a == c;
 }
@@ -49,7 +49,7 @@ std::vector<GridTriangle> grid_triangles(int parts) {
     return triangles;
 }
 
-/// What stands at a point of the grid: the same to the last bit where the corners are the same.
+/// The value at a point of the grid: the same to the last bit if the corners are the same.
 template <class Value>
 Value mix(const Value& a, const Value& b, const Value& c, const CutPoint& at, int parts) {
     return a + (b - a) * part_share(at.to_b, parts) + (c - a) * part_share(at.to_c, parts);
@@ -75,15 +75,15 @@ class MeshCutter {
         return given_.vertices()[static_cast<std::size_t>(index)];
     }
 
-    /// Is an edge cut from b to a, in whichever direction a triangle has it? By the places:
-    /// neighbours with normals of their own have other vertices there.
+    /// Is an edge cut from b to a, in whichever direction a triangle has it? The places decide:
+    /// neighbours with their own normals have different vertices there.
     bool is_turned(int a, int b) const {
         const glm::vec3 &p = vertex(a).position, &q = vertex(b).position;
         const std::array of_a{p.x, p.y, p.z}, of_b{q.x, q.y, q.z};
         return of_a == of_b ? a > b : of_b < of_a;
     }
 
-    /// The index of the vertex that lies `part` parts from corner a on the way to b.
+    /// The index of the vertex `part` parts from corner a on the way to b.
     int on_edge(int a, int b, int part) {
         if (part == 0 || a == b) return a;
         if (part == parts_) return b;
@@ -157,7 +157,7 @@ class MeshCutter {
     std::vector<GridTriangle> pattern_;
     Mesh made_;
     std::unordered_map<std::uint64_t, int> edges_; ///< the first vertex between the ends of each
-    std::vector<int> grid_;                        ///< the vertices over the triangle at work
+    std::vector<int> grid_;                        ///< the vertices on the current triangle
 };
 
 /// The places of an object before its model transformation, three for each triangle.

@@ -8,14 +8,14 @@ namespace rasterwalk {
 
 namespace {
 
-/// A texel of the level before that a texel covers, and how much of what it covers that is.
+/// A texel of the previous level that a texel covers, and its share of what that texel covers.
 struct CoveredTexel {
     int place;
     double share;
 };
 
 /// What texel `place` of a row of `count` covers of a row of `before`: at most three texels,
-/// because `before` is at most 2 `count` + 1.
+/// because `before` is at most 2 * `count` + 1.
 struct CoveredTexels {
     std::array<CoveredTexel, 4> list{};
     int size = 0;

@@ -1,17 +1,17 @@
 #pragma once
 
-// Textures: pictures that are laid on surfaces, each with its mip chain.
+// Textures: pictures laid on surfaces, each with its mip chain.
 //
-// In:  a picture, 8 bits a channel.
+// In:  a picture, 8 bits per channel.
 // Out: its levels: the picture itself, the same at half the size, at a quarter, down to one texel.
 // Picture: the same photograph, printed smaller and smaller. Each texel of a print is the mean of
-//          what it covers of the print before.
+//          what it covers of the previous print.
 //
 // The classic mistake is to make a level by leaving out every second texel: a checkerboard of
-// single texels is then black all over, where its mean is grey.
+// single texels is then black all over, although its mean is grey.
 //
-// Source: L. Williams, "Pyramidal Parametrics", Computer Graphics 17(3), SIGGRAPH 1983. How large
-// the levels are: The OpenGL Graphics System, version 4.6 (core profile), section 8.14.3.
+// Source: L. Williams, "Pyramidal Parametrics", Computer Graphics 17(3), SIGGRAPH 1983. The sizes
+// of the levels: The OpenGL Graphics System, version 4.6 (core profile), section 8.14.3.
 
 #include <cstddef>
 #include <memory>
@@ -38,7 +38,7 @@ struct TextureLevel {
                       static_cast<std::size_t>(column)];
     }
 
-    /// How opaque a texel is, 0 to 1; what lies outside is opaque.
+    /// How opaque a texel is, 0 to 1; outside the picture, 1.
     float alpha_at(int column, int row) const {
         if (alphas.empty() || column < 0 || row < 0 || column >= width || row >= height)
             return 1.0f;
@@ -49,10 +49,10 @@ struct TextureLevel {
     friend bool operator==(const TextureLevel&, const TextureLevel&) = default;
 };
 
-/// A picture with its mip chain. u runs from its left side to the right, 0..1, and v from its top
-/// to its bottom, as rows do.
+/// A picture with its mip chain. u runs from its left side to the right, 0..1, and v from top to
+/// bottom, as rows do.
 struct Texture {
-    std::string name; ///< of the file, as the scene says it
+    std::string name; ///< of the file, as the scene writes it
     /// The picture itself, and each level half as wide and high as the previous one, rounded down
     /// and at least 1; the last one has one texel. Never empty.
     std::vector<TextureLevel> levels;
@@ -65,14 +65,14 @@ struct Texture {
     friend bool operator==(const Texture&, const Texture&) = default;
 };
 
-/// A texture of a scene. Copies of the scene share it: undo keeps many of them.
+/// A texture of a scene. Copies of the scene share it, because undo keeps many.
 class SharedTexture {
   public:
     explicit SharedTexture(Texture texture);
 
     const Texture& operator*() const { return *texture_; }
 
-    /// Of the same texels, whether or not they are shared.
+    /// The same texels, whether or not they are shared.
     friend bool operator==(const SharedTexture& a, const SharedTexture& b) {
         return a.texture_ == b.texture_ || *a.texture_ == *b.texture_;
     }
@@ -81,11 +81,11 @@ class SharedTexture {
     std::shared_ptr<const Texture> texture_; ///< never null
 };
 
-/// Takes a picture to be opaque where every pixel is clear: many programs leave its alpha empty.
+/// Makes a picture opaque if every pixel is clear, because many programs leave alpha empty.
 void drop_empty_alpha(Image& image);
 
-/// The texture of a picture that has pixels. A byte b becomes b / 255, as bytes of the picture that
-/// is drawn come from 255 c.
+/// The texture of a picture that has pixels. A byte b becomes b / 255, the inverse of how the drawn
+/// picture gets its bytes, 255 c.
 Texture make_texture(std::string name, const Image& image);
 
 } // namespace rasterwalk

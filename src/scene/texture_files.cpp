@@ -20,7 +20,7 @@ std::string without_links(const std::string& path) {
     return fault ? path : canonical.string();
 }
 
-/// Gives a picture the alpha of another one.
+/// Gives a picture the alpha of another.
 void lay_alpha(const Image& from, Image& image) {
     bool has_alpha = false;
     for (std::size_t i = 3; i < from.rgba.size(); i += 4)
@@ -106,8 +106,8 @@ Image TextureFiles::image_with_alpha(const Recipe& files, const Recipe& paths) {
     return image;
 }
 
-/// An image becomes a texture. Its texels are counted since it was unpacked: further textures of it
-/// are counted by themselves.
+/// Notes that a texture is made from an image. Its texels were counted when it was unpacked;
+/// further textures of it are counted separately.
 void TextureFiles::use(const std::string& file, const std::string& path) {
     ReadImage& read = images_.at(file);
     if (read.is_used) take_texels(path, {read.image.width, read.image.height});

@@ -23,7 +23,7 @@ namespace {
                     number_text(largest_pixel_coordinate), in_quotes(text)));
 }
 
-/// Cuts off what stands before the separator.
+/// Cuts off and returns what precedes the separator.
 std::string_view take_part(std::string_view& text, char separator) {
     const std::size_t end = text.find(separator);
     const std::string_view part = text.substr(0, end);
@@ -50,7 +50,7 @@ std::optional<glm::vec3> parse_position(std::string_view text) {
     return x && y && z ? std::optional(glm::vec3(*x, *y, *z)) : std::nullopt;
 }
 
-/// Puts all three corners of a triangle elsewhere.
+/// Moves all three corners of a triangle.
 void put_corners(Scene& scene, int triangle, const std::array<glm::vec3, 3>& positions) {
     for (int v = 0; v < triangle_corners; ++v)
         scene.mesh.place_corner(triangle, v, positions[static_cast<std::size_t>(v)]);

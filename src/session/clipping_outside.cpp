@@ -14,8 +14,8 @@ SeenCorner seen_corner(const CutCorner& corner) {
     return seen;
 }
 
-/// The place of the plane that is looked at in the history: the one at work, the one chosen if it
-/// cuts, or the first that does; -1: none does.
+/// The plane to show, as an index in the history: the one at work, the chosen one if it cuts, or
+/// the first that does; -1: none does.
 int plane_on_show(const ClipHistory& history, const std::optional<ClipProgress>& progress,
                   std::optional<ClipPlane> chosen) {
     if (progress) return progress->planes;

@@ -20,8 +20,8 @@ bool holds_content(const fs::path& folder) {
     return fs::is_regular_file(folder / "presets.toml", ignored);
 }
 
-/// The file in one folder, if it is there and the path does not lead out of the folder, not even by
-/// a link of the file system.
+/// The file in a folder, if it exists and the path does not lead out of the folder, not even
+/// through a symbolic link.
 std::optional<std::string> find_within(const fs::path& folder, const fs::path& relative) {
     std::error_code fault;
     const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, fault);
@@ -47,7 +47,7 @@ std::string lessons_folder() {
 std::string own_lessons_folder() {
     std::error_code fault;
     const fs::path program = fs::read_symlink("/proc/self/exe", fault);
-    // The program lies in the project's build folder, or a folder deeper, or is installed in bin/.
+    // The program is in the project's build folder, or one folder deeper, or is installed in bin/.
     constexpr int levels = 4;
     fs::path folder = program.parent_path();
     for (int level = 0; !fault && level < levels; ++level, folder = folder.parent_path()) {

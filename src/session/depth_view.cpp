@@ -13,11 +13,11 @@ namespace rasterwalk {
 
 namespace {
 
-/// How much wider than the values the axis is on each side, as a part of their range: there the
-/// ends can be taken hold of.
+/// How far the axis extends beyond the values on each side, as a part of their range: room to grab
+/// the ends.
 constexpr float axis_margin = 0.06f;
 
-/// The bar of full height: so many times the bin than which this part of all are smaller.
+/// A bar of full height is `largest_bar` times the bin at this quantile.
 constexpr double typical_part = 0.85;
 constexpr double largest_bar = 1.5;
 
@@ -29,7 +29,7 @@ DepthRange axis_around(const DepthRange& present, ClipDepth kind) {
     // A single value needs some width as well.
     const float least = is_smaller_nearer(kind) ? 1e-3f : 1e-3f * high;
     const float margin = axis_margin * std::max(high - low, least);
-    // Beyond what is farthest there is nothing.
+    // Nothing is beyond the farthest depth.
     if (is_smaller_nearer(kind))
         return {std::min(high + margin, farthest_depth(kind)), low - margin};
     return {std::max(low - margin, farthest_depth(kind)), high + margin};
@@ -39,8 +39,8 @@ float smallest_distance(const DepthRange& axis) {
     return smallest_range * std::abs(axis.near - axis.far);
 }
 
-/// A wall that faces the camera fills one bin with more pixels than all others: measured by the
-/// largest bin the rest would lie flat on the ground.
+/// The count for full height. A wall that faces the camera fills one bin with more pixels than all
+/// others; relative to the largest bin, the rest would be flat.
 std::int64_t full_height(std::vector<std::int64_t> bins) {
     bins.erase(std::remove(bins.begin(), bins.end(), 0), bins.end());
     if (bins.empty()) return 1;
@@ -51,8 +51,8 @@ std::int64_t full_height(std::vector<std::int64_t> bins) {
     return std::clamp<std::int64_t>(bins.back(), 1, std::max<std::int64_t>(limit, 1));
 }
 
-/// Sets the smaller or the larger end of the range, as it is written down.
-/// @param bottom the smallest value that the end may have
+/// Sets the smaller or the larger end of the range, as stored.
+/// @param bottom the smallest value allowed for the end
 void set_low(Session& session, const DepthView& view, float bottom, float value) {
     const DepthRange& axis = view.histogram.axis;
     const float high = values_of(view.range).largest;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The depth view: which range of stored depths the colours are spread over, and how these are
-// spread over it. What is stored is 1/z, or what else the settings say.
+// The depth view: the range of stored depths that the colours are spread over, and the distribution
+// of the depths. What is stored is 1/z, or what the settings say instead.
 
 #include <cstdint>
 #include <optional>
@@ -17,7 +17,7 @@ namespace rasterwalk {
 
 struct Session;
 
-/// How far in front of the camera a place with this stored depth lies, world units.
+/// How far in front of the camera a place with this stored depth is, world units.
 double z_of_stored_depth(const Frame& frame, float depth);
 
 /// The stored depths in bins of equal width.
@@ -27,26 +27,26 @@ struct DepthHistogram {
     std::int64_t full = 1;          ///< pixels of a bar of full height; larger bins are cut there
 };
 
-/// What the depth view shows beside the picture.
+/// What the depth view shows next to the picture.
 struct DepthView {
     ClipDepth kind = ClipDepth::inv_z; ///< of the depths
     std::optional<DepthRange> present; ///< farthest and nearest stored; none: nothing has one
-    DepthRange range;                  ///< the colours are spread over it
+    DepthRange range;                  ///< that the colours are spread over
     DepthHistogram histogram;
     std::int64_t drawn = 0;   ///< pixels that have a depth
-    std::int64_t farther = 0; ///< of them below the range
-    std::int64_t nearer = 0;  ///< of them above it
+    std::int64_t farther = 0; ///< those farther than the range
+    std::int64_t nearer = 0;  ///< those nearer than the range
 };
 
-/// @param chosen the range that was set; none: that which is present
+/// @param chosen the range that was set; none: the one present
 DepthView depth_view(const Framebuffer& framebuffer, const std::optional<DepthInterval>& chosen);
 
-/// Sets the far or the near end of the range, from the range that is in force. The end keeps a
-/// small distance from the other one.
+/// Sets the far or the near end of the range, starting from the range in force. The end keeps a
+/// small distance from the other.
 void set_far(Session& session, const DepthView& view, float value);
 void set_near(Session& session, const DepthView& view, float value);
 
-/// A range as text, the smaller end first: "0.2,0.8"; none if it is not one.
+/// A range as text, the smaller end first: "0.2,0.8"; none if the text is not a range.
 std::string to_text(const DepthInterval& range);
 std::optional<DepthInterval> parse_depth_range(std::string_view text);
 

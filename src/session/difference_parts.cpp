@@ -7,12 +7,12 @@ namespace rasterwalk {
 
 namespace {
 
-/// What it takes to work out the difference of a pixel, and to colour it, beside a fragment.
+/// The work of computing the difference of a pixel, and of colouring it, relative to a fragment.
 constexpr double value_work = 1.0;
 constexpr double colour_work = 0.5;
 
-/// The end of the scale: that of the whole frame's difference, so that it does not jump while time
-/// runs, unless more is seen at the cursor.
+/// The end of the scale: the largest difference of the whole frame, so that it does not jump while
+/// time runs, or of the pictures at the cursor if that is larger.
 float scale_limit(const ComparisonResults& comparison, View view) {
     float largest = view == View::colour ? comparison.whole().pixels.largest : 0.0f;
     for (const float value : comparison.difference_values)
@@ -24,7 +24,7 @@ double pixels_of(const Rectangle& r) {
     return static_cast<double>(r.right - r.left) * (r.bottom - r.top);
 }
 
-/// Where the compared picture differs from the one shown; nothing if they are the same, the whole
+/// Where the compared picture differs from the one shown; empty if they are the same, the whole
 /// picture if that is not known.
 Rectangle changed_since(std::uint64_t compared, const RunResults& run) {
     if (run.picture_number == compared) return {};
@@ -33,7 +33,7 @@ Rectangle changed_since(std::uint64_t compared, const RunResults& run) {
     return is_known ? run.picture_changed : Rectangle{0, 0, size.width, size.height};
 }
 
-/// Begins again with the pictures shown; in large ones, only with what has changed.
+/// Starts again with the pictures shown; in large ones, only with what has changed.
 void begin(View view, bool is_little, const WorkLimit& limit, Results& results) {
     ComparisonResults& comparison = results.comparison;
     DifferenceProgress& progress = comparison.progress;
@@ -46,7 +46,7 @@ void begin(View view, bool is_little, const WorkLimit& limit, Results& results) 
         update_signed_difference(a, b, view, changed, comparison.difference_values);
         update_difference_image(comparison.difference_values, progress.limit, changed,
                                 comparison.difference);
-        // Half a picture is not shown: the rest of it follows.
+        // Half a picture is not shown; the rest follows.
         if (progress.image_rows == a.size.height) comparison.difference_number = ++results.numbers;
     } else {
         progress.value_rows = progress.image_rows = 0;
@@ -67,7 +67,7 @@ void begin(View view, bool is_little, const WorkLimit& limit, Results& results) 
         divergence_at(results.a.frame, a, results.b->frame, b, next, comparison.scratch);
 }
 
-/// The values of some rows, then the colours of some, at last the numbers.
+/// Computes the values of some rows, then the colours of some, finally the numbers.
 void advance(const WorkLimit& limit, Results& results) {
     ComparisonResults& comparison = results.comparison;
     DifferenceProgress& progress = comparison.progress;
@@ -93,7 +93,7 @@ void advance(const WorkLimit& limit, Results& results) {
         progress.pixels.count_to(a, b, next(progress.pixels.rows(), count_pixel_work).bottom);
         if (progress.pixels.rows() < a.size.height) return;
         comparison.pixels = progress.pixels.found();
-        // A step may have brought a larger difference, or taken it away.
+        // A step may have added a larger difference, or removed it.
         progress.is_done = scale_limit(comparison, *progress.view) == progress.limit;
         if (!progress.is_done) progress.image_rows = 0;
     }

@@ -17,17 +17,17 @@
 
 namespace rasterwalk {
 
-/// What a file holds: a scene or model, or a lesson or saved view with all that it sets.
+/// What a file holds: a scene or model, or a lesson or saved view with all its settings.
 using Opened = std::variant<Scene, Session>;
 
-/// A file that is read on a thread of its own. It does not end before that thread does; a reading
-/// that is stopped ends soon.
+/// A file that is read on its own thread. The destructor waits for that thread; a reading that is
+/// stopped ends soon.
 class FileReading {
   public:
     using Read = std::function<Opened(const ReadingWatch&)>;
 
-    /// Begins to read. Where there are no threads, as in a browser, all is read on return.
-    /// @param path of what is read, to name it
+    /// Starts reading. Without threads, as in a browser, all is read on return.
+    /// @param path of the file, as its name
     /// @param read runs on the thread
     FileReading(const std::string& path, const Read& read);
     ~FileReading();
@@ -38,15 +38,15 @@ class FileReading {
 
     ReadingState state() const;
 
-    /// Has the thread come to its end, with or without what it was to read?
-    /// @param patience how long to wait for that
+    /// Has the thread ended, successfully or not?
+    /// @param patience how long to wait for its end
     bool is_done(std::chrono::milliseconds patience = {}) const;
 
-    /// Returns at once; is_done() says when the thread has taken note of it.
+    /// Returns at once; is_done() says when the thread has stopped.
     void stop() { is_stopped_ = true; }
 
-    /// What was read; waits for it if it is not done. To be called once. Throws what the reading
-    /// threw, and ReadingStopped after stop(), even if that came too late.
+    /// What was read; waits until it is done. Call it once. Throws what the reading threw, and
+    /// ReadingStopped after stop(), even if that came too late.
     Opened take();
 
   private:
@@ -57,13 +57,13 @@ class FileReading {
     mutable std::condition_variable end_;
     ReadingState state_;
     bool is_done_ = false;
-    std::optional<Opened> opened_; ///< both are the thread's until it is done
+    std::optional<Opened> opened_; ///< belongs to the thread until it is done, like the next
     std::exception_ptr fault_;
     std::atomic<bool> is_stopped_ = false;
-    std::thread thread_; ///< the last: it begins when all else is there
+    std::thread thread_; ///< the last member: it starts when all others exist
 };
 
-/// How far it is, from 0 to 1.
+/// How far the reading is, from 0 to 1.
 float share_of(const ReadingState& state);
 
 /// "12.3 of 61.0 MB", "300000 of 1000000 triangles"; empty while nothing is known.

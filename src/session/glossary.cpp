@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// In the alphabet, where a capital stands beside its small letter.
+/// Alphabetical order, in which a capital is next to its lower-case letter.
 bool comes_before(std::string_view a, std::string_view b) {
     return in_small_letters(a) < in_small_letters(b);
 }

@@ -13,7 +13,7 @@ struct Term {
     std::string section;  ///< of the lab
 };
 
-/// Reads a glossary (lessons/glossary.toml): terms in the order of the alphabet, each once. Throws
+/// Reads a glossary (lessons/glossary.toml): terms in alphabetical order, each once. Throws
 /// AccessError, or InputError with file:line.
 std::vector<Term> read_glossary(const std::string& path);
 std::vector<Term> parse_glossary(std::string_view text, const std::string& path);

@@ -4,13 +4,13 @@ namespace rasterwalk {
 
 namespace {
 
-/// The fragment to report on: the picked pixel comes first, because someone asked for it.
+/// The fragment to report on: the picked pixel comes first, because the student chose it.
 std::optional<Cursor> wanted_fragment(const Session& session, const InspectedMoment& moment) {
     if (!has_fragments(moment.frame.settings.stage)) return std::nullopt;
     const bool done_is_fragment = moment.done && moment.done->phase == Phase::rows;
     if (session.selection.pixel) {
         if (done_is_fragment) {
-            // The one just done may have lost its pixel; it is the one that is walked through.
+            // The one just done may have lost its pixel; it is the one being walked through.
             const std::optional<FragmentReport> report =
                 fragment_report(moment.frame, *moment.done);
             if (report && report->pixel == *session.selection.pixel) return moment.done;
@@ -20,7 +20,7 @@ std::optional<Cursor> wanted_fragment(const Session& session, const InspectedMom
     return done_is_fragment ? moment.done : std::nullopt;
 }
 
-/// The row of the table whose graph is shown.
+/// The row in the table whose graph is shown.
 std::optional<int> wanted_row(const Session& session, const InspectedMoment& moment,
                               const Inspected& inspected) {
     const int triangle = *moment.triangle;

@@ -11,7 +11,7 @@
 
 namespace rasterwalk {
 
-/// The part of the results that answers where numbers come from.
+/// The part of the results that explains where numbers come from.
 struct Inspected {
     std::vector<VertexReport> vertices; ///< three, of the triangle shown; empty without one
     std::optional<ClipHistory>
@@ -20,13 +20,13 @@ struct Inspected {
     std::optional<RowGraph> graph; ///< of the triangle shown: the selected row, or the row of the
                                    ///< fragment shown, or the widest
 
-    // For which of these it was worked out.
+    // The inputs it was computed from.
     std::optional<int> triangle;
     std::optional<int> row;
     std::optional<glm::ivec2> pixel;
 };
 
-/// What else of the results it follows from.
+/// The other results that it depends on.
 struct InspectedMoment {
     const Frame& frame;
     const Cursor& cursor;
@@ -35,7 +35,7 @@ struct InspectedMoment {
 };
 
 /// Brings it up to date.
-/// @param new_frame the frame is another one
+/// @param new_frame the frame is a different one
 /// @param moved     the cursor has moved
 void update_inspected(const Session& session, const InspectedMoment& moment, bool new_frame,
                       bool moved, Inspected& inspected);

@@ -10,8 +10,8 @@ namespace rasterwalk {
 
 namespace {
 
-/// What a piece of a phase is called.
-/// @param count of all pieces of the phase
+/// The name of a piece of a phase.
+/// @param count number of all pieces of the phase
 std::string piece_name(const Cursor& cursor, int count) {
     if (cursor.phase == Phase::clip) return plane_name(cursor.index);
     return element_name_of(phase_info(cursor.phase).piece, cursor.index, count);
@@ -34,8 +34,8 @@ std::string describe_moment(const Frame& frame, const Cursor& cursor) {
         piece_name(cursor, static_cast<int>(of_phase.pieces.size())));
     if (phase.step.empty()) return text;
     if (is_row && !has_fragments(frame.settings.stage)) return text + ": its two ends";
-    // Of the whole row, of which only the part in the picture has moments, and of the box only what
-    // is tested.
+    // The whole row, although only the part in the picture has moments; of the box, only the part
+    // that is tested.
     const int steps = is_row    ? row_span(frame.stages, moments.rows, cursor.index).count
                       : is_test ? box_row.right - box_row.left
                                 : of_phase.pieces[cursor.index].count;

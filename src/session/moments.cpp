@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// "the samples s0 to s103", or "only the sample s0". The letter is the one the word begins with.
+/// "the samples s0 to s103", or "only the sample s0". The letter is the first of the word.
 std::string pieces(const std::string& word, int first, int last) {
     const auto numbered = [&word](int number) {
         return word.substr(0, 1).append(std::to_string(number));
@@ -85,7 +85,7 @@ std::string cull_sentence(const Frame& frame, const Cursor& cursor, const std::s
                : "no triangle is culled";
 }
 
-/// What would be possible in the place of a cursor that does not exist.
+/// What would be possible in place of a cursor that does not exist.
 std::string possible(const Frame& frame, const Cursor& cursor) {
     if (cursor.pass > 0) return "a frame is drawn in a single pass";
     if (cursor.triangle >= frame.triangle_count()) {
@@ -125,11 +125,11 @@ bool is_row(const Timeline& timeline, const Cursor& cursor) {
     return index < moments.of(cursor.phase).pieces.size();
 }
 
-/// @param text as the moment was written
+/// @param text the moment as written
 Cursor find_moment(const Frame& frame, const Cursor& cursor, const std::string& text) {
     const Timeline timeline(frame);
-    // How many columns a row has, and where the picture begins in it, is not for the asker to know:
-    // outside of them the next moment is meant.
+    // You need not know how many columns a row has, or where the picture begins in it. Outside of
+    // both, the next moment is meant.
     if (is_row(timeline, cursor)) return timeline.at_or_after(cursor);
     if (!timeline.exists(cursor)) {
         throw UsageError("there is no moment " + text + ": " + possible(frame, cursor) + ".");

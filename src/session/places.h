@@ -9,7 +9,7 @@ namespace rasterwalk {
 
 struct Session;
 
-/// Where the student looks: a moment, and what is selected. Back and forward lead to it again.
+/// Where the student looks: a moment, and what is selected. Back and forward return to it.
 struct Place {
     Cursor cursor = cursor_end;
     Selection selection;
@@ -22,18 +22,18 @@ struct PlaceHistory {
     Place now;
     int jumps = 0; ///< Session::jumps when `now` was noted
     std::vector<Place> past;
-    std::vector<Place> future; ///< the next one forward is the last
+    std::vector<Place> future; ///< the last is the next one forward
 };
 
-/// To be called when the input has come to rest. A jump or a new selection begins a new place;
-/// stepping and scrubbing only move the present one.
+/// Call it when the input is at rest. A jump or a new selection begins a new place; stepping and
+/// scrubbing only move the present one.
 void note_place(Session& session);
 
-/// To the place visited before, or after. False if there is none.
+/// Goes to the previous or next place visited. False if there is none.
 bool go_back(Session& session);
 bool go_forward(Session& session);
 
-/// Places that are remembered; older ones are forgotten.
+/// The most places that are remembered; older ones are forgotten.
 inline constexpr std::size_t most_places = 200;
 
 } // namespace rasterwalk

@@ -8,7 +8,7 @@ void show_preview(const std::shared_ptr<const Scene>& scene, const Settings& set
                   FastRun& engine, std::uint64_t& numbers, Preview& preview) {
     preview.is_shown = false;
     if (preview.scene != scene || preview.settings != settings) {
-        preview.settings = std::nullopt; // what throws leaves no picture
+        preview.settings = std::nullopt; // after an exception there is no picture
         engine.draw(scene, settings);
         copy_image(engine.picture(), preview.picture);
         preview.scene = scene;

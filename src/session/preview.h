@@ -1,7 +1,7 @@
 #pragma once
 
-// While a large picture turns under the hand, the steps cannot follow. Until they have drawn theirs
-// the fast engine's picture of what is asked for now is shown in its place.
+// While the user turns a large picture, the steps cannot keep up. Until their picture is drawn, the
+// fast engine's picture for the current input is shown in its place.
 
 #include <cstdint>
 #include <memory>
@@ -16,28 +16,28 @@
 
 namespace rasterwalk {
 
-/// The fast engine's picture in the place of the steps'.
+/// The fast engine's picture in place of the steps'.
 struct Preview {
     Image picture;
-    std::uint64_t number = 0; ///< another one whenever `picture` is another
+    std::uint64_t number = 0; ///< changes whenever `picture` does
     bool is_shown = false;
 
     std::shared_ptr<const Scene> scene; ///< of the picture
     std::optional<Settings> settings;   ///< of the picture; none: there is no picture
 };
 
-/// Draws a preview, unless it shows this already.
-/// @param engine  one for both runs: to take a scene is much work
-/// @param numbers the last number given to a picture; counts on
+/// Draws a preview, unless it already shows this.
+/// @param engine  one for both runs, because it is much work to load a scene
+/// @param numbers the last number given to a picture; is incremented
 void show_preview(const std::shared_ptr<const Scene>& scene, const Settings& settings,
                   FastRun& engine, std::uint64_t& numbers, Preview& preview);
 
-/// Notices when the hand moves: when what is asked for changes from update to update.
+/// Notices when the hand moves: when the input changes from update to update.
 class HandWatch {
   public:
-    /// To be called once in each update. The hand has come to rest when two updates in a row have
-    /// asked for nothing new: a frame of the window in which it moves makes two, the first with
-    /// what was asked for in the previous frame.
+    /// Call it once in each update. The hand is at rest when two updates in a row ask for nothing
+    /// new: while it moves, a frame of the window makes two updates, the first with the input of
+    /// the previous frame.
     void watch(const Session& session);
 
     /// Did the hand move, as the last update saw it?
@@ -46,7 +46,7 @@ class HandWatch {
   private:
     static constexpr int updates_of_rest = 2;
 
-    std::shared_ptr<const Scene> scene_; ///< null: nothing was asked for yet
+    std::shared_ptr<const Scene> scene_; ///< null: nothing has been asked for yet
     Run a_;
     std::optional<Run> b_;
     int updates_at_rest_ = updates_of_rest;

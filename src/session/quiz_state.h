@@ -1,6 +1,6 @@
 #pragma once
 
-// A quiz that is going on, and what it hides. The rounds themselves: laboratory/quiz.h.
+// A quiz in progress, and what it hides. For the rounds themselves, see laboratory/quiz.h.
 
 #include <cstdint>
 #include <string>
@@ -22,15 +22,15 @@ struct QuizGuess {
 
 /// A mistake to be found.
 struct QuizQuestion {
-    std::vector<std::string> bugs; ///< ids: the one that was made, and others that make the very
-                                   ///< same picture; each is a right answer
-    std::string first_stage;       ///< the first stage of the pipeline in which it shows
+    std::vector<std::string> bugs; ///< ids: the one that was made, and others that make exactly
+                                   ///< the same picture; each is a right answer
+    std::string first_stage;       ///< the first stage of the pipeline where it shows
     int hints = 0;                 ///< given so far
 
     friend bool operator==(const QuizQuestion&, const QuizQuestion&) = default;
 };
 
-/// A quiz that is going on; while there is one, the settings are hidden.
+/// A quiz in progress; while there is one, the settings are hidden.
 struct Quiz {
     std::uint32_t seed = 1;
     std::vector<QuizQuestion> questions; ///< one or two
@@ -45,17 +45,17 @@ struct Quiz {
 bool is_found(const Quiz& quiz, const QuizQuestion& question);
 bool is_solved(const Quiz& quiz);
 
-/// Found out or given up: the settings may be shown again.
+/// Is it solved or given up, so that the settings may be shown again?
 bool is_over(const Quiz& quiz);
 
-/// Ends the quiz, if there is one, and brings back the settings from before.
+/// Ends the quiz, if there is one, and restores the settings from before it.
 void end_quiz(Session& session);
 
-/// Are the settings to be hidden?
+/// Must the settings be hidden?
 bool hides_settings(const Session& session);
 
-/// The same, to be asked before something changes settings that the quiz hides: session.notice says
-/// why it is not done.
+/// The same, as a check before changing settings that the quiz hides: session.notice says why they
+/// are not changed.
 bool refuses_settings(Session& session);
 
 } // namespace rasterwalk

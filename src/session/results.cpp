@@ -15,7 +15,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The picked pixel, if it lies in the picture.
+/// The picked pixel, if it is in the picture.
 std::optional<glm::ivec2> picked_pixel(const Session& session, const Frame& frame) {
     const std::optional<glm::ivec2>& pixel = session.selection.pixel;
     const Viewport size = frame.settings.viewport;
@@ -24,7 +24,7 @@ std::optional<glm::ivec2> picked_pixel(const Session& session, const Frame& fram
     return is_inside ? pixel : std::nullopt;
 }
 
-/// The triangle that is alone, drawn a part further.
+/// Draws another part of the triangle that is shown alone.
 void update_lone(const WorkLimit& limit, Results& results) {
     const RunResults& run = results.a;
     LoneTriangle& lone = results.overlay.lone;
@@ -43,7 +43,7 @@ void update_overlay(const Session& session, const WorkLimit& limit, bool moved, 
     if (session.b) wanted.set(Overlay::alone, false); // whole pictures are compared
     const bool is_missing = !(results.overlay.shown == wanted) || results.overlay_is_old;
     if (moved || is_missing) {
-        // It marks what is on the picture at the cursor: until that is drawn there is nothing.
+        // The overlay marks the picture at the cursor, so it is empty until that is drawn.
         results.overlay_is_old = !results.a.is_drawn();
         if (results.overlay_is_old) {
             results.overlay = {};
@@ -56,8 +56,8 @@ void update_overlay(const Session& session, const WorkLimit& limit, bool moved, 
     update_lone(limit, results);
 }
 
-/// What lies below the overlays instead of the picture of A, if it is to be another: the triangle
-/// that is alone, in the same colours, and anything in grey where colours lie on it.
+/// What is below the overlays, if it is not the picture of A: a triangle alone, in the same
+/// colours, and either in grey if the overlay has colours.
 void update_ground(const Session& session, Results& results) {
     const GroundSource source{results.a.picture_number, results.overlay_number};
     if (results.ground_of == source) return;
@@ -76,7 +76,7 @@ void update_ground(const Session& session, Results& results) {
     if (lone.triangle() || is_grey) results.ground_number = ++results.numbers;
 }
 
-/// The pixel whose history is known, or on its way.
+/// The pixel whose history is known, or being computed.
 std::optional<glm::ivec2> pixel_of_history(const Results& results) {
     if (results.history) return results.history->pixel;
     if (results.history_work) return results.history_work->pixel();
@@ -91,9 +91,9 @@ void update_history(const Session& session, const RunChanges& changes, const Wor
         results.history_work = std::nullopt;
         if (pixel) results.history_work.emplace(results.a.frame, *pixel);
     }
-    // First the picture, then what fell on one pixel of it.
+    // First the picture, then what fell on one of its pixels.
     if (!results.history_work || !(results.a.is_drawn() || results.a.is_held)) return;
-    // Nor both in one update, if the picture was much work.
+    // And not both in one update, if the picture was much work.
     const bool was_much = results.a.replay.work().total() > limit.at_once;
     if (changes.picture && was_much) return;
     results.history_work->advance({limit.slice, limit.slice});
@@ -114,8 +114,8 @@ std::string obstacle(const Settings& a, const Settings& b) {
                        size_text(b.viewport), size_text(a.viewport));
 }
 
-/// Goes on preparing the frames that are asked for. Both runs show theirs at once, so that they are
-/// seen from the same place.
+/// Continues preparing the frames that are asked for. Both runs show theirs at the same time, so
+/// that they are seen from the same place.
 bool prepare_runs(const Session& session, const WorkLimit& limit, Results& results) {
     const bool is_ready = prepare_run(session.scene, session.a, false, limit, results.a);
     if (!session.b || !results.b) return is_ready;
@@ -153,7 +153,7 @@ void update_second_run(const Session& session, const RunChanges& a, bool are_rea
     if (a.frame || b.frame) comparison.work.begin(results.a.frame, results.b->frame);
     const bool was_done = comparison.work.is_done();
     const bool are_drawn = results.a.is_drawn() && results.b->is_drawn();
-    // Nor in an update with much other work.
+    // And not in an update with much other work.
     const bool was_much = (a.picture || b.picture) && comparison_work(results) > limit.at_once;
     if (are_drawn && !was_much) comparison.work.advance(limit);
     // The scale of the difference follows the whole frames.
@@ -161,7 +161,7 @@ void update_second_run(const Session& session, const RunChanges& a, bool are_rea
     update_difference(session.view, new_scale, limit, results);
 }
 
-/// Hints are for a whole picture that stands by itself.
+/// Are hints wanted? Only for a whole picture that is not being compared.
 void update_hints(const Session& session, const RunChanges& changes, const WorkLimit& limit,
                   Results& results) {
     PictureHints& hints = results.hints;
@@ -176,7 +176,7 @@ void update_hints(const Session& session, const RunChanges& changes, const WorkL
         hints.are_due = are_wanted;
     }
     if (!are_wanted) return;
-    // They are looked for after all else, in updates of their own.
+    // They are looked for after everything else, in separate updates.
     const bool is_whole =
         results.a.is_drawn() && results.a.is_complete() && !results.a.is_frame_late;
     if (!hints.are_due || !is_whole || changes.picture || results.history_work) return;
@@ -186,20 +186,20 @@ void update_hints(const Session& session, const RunChanges& changes, const WorkL
         if (!hints.work->is_done()) return;
         hints.found = hints.work->hints();
     } catch (const std::bad_alloc&) {
-        hints.found.clear(); // the picture is there without them
+        hints.found.clear(); // the picture does not need them
     }
     hints.are_due = false;
     hints.work = std::nullopt;
 }
 
-/// For each of two runs.
+/// The limit for each of two runs.
 WorkLimit half_slices(WorkLimit limit) {
     limit.slice /= 2.0;
     return limit;
 }
 
-/// Can the fast engine stand in for the steps of this run? What is next to the picture still
-/// belongs to the frame shown: it must have the same triangles and size.
+/// Can the fast engine stand in for the steps of this run? The panels next to the picture still
+/// belong to the frame shown, so triangles and size must be the same.
 bool may_preview(const Session& session, const Run& run, const RunResults& results) {
     return results.run && results.scene == session.scene &&
            results.run->settings.viewport == run.settings.viewport &&
@@ -207,7 +207,7 @@ bool may_preview(const Session& session, const Run& run, const RunResults& resul
            fast_engine_refuses(*results.frame.scene, run.settings).empty();
 }
 
-/// For both runs or neither, so that they are seen from the same place.
+/// The same for both runs or neither, so that they are seen from the same place.
 bool may_preview(const Session& session, const Results& results) {
     if (session.view != View::colour || session.cursor != cursor_end) return false;
     if (!may_preview(session, session.a, results.a)) return false;
@@ -223,7 +223,7 @@ void for_each_run(const Session& session, Results& results, const Visitor& visit
     if (session.b && results.b) visit(*session.b, *results.b);
 }
 
-/// Are there steps that have not drawn what is asked for yet, but are to?
+/// Are there steps that have yet to draw what is asked for?
 bool are_steps_behind(const Session& session, Results& results) {
     bool are_behind = false;
     for_each_run(session, results, [&](const Run& run, const RunResults& of) {
@@ -253,8 +253,8 @@ void hide_previews(Results& results) {
     if (results.b) results.b->preview.is_shown = false;
 }
 
-/// While the hand moves: previews alone, if the steps could not follow. False: they can, or there
-/// are none to be had.
+/// While the hand moves, shows only previews if the steps cannot keep up. False: they can, or there
+/// can be no previews.
 bool follow_hand(const Session& session, const WorkLimit& limit, Results& results) {
     const bool steps_wait = results.hand.has_moved() && may_preview(session, results) &&
                             is_much_to_draw(limit, results) && are_steps_behind(session, results);
@@ -266,8 +266,8 @@ bool follow_hand(const Session& session, const WorkLimit& limit, Results& result
     return true;
 }
 
-/// After the steps have done their part of an update: what the hand has left them to do is not
-/// seen before it is done.
+/// After the steps' part of an update, keeps previews until the steps have drawn what the hand has
+/// left to do.
 void update_previews(const Session& session, Results& results) {
     const bool are_wanted = results.hand.has_moved() || results.a.preview.is_shown;
     const bool is_held = results.a.is_held || (results.b && results.b->is_held);
@@ -316,7 +316,7 @@ bool update(const Session& session, Results& results, const WorkLimit& limit) {
 
 bool finish(const Session& session, Results& results) {
     bool has_changed = update(session, results, {});
-    // What was begun before is ended first.
+    // Work begun earlier is finished first.
     while (is_working(results))
         has_changed = update(session, results, {}) || has_changed;
     return has_changed;

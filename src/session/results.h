@@ -21,52 +21,52 @@
 
 namespace rasterwalk {
 
-/// How far the difference of the pictures at the cursor is worked out.
+/// How far the difference of the pictures at the cursor has been computed.
 struct DifferenceProgress {
     std::uint64_t of_a = 0, of_b = 0; ///< numbers of the pictures that are compared; 0: none are
-    std::optional<View> view;         ///< of which the difference is
+    std::optional<View> view;         ///< whose difference it is
     PixelCount pixels;
-    int value_rows = 0; ///< of the values that are worked out
-    int image_rows = 0; ///< of the picture that have their colour
-    float limit = 1.0f; ///< of the scale by which they have it
+    int value_rows = 0; ///< rows whose values are computed
+    int image_rows = 0; ///< rows of the picture that have their colour
+    float limit = 1.0f; ///< of the scale for these colours
     bool is_done = false;
 };
 
 /// How run B differs from run A.
 struct ComparisonResults {
     Image difference;                    ///< B minus A in the view shown, at the cursor
-    std::uint64_t difference_number = 0; ///< another one whenever `difference` is another
+    std::uint64_t difference_number = 0; ///< changes whenever `difference` does
     float difference_limit = 1.0f;       ///< its scale goes from minus this to plus this, in linear
                                          ///< colour, 1/z or fragments; see difference_colour()
     std::vector<float> difference_values; ///< B minus A of each pixel: the number under the pointer
     PixelDifference pixels;               ///< at the cursor
-    DifferenceProgress progress;          ///< of these; until it is done, all or some of them are
-                                          ///< those of the pictures before
+    DifferenceProgress progress;          ///< of these; until it is done, all or some of them
+                                          ///< belong to the previous pictures
     ComparisonWork work;                  ///< compares the whole frames, in parts if that is much
-    std::optional<Divergence> here; ///< if the runs differ in the piece of work that comes next
-    Framebuffer scratch;            ///< room for looking at that piece of work
+    std::optional<Divergence> here;       ///< if the runs differ in the next piece of work
+    Framebuffer scratch;                  ///< room for examining that piece of work
 
-    /// What is found of the whole frames, so far.
+    /// The comparison of the whole frames, so far.
     const Comparison& whole() const { return work.found(); }
 };
 
-/// What the ground of the overlays follows from, by their numbers.
+/// The pictures that the ground of the overlays is made from, by number.
 struct GroundSource {
     std::uint64_t picture = 0, overlay = 0;
 
     friend bool operator==(const GroundSource&, const GroundSource&) = default;
 };
 
-/// What there is to say about the whole picture of A, and which settings would show more. The hints
-/// about the previous picture stay until those about this one are known.
+/// Hints about the whole picture of A, and about settings that would show more. Those about the
+/// previous picture stay until those about this one are known.
 struct PictureHints {
     std::vector<SeenHint> found;
     std::shared_ptr<const Scene> scene; ///< of the picture; null: none are wanted
     bool are_due = false;               ///< `found` is about an earlier picture
-    std::optional<SeenHintsWork> work;  ///< looks for them, once all else is done
+    std::optional<SeenHintsWork> work;  ///< looks for them once all else is done
 };
 
-/// Everything that the panels show, derived from the session. Written by update() alone; not to be
+/// Everything that the panels show, derived from the session. Written only by update(); must not be
 /// copied or moved, because its parts refer to each other.
 struct Results {
     Results() = default;
@@ -75,42 +75,41 @@ struct Results {
 
     RunResults a;
     std::unique_ptr<RunResults> b; ///< null without a run B, or if it cannot be compared with A
-    std::unique_ptr<RunResults> next_b; ///< takes its place as soon as its first frame is prepared
-    ComparisonResults comparison;       ///< of both; says nothing while there is no B
+    std::unique_ptr<RunResults> next_b; ///< replaces it as soon as its first frame is prepared
+    ComparisonResults comparison;       ///< of both; meaningless while there is no B
     std::string no_comparison; ///< why they cannot be compared; empty if they can, or there is
                                ///< no run B
     OverlayPicture overlay;    ///< what is laid over the picture of A
     std::uint64_t overlay_number = 0; ///< grows whenever `overlay` changes
-    Image ground; ///< what lies below `overlay` in place of the picture of A; without pixels where
-                  ///< that picture does
-    std::uint64_t ground_number = 0;         ///< another one whenever `ground` is another
-    GroundSource ground_of;                  ///< that it was made of
+    Image ground; ///< what is below `overlay` instead of the picture of A; no pixels: that picture
+    std::uint64_t ground_number = 0;         ///< changes whenever `ground` does
+    GroundSource ground_of;                  ///< that it was made from
     bool overlay_is_old = false;             ///< it is empty until the picture of A is drawn
     std::optional<DepthView> depth;          ///< of A, while the depth view is shown
     std::optional<OverdrawCounts> overdraw;  ///< of A, while the overdraw view is shown
     std::optional<PixelHistory> history;     ///< of the picked pixel, over the whole frame of A
-    std::optional<HistoryWork> history_work; ///< makes it, once the picture is
-                                             ///< drawn; none: there is nothing to do
+    std::optional<HistoryWork> history_work; ///< computes it once the picture is drawn; none:
+                                             ///< nothing to do
     PictureHints hints;
     FrameLength length; ///< of the frame of A
     HandWatch hand;     ///< says when previews are wanted
     FastRun preview_engine{{.keeps_planes = false}};
-    std::uint64_t numbers = 0; ///< the last one that a frame or a picture got
+    std::uint64_t numbers = 0; ///< the last number given to a frame or a picture
 };
 
-/// Brings the results up to date; does nothing where the session asks for what is already there.
-/// What is too much work for the limit is done in parts: each further call does one, as long as
-/// is_working(); what is more than the limit allows to begin is held. While a frame of many
-/// triangles is prepared, all results are still those of the previous frame. While the hand moves,
-/// the steps wait if they need more than one update, and previews are shown unless the fast engine
-/// refuses; when it rests, the steps begin, and the previews stay until the steps' pictures are
-/// complete. Returns true if the picture of A changed.
+/// Brings the results up to date; does nothing if they already are what the session asks for. Work
+/// beyond the limit is done in parts, one per call, as long as is_working(); work that the limit
+/// does not allow to begin is held. While a frame of many triangles is prepared, all results are
+/// still those of the previous frame. While the hand moves, the steps wait if they need more than
+/// one update, and previews are shown unless the fast engine refuses; when it rests, the steps
+/// begin, and the previews stay until the steps' pictures are complete. Returns true if the picture
+/// of A changed.
 bool update(const Session& session, Results& results, const WorkLimit& limit = frame_limit);
 
-/// The same with all the work at once.
+/// The same, with all the work done in one call.
 bool finish(const Session& session, Results& results);
 
-/// Is there work left that the last update() has not done?
+/// Did the last update() leave work to do?
 bool is_working(const Results& results);
 
 } // namespace rasterwalk

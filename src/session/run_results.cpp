@@ -31,7 +31,7 @@ std::optional<int> shown_triangle(const Session& session, const RunResults& resu
     if (session.selection.triangle && *session.selection.triangle < count) {
         return session.selection.triangle;
     }
-    // While time is walked through, the one at work comes first.
+    // While walking through time, the one at work comes first.
     if (results.cursor == cursor_end) {
         if (const std::optional<int> owner = owner_of_pixel(session, results)) return owner;
     }
@@ -45,8 +45,8 @@ std::optional<int> triangle_of_shared(const SharedView& shared, const RunResults
     return triangle_in(results.frame, *shared.frame, *shared.triangle);
 }
 
-/// Where this run has drawn what the other one has at its cursor. Where they cut the scene into
-/// other triangles no moment is the same, but the beginning of one of the scene's triangles is.
+/// The moment at which this run has drawn what the other has at its cursor. If they cut the scene
+/// into different triangles, only the beginning of a triangle of the scene is a common moment.
 Cursor moment_of_shared(const SharedView& shared, const Cursor& wanted, const RunResults& results) {
     const bool is_alike = have_same_triangles(results.frame, *shared.frame);
     if (is_alike || wanted.triangle >= shared.frame->triangle_count()) return wanted;
@@ -67,7 +67,7 @@ void begin_next(const std::shared_ptr<const Scene>& scene, const Run& run, RunRe
     next.scene = scene;
 }
 
-/// The vertices and polygons, then how much work they are to draw.
+/// Prepares the vertices and polygons, then counts how much work they are to draw.
 void advance_next(const WorkLimit& limit, NextFrame& next) {
     if (next.preparation) {
         next.preparation->advance(limit);
@@ -75,7 +75,7 @@ void advance_next(const WorkLimit& limit, NextFrame& next) {
         next.preparation = std::nullopt;
         next.work.start(next.frame);
     }
-    // When it is done something is drawn in the same update, too.
+    // When that is done, something is drawn in the same update, too.
     next.work.advance({limit.slice, limit.slice});
     next.is_done = next.work.is_done();
 }
@@ -84,7 +84,7 @@ void advance_next(const WorkLimit& limit, NextFrame& next) {
 bool take_next(RunResults& results) {
     NextFrame& next = results.next;
     if (!next.run || !next.is_done) return false;
-    // Noted as shown only when it is: what throws is prepared again next time.
+    // Noted as shown only when it is, so that after an exception it is prepared again.
     results.run = std::nullopt;
     std::swap(results.frame, next.frame);
     results.scene = next.scene;
@@ -94,7 +94,7 @@ bool take_next(RunResults& results) {
     return true;
 }
 
-/// Moves to the session's cursor; false if that is where it was.
+/// Moves to the session's cursor; false if it was already there.
 bool update_cursor(const Cursor& wanted, bool new_frame, RunResults& results) {
     const Timeline timeline(results.frame);
     const Cursor cursor = timeline.at_or_after(wanted);
@@ -105,8 +105,8 @@ bool update_cursor(const Cursor& wanted, bool new_frame, RunResults& results) {
     return true;
 }
 
-/// Finds what is out of order in the whole frame. Row tables that have not been drawn are counted,
-/// unless that is too much work or they are still being drawn: then only what has been drawn is.
+/// Finds what is wrong in the whole frame. Row tables that have not been drawn are counted, unless
+/// that is too much work or they are still being drawn; then only what has been drawn is counted.
 void update_troubles(const WorkLimit& limit, RunResults& results) {
     DrawTally tally = results.replay.tally();
     const FrameWork& work = results.replay.work();
@@ -120,7 +120,7 @@ void update_troubles(const WorkLimit& limit, RunResults& results) {
     results.troubles = describe_troubles(results.frame, tally);
 }
 
-/// How many pixels the stages give to a row that no edge sample has reached.
+/// The number of pixels that the stages give to a row that no edge sample has reached.
 int unset_row_pixels(const Frame& frame) {
     PolygonRows rows;
     frame.stages.begin_polygon_rows(std::array<ScreenVertex, 1>{}, edge_rules(frame.settings),
@@ -144,7 +144,7 @@ bool is_same_view(View view, const std::optional<DepthInterval>& depths,
            results.picture.height == framebuffer.size.height;
 }
 
-/// Paints what has changed of the picture; of much the first rows.
+/// Paints what has changed in the picture; if that is much, the first rows.
 void paint_changes(View view, const WorkLimit& limit, RunResults& results) {
     const Rectangle& all = results.unpainted;
     const Viewport size{all.right - all.left, all.bottom - all.top};
@@ -157,8 +157,8 @@ void paint_changes(View view, const WorkLimit& limit, RunResults& results) {
     if (is_empty(results.unpainted)) results.unpainted = {};
 }
 
-/// Draws as far as the limit allows, by the engine that draws the moment. Until the fast engine's
-/// planes are complete, those of the steps are shown, with nothing drawn.
+/// Draws as far as the limit allows, with the engine for the moment. Until the fast engine's planes
+/// are complete, those of the steps are shown, with nothing drawn.
 void draw_some(const WorkLimit& limit, RunResults& results) {
     Replay& replay = results.replay;
     const Framebuffer* const before = results.framebuffer;
@@ -180,7 +180,7 @@ void draw_some(const WorkLimit& limit, RunResults& results) {
 void update_picture(View view, const std::optional<DepthInterval>& depths, const WorkLimit& limit,
                     RunResults& results) {
     const bool is_same = is_same_view(view, depths, results);
-    results.view = std::nullopt; // the same holds here
+    results.view = std::nullopt; // after an exception, paint all next time
     if (is_same) {
         paint_changes(view, limit, results);
     } else {
@@ -197,7 +197,7 @@ void update_picture(View view, const std::optional<DepthInterval>& depths, const
 
 namespace {
 
-/// The lesson that explains why triangles are left out for a reason; 0: none does.
+/// The number of the lesson that explains this reason for leaving triangles out; 0: none does.
 int lesson_of(Rejection rejection) {
     switch (rejection) {
     case Rejection::too_far_out:
@@ -227,13 +227,13 @@ bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, bool
         next.run = std::nullopt;
         return true;
     }
-    // What lies beside the frame relies on its scene and size: with another one nothing waits.
+    // What is next to the frame relies on its scene and size: if they change, nothing waits.
     const bool is_alike = results.scene == scene && have_same_size(results.run, run);
     const bool may_wait = is_aside || is_alike;
     const bool may_go_on = may_wait && next.scene == scene && have_same_size(next.run, run);
     const bool is_begun = may_go_on && (next.run == run || !results.preview.is_shown);
     if (!is_begun) begin_next(scene, run, results);
-    // Noted as begun only when it could go on.
+    // Noted as begun only if it could go on.
     const Run target = is_begun ? *next.run : run;
     next.run = std::nullopt;
     if (!next.is_done) advance_next(may_wait ? limit : WorkLimit{}, next);
@@ -307,7 +307,7 @@ RunChanges update_run(const Session& session, const Run& run, bool takes_frame,
         shared != nullptr ? shared->depths : session.depth_range;
     const std::optional<View> view_before = results.view;
     if (draws_on) {
-        results.view = std::nullopt; // what throws is painted whole next time
+        results.view = std::nullopt; // after an exception, paint all next time
         draw_some(limit, results);
         results.view = view_before;
         if (changes.frame || !results.has_all_troubles) update_troubles(limit, results);

@@ -29,7 +29,7 @@ std::string_view name_of(std::string_view assignment) {
     return assignment.substr(0, assignment.find('='));
 }
 
-/// Have the settings all these values already?
+/// Do the settings already have all these values?
 bool has_all(const Settings& settings, std::span<const std::string_view> assignments) {
     Settings set = settings;
     apply(assignments, set);
@@ -115,7 +115,7 @@ void carry_changes_to_b(Session& session) {
         const Settings b_was = session.b->settings;
         Settings& b = session.b->settings;
         for (const Setting& setting : setting_table()) {
-            // A whole sets its parts too; they come after it, and keep what is B's own.
+            // A whole sets its parts too; they come after it, and keep B's own values.
             if (!has_same_value(setting, before, b_was)) {
                 copy_value(setting, b_was, b);
             } else if (!has_same_value(setting, before, session.a.settings)) {

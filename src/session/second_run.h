@@ -1,6 +1,6 @@
 #pragma once
 
-// The second run: what is set to compare it with the first, and how it is shown beside it.
+// The second run: its settings for a comparison with the first, and how the two are shown.
 
 #include <array>
 #include <cstdint>
@@ -36,7 +36,7 @@ static_assert(words_match<CompareView>);
 
 inline constexpr int compare_view_count = static_cast<int>(enum_words<CompareView>.size());
 
-/// What the interface says about a way to show them.
+/// The interface's words for a way to show them.
 struct CompareViewInfo {
     CompareView view;
     std::string_view title;                ///< on the switch
@@ -55,33 +55,33 @@ struct RunPair {
     friend bool operator==(const RunPair&, const RunPair&) = default;
 };
 
-/// What a pair or a mistake has replaced, to be brought back when the comparison ends.
+/// What a pair or a mistake has replaced, to be restored when the comparison ends.
 struct ReplacedRun {
     Run before, after; ///< run A before it was begun, and just after
     std::shared_ptr<const Scene>
-        before_scene; ///< another scene than the one opened; null: it stayed
+        before_scene; ///< if the scene was replaced, the original; null: it was not
     std::string bug;  ///< id of the mistake; empty: a pair
 
     friend bool operator==(const ReplacedRun&, const ReplacedRun&) = default;
 };
 
-/// Compares run A from now on with this run, or with one of these settings.
+/// From now on, compares run A with this run, or with a run that has these settings.
 void compare_with(Session& session, const Run& b);
 void compare_with(Session& session, const Settings& settings);
 
 /// Back to one run; run A stays as it is.
 void stop_comparing(Session& session);
 
-/// Back to one run, and to what a pair or a mistake replaced: the scene, and the values that it has
-/// set in run A, where they still stand.
+/// Back to one run. Restores what a pair or a mistake replaced: the scene, and the values that it
+/// set in run A, unless they have changed since.
 void end_comparison(Session& session);
 
 /// A becomes B and B becomes A.
 void swap_runs(Session& session);
 
-/// A setting that has changed in A changes in B too if both had the same value before, so that a
-/// turn of the camera turns both. To be called once a frame, before update(). If B has changed
-/// since the last call, it is left alone.
+/// A setting that has changed in A changes in B too if both had the same value before, so that
+/// turning the camera turns both. Call it once per frame, before update(). If B has changed since
+/// the last call, it is left alone.
 void carry_changes_to_b(Session& session);
 
 /// A setting in which two runs differ.
@@ -107,14 +107,14 @@ struct PairWay {
 struct ComparePair {
     std::string_view name; ///< for tests and links: `affine`
     PairWay left, right;
-    StripStep first_step, last_step; ///< steps in which the pair shows; from others one of them is
-                                     ///< taken
+    StripStep first_step, last_step; ///< steps in which the pair shows; from any other step, the
+                                     ///< nearer of these is used
 };
 
 /// The pairs, in the order of their buttons.
 std::span<const ComparePair> compare_pairs();
 
-/// The way that run B takes: the right one, unless run A has that already.
+/// The way that run B uses: the right one, unless run A already has it.
 const PairWay& offer_of(const ComparePair& pair, const Settings& a);
 
 /// Run B for this run A, which must be at a step in which the pair shows.
@@ -123,12 +123,11 @@ Settings offered_settings(const ComparePair& pair, const Settings& a);
 /// These settings at the nearest step in which the pair shows.
 Settings at_step_of(const ComparePair& pair, const Settings& settings);
 
-/// The pair of which run B has one way and run A has not, if they differ in nothing else; null:
-/// none.
+/// The pair of which B has a way that A has not, if they differ in nothing else; null: none.
 const ComparePair* pair_of_runs(const Session& session);
 
-/// Compares run A, which stays as it is but for a step in which the pair shows, with a run B that
-/// takes the other way of the pair. A comparison that is going on is ended first.
+/// Compares run A, which changes only to a step in which the pair shows, with a run B that uses the
+/// other way of the pair. Ends a comparison in progress first.
 void start_pair(Session& session, const ComparePair& pair);
 
 } // namespace rasterwalk

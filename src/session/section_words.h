@@ -5,8 +5,8 @@
 
 namespace rasterwalk {
 
-/// The section of a term, a lesson or a stage in words: "lab: Drawing edges", and what leads beyond
-/// the lab as it is, "Beyond the lab: textures".
+/// The section of a term, a lesson or a stage in words: "lab: Drawing edges"; one beyond the lab
+/// unchanged, "Beyond the lab: textures".
 std::string section_words(std::string_view section);
 
 } // namespace rasterwalk

@@ -32,7 +32,7 @@ void set_scene(Session& session, Scene scene) {
         if (same_step && !scene.stage.empty()) set_step(b, step_of(fresh));
     }
     if (session.replaced) {
-        // It can bring back what it set, but neither the scene nor the view of it.
+        // It can restore what it set, but neither the scene nor the view of it.
         session.replaced->before_scene = nullptr;
         take_view(session.replaced->before.settings);
         take_view(session.replaced->after.settings);
@@ -40,7 +40,7 @@ void set_scene(Session& session, Scene scene) {
     take_view(session.a.settings);
     if (!scene.stage.empty()) set_step(session.a.settings, step_of(fresh));
     session.runs_before = std::nullopt;
-    // The same scene again is no change that undo could take back.
+    // The same scene again is not a change that undo could take back.
     const bool is_same = session.scene != nullptr && *session.scene == scene;
     show_scene(session, is_same ? session.scene : std::make_shared<const Scene>(std::move(scene)));
 }

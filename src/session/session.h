@@ -30,18 +30,18 @@
 
 namespace rasterwalk {
 
-/// Whether time runs by itself.
+/// Whether time is playing.
 struct Play {
     bool running = false;
     bool has_just_begun = false; ///< no time has run since it was started
     Granularity granularity = Granularity::moment;
     Speed speed;
-    double passed = 0.0; ///< of the step at the cursor, 0 to 1
+    double passed = 0.0; ///< part of the step at the cursor, 0 to 1
 
     friend bool operator==(const Play&, const Play&) = default;
 };
 
-/// What the results follow from: what the student has set, and where they look.
+/// The inputs of the results: what the student has set, and where they look.
 struct SessionInputs : Choices, Place {
     friend bool operator==(const SessionInputs&, const SessionInputs&) = default;
 };
@@ -50,10 +50,10 @@ struct SessionInputs : Choices, Place {
 struct Session : SessionInputs {
     std::vector<Preset> presets;
     std::vector<Term> glossary;
-    std::optional<RunPair> runs_before; ///< for carry_changes_to_b() alone
+    std::optional<RunPair> runs_before; ///< only for carry_changes_to_b()
     CompareView compare_view = CompareView::run_a;
     float wipe = 0.5f;        ///< place of the divider, 0 left to 1 right
-    std::optional<Quiz> quiz; ///< while it goes on the settings are hidden
+    std::optional<Quiz> quiz; ///< hides the settings while in progress
     Play play;
     CanvasView canvas;
     std::string tab = "rows"; ///< of the inspector, by name; see tabs.h
@@ -61,15 +61,15 @@ struct Session : SessionInputs {
     int jumps = 0; ///< grows with every go_to(); steps and scrubbing do not count
     UndoStack undo;
     PlaceHistory places;
-    std::string lesson;               ///< id of the lesson that is open; empty: none
+    std::string lesson;               ///< id of the open lesson; empty: none
     int step = 0;                     ///< of the lesson; 0 is its opening
-    std::string lesson_folder;        ///< in which the lessons lie; empty: lessons_folder()
-    SidePage page = SidePage::lesson; ///< beside the picture
+    std::string lesson_folder;        ///< folder of the lessons; empty: lessons_folder()
+    SidePage page = SidePage::lesson; ///< next to the picture
     std::string notice;               ///< a sentence for the status line; may be empty
-    std::string news; ///< the last notice that told what was done; any other is a fault
+    std::string news; ///< the last notice that reported success; any other is a fault
 };
 
-/// Says what was done. A notice that is set without this says what could not be done.
+/// Reports what was done. A notice set without this says what could not be done.
 void tell(Session& session, std::string sentence);
 
 /// Does the notice say what could not be done?
@@ -79,11 +79,11 @@ bool is_fault(const Session& session);
 Session open_session(const std::string& scene_path, const ReadingWatch& watch = {});
 
 /// Replaces the scene: the settings of both runs keep their rules and take the scene's camera,
-/// light and viewport; the cursor goes to the end, the selection is dropped. A quiz, which asks
-/// about the scene before, is ended.
+/// light and viewport; the cursor goes to the end, the selection is dropped. A quiz, which is about
+/// the previous scene, is ended.
 void set_scene(Session& session, Scene scene);
 
-/// Puts a scene in the place of the present one and leaves the settings as they are.
+/// Puts a scene in place of the present one and leaves the settings unchanged.
 void show_scene(Session& session, std::shared_ptr<const Scene> scene);
 
 } // namespace rasterwalk

@@ -12,7 +12,7 @@ std::optional<SeenLampWay> lamp_way_outside(const Frame& frame,
     SeenLampWay way{glm::dvec3(shadow.point.position_world), {}};
     if (shadow.hit.is_hit())
         way.met = glm::dvec3(shadow.ray.from) + double{shadow.hit.t} * glm::dvec3(shadow.ray.way);
-    // On the way from the lamp, as deep as it saw.
+    // On the way from the lamp, at the depth it saw.
     const glm::dvec3 lamp(shadow.point.lamp);
     for (int i = 0; i < shadow.texel_count && !way.met; ++i) {
         const ShadowTexel& texel = shadow.texels[static_cast<std::size_t>(i)];

@@ -6,9 +6,9 @@
 
 namespace rasterwalk {
 
-/// What is read beside the picture.
+/// The page next to the picture.
 enum class SidePage : std::uint8_t {
-    lesson, ///< the lesson; where none is open, the page about the stage
+    lesson, ///< the lesson; if none is open, the page about the stage
     stage,  ///< the page about the stage
     list,   ///< the list of lessons
 };

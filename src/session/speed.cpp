@@ -11,14 +11,14 @@ namespace rasterwalk {
 
 namespace {
 
-/// What the dial offers, the slowest first.
+/// The speeds on the dial, the slowest first.
 constexpr std::array step_rates{1.0, 2.0, 4.0, 8.0, 15.0, 30.0, 60.0, 125.0, 250.0, 500.0, 1000.0};
 constexpr std::array frame_times{600.0, 300.0, 120.0, 60.0, 30.0, 15.0, 8.0, 4.0, 2.0, 1.0};
 
-/// A frame that takes longer than this is on the dial only where steps a second say nothing more.
+/// A longer frame time is on the dial only where no steps per second are left to offer.
 constexpr double usual_frame_time = 15.0;
 
-/// Rates nearer to each other than this are the same.
+/// Rates closer together than this factor count as the same.
 constexpr double same_rate = 1.001;
 
 bool is_offered(double frame_time, double steps) {

@@ -50,7 +50,7 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Puts a tab in front of those of its group.
+/// Shows a tab, which becomes the last one shown in its group.
 void show(Session& session, std::string_view tab) {
     session.tab = tab;
     session.tab_guide.under_settings.clear();
@@ -60,7 +60,7 @@ void show(Session& session, std::string_view tab) {
     }
 }
 
-/// The same, or below the settings where they are open.
+/// The same, or below the settings if they are open.
 void show_below(Session& session, std::string_view tab) {
     if (session.tab == settings_tab) {
         session.tab_guide.under_settings = tab;
@@ -181,7 +181,7 @@ void follow_stage(Session& session) {
     guide.stage = now;
     const bool lesson_has_chosen = !session.lesson.empty() && !guide.of_step.empty();
     if (is_first || guide.is_own || lesson_has_chosen) return;
-    // Two runs are compared whatever the stage, and a mistake may bring a stage of its own.
+    // Runs are compared at any stage, and a mistake may set its own stage.
     const auto is_of_runs = [](std::string_view tab) {
         const TabInfo* const info = find_tab(tab);
         return info != nullptr && info->group == TabGroup::runs;
@@ -220,7 +220,7 @@ bool is_offered(const Session& session, const TabInfo& tab) {
     if (tab.name == tab_below(session)) return true;
     const bool has_camera = session.scene && session.scene->space == SceneSpace::world;
     if (tab.needs_camera && !has_camera) return false;
-    // Normal maps are textures of the scene, too, but nothing is painted by them.
+    // Normal maps are textures of the scene, too, but do not paint anything.
     const bool has_texture =
         session.scene && std::any_of(session.scene->parts.begin(), session.scene->parts.end(),
                                      [](const Part& part) { return part.texture >= 0; });

@@ -9,7 +9,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Moves the present onto one pile and takes it from the other.
+/// Moves the present onto one pile and takes a new one from the other.
 bool move_between(Session& session, std::vector<Choices>& from, std::vector<Choices>& to) {
     if (from.empty()) return false;
     UndoStack& stack = session.undo;
@@ -31,7 +31,7 @@ void count_scenes(const Choices& choices, SceneBytes& bytes) {
     if (choices.replaced) bytes.add(choices.replaced->before_scene.get());
 }
 
-/// Forgets the oldest steps, as far as there are too many or their scenes take too much memory.
+/// Forgets the oldest steps if there are too many or their scenes take too much memory.
 void forget_oldest(UndoStack& stack) {
     SceneBytes bytes;
     count_scenes(stack.now, bytes);
@@ -52,7 +52,7 @@ void note_choices(Session& session) {
     UndoStack& stack = session.undo;
     const Choices& choices = session;
     if (choices == stack.now) return;
-    // The very first call only takes note of how the session was opened.
+    // The very first call only records how the session was opened.
     if (stack.now.scene != nullptr) {
         stack.past.push_back(std::move(stack.now));
         stack.future.clear();

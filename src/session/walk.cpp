@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Where the play has come to when it has run for so many seconds.
+/// Where the play is after running for so many seconds.
 Instant after(const Timeline& timeline, const FrameLength& length, const Play& play,
               const Cursor& cursor, double seconds) {
     const Speed speed = speed_in(play.speed, length.of(play.granularity));
@@ -68,7 +68,7 @@ bool previous_change(Session& session, const Timeline& timeline, const PixelHist
     for (std::size_t i = history.entries.size(); i-- > 0;) {
         const PixelEntry& entry = history.entries[i];
         if (entry.fate != Fate::written || entry.cursor >= here) continue;
-        // The change after which we stand is the last one, not an earlier one.
+        // If we are just after a change, that is the last one, not the one before it.
         if (timeline.next(entry.cursor, Granularity::moment) == here) continue;
         go_to_entry(session, timeline, entry);
         return true;
@@ -89,7 +89,7 @@ void advance_play(Session& session, const Timeline& timeline, const FrameLength&
                   float seconds) {
     Play& play = session.play;
     if (!play.running) return;
-    // The time since the previous frame was not yet that of the play.
+    // The time since the previous frame does not belong to the play yet.
     if (std::exchange(play.has_just_begun, false)) return;
     const double time = seconds > 0.0f ? std::min(seconds, longest_play_step) : 0.0f;
     const Instant now = after(timeline, length, play, session.cursor, time);

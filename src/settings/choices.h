@@ -1,7 +1,7 @@
 #pragma once
 
-// The words of those settings that choose a function for a slot of the table of stages, the right
-// one or a mistake, each with its words. Which function a word means is in choose_stages.cpp.
+// The settings that choose a function for a slot of the table of stages, the right one or a
+// mistake, each with its words. choose_stages.cpp says which function a word means.
 
 #include <array>
 #include <cstdint>
@@ -12,21 +12,21 @@ namespace rasterwalk {
 
 /// What draws the whole picture.
 enum class Engine : std::uint8_t {
-    steps, ///< this pipeline: every moment of it can be walked
+    steps, ///< this pipeline: you can walk through its every moment
     fast,  ///< src/engines/fast: no moments, but the same picture in a fraction of the time
 };
 template <>
 inline constexpr auto enum_words<Engine> = word_list("steps", "fast");
 static_assert(words_match<Engine>);
 
-/// What becomes of triangles that reach out of the view volume.
+/// What happens to triangles that reach out of the view volume.
 enum class Clip : std::uint8_t {
-    leave_out,  ///< with a vertex on or behind the camera plane they are not drawn: the lab
+    leave_out,  ///< not drawn if a vertex is on or behind the camera plane: the lab
     none,       ///< nothing: what is behind the camera is divided by z too, which mirrors it: B13
-    near,       ///< they are cut by the near plane
-    all,        ///< by all six planes
-    guard_band, ///< by near, far and four sides far beside the picture
-    whole_only, ///< left out if one vertex lies outside the view: mistake B16
+    near,       ///< cut by the near plane
+    all,        ///< cut by all six planes
+    guard_band, ///< cut by near, far and four sides far outside the picture
+    whole_only, ///< left out if one vertex is outside the view: mistake B16
     wrong_t,    ///< cut by the near plane, in a wrong place: mistake B31
     after_division, ///< cut by the picture's sides on the screen: mistake B32
     clamped,        ///< vertices behind the near plane are moved onto it: mistake B33
@@ -38,25 +38,25 @@ inline constexpr auto enum_words<Clip> = word_list("leave_out", "none", "near", 
                                                    "clamped", "uncut_varyings");
 static_assert(words_match<Clip>);
 
-/// Which triangles are found to lie outside before they are clipped.
+/// Which triangles are rejected as outside before they are clipped.
 enum class Reject : std::uint8_t {
     none,     ///< none: the lab
-    outcodes, ///< those whose vertices all lie beyond the same plane of the view volume
-    cheap,    ///< the same, and of the rest all that lies beside the picture: cheap clipping
+    outcodes, ///< those whose vertices are all beyond the same plane of the view volume
+    cheap,    ///< the same, and of the rest all that is outside the picture: cheap clipping
 };
 template <>
 inline constexpr auto enum_words<Reject> = word_list("none", "outcodes", "cheap");
 static_assert(words_match<Reject>);
 
-/// What is left out because it shows its back: triangles, or single fragments.
+/// What is left out because it faces away: triangles, or single fragments.
 enum class Cull : std::uint8_t {
     none,            ///< none: the lab
-    face_normal,     ///< whose normal points away from the camera
-    screen_area,     ///< whose corners go round the other way on the screen
-    vertex_normals,  ///< of whose vertices all normals point away from the camera
-    fragment_normal, ///< no triangle, but the fragments at which the interpolated normal does
-    view_axis,       ///< whose normal points the way the camera looks: mistake B34
-    lamp,            ///< whose normal points away from the lamp: mistake B81
+    face_normal,     ///< triangles whose normal points away from the camera
+    screen_area,     ///< triangles whose corners go round the other way on the screen
+    vertex_normals,  ///< triangles whose vertex normals all point away from the camera
+    fragment_normal, ///< fragments whose interpolated normal points away from the camera
+    view_axis,       ///< triangles whose normal points the way the camera looks: mistake B34
+    lamp,            ///< triangles whose normal points away from the lamp: mistake B81
 };
 template <>
 inline constexpr auto enum_words<Cull> = word_list("none", "face_normal", "screen_area",
@@ -67,13 +67,13 @@ static_assert(words_match<Cull>);
 /// How a vertex behind the camera is marked.
 enum class BehindMark : std::uint8_t {
     none,      ///< it has no pixel
-    minus_one, ///< by the column -1, which others have too: mistake B14
+    minus_one, ///< by column -1, which other vertices can have too: mistake B14
 };
 template <>
 inline constexpr auto enum_words<BehindMark> = word_list("none", "minus_one");
 static_assert(words_match<BehindMark>);
 
-/// What becomes of a vertex whose pixel lies outside the picture.
+/// What happens to a vertex whose pixel is outside the picture.
 enum class OutsidePicture : std::uint8_t {
     kept,    ///< it stays where it is
     clamped, ///< it is moved to the picture's border: mistake B15
@@ -82,7 +82,7 @@ template <>
 inline constexpr auto enum_words<OutsidePicture> = word_list("kept", "clamped");
 static_assert(words_match<OutsidePicture>);
 
-/// How a vertex comes from the world to clip space.
+/// How a vertex gets from the world to clip space.
 enum class Transform : std::uint8_t {
     lab,      ///< (v - C) R, then times f, in float
     matrices, ///< by a matrix for each space, in double
@@ -91,18 +91,18 @@ template <>
 inline constexpr auto enum_words<Transform> = word_list("lab", "matrices");
 static_assert(words_match<Transform>);
 
-/// Where the view matrix has the translation, as column vectors need it.
+/// Where the view matrix has the translation, written for column vectors.
 enum class Translation : std::uint8_t {
-    last_column, ///< where w = 1 takes it to x, y and z
+    last_column, ///< where w = 1 adds it to x, y and z
     bottom_row,  ///< where it spoils w and moves nothing: mistake B35
 };
 template <>
 inline constexpr auto enum_words<Translation> = word_list("last_column", "bottom_row");
 static_assert(words_match<Translation>);
 
-/// With which w a normal is taken to the camera.
+/// The w with which a normal is taken to camera space.
 enum class NormalW : std::uint8_t {
-    zero, ///< as a direction, which is turned
+    zero, ///< as a direction, which is only turned
     one,  ///< as a place, which is moved as well: mistake B36
 };
 template <>
@@ -121,7 +121,7 @@ static_assert(words_match<ProjectionKind>);
 /// What the depth buffer holds: a float of 32 bits, or a whole number of 24 or 16.
 enum class DepthFormat : std::uint8_t {
     inv_z,    ///< 1/z, larger is nearer, as a float: the lab
-    inv_z_24, ///< the same in even steps from 0 to 1/near
+    inv_z_24, ///< the same in equal steps from 0 to 1/near
     inv_z_16,
     ndc_32, ///< ndc z, 0 at the near plane and 1 at the far one, smaller is nearer
     ndc_24,
@@ -136,7 +136,7 @@ inline constexpr auto enum_words<DepthFormat> = word_list("inv_z", "inv_z_24", "
                                                           "reversed_24", "reversed_16");
 static_assert(words_match<DepthFormat>);
 
-/// On which side of a matrix the vector stands.
+/// Which side of a matrix the vector is on.
 enum class MatrixOrder : std::uint8_t {
     row_vectors,    ///< v M, from left to right: the lab
     column_vectors, ///< M v, from right to left: most books, and glm
@@ -148,7 +148,7 @@ static_assert(words_match<MatrixOrder>);
 /// How the camera's rotation is applied.
 enum class Rotation : std::uint8_t {
     row_vector, ///< v R
-    transposed, ///< R v, the turn the other way round: mistake B24
+    transposed, ///< R v, which turns the other way: mistake B24
 };
 template <>
 inline constexpr auto enum_words<Rotation> = word_list("row_vector", "transposed");
@@ -164,10 +164,10 @@ template <>
 inline constexpr auto enum_words<CameraMove> = word_list("subtracted", "added", "rotated_first");
 static_assert(words_match<CameraMove>);
 
-/// How the axes of the picture lie.
+/// How the axes of the picture run.
 enum class ImageAxes : std::uint8_t {
     right_way, ///< x right, y down, counted from the middle
-    mirrored,  ///< -f for f: the picture turned by half a turn: mistake B25
+    mirrored,  ///< -f for f, which gives the picture half a turn: mistake B25
     exchanged, ///< x down, y right: mistake B73
     uncentred, ///< counted from the upper left corner, without + W/2 and + H/2: mistake B74
 };
@@ -176,10 +176,10 @@ inline constexpr auto enum_words<ImageAxes> = word_list("right_way", "mirrored",
                                                         "uncentred");
 static_assert(words_match<ImageAxes>);
 
-/// What w of clip space is, under perspective and by the lab's lines.
+/// What the w of clip space is, under perspective and with the lab's lines of code.
 enum class DividedBy : std::uint8_t {
     z,        ///< how far in front of the camera
-    distance, ///< how far away from the camera: mistake B75
+    distance, ///< the distance from the camera: mistake B75
 };
 template <>
 inline constexpr auto enum_words<DividedBy> = word_list("z", "distance");
@@ -188,7 +188,7 @@ static_assert(words_match<DividedBy>);
 /// How the pixels of a polygon are found.
 enum class Coverage : std::uint8_t {
     rows,            ///< by a row table that the samples of the edges fill: the lab
-    edge_functions,  ///< pixels of the box are asked on which side of every edge they lie
+    edge_functions,  ///< each pixel of the box is tested for its side of every edge
     scan_conversion, ///< row by row between a left and a right side
     active_edges,    ///< row by row between the edges that reach it, of any polygon
 };
@@ -197,19 +197,19 @@ inline constexpr auto enum_words<Coverage> = word_list("rows", "edge_functions",
                                                        "active_edges");
 static_assert(words_match<Coverage>);
 
-/// Whom a pixel belongs to whose centre lies exactly on an edge.
+/// Who gets a pixel whose centre is exactly on an edge.
 enum class FillRule : std::uint8_t {
     inclusive, ///< every polygon that has the edge
     exclusive, ///< none
-    top_left,  ///< the one of which it is a top or a left edge: exactly one
-    left_only, ///< the one of which it is a left edge; top edges are forgotten: mistake B40c
+    top_left,  ///< the polygon whose top or left edge it is: exactly one
+    left_only, ///< the polygon whose left edge it is; top edges are forgotten: mistake B40c
 };
 template <>
 inline constexpr auto enum_words<FillRule> = word_list("inclusive", "exclusive", "top_left",
                                                        "left_only");
 static_assert(words_match<FillRule>);
 
-/// The grid on which the corners of a polygon stand.
+/// The grid that the corners of a polygon are on.
 enum class Snap : std::uint8_t {
     pixel,     ///< centres of whole pixels
     sixteenth, ///< 16ths of a pixel
@@ -219,7 +219,7 @@ template <>
 inline constexpr auto enum_words<Snap> = word_list("pixel", "sixteenth", "subpixel");
 static_assert(words_match<Snap>);
 
-/// Where a pixel is asked whether it is covered.
+/// The point at which a pixel is tested for coverage.
 enum class PixelSample : std::uint8_t {
     centre, ///< at its centre
     corner, ///< at its upper left corner: mistake B41, the picture moves by half a pixel
@@ -228,7 +228,7 @@ template <>
 inline constexpr auto enum_words<PixelSample> = word_list("centre", "corner");
 static_assert(words_match<PixelSample>);
 
-/// Which pixels of a triangle's box edge functions ask. The picture is the same, the work is not.
+/// Which pixels of a triangle's box edge functions test. The picture is the same, the work is not.
 enum class BoxWalk : std::uint8_t {
     all,      ///< every pixel of the box
     interval, ///< in each row only those between the places where the edges cross it
@@ -237,10 +237,10 @@ template <>
 inline constexpr auto enum_words<BoxWalk> = word_list("all", "interval");
 static_assert(words_match<BoxWalk>);
 
-/// Of which edge function the weight of a corner is made.
+/// The edge whose function gives the weight of a corner.
 enum class WeightEdge : std::uint8_t {
-    opposite, ///< of the edge that does not touch it
-    own,      ///< of the edge that begins at it: mistake B42
+    opposite, ///< the edge that does not touch it
+    own,      ///< the edge that begins at it: mistake B42
 };
 template <>
 inline constexpr auto enum_words<WeightEdge> = word_list("opposite", "own");
@@ -249,16 +249,16 @@ static_assert(words_match<WeightEdge>);
 /// How the samples of an edge are found.
 enum class LineAlgorithm : std::uint8_t {
     interpolate, ///< Interpolate, by line_walk and line_rounding: the lab
-    bresenham,   ///< whole numbers only
+    bresenham,   ///< with whole numbers only
     midpoint,    ///< the sign of the implicit line at the middle between two pixels
-    dda,         ///< one float addition a step, rounded to the nearest
+    dda,         ///< one float addition per step, rounded to the nearest
 };
 template <>
 inline constexpr auto enum_words<LineAlgorithm> = word_list("interpolate", "bresenham", "midpoint",
                                                             "dda");
 static_assert(words_match<LineAlgorithm>);
 
-/// How Bresenham's line is written down.
+/// How Bresenham's line is written.
 enum class BresenhamRule : std::uint8_t {
     right,        ///< for all octants, with the right terms
     first_octant, ///< only for lines that go right and gently down: mistake B38
@@ -268,12 +268,12 @@ template <>
 inline constexpr auto enum_words<BresenhamRule> = word_list("right", "first_octant", "wrong_term");
 static_assert(words_match<BresenhamRule>);
 
-/// How the value of sample i of a line is obtained from the two ends.
+/// How the value of sample i of a line is computed from the two ends.
 enum class LineWalk : std::uint8_t {
     accumulate,   ///< current += step, in float: the lab
     multiply,     ///< a + i * step: one rounding error instead of i of them
-    exact,        ///< place by integer fractions, without error; the others by a (1 - t) + b t
-    integer_step, ///< the place's step divided as int by int; the others accumulated: mistake B11
+    exact,        ///< place by integer fractions, without error; the rest by a (1 - t) + b t
+    integer_step, ///< the place's step divided as int by int; the rest accumulated: mistake B11
     short_step,   ///< each step divided by the number of samples, not of steps: mistake B92
     zinv_falls,   ///< along rows 1/z falls where it should rise: mistake B89
 };
@@ -285,22 +285,21 @@ static_assert(words_match<LineWalk>);
 /// How many samples an edge has.
 enum class EdgeSamples : std::uint8_t {
     longest_axis, ///< max(|dx|, |dy|) + 1: the lab
-    rows,         ///< |dy| + 1: mistake B5, shallow edges get one sample a row
+    rows,         ///< |dy| + 1: mistake B5, shallow edges get one sample per row
     shifted,      ///< max(|ax - bx + 1|, |ay - by + 1|): mistake B12
-    without_last, ///< as the lab, but the last one is not entered: mistake B91
-    no_last_edge, ///< as the lab, but of the last edge none is entered: mistake B94
+    without_last, ///< like the lab, but the last sample is not entered: mistake B91
+    no_last_edge, ///< like the lab, but no sample of the last edge is entered: mistake B94
 };
 template <>
 inline constexpr auto enum_words<EdgeSamples> = word_list("longest_axis", "rows", "shifted",
                                                           "without_last", "no_last_edge");
 static_assert(words_match<EdgeSamples>);
 
-/// What the row table is begun with: where the two ends of a row stand before its first sample, and
-/// how many rows there are.
+/// The initial row table: the two ends of a row without samples, and the number of rows.
 enum class RowStart : std::uint8_t {
     extreme,   ///< left at +INT_MAX, right at -INT_MAX: the lab
-    window,    ///< left at the picture's width, right at 0: mistake B6, phantom pixels beside it
-    row_short, ///< as the lab, but without the last row: mistake B95
+    window,    ///< left at the picture's width, right at 0: mistake B6, phantom pixels outside it
+    row_short, ///< like the lab, but without the last row: mistake B95
 };
 template <>
 inline constexpr auto enum_words<RowStart> = word_list("extreme", "window", "row_short");
@@ -309,7 +308,7 @@ static_assert(words_match<RowStart>);
 /// How an edge sample finds its row in the table, and what the row takes from it.
 enum class RowSearch : std::uint8_t {
     indexed,     ///< by its own number: row - first_row
-    all_rows,    ///< by asking every row of the table, which leads to the same one: mistake B27
+    all_rows,    ///< by searching every row of the table, which finds the same one: mistake B27
     clamped,     ///< by its number; beyond the table the nearest row is taken: mistake B93
     column_only, ///< by its number; the row takes the column and no other value: mistake B90
 };
@@ -318,7 +317,7 @@ inline constexpr auto enum_words<RowSearch> = word_list("indexed", "all_rows", "
                                                         "column_only");
 static_assert(words_match<RowSearch>);
 
-/// What becomes of a row of the table that no edge sample has reached.
+/// What happens to a row of the table that no edge sample has reached.
 enum class EmptyRows : std::uint8_t {
     skipped,  ///< nothing
     overflow, ///< it is drawn like any other: mistake B7
@@ -330,7 +329,7 @@ static_assert(words_match<EmptyRows>);
 /// Which fragments of a row are drawn.
 enum class Spans : std::uint8_t {
     inclusive,      ///< from the left to the right end, both included: the lab
-    single_skipped, ///< none where both ends are the same pixel: mistake B8
+    single_skipped, ///< none if both ends are the same pixel: mistake B8
     last_dropped,   ///< all but the last: mistake B9
 };
 template <>
@@ -340,9 +339,9 @@ static_assert(words_match<Spans>);
 /// How varyings are carried between vertices.
 enum class Interpolation : std::uint8_t {
     perspective, ///< q/z is interpolated and divided by 1/z at the pixel: right
-    affine,      ///< q is interpolated as it is: wrong except at the vertices; mistake B3
+    affine,      ///< q itself is interpolated: wrong except at the vertices; mistake B3
     zinv_twice,  ///< q/z is multiplied by 1/z again at the ends of a row, divided once: mistake B4
-    undivided,   ///< q/z is interpolated and taken for q at the pixel: mistake B86
+    undivided,   ///< q/z is interpolated and used as q at the pixel: mistake B86
     divided_twice, ///< q/z is interpolated and divided by 1/z twice at the pixel: mistake B87
 };
 template <>
@@ -362,11 +361,11 @@ inline constexpr auto all_interpolations = [] {
 
 /// How a place in a texture becomes the number of a texel, and of a mip level.
 enum class TexelRule : std::uint8_t {
-    right,         ///< v from the top, centres at i + 1/2, numbers from 0 on
+    right,         ///< v from the top, centres at i + 1/2, numbers from 0
     upside_down,   ///< v from the bottom: mistake B65
     whole_centres, ///< centres at i: mistake B66
-    remainder,     ///< texel % count where the texture is repeated: mistake B67
-    level_along_x, ///< the mip level by the side of the footprint along x alone: mistake B97
+    remainder,     ///< texel % count if the texture is repeated: mistake B67
+    level_along_x, ///< the mip level only from the side of the footprint along x: mistake B97
 };
 template <>
 inline constexpr auto enum_words<TexelRule> = word_list("right", "upside_down", "whole_centres",
@@ -377,15 +376,15 @@ static_assert(words_match<TexelRule>);
 enum class NormalMapRule : std::uint8_t {
     right,         ///< 2 c - 1, green up, and mirrored where the texture is
     green_turned,  ///< green down: mistake B55
-    mirror_missed, ///< the same side also where the texture is mirrored: mistake B56
-    undecoded,     ///< the colour as it is: mistake B57
+    mirror_missed, ///< the same side even where the texture is mirrored: mistake B56
+    undecoded,     ///< the colour itself: mistake B57
 };
 template <>
 inline constexpr auto enum_words<NormalMapRule> = word_list("right", "green_turned",
                                                             "mirror_missed", "undecoded");
 static_assert(words_match<NormalMapRule>);
 
-/// The space in which light meets the normals of a normal map. The picture is the same but for
+/// The space in which light meets the normals of a normal map. The picture is the same except for
 /// rounding.
 enum class NormalMapSpace : std::uint8_t {
     world,   ///< the normal is taken from tangent space to the world
@@ -398,33 +397,33 @@ static_assert(words_match<NormalMapSpace>);
 /// Which comes first, the depth test or the colour of a fragment. The picture is the same, the work
 /// is not.
 enum class DepthOrder : std::uint8_t {
-    after_depth_test,  ///< a colour is worked out only for fragments that are drawn
+    after_depth_test,  ///< a colour is computed only for fragments that are drawn
     before_depth_test, ///< for every fragment: mistake B18
 };
 template <>
 inline constexpr auto enum_words<DepthOrder> = word_list("after_depth_test", "before_depth_test");
 static_assert(words_match<DepthOrder>);
 
-/// The vector of whose slant the cosine is taken.
+/// The vector whose cosine with the normal is taken.
 enum class LightDirection : std::uint8_t {
     to_light,       ///< from the point to the lamp, at unit length
     from_light,     ///< from the lamp to the point: mistake B20
-    not_normalized, ///< to the lamp, but as long as the way there: mistake B20
-    with_w,         ///< to the lamp, with w = 1 in its length: mistake B76
+    not_normalized, ///< to the lamp, but not made unit length: mistake B20
+    with_w,         ///< to the lamp, with w = 1 counted in its length: mistake B76
 };
 template <>
 inline constexpr auto enum_words<LightDirection> = word_list("to_light", "from_light",
                                                              "not_normalized", "with_w");
 static_assert(words_match<LightDirection>);
 
-/// Over what the lamp's power is spread.
+/// The area over which the lamp's power is spread.
 enum class LightFalloff : std::uint8_t {
     sphere,     ///< 4 pi r^2
-    no_4pi,     ///< r^2: mistake B20 where the power is meant as the lab means it
+    no_4pi,     ///< r^2: mistake B20 if the power is meant as in the lab
     linear,     ///< r
-    none,       ///< 1: the light is as bright at every distance
+    none,       ///< 1: the light is equally bright at every distance
     cubed,      ///< 4 pi r^3: mistake B20
-    pi_of_atan, ///< 4 pi r^2 with pi = atan(1) / 4, a sixteenth of it: mistake B77
+    pi_of_atan, ///< 4 pi r^2 with pi = atan(1) / 4, a sixteenth of pi: mistake B77
     pi_three,   ///< 4 pi r^2 with pi = 3: mistake B77
 };
 template <>
@@ -432,7 +431,7 @@ inline constexpr auto enum_words<LightFalloff> = word_list("sphere", "no_4pi", "
                                                            "cubed", "pi_of_atan", "pi_three");
 static_assert(words_match<LightFalloff>);
 
-/// How direct light, indirect light and reflectance are put together.
+/// How direct light D, indirect light N and reflectance are combined.
 enum class LightSum : std::uint8_t {
     reflectance_times, ///< reflectance * (D + N)
     reflectance_plus,  ///< D + reflectance: mistake B21
@@ -443,19 +442,19 @@ inline constexpr auto enum_words<LightSum> = word_list("reflectance_times", "ref
                                                        "reflectance_twice");
 static_assert(words_match<LightSum>);
 
-/// What becomes of a normal that was interpolated.
+/// What happens to an interpolated normal.
 enum class Renormalize : std::uint8_t {
     on,  ///< it is made unit length again
-    off, ///< it stays as short as it came: mistake B23
+    off, ///< it stays short: mistake B23
 };
 template <>
 inline constexpr auto enum_words<Renormalize> = word_list("on", "off");
 static_assert(words_match<Renormalize>);
 
-/// How the highlight is worked out.
+/// How the highlight is computed.
 enum class HighlightRule : std::uint8_t {
     right,     ///< where n . l > 0, with h of unit length
-    unasked,   ///< without a look at n . l: mistake B50
+    unasked,   ///< without testing n . l: mistake B50
     long_half, ///< with h = l + v, up to 2 long: mistake B51
 };
 template <>
@@ -471,7 +470,7 @@ template <>
 inline constexpr auto enum_words<LightSides> = word_list("one", "two");
 static_assert(words_match<LightSides>);
 
-/// The rules by which light is computed; as they stand, the lab's.
+/// The rules for computing light; the defaults are the lab's.
 struct LightRules {
     LightDirection direction = LightDirection::to_light;
     LightFalloff falloff = LightFalloff::sphere;
@@ -483,11 +482,11 @@ struct LightRules {
     friend bool operator==(const LightRules&, const LightRules&) = default;
 };
 
-/// What finds out whether something stands between a point and the lamp.
+/// How to find out whether something is between a point and the lamp.
 enum class Shadows : std::uint8_t {
     off,  ///< nothing casts a shadow: the lab
     rays, ///< a ray from the point to the lamp
-    map,  ///< the depth that the lamp sees
+    map,  ///< the depths that the lamp sees
 };
 template <>
 inline constexpr auto enum_words<Shadows> = word_list("off", "rays", "map");
@@ -496,7 +495,7 @@ static_assert(words_match<Shadows>);
 /// How far the ray to the lamp goes.
 enum class ShadowRay : std::uint8_t {
     to_lamp,   ///< as far as the lamp
-    past_lamp, ///< on and on: mistake B60
+    past_lamp, ///< without end: mistake B60
 };
 template <>
 inline constexpr auto enum_words<ShadowRay> = word_list("to_lamp", "past_lamp");
@@ -504,7 +503,7 @@ static_assert(words_match<ShadowRay>);
 
 /// How many texels of the map a point is compared with.
 enum class ShadowFilter : std::uint8_t {
-    nearest, ///< the one in which it lies
+    nearest, ///< the one it falls in
     four,    ///< the four around it: percentage closer filtering, PCF
 };
 template <>
@@ -517,16 +516,16 @@ enum class DepthTest : std::uint8_t {
     linear_z,  ///< compares z interpolated as if it were linear: wrong
     off,       ///< the last one drawn wins
     reversed,  ///< smaller 1/z wins: mistake B17a
-    or_equal,  ///< larger 1/z wins, and of two that are equal the later: mistake B88a
+    or_equal,  ///< larger 1/z wins, and of two equal ones the later: mistake B88a
 };
 template <>
 inline constexpr auto enum_words<DepthTest> = word_list("inverse_z", "linear_z", "off", "reversed",
                                                         "or_equal");
 static_assert(words_match<DepthTest>);
 
-/// How what is half transparent is laid over what its pixel shows.
+/// How a half-transparent fragment is laid over what its pixel shows.
 enum class Blend : std::uint8_t {
-    over,    ///< alpha times its colour, and 1 - alpha times what is there
+    over,    ///< alpha times its colour, plus 1 - alpha times what is there
     off,     ///< not at all: it is drawn as if it were opaque
     swapped, ///< the shares the wrong way round: mistake B63
 };
@@ -537,13 +536,13 @@ static_assert(words_match<Blend>);
 /// Which cell of the depth buffer belongs to the pixel (x, y).
 enum class DepthIndex : std::uint8_t {
     row_major,  ///< [y][x]: row y, column x
-    transposed, ///< [x][y]: mistake B17c; where the picture is not square some pixels have no cell
+    transposed, ///< [x][y]: mistake B17c; if the picture is not square, some pixels have no cell
 };
 template <>
 inline constexpr auto enum_words<DepthIndex> = word_list("row_major", "transposed");
 static_assert(words_match<DepthIndex>);
 
-/// Which places lie in the picture.
+/// Which places are in the picture.
 enum class Bounds : std::uint8_t {
     inside,        ///< 0 <= x < W and 0 <= y < H
     excludes_zero, ///< 0 < x < W and 0 < y < H: mistake B10
@@ -552,17 +551,17 @@ template <>
 inline constexpr auto enum_words<Bounds> = word_list("inside", "excludes_zero");
 static_assert(words_match<Bounds>);
 
-/// The number by which light goes to the screen.
+/// The number that is sent to the screen for an amount of light.
 enum class Encoding : std::uint8_t {
-    linear, ///< as the light that it is: the lab
+    linear, ///< the amount of light itself: the lab
     srgb,   ///< by the sRGB transfer function, which a screen undoes
-    gamma,  ///< to the power of 1/2.2, although linear numbers are asked for: mistake B80
+    gamma,  ///< to the power of 1/2.2, although linear numbers are wanted: mistake B80
 };
 template <>
 inline constexpr auto enum_words<Encoding> = word_list("linear", "srgb", "gamma");
 static_assert(words_match<Encoding>);
 
-/// In which order the channels go to the screen.
+/// The order in which the channels go to the screen.
 enum class ChannelOrder : std::uint8_t {
     rgb, ///< red first
     bgr, ///< blue first, so that red and blue change places: mistake B79

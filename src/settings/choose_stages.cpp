@@ -240,7 +240,7 @@ void choose(BresenhamRule rule, Stages& stages) {
     }
 }
 
-/// Only Interpolate has a use for another number of samples.
+/// Only Interpolate allows a different number of samples.
 void choose(LineAlgorithm line, const Settings& settings, Stages& stages) {
     switch (line) {
     case LineAlgorithm::interpolate:
@@ -336,7 +336,7 @@ void choose(Spans spans, Stages& stages) {
     }
 }
 
-/// A row table that edge samples fill can go wrong in ways that the other tables cannot.
+/// Only a row table filled by edge samples can go wrong in some ways.
 void choose_coverage(const Settings& settings, Stages& stages) {
     const Coverage coverage = coverage_rule(settings);
     if (coverage == Coverage::rows) {
@@ -545,7 +545,7 @@ void choose(DepthTest test, const DepthRules& rules, Stages& stages) {
     const bool is_float = rules.bits == 0;
     switch (test) {
     case DepthTest::inverse_z:
-        // The lab's own does for every float of which the larger is nearer.
+        // The lab's test is right for any float if larger is nearer.
         if (rules.epsilon > 0.0f)
             stages.depth_test = depth_test_with_epsilon;
         else if (!is_float || is_smaller_nearer(rules.projection.clip_depth))
@@ -616,7 +616,7 @@ auto varyings_read_with(bool colours_differ) {
                           : varyings_read_by_surfaces<normals_differ, false>;
 }
 
-/// The lab's pixel shader, unless something is asked for that it does not have.
+/// The lab's pixel shader, unless the settings need something that it does not have.
 void choose_shader(const Settings& settings, const Scene& scene, Stages& stages) {
     const CornerDifferences& differences = scene.mesh.differences();
     const Shading shading = shading_rule(settings);

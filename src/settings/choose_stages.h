@@ -5,12 +5,12 @@
 
 namespace rasterwalk {
 
-/// The table of stages that these settings choose. The only place in which a word of a setting
-/// becomes a function.
+/// The table of stages that these settings choose. The only place where a word of a setting becomes
+/// a function.
 Stages choose_stages(const Settings& settings);
 
-/// The table of stages for a scene: where corners differ in what the lab has once a triangle, or a
-/// normal map bends normals, the pixel shader is another one.
+/// The table of stages for a scene: if corners differ in what the lab has once per triangle, or if
+/// a normal map bends normals, the pixel shader is a different one.
 Stages choose_stages(const Settings& settings, const Scene& scene);
 
 } // namespace rasterwalk

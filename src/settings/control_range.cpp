@@ -65,7 +65,7 @@ void set_slider_value(const Setting& setting, const ControlRange& range, float v
 float slider_stop(const ControlRange& range, double value, int more) {
     const double stop = std::round((value - range.smallest) / range.step) + more;
     const double at = std::clamp(range.smallest + stop * range.step, range.smallest, range.largest);
-    // Sums of decimal fractions miss 0 by a hair, which would be written as such.
+    // Sums of decimal fractions miss 0 by a hair, and the text would show that.
     return std::abs(at) < 1e-6 * range.step ? 0.0f : static_cast<float>(at);
 }
 

@@ -9,7 +9,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What only some ways of finding pixels ask for.
+/// A setting that only some ways of finding pixels use.
 struct CoverageSetting {
     std::string_view name;
     bool by_rows, by_edge_functions, by_spans; ///< scan conversion and active edges make spans
@@ -20,7 +20,7 @@ constexpr CoverageSetting coverage_settings[] = {
     {"fill_rule", false, true, true},
     {"snap", false, true, true},
     {"pixel_sample", false, true, true},
-    // Edge functions alone ask for a box, and mix by weights.
+    // Only edge functions use a box and mix by weights.
     {"box_walk", false, true, false},
     {"weight_edge", false, true, false},
     {"line", true, false, false},

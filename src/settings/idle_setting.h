@@ -1,7 +1,7 @@
 #pragma once
 
-// The one rule of which settings do nothing to the picture because of how pixels are found, and
-// because of where the lamp stands.
+// The one rule for which settings have no effect on the picture because of how pixels are found or
+// where the lamp is.
 
 #include <string>
 
@@ -9,8 +9,8 @@
 
 namespace rasterwalk {
 
-/// When a setting has no effect on the picture, if these settings are such a case: "while pixels
-/// are found by edge functions", whatever its value; empty where there is no such reason.
+/// Why a setting has no effect on the picture under these settings, whatever its value: "while
+/// pixels are found by edge functions"; empty if there is no such reason.
 std::string idle_reason(const Setting& setting, const Settings& settings);
 
 } // namespace rasterwalk

@@ -1,7 +1,7 @@
 #pragma once
 
-// Settings that contradict each other. Each alone is allowed, and it is not known which of them is
-// meant to change: so they are reported, and something is drawn all the same.
+// Settings that contradict each other. Each alone is allowed, and there is no telling which of them
+// should change, so they are reported, and something is drawn all the same.
 
 #include <string>
 #include <vector>
@@ -11,15 +11,15 @@
 namespace rasterwalk {
 
 struct SettingFault {
-    std::string sentence; ///< without a point at its end: "the far plane, at 1, is not behind ..."
+    std::string sentence; ///< without a full stop: "the far plane, at 1, is not behind ..."
     std::string in_short; ///< the same where there is little room
 
     friend bool operator==(const SettingFault&, const SettingFault&) = default;
 };
 
 /// A far plane that is not behind the near one, a camera without a direction, and a tessellation
-/// that makes too many triangles of the scene. A scene in pixel space has no camera; the planes
-/// count there if the depth is measured between them, see ClipDepth.
+/// that makes too many triangles. A scene in pixel space has no camera; its planes matter if the
+/// depth is measured between them, see ClipDepth.
 std::vector<SettingFault> setting_faults(const Settings& settings, const Scene& scene);
 
 } // namespace rasterwalk

@@ -1,6 +1,6 @@
 #include "settings/setting_table.h"
 
-// The rows of the table. What becomes of their values is in setting_value.cpp.
+// The rows of the table. setting_value.cpp handles their values.
 
 #include <array>
 #include <optional>
@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// 1/z of the nearest thing that a depth buffer may be made to start with, and of the farthest.
+/// 1/z of the nearest thing that a depth buffer can start with, and of the farthest.
 constexpr float largest_depth_clear = 0x1p31f; // INT_MAX as a float
 constexpr float largest_depth_epsilon = 10.0f;
 
@@ -47,7 +47,7 @@ ChoiceSetting lamp_choice() {
             [](Settings& s, int index) { s.light.*member = static_cast<Enum>(index); }};
 }
 
-/// The steps of the strip: each says a stage and a shading.
+/// The steps of the strip: each sets a stage and a shading.
 ChoiceSetting step_choice() {
     static const auto words = [] {
         std::array<std::string_view, stage_count> names;
@@ -74,7 +74,7 @@ ChoiceSetting rounding_choice() {
             [](Settings& s, int index) { set_rounding(s, static_cast<Rounding>(index)); }};
 }
 
-/// The two ends of projection_mix; between them it has no word.
+/// The two ends of projection_mix; in between, it has no word.
 ChoiceSetting projection_choice() {
     return {enum_words<ProjectionKind>,
             [](const Settings& s) {

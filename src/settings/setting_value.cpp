@@ -1,6 +1,6 @@
 #include "settings/setting_table.h"
 
-// What the table can do with the value of any setting: read, write, compare and copy it.
+// Reads, writes, compares and copies the value of any setting in the table.
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ int find_word(const ChoiceSetting& kind, std::string_view word) {
     return found == kind.words.end() ? no_word : static_cast<int>(found - kind.words.begin());
 }
 
-/// An assignment that was once spelled otherwise.
+/// An assignment that used to have another spelling.
 struct OldSpelling {
     std::string_view name, value;
     std::string_view name_now, value_now;
@@ -210,7 +210,7 @@ struct RangeClamp {
     Settings& settings;
 
     static void clamp(float& value, float smallest, float largest) {
-        // Written so that NaN, which no comparison admits, is caught as well.
+        // Written so that it catches NaN too, which fails every comparison.
         if (!(value >= smallest)) value = smallest;
         if (value > largest) value = largest;
     }

@@ -49,7 +49,7 @@ Rounding sample_rounding(const Settings& settings) {
 }
 
 float orthographic_depth_rule(const Settings& settings) {
-    // What is closer than any near plane would enlarge beyond all numbers.
+    // A smaller depth, below every near plane, would enlarge things beyond all numbers.
     constexpr float least = 1e-6f;
     return settings.orthographic_depth > 0.0f ? std::max(settings.orthographic_depth, least)
                                               : origin_depth(settings.camera, settings.near);
@@ -57,7 +57,7 @@ float orthographic_depth_rule(const Settings& settings) {
 
 namespace {
 
-/// What a word of the depth format means.
+/// The meaning of a word of the depth format.
 struct DepthFormatInfo {
     DepthFormat format;
     ClipDepth holds;
@@ -89,7 +89,7 @@ std::optional<ViewBox> view_box_rule(const Settings& settings, SceneSpace space)
 
 ClipDepth clip_depth_rule(const Settings& settings, SceneSpace space) {
     const ClipDepth chosen = depth_format_info(settings.depth_format).holds;
-    // What is given in pixels is projected already.
+    // A scene in pixels is already projected.
     const bool is_mixed = space == SceneSpace::world && settings.projection_mix > 0.0f;
     return is_mixed && chosen == ClipDepth::inv_z ? ClipDepth::reversed : chosen;
 }

@@ -13,16 +13,16 @@
 
 namespace rasterwalk {
 
-/// Every choice that changes the picture, or the work that it takes. The defaults are the lab's
-/// rules (preset `handout`); camera, light and viewport come from the scene.
+/// Every choice that changes the picture, or the work it takes. The defaults are the lab's rules
+/// (preset `handout`); camera, light and viewport come from the scene.
 struct Settings {
-    Engine engine = Engine::steps; ///< of the whole picture; before its end the steps draw
+    Engine engine = Engine::steps; ///< for the whole picture; before its end, the steps draw
     Stage stage = Stage::shade;
     Shading shading = Shading::phong; ///< of stage `shade`
-    int tessellation = 1; ///< into how many parts each edge of the scene is cut before all else
+    int tessellation = 1; ///< parts into which each edge of the scene is cut before all else
     VertexRounding vertex_rounding = VertexRounding::truncate;
     Coverage coverage = Coverage::rows;
-    FillRule fill_rule = FillRule::inclusive;       ///< where coverage asks the centres of pixels
+    FillRule fill_rule = FillRule::inclusive;       ///< where coverage tests the centres of pixels
     Snap snap = Snap::pixel;                        ///< in the same case
     PixelSample pixel_sample = PixelSample::centre; ///< in the same case
     BoxWalk box_walk = BoxWalk::all;                ///< of edge functions
@@ -39,7 +39,7 @@ struct Settings {
     Bounds bounds = Bounds::inside;
     DepthTest depth_test = DepthTest::inverse_z;
     float depth_clear = 0.0f;   ///< what the depth buffer starts with, see depth_clear_rule()
-    float depth_epsilon = 0.0f; ///< how much nearer is nearer, of what the depth buffer holds
+    float depth_epsilon = 0.0f; ///< how much nearer is nearer, in the depth buffer's units
     DepthFormat depth_format = DepthFormat::inv_z;
     DepthIndex depth_index = DepthIndex::row_major;
     Interpolation interpolation = Interpolation::perspective;
@@ -55,15 +55,15 @@ struct Settings {
     Blend blend = Blend::over; ///< only where the scene has something half transparent
     Camera camera;
     Rotation rotation = Rotation::row_vector;
-    CameraMove camera_move = CameraMove::subtracted; ///< only by the lab's lines
+    CameraMove camera_move = CameraMove::subtracted; ///< only with the lab's lines of code
     ImageAxes image_axes = ImageAxes::right_way;
     DividedBy divided_by = DividedBy::z; ///< see divided_by_rule()
     Transform transform = Transform::lab;
     MatrixOrder matrix_order = MatrixOrder::row_vectors; ///< of what is shown; changes no picture
-    Translation translation = Translation::last_column;  ///< only where matrices do the work
+    Translation translation = Translation::last_column;  ///< only with matrices
     NormalW normal_w = NormalW::zero;                    ///< for the light
     float projection_mix = 0.0f;                         ///< 0: perspective, 1: orthographic
-    float orthographic_depth = 0.0f; ///< where sizes stay; 0: at the world's origin
+    float orthographic_depth = 0.0f; ///< where sizes stay the same; 0: at the world's origin
     float near = 0.1f, far = 100.0f; ///< the view volume's ends, in front of the camera
     std::optional<ViewBox> view_box; ///< window on the near plane; none: by the focal length
     Reject reject = Reject::none;
@@ -89,7 +89,7 @@ struct Settings {
 /// The lab's rules with the scene's own camera, light, viewport and stage.
 Settings default_settings(const Scene& scene);
 
-/// The step of the strip on which the settings stand.
+/// The step of the strip that the settings are at.
 const StageInfo& stage_info(const Settings& settings);
 StripStep step_of(const Settings& settings);
 void set_step(Settings& settings, const StripStep& step);
@@ -98,44 +98,44 @@ void set_step(Settings& settings, const StripStep& step);
 std::optional<Rounding> common_rounding(const Settings& settings);
 void set_rounding(Settings& settings, Rounding rounding);
 
-/// How the samples of edges become pixels: only Interpolate asks line_rounding; the other lines
+/// How the samples of edges become pixels: only Interpolate uses line_rounding; the other lines
 /// take the nearest pixel.
 Rounding sample_rounding(const Settings& settings);
 
-/// The depth that the size of things is measured at when the projection is not perspective.
+/// The depth at which sizes are measured when the projection is not perspective.
 float orthographic_depth_rule(const Settings& settings);
 
-/// The window in force: none by the lab's lines, which only have a focal length, nor in pixels.
+/// The window in force: none with the lab's lines of code, which only have a focal length, or in
+/// pixels.
 std::optional<ViewBox> view_box_rule(const Settings& settings, SceneSpace space);
 
-/// Which depth clip space carries and the depth buffer holds. Without perspective 1/z is not linear
-/// on the screen, but z is: reversed ndc z takes its place then.
+/// The depth that clip space carries and the depth buffer holds. Without perspective, 1/z is not
+/// linear on the screen, but z is, so reversed NDC z takes its place.
 ClipDepth clip_depth_rule(const Settings& settings, SceneSpace space);
 
-/// How the world is moved to the camera: as it should be where matrices do the work.
+/// How the world is moved to the camera: always correctly with matrices.
 CameraMove camera_move_rule(const Settings& settings);
 
-/// What x and y are divided by: z where matrices do the work, or where the projection is not
-/// perspective.
+/// What x and y are divided by: z with matrices, or if the projection is not perspective.
 DividedBy divided_by_rule(const Settings& settings);
 
 /// What the depth buffer holds, and how finely.
 DepthRules depth_rules(const Settings& settings, SceneSpace space);
 
-/// The value that the depth buffer starts with: depth_clear nearer than what is farthest, as the
-/// buffer holds it.
+/// The value that the depth buffer starts with: nearer than the farthest depth by depth_clear, as
+/// the buffer holds it.
 float depth_clear_rule(const Settings& settings, SceneSpace space);
 
-/// The lamp in force: a flashlight stands where the camera does.
+/// The lamp in force: a flashlight is where the camera is.
 Light light_rule(const Settings& settings);
 
-/// How much nearer a fragment must be to be drawn, in what the depth buffer holds: only the correct
-/// test asks for it, any other has 0.
+/// How much nearer a fragment must be to be drawn, in the depth buffer's units: only the correct
+/// test uses it; for any other it is 0.
 float depth_epsilon_rule(const Settings& settings);
 
 /// The part of the settings that each stage of the pipeline needs.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);
-/// @param carried the varyings that are wanted; where only places count, none
+/// @param carried the varyings that are wanted; none if only places matter
 EdgeRules edge_rules(const Settings& settings, VaryingSet carried = VaryingSet::all());
 PixelRules pixel_rules(const Settings& settings, SceneSpace space);
 
@@ -149,7 +149,8 @@ Shading shading_rule(const Settings& settings);
 /// What finds shadows: nothing where no light is computed, whatever the setting says.
 Shadows shadow_rule(const Settings& settings, SceneSpace space);
 
-/// Do normal maps have a say? Only light that is worked out at each pixel asks for normals there.
+/// Do normal maps have an effect? Only if light is computed at each pixel, which needs normals
+/// there.
 bool bends_normals(const Settings& settings);
 
 /// The depth test in force: none before stage `depth`, whatever the setting says.

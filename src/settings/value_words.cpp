@@ -6,7 +6,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What does not explain itself.
+/// A word that does not explain itself, and how it is said.
 struct SaidWord {
     std::string_view setting; ///< empty: any
     std::string_view word, said;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Markdown as a tree of blocks: what lessons, notes and descriptions are written in.
+// Markdown, the format of lessons, notes and descriptions, as a tree of blocks.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace rasterwalk {
 
-/// A stretch of text in one style. A "\n" in it is a line break that the author asked for.
+/// A run of text in one style. A "\n" in it is a line break that the author asked for.
 struct MarkdownRun {
     std::string text; ///< UTF-8 without control characters
     bool emphasis = false;
@@ -20,7 +20,7 @@ struct MarkdownRun {
     std::int8_t raised = 0; ///< of a formula: 1 superscript, -1 subscript
 };
 
-/// A part of the page. Text stands in `runs` (paragraph, heading, cell, code), everything else in
+/// A part of the page. Text is in `runs` (paragraph, heading, cell, code), everything else in
 /// `children`.
 struct MarkdownBlock {
     enum class Kind : std::uint8_t {
@@ -28,14 +28,14 @@ struct MarkdownBlock {
         heading,
         list, ///< children: items
         item,
-        code,  ///< one run, a line for each "\n"
+        code,  ///< one run, one line per "\n"
         quote, ///< shown as a box
         table, ///< children: rows
         row,   ///< children: cells
         cell,
         rule,    ///< a line across the page
-        math,    ///< a formula on a line of its own: one run of TeX
-        picture, ///< `target` names the file; runs: the words that stand for it
+        math,    ///< a formula on its own line: one run of TeX
+        picture, ///< `target` names the file; runs: its alternative text
     };
     enum class Align : std::uint8_t { left, centre, right };
 
@@ -47,7 +47,7 @@ struct MarkdownBlock {
     bool is_header = false;    ///< cell
     Align align = Align::left; ///< cell
     std::string label;         ///< quote that begins with a paragraph all in strong: that paragraph
-    std::string target;        ///< picture: where it lies, as written
+    std::string target;        ///< picture: its place, as written
     std::vector<MarkdownRun> runs;
     std::vector<MarkdownBlock> children;
 };
@@ -56,8 +56,8 @@ struct MarkdownBlock {
 struct MarkdownDocument {
     std::vector<MarkdownBlock> blocks;
     std::vector<std::string> links; ///< targets, in the order of the page; `note:1` is a footnote
-    std::vector<std::string> notes; ///< the footnotes, plain text; they also stand at the end
-    std::string fault;              ///< a sentence why the page cannot be shown; then it is empty
+    std::vector<std::string> notes; ///< the footnotes, plain text; they are also at the end
+    std::string fault;              ///< why the page cannot be shown, a sentence; it is then empty
 };
 
 /// Reads Markdown (CommonMark with tables, footnotes and formulas between dollars, without HTML).

@@ -26,7 +26,7 @@ std::map<std::string, std::string> take_definitions(std::vector<std::string_view
     std::map<std::string, std::string> definitions;
     std::vector<std::string_view> kept;
     bool in_code = false;
-    std::string* open = nullptr; // the note that an indented line goes on with
+    std::string* open = nullptr; // the note that an indented line continues
     for (const std::string_view line : lines) {
         if (is_fence(line)) in_code = !in_code;
         const std::string_view id = in_code ? std::string_view() : footnote_label(line);
@@ -57,7 +57,7 @@ std::vector<std::string_view> split_lines(std::string_view text) {
     return lines;
 }
 
-/// Puts links in place of the references of one line.
+/// Replaces the references in one line by links.
 class Linker {
   public:
     explicit Linker(const std::map<std::string, std::string>& definitions)

@@ -33,7 +33,7 @@ class Builder final : public MarkdownListener {
   private:
     struct Open {
         MarkdownBlock* block;
-        bool has_loose_text; ///< its last child is a paragraph for text that stands in it directly
+        bool has_loose_text; ///< its last child is a paragraph for text directly in it
     };
 
     MarkdownBlock& push(BlockKind kind);
@@ -48,8 +48,8 @@ class Builder final : public MarkdownListener {
     int emphasis_ = 0, strong_ = 0, code_ = 0;
     int link_ = -1;
     std::size_t target_bytes_ = 0;
-    std::string formula_; ///< TeX of the formula that is being read
-    /// The picture or formula with which the paragraph begins; it alone makes a block of its own.
+    std::string formula_; ///< TeX of the formula being read
+    /// The picture or formula that the paragraph begins with; if it is all, it becomes a block.
     struct Lead {
         BlockKind kind = BlockKind::paragraph;
         std::string source;
@@ -85,7 +85,7 @@ MarkdownBlock& Builder::text_block() {
     }
 }
 
-/// The run to which text in the present style belongs.
+/// The run that text in the present style belongs to.
 MarkdownRun& Builder::run() {
     std::vector<MarkdownRun>& runs = text_block().runs;
     const bool emphasis = emphasis_ > 0, strong = strong_ > 0, code = code_ > 0;
@@ -208,7 +208,7 @@ bool Builder::enter_span(MD_SPANTYPE type, const void* detail) {
             lead_ = {BlockKind::picture,
                      attribute_text(static_cast<const MD_SPAN_IMG_DETAIL*>(detail)->src), 0};
         }
-        ++emphasis_; // within a text, the words that stand for a picture
+        ++emphasis_; // within a text, a picture's alternative text
         break;
     default:
         ++emphasis_;

@@ -17,11 +17,11 @@ namespace {
 
 using PartKind = MarkdownPart::Kind;
 
-/// The parenthesis that closes a target is not looked for farther than this, bytes.
+/// How far to look for the parenthesis that closes a target, bytes.
 constexpr std::size_t longest_target = 2000;
 
-/// Finds the parts of a page while it is walked. The walk tells no places but those of the letters,
-/// which point into the page; the marks around them are found from there.
+/// Finds the parts of a page during the walk. The walk gives only the places of letters, as
+/// pointers into the page; the marks around them are found from there.
 class PartFinder final : public MarkdownListener {
   public:
     PartFinder(std::string_view page, int deepest)
@@ -59,12 +59,12 @@ class PartFinder final : public MarkdownListener {
     int deepest_;
     MarkdownParts found_;
     std::vector<bool> is_drawn_; ///< of each line: letters of it were reported
-    std::size_t counted_ = 0;    ///< up to here lines were counted
+    std::size_t counted_ = 0;    ///< lines have been counted up to here
     int line_ = 0;               ///< of that place
     std::size_t end_ = 0;        ///< of what was reported last
-    int containers_ = 0;         ///< quotes, lists and items that are open
-    int spans_ = 0;              ///< emphasis and links that are open
-    int brackets_ = 0;           ///< in this block, that are open and no links
+    int containers_ = 0;         ///< open quotes, lists and items
+    int spans_ = 0;              ///< open emphasis and links
+    int brackets_ = 0;           ///< open in this block, and not links
     bool is_too_deep_ = false;   ///< the next letters show the line
     int columns_ = 0;            ///< of a table, until letters of it show the line
     int nested_line_ = -1;       ///< where nesting was reported last
@@ -82,7 +82,7 @@ std::optional<std::size_t> PartFinder::place_of(std::string_view text) const {
     return is_inside ? std::optional(static_cast<std::size_t>(text.data() - begin)) : std::nullopt;
 }
 
-/// Places come nearly in order: lines are counted on from the last one.
+/// Places come nearly in order, so lines are counted on from the last one.
 int PartFinder::line_at(std::size_t place) {
     const auto lines_between = [&](std::size_t from, std::size_t to) {
         const std::string_view between = page_.substr(from, to - from);
@@ -93,7 +93,7 @@ int PartFinder::line_at(std::size_t place) {
     return line_;
 }
 
-/// The line on which something without letters stands: the next that is not empty.
+/// The line of something without letters: the next that is not empty.
 int PartFinder::line_ahead() {
     const std::size_t from = end_ == 0 ? 0 : std::min(page_.find('\n', end_), page_.size());
     return line_at(std::min(page_.find_first_not_of(" \t\n", from), page_.size()));
@@ -158,9 +158,9 @@ bool PartFinder::leave_span(MD_SPANTYPE type) {
         return true;
     case MD_SPAN_LATEXMATH:
     case MD_SPAN_LATEXMATH_DISPLAY: {
-        // Between the dollar and the first letter there is nothing but blanks.
+        // Between the dollar and the first letter there are only blanks.
         const std::size_t dollar = page_.rfind('$', formula_at_.value_or(end_));
-        // Versions of md4c differ in the blanks that they make of line breaks.
+        // Versions of md4c differ in the blanks that they put for line breaks.
         add(PartKind::formula, std::string(trimmed(formula_)),
             line_at(std::min(dollar, page_.size())));
         return true;
@@ -194,7 +194,7 @@ void PartFinder::end_link(PartKind kind) {
     const std::size_t close = std::min(page_.find(']', end_), page_.size());
     add(kind, link.target, line_at(close));
     found_.parts.back().words = link.words;
-    // What follows is looked for behind the target, which may hold any signs.
+    // What follows is looked for after the target, which may contain any characters.
     end_ = std::min(close + 1, page_.size());
     const bool is_behind = link.target_at && page_.substr(end_).starts_with("(") &&
                            page_.find_first_not_of(" \t\n<", end_ + 1) == *link.target_at;
@@ -227,7 +227,7 @@ bool PartFinder::text(MD_TEXTTYPE type, std::string_view text) {
     return true;
 }
 
-/// Looks through letters that are drawn as they are written.
+/// Looks through letters that are drawn as written.
 void PartFinder::look_for_brackets(std::string_view text, std::size_t at) {
     for (std::size_t i = 0; (i = text.find_first_of("[]<", i)) != text.npos; ++i) {
         const std::string_view rest = text.substr(i);
@@ -244,7 +244,7 @@ void PartFinder::look_for_brackets(std::string_view text, std::size_t at) {
     }
 }
 
-/// From the parenthesis behind [words] to the one that closes it.
+/// From the parenthesis after [words] to the one that closes it.
 void PartFinder::look_for_target(std::size_t open) {
     std::string_view near = page_.substr(open, longest_target);
     near = near.substr(0, near.find("\n\n"));
@@ -267,13 +267,13 @@ void PartFinder::tell_nesting(int line) {
     add(PartKind::nesting, {}, line);
 }
 
-/// A line that begins like a definition, and of which nothing was reported, was one.
+/// A line that begins like a definition, and of which nothing was reported, is one.
 void PartFinder::find_definitions() {
     std::string_view rest = page_;
     for (std::size_t line = 0; line < is_drawn_.size(); ++line) {
         const std::string_view whole = rest.substr(0, rest.find('\n'));
         rest.remove_prefix(std::min(whole.size() + 1, rest.size()));
-        // Behind the marks of quotes and lists.
+        // After the marks of quotes and lists.
         const std::size_t start = whole.find_first_not_of(" \t>-*+0123456789.)");
         const bool is_definition = !is_drawn_[line] && start != whole.npos && whole[start] == '[' &&
                                    whole.find("]:", start) != whole.npos;

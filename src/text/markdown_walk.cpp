@@ -9,11 +9,11 @@ namespace rasterwalk {
 
 namespace {
 
-/// The parser looks through all lines of a paragraph for each bracket in it; this many looks take
-/// about a tenth of a second.
+/// The parser looks through all lines of a paragraph for each bracket in it; this many take about a
+/// tenth of a second.
 constexpr std::size_t most_bracket_looks = 200'000'000;
 
-/// True if the parser would look through lines for brackets more often than it may.
+/// Would the parser look through lines for brackets more often than allowed?
 bool is_bracket_swamp(std::string_view text) {
     std::size_t lines = 0, brackets = 0, looks = 0;
     while (!text.empty()) {
@@ -31,7 +31,7 @@ bool is_bracket_swamp(std::string_view text) {
     return looks + lines * brackets > most_bracket_looks;
 }
 
-/// What md4c is answered; it overlooks positive answers.
+/// The answer to md4c, which ignores positive ones.
 int answer(bool goes_on) {
     return goes_on ? 0 : -1;
 }

@@ -11,27 +11,26 @@
 
 namespace rasterwalk {
 
-/// Link targets of a page, all together, bytes: reference links repeat theirs at every use.
+/// Total length of a page's link targets, bytes: reference links repeat theirs at every use.
 inline constexpr std::size_t largest_targets = std::size_t{1} << 20;
 
 /// The sentence for a page whose targets are longer.
 inline constexpr const char* targets_fault =
     "The targets of the links are longer than 1 MB together.";
 
-/// The sentence for a page whose quotes and lists stand deeper in one another than `deepest`.
+/// The sentence for a page whose quotes and lists are nested deeper than `deepest`.
 std::string nesting_fault(int deepest);
 
-/// A target as it is followed: its entities and escapes resolved.
+/// A target ready to follow, with its entities and escapes resolved.
 std::string attribute_text(const MD_ATTRIBUTE& attribute);
 
-/// Why the text is too long to be read. Empty: it is not.
+/// Why the text is too long to read; empty: it is not.
 std::string size_fault(std::string_view text);
 
-/// Why the parser must not see this text: it would be busy for too long. Empty: it may.
+/// Why the parser must not see this text, because it would take too long; empty: it may.
 std::string walk_fault(std::string_view text);
 
-/// Receives what a page holds, in the order of reading. Each function returns false to end the
-/// walk.
+/// Receives what a page holds, in reading order. Each function returns false to end the walk.
 class MarkdownListener {
   public:
     virtual ~MarkdownListener() = default;
@@ -40,13 +39,13 @@ class MarkdownListener {
     virtual bool leave(MD_BLOCKTYPE type) = 0;
     virtual bool enter_span(MD_SPANTYPE type, const void* detail) = 0;
     virtual bool leave_span(MD_SPANTYPE type) = 0;
-    /// @param text points into the page; what the parser puts in (line breaks, blanks) does not
+    /// @param text points into the page, unless the parser adds it (line breaks, blanks)
     virtual bool text(MD_TEXTTYPE type, std::string_view text) = 0;
 };
 
 /// Walks Markdown from its beginning to its end: CommonMark with tables and formulas between
 /// dollars, without HTML.
-/// @return false if the listener ended it, or it could not be made
+/// @return false if the listener ended it, or if it failed
 bool walk_markdown(std::string_view text, MarkdownListener& listener);
 
 } // namespace rasterwalk

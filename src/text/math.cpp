@@ -52,7 +52,7 @@ class Reader {
     Reader(std::string_view tex, std::vector<std::string>* faults)
         : whole_(tex), rest_(tex), faults_(faults) {}
 
-    /// Everything, also what stands after a brace that closes nothing.
+    /// Everything, even what follows a brace that closes nothing.
     MathNode read() {
         MathNode formula = row(0);
         while (!rest_.empty()) {
@@ -88,7 +88,7 @@ class Reader {
         return rest_.empty() || rest_[0] == '}';
     }
 
-    /// Each sentence is said once, and none after too deep a nesting.
+    /// Adds a sentence once, and none after too deep a nesting.
     void say(std::string sentence) {
         if (faults_ == nullptr || is_too_deep_) return;
         if (std::find(faults_->begin(), faults_->end(), sentence) == faults_->end()) {
@@ -109,7 +109,7 @@ class Reader {
     }
 
     std::string_view whole_, rest_;
-    std::vector<std::string>* faults_; ///< null: they are not collected
+    std::vector<std::string>* faults_; ///< null: not collected
     bool is_too_deep_ = false;
 };
 
@@ -127,7 +127,7 @@ MathNode Reader::row(int depth) {
     return result;
 }
 
-/// What stands in braces; the first is taken already.
+/// The content of braces; the first has already been taken.
 MathNode Reader::group(int depth) {
     note_depth(depth);
     return row(depth + 1);
@@ -164,7 +164,7 @@ MathNode Reader::argument(const std::string& of, int depth) {
     return atom(depth + 1);
 }
 
-/// The text in braces as it stands.
+/// The text in braces, unchanged.
 std::string_view Reader::raw_argument(const std::string& of) {
     if (is_at_end()) say_missing(of);
     if (!take('{')) return {};
@@ -208,7 +208,7 @@ MathNode Reader::atom(int depth) {
     return symbol(text);
 }
 
-/// The name of a command; its backslash is taken already.
+/// The name of a command; its backslash has already been taken.
 std::string_view Reader::take_command() {
     std::size_t length = 0;
     while (length < rest_.size() && std::isalpha(static_cast<unsigned char>(rest_[length])) != 0)
@@ -236,7 +236,7 @@ MathNode Reader::command(int depth) {
         return symbol(raw_argument(written));
     }
     if (name == "left" || name == "right") {
-        // The bracket itself follows; a dot stands for none.
+        // The bracket itself follows; a dot means none.
         if (is_at_end()) say_missing(written);
         if (is_at_end() || take('.')) return {};
         return atom(depth);
@@ -248,7 +248,8 @@ MathNode Reader::command(int depth) {
     return symbol(written);
 }
 
-/// A sign at the beginning, or after another sign or a bracket, belongs to what follows: no blanks.
+/// A sign at the beginning, or after another sign or a bracket, belongs to what follows, without
+/// blanks.
 void settle_signs(MathNode& node) {
     bool at_start = true;
     for (MathNode& child : node.children) {

@@ -14,13 +14,13 @@ struct MathNode {
         symbol,   ///< `text`
         fraction, ///< children: numerator, denominator
         script,   ///< children: base, superscript, subscript; the last two may be empty rows
-        root,     ///< children: what stands under the root
-        accent,   ///< children: what carries the mark `text`
+        root,     ///< children: what is under the root
+        accent,   ///< children: what is under the mark `text`
     };
     enum class Style : std::uint8_t {
         upright,
         slanted,  ///< a letter that stands for a number
-        relation, ///< with a blank on either side: = < + and their like
+        relation, ///< with a blank on either side: = < + and the like
     };
 
     Kind kind = Kind::row;
@@ -30,10 +30,10 @@ struct MathNode {
 };
 
 /// Reads a formula in a small part of TeX: letters, numbers and signs, `^ _ { }`, \frac \sqrt \hat
-/// \vec \text \left \right \cdot \times and their like, Greek letters. Never fails: a command that
-/// is not known stands as it is written, what is nested deeper than deepest_math is left out.
-/// @param faults gets a sentence for each thing that is wrong: commands that are not known, braces
-///               that do not close, arguments that are missing, nesting beyond deepest_formula
+/// \vec \text \left \right \cdot \times and the like, Greek letters. Never fails: an unknown
+/// command stays as written, and anything nested deeper than deepest_math is left out.
+/// @param faults gets a sentence for each fault: unknown commands, braces that do not close,
+///               missing arguments, nesting beyond deepest_formula
 MathNode parse_math(std::string_view tex, std::vector<std::string>* faults = nullptr);
 
 inline constexpr int deepest_formula = 12; ///< that an author may write

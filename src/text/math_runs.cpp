@@ -27,7 +27,7 @@ class Writer {
             break;
         case MathNode::Kind::accent:
             write(node.children[0], raised);
-            // The fonts have the hat as a mark that stands over the letter before it.
+            // In the fonts the hat is a mark over the preceding letter.
             if (node.text == "ˆ") put("\xCC\x82", true, raised);
             break;
         case MathNode::Kind::row:

@@ -11,15 +11,15 @@ namespace rasterwalk {
 
 namespace {
 
-/// In a mask: a character that is not read, between texts that have nothing to do with each other;
-/// and one that takes the place of a word of code.
+/// In a mask: a character that is not read, between unrelated texts; and one in place of a word of
+/// code.
 constexpr char gap = '\0', code_mark = '\1';
 
 bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/// How far a piece of code in a text, or the target of a link, may reach.
+/// The longest piece of code in a text, or target of a link.
 constexpr std::size_t longest_code = 200, longest_link = 1000, longest_delimiter = 16;
 
 /// Makes a mask: a text of the same length in which only what is read is left, and each line break.
@@ -45,7 +45,7 @@ class Mask {
 
     void skip(std::size_t count = 1) { at_ = std::min(at_ + count, end_); }
     void skip_line() { skip(end_of_line() + 1 - at_); }
-    /// What follows goes on with the text before.
+    /// Joins what follows to the preceding text.
     void join(std::size_t count) {
         for (; count > 0 && !is_at_end(); --count, ++at_)
             mask_[at_] = here() == '\n' ? '\n' : ' ';
@@ -70,7 +70,7 @@ class Mask {
         if (c != '\n') mask_[at_] = c;
         ++at_;
     }
-    /// Reads by `step` as long as the mark does not come, and skips the mark.
+    /// Reads with `step` up to the mark, and skips the mark.
     template <class Step>
     void read_to(std::string_view mark, const Step& step) {
         const std::size_t end = std::exchange(end_, std::min(text_.find(mark, at_), end_));
@@ -80,9 +80,9 @@ class Mask {
         skip(mark.size());
     }
 
-    /// Strings in quotes with nothing but blanks between them, which are one text. One without a
-    /// blank is a name or a key: code.
-    /// @param mark the quotes; backslashes stand before what is not meant, but in '...'
+    /// Strings in quotes with only blanks between them, which are one text. One without a blank is
+    /// a name or a key: code.
+    /// @param mark the quotes; a backslash escapes them, except in '...'
     void read_strings(std::string_view mark) {
         std::vector<std::pair<std::size_t, std::size_t>> parts;
         bool is_prose = false;
@@ -103,7 +103,7 @@ class Mask {
         }
     }
 
-    /// A comment up to the end of its line, and those on the lines after it.
+    /// A comment up to the end of its line, and those on the following lines.
     void read_line_comments(std::string_view mark) {
         do {
             join(mark.size());
@@ -131,7 +131,7 @@ class Mask {
         }
         return end_;
     }
-    /// Goes over blanks if the mark comes after them.
+    /// Skips blanks if the mark comes after them.
     bool find_next(std::string_view mark) {
         std::size_t next = at_;
         while (next < end_ && is_blank(text_[next]))
@@ -150,7 +150,7 @@ bool is_hex_digit(char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
 
-/// A character in quotes, or what divides the digits of a number.
+/// A character in quotes, or the separator between digits of a number.
 void skip_quote(Mask& mask) {
     const std::string_view near = mask.line().substr(0, longest_delimiter);
     std::size_t end = near.size() > 2 && near[1] == '\\' ? 3 : 2;
@@ -286,7 +286,7 @@ bool is_letter(char c) {
            c == '\'' || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// What begins with this byte pair is a mark of UTF-8 (dashes, quotes, dots), and no letter.
+/// What begins with this byte pair is a mark in UTF-8 (dashes, quotes, dots), not a letter.
 constexpr std::string_view mark_of_utf8 = "\xE2\x80", apostrophe = "\xE2\x80\x99";
 
 } // namespace

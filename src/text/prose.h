@@ -1,7 +1,7 @@
 #pragma once
 
-// What a person reads in a file: the text of a page, the strings of a program or a data file, and
-// their comments.
+// The prose in a file: the text of a page, the strings of a program or a data file, and their
+// comments.
 
 #include <optional>
 #include <string>
@@ -17,18 +17,18 @@ enum class ProseKind {
     script    ///< shell, Python and CMake: comments
 };
 
-/// By the name of the file; none if it holds no prose.
+/// The kind of a file, by its name; none if it holds no prose.
 std::optional<ProseKind> prose_kind(std::string_view path);
 
-/// A word as it is read.
+/// A word of the prose.
 struct ProseWord {
-    std::string text;     ///< in small letters; code and placeholders are "{}"
+    std::string text;     ///< in lower case; code and placeholders are "{}"
     int line = 0;         ///< of the file, from 1
-    bool follows = false; ///< there is nothing but blanks between it and the word before
+    bool follows = false; ///< only blanks are between it and the previous word
 };
 
-/// The words of a file, in order. Comments on consecutive lines, and strings with nothing between
-/// them, are one text.
+/// The words of a file, in order. Comments on consecutive lines are one text, and so are strings
+/// with nothing between them.
 std::vector<ProseWord> prose_of(std::string_view text, ProseKind kind);
 
 } // namespace rasterwalk

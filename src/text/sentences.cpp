@@ -22,7 +22,7 @@ bool begins_code(std::string_view line) {
     return line.starts_with("```") || line.starts_with("~~~");
 }
 
-/// Does this line begin a block that is read as something else than running text?
+/// Does this line begin a block that is not running text?
 bool begins_other_block(std::string_view line) {
     for (const std::string_view mark :
          {"#", "|", ">", "- ", "* ", "+ ", "![", "<!--", "$$", "    ", "\t", "---", "***", "[^"}) {
@@ -32,7 +32,7 @@ bool begins_other_block(std::string_view line) {
     return digits > 0 && line.substr(digits).starts_with(". ");
 }
 
-/// A part of a text that stands between blank lines, or between the fences of code.
+/// A part of a text between blank lines, or between the fences of code.
 struct Block {
     std::string text;
     bool is_paragraph = false;
@@ -72,7 +72,7 @@ std::vector<Block> blocks_of(std::string_view text) {
         } else if (is_blank(line)) {
             end_block();
         } else {
-            // What goes on without a mark of its own belongs to what it stands in.
+            // A line without its own mark belongs to the block it is in.
             if (block.text.empty()) {
                 block.is_paragraph = !begins_other_block(line);
                 block.is_list = is_list_item(line);
@@ -93,7 +93,7 @@ std::string without_notes(std::string text) {
     return text;
 }
 
-/// What is open at a place of a paragraph: nothing may be cut there.
+/// What is open at a place in a paragraph, which must not be cut there.
 class Nesting {
   public:
     void read(char c) {
@@ -124,13 +124,13 @@ bool is_end_mark(char c) {
     return c == '.' || c == '?' || c == '!';
 }
 
-/// Does the text go on with a small letter? Then what ended was "e.g." or the like.
+/// Does the text go on in lower case? Then what ended was "e.g." or the like.
 bool goes_on_small(std::string_view text, std::size_t at) {
     const std::size_t next = text.find_first_not_of(" \t\r\n", at);
     return next != text.npos && std::islower(static_cast<unsigned char>(text[next])) != 0;
 }
 
-/// Is it a whole sentence, and not one that what follows goes on with?
+/// Is it a whole sentence, and not continued by what follows?
 bool is_whole_sentence(std::string_view text) {
     const std::size_t last = text.find_last_not_of(" \t\r\n*_)\"'");
     return last != text.npos && is_end_mark(text[last]);
@@ -140,7 +140,7 @@ std::vector<std::string> sentences_of(const std::string& text) {
     std::vector<std::string> sentences;
     std::size_t start = 0;
     Nesting nesting;
-    bool is_ended = false; // the sentence, but for closing quotes and marks of emphasis
+    bool is_ended = false; // the sentence, except for closing quotes and marks of emphasis
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         nesting.read(c);
@@ -185,7 +185,7 @@ std::vector<std::string> leading_sentences(std::string_view markdown) {
 
 std::vector<ReadingPiece> reading_pieces(std::string_view markdown) {
     std::vector<ReadingPiece> pieces;
-    bool is_running = false; // the piece before is a sentence alone
+    bool is_running = false; // the previous piece comes from a paragraph
     for (const Block& block : blocks_of(markdown)) {
         if (block.text.starts_with("[^") || block.text.starts_with("<!--")) continue;
         if (!block.is_paragraph && !block.is_list && is_running &&

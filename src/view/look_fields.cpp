@@ -31,7 +31,7 @@ ViewField tab_field() {
         return std::string(tab_names()[option_index(given, tab_names(), word)]);
     };
     form.tell = [](const Session& session) {
-        // In a lesson the usual one may be another next time: its author may hide other panels.
+        // In a lesson the usual one may change, because its author may hide other panels.
         const bool is_usual = session.lesson.empty() && session.tab == usual_tab(session);
         return is_usual ? std::nullopt : std::optional(session.tab);
     };
@@ -40,7 +40,7 @@ ViewField tab_field() {
     };
     const ViewOption option{"tab", "NAME", "Tab of the inspector: " + one_of(tab_names())};
     ViewField field = make_field("tab", ViewPart::panel, option, form);
-    // Which tab is meant where none is named follows from the stage.
+    // If none is named, the tab depends on the stage.
     field.words = [](const ViewChange& change) -> std::vector<std::string> {
         if (change.to.tab == change.from.tab) return {};
         return {change.to.tab.value_or(std::string(usual_tab(change.to_session)))};
@@ -131,7 +131,7 @@ ViewField overlays_field() {
         if (!change.to.overlays) return {std::string(no_value)};
         return texts_of(*change.to.overlays);
     };
-    // Of links each lays one more over the picture.
+    // Each link lays one more over the picture.
     field.link = word_link(
         "overlay", "overlay", overlays_and_none(), [](Session& session, const std::string& name) {
             if (const std::optional<Overlay> overlay = value_of_word<Overlay>(name)) {
@@ -180,7 +180,7 @@ namespace {
 
 // --- which place of the picture, how large
 
-/// Where a lesson names no centre, it follows the pixel or the size of the picture.
+/// If a lesson names no centre, it depends on the pixel or the size of the picture.
 bool is_same_place(const ViewChange& change) {
     const ViewState& to = change.to;
     const ViewState& from = change.from;
@@ -280,8 +280,8 @@ ViewField centre_field() {
 
 namespace {
 
-/// Something about the canvas that is on or off, and stays as it was where it is not said.
-/// @param what how messages name it
+/// Something about the canvas that is on or off, and stays as it was if it is not given.
+/// @param what its name in messages
 ViewField switch_field(std::string_view key, const ViewOption& option, std::string_view what,
                        std::optional<bool> ViewState::*member, bool CanvasView::*shown) {
     ViewForm<bool> form{member};
@@ -332,8 +332,8 @@ ViewField fates_field() {
 
 namespace {
 
-/// One of several ways in which the canvas shows something; where it is not said, the usual one.
-/// @param what it is, in messages
+/// One of several ways in which the canvas shows something; the usual one if it is not given.
+/// @param what its name in messages
 template <class Enum>
 ViewField choice_field(std::string_view key, const ViewOption& option, const char* what,
                        std::optional<Enum> ViewState::*member, Enum CanvasView::*shown) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The rows of view_table() that say how the picture is looked at.
+// The rows of view_table() for how the picture is looked at.
 
 #include "view/view_table.h"
 

@@ -41,7 +41,8 @@ ViewField compare_field() {
         }
         if (to.b == from.b && to.a == from.a) return {};
         if (to.a == *to.b) {
-            // Something must be said; what the stage sets beside itself is said after it.
+            // The option needs a word, so it gets the stage; then come values that setting the
+            // stage would change.
             const std::string stage = "stage=" + value_text(*find_setting("stage"), to.a.settings);
             Settings said = to.a.settings;
             set_from_text(said, stage);

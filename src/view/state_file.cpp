@@ -30,7 +30,7 @@ std::string folder_of(const std::string& path) {
     return folder.empty() ? "." : folder;
 }
 
-/// Where `file` lies below `folder`, in this spelling; empty if it does not.
+/// The path of `file` relative to `folder`, in this spelling; empty if it is not below it.
 std::string name_within(const std::string& folder, const std::string& file) {
     std::error_code fault;
     const fs::path root = fs::canonical(folder, fault);
@@ -42,7 +42,7 @@ std::string name_within(const std::string& folder, const std::string& file) {
     return is_below ? relative.generic_string() : std::string();
 }
 
-/// How the file of a view names another file: such that find_lesson_file() finds it again.
+/// The name of another file in the file of a view, by which find_lesson_file() finds it again.
 std::string name_from(const std::string& folder, const std::string& file, const char* what) {
     for (const std::string& root : {lessons_folder(), folder}) {
         const std::string name = name_within(root, file);
@@ -69,7 +69,7 @@ std::string name_of_lesson(const Session& session, const std::string& folder) {
     return name_from(folder, session.lesson_folder + "/" + session.lesson + ".md", "lesson");
 }
 
-/// A key in its own line, so that a fault can be found by its line.
+/// A key on its own line, so that a fault can be found by its line.
 void add_line(std::string& text, std::string_view key, std::string_view value) {
     text += fmt::format("{} = {}\n", key, value);
 }

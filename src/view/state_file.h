@@ -1,6 +1,6 @@
 #pragma once
 
-// The exact view in a file of text, *.walk.toml, to be opened again or given to someone else.
+// The exact view in a text file, *.walk.toml, to be opened again or passed on.
 
 #include <string>
 #include <string_view>
@@ -9,29 +9,28 @@
 
 namespace rasterwalk {
 
-/// A view as it stands in a file.
+/// A view as stored in a file.
 struct SavedView {
     std::string path;    ///< of the file; the scene and the lesson are found from its folder
-    std::string scene;   ///< file beside it or in a folder below, or one of the program's own
+    std::string scene;   ///< file next to it or in a folder below, or one of the program's own
     std::string texture; ///< an image, found there too, that is laid on the scene; empty: none
-    std::string lesson;  ///< id, or a file (.md) beside it; empty: none
+    std::string lesson;  ///< id, or a file (.md) next to it; empty: none
     int step = 0;        ///< of the lesson
-    std::string
-        own_tab;     ///< of the inspector: chosen by the student, against the lesson; empty: none
-    ViewState state; ///< on that scene; its lines are those of the file
+    std::string own_tab; ///< of the inspector: the student's choice over the lesson's; empty: none
+    ViewState state;     ///< on that scene; its lines are those of the file
 };
 
-/// The view as text. Scene and lesson are named from the folder in which the file is to lie.
-/// Throws UsageError where they cannot be: a file outside this folder cannot be named, so that what
-/// is handed on can be opened elsewhere.
-/// @param path of the file that is to hold it
+/// The view as text. Scene and lesson are named relative to the folder of the file. Throws
+/// UsageError if they cannot be: a file outside this folder cannot be named, so that what is passed
+/// on can be opened elsewhere.
+/// @param path of the file that will hold it
 std::string view_text(const Session& session, const std::string& path);
 
-/// Writes it. Throws Error; the file is then as it was.
+/// Writes it. Throws Error; the file is then unchanged.
 void write_view(const Session& session, const std::string& path);
 
-/// Reads a view. Throws AccessError, or InputError with file:line for everything that is not one:
-/// unknown keys, values that cannot be, a file that is too large.
+/// Reads a view. Throws AccessError, or InputError with file:line for anything wrong in it: unknown
+/// keys, impossible values, a file that is too large.
 SavedView parse_view(std::string_view text, const std::string& path);
 SavedView read_view(const std::string& path);
 

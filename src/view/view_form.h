@@ -1,7 +1,7 @@
 #pragma once
 
-// How the rows of view_table() are made: what a value looks like as text and where the session
-// keeps it, told once, gives all functions of a field.
+// How the rows of view_table() are made: a value's form as text and its place in the session are
+// given once, and all functions of a field follow from them.
 
 #include <functional>
 #include <optional>
@@ -23,7 +23,7 @@ struct ViewForm {
     std::optional<T> ViewState::*member;
     std::function<T(const TomlBlock&, const toml::node&)> read{};
     std::function<std::string(const T&)> toml{}; ///< missing: a saved view cannot hold it
-    /// From one word of an option; none unsays it. Missing: see ViewField::parse.
+    /// From one word of an option; none clears it. Missing: see ViewField::parse.
     std::function<std::optional<T>(const GivenOption&, const std::string&)> parse{};
     std::function<std::string(const std::optional<T>&)> word{}; ///< what parse() reads again
     std::function<std::optional<T>(const Session&)> tell{};     ///< none: as in a fresh session
@@ -34,14 +34,14 @@ struct ViewForm {
 [[noreturn]] void refuse_option(const GivenOption& option, std::string_view takes,
                                 const std::string& word);
 
-/// "colour, depth or triangle", as help and messages name what there is.
+/// "colour, depth or triangle", as help and messages list the choices.
 std::string one_of(std::span<const std::string_view> words);
 
-/// The place of an option's word in a list. Throws UsageError that names all of them.
+/// The index of an option's word in a list. Throws UsageError that names them all.
 std::size_t option_index(const GivenOption& option, std::span<const std::string_view> words,
                          const std::string& word);
 
-/// As values of TOML: text in quotes; a list, a line an entry.
+/// As TOML values: text in quotes; a list, one line per entry.
 std::string toml_text(std::string_view text);
 std::string toml_list(const std::vector<std::string>& entries);
 
@@ -51,7 +51,7 @@ std::vector<std::string> read_assignments(const TomlBlock& block, const toml::no
 /// What `to` sets differently from `from`.
 std::vector<std::string> assignments_between(const Settings& from, const Settings& to);
 
-/// With this word an option unsays what stands there.
+/// With this word an option clears its field.
 inline constexpr std::string_view no_value = "none";
 
 template <class T>
@@ -104,10 +104,10 @@ ViewField make_field(std::string_view key, ViewPart part, ViewOption option, Vie
     return field;
 }
 
-/// One of several that have a word each.
-/// @param what it is, in messages
+/// One of several values that have a word each.
+/// @param what its name in messages
 /// @param shown the function that finds it in a session
-/// @param keeps_last not said, it stays as it was; otherwise it is the usual one then
+/// @param keeps_last if not given, it stays as it was; otherwise it becomes the usual one
 template <class Enum, class Shown>
 ViewField word_field(std::string_view key, ViewPart part, const ViewOption& option,
                      const char* what, std::optional<Enum> ViewState::*member, Shown shown,
@@ -137,7 +137,7 @@ ViewField word_field(std::string_view key, ViewPart part, const ViewOption& opti
     return make_field(key, part, option, form);
 }
 
-/// The same of a member of the session.
+/// The same for a member of the session.
 template <class Enum>
 ViewField enum_field(std::string_view key, ViewPart part, const ViewOption& option,
                      const char* what, std::optional<Enum> ViewState::*member,

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a link in a lesson shows one thing: `pixel:250,131`. Each is the link of a row of
+// Links in lessons, each of which shows one thing: `pixel:250,131`. Each is the link of a row of
 // view_table().
 
 #include <span>
@@ -13,7 +13,7 @@ namespace rasterwalk {
 /// `set:interpolation=affine` sets settings, several with &.
 ViewLink settings_link();
 
-/// `compare:interpolation=affine`: run B is A and these; `compare:off`.
+/// `compare:interpolation=affine`: run B is A with these settings; `compare:off`.
 ViewLink compare_link();
 
 /// `cursor:t0/e1/s4` goes to a moment. It drops the selected triangle, so that the panels show the
@@ -28,9 +28,9 @@ ViewLink pixel_link();
 ViewLink number_link(std::string_view name, int (*count)(const Session&),
                      std::optional<int> Selection::*selected);
 
-/// `tab:graph` shows what has a word.
-/// @param what  it is, in messages
-/// @param words that there are
+/// `tab:graph` shows something that has a word.
+/// @param what  its name in messages
+/// @param words the existing words
 ViewLink word_link(std::string_view name, std::string_view what,
                    std::vector<std::string_view> words,
                    std::function<void(Session&, const std::string&)> show);

@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Shows one state; collects what goes wrong with the line of the key.
+/// Shows one state; collects faults, each with the line of its key.
 class Showing {
   public:
     Showing(Session& session, const ViewState& state) : session_(session), state_(state) {}
@@ -32,7 +32,7 @@ class Showing {
     std::vector<Fault> show_on_scene() {
         session_.play.running = false;
         session_.play.passed = 0.0;
-        ++session_.jumps; // so that Back leads out of the lesson's place again
+        ++session_.jumps; // so that Back can leave the lesson's place
         for (const ViewField* field : view_table_drawn_first()) {
             if (field->show) attempt(field->key, [&] { field->show(state_, session_); });
         }

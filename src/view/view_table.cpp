@@ -78,7 +78,7 @@ ViewField vertices_field() {
     ViewField field = make_field("vertices", ViewPart::drawn, option, form);
     field.is_of_scene = true;
     field.parse = [](const GivenOption& given, ViewState& state) {
-        if (!state.vertices) state.vertices.emplace(); // others may have been put elsewhere too
+        if (!state.vertices) state.vertices.emplace(); // others may have been moved too
         for (const std::string& word : given.words)
             state.vertices->push_back(parse_placed_triangle(word));
     };
@@ -167,7 +167,7 @@ ViewField pixel_field() {
     return field;
 }
 
-/// Of what is drawn of the scene.
+/// The number of triangles drawn of the scene.
 int triangles_of(const Session& session) {
     const int parts = tessellation_of(*session.scene, session.a.settings.tessellation);
     return session.scene->triangle_count() * parts * parts;
@@ -181,8 +181,8 @@ int vertices_of(const Session&) {
     return triangle_corners;
 }
 
-/// Something that is picked by its number, from 0.
-/// @param most what may be written, wherever it is shown
+/// Something picked by its number, from 0.
+/// @param most the largest number that may be written, whatever the scene
 ViewField number_field(std::string_view name, std::string_view plural, std::string_view help,
                        int most, int (*count)(const Session&),
                        std::optional<int> ViewState::*member,
@@ -237,7 +237,7 @@ std::vector<ViewField> make_table() {
                      largest_viewport, rows_of, &ViewState::row, &Selection::row),
         number_field("vertex", "vertices", "Vertex that is selected, 0 to 2, or none",
                      triangle_corners - 1, vertices_of, &ViewState::vertex, &Selection::vertex),
-        panels_field(), // before the tab, which may follow from them
+        panels_field(), // before the tab, which may depend on them
         tab_field(),
         page_field(),
         plane_field(),

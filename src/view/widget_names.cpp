@@ -26,7 +26,7 @@ std::vector<std::string_view> settings_of_kind() {
     return names;
 }
 
-/// What `{stage}` and its like can be; nothing for another word.
+/// What `{stage}` and the like can be; nothing for another word.
 std::vector<std::string_view> words_for(std::string_view place) {
     std::vector<std::string_view> words;
     if (place == "{tab}") {
@@ -50,7 +50,7 @@ std::vector<std::string_view> words_for(std::string_view place) {
     return words;
 }
 
-/// `{stage}`, if that is what the pattern goes on with.
+/// `{stage}`, if the pattern continues with that.
 std::string_view place_at_start(std::string_view pattern) {
     return pattern.starts_with("{") ? pattern.substr(0, pattern.find('}') + 1) : std::string_view();
 }
@@ -128,7 +128,7 @@ std::string widgets_file() {
     try {
         return own_lessons_folder() + name;
     } catch (const AccessError&) {
-        return lessons_folder() + name; // a program without lessons beside it
+        return lessons_folder() + name; // a program without lessons next to it
     }
 }
 

@@ -15,7 +15,7 @@ ChildProcess shell(const std::string& script, const ChildProcess::Patience& pati
     return ChildProcess({"/bin/sh", "-c", script}, patience);
 }
 
-/// What is said when the program is asked for a line.
+/// The message when the program is asked for a line.
 std::string complaint(const std::string& script, std::chrono::milliseconds longest = 30s) {
     ChildProcess child({"/bin/sh", "-c", script}, {.longest = longest, .is_stopped = {}});
     try {

@@ -25,7 +25,7 @@ inline constexpr auto enum_words<TooLong> = word_list("one", "two");
 template <>
 inline constexpr auto enum_words<Swapped> = word_list("two", "one");
 
-// What must not compile where it is asserted beside an enum.
+// What must not compile when asserted next to an enum.
 static_assert(words_match<Right>);
 static_assert(!words_match<TooShort>);
 static_assert(!words_match<TooLong>);

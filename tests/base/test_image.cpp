@@ -24,7 +24,7 @@ Image pattern(int width, int height) {
     return image;
 }
 
-/// What is said about a picture; "" if it is read.
+/// The message about a picture; "" if it is read.
 std::string complaint_about(const std::string& path) {
     try {
         read_image(path);

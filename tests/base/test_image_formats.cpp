@@ -1,4 +1,4 @@
-// Pictures in each format read, written here byte by byte, and what is said about the others.
+// Pictures in each format read, written here byte by byte, and the messages about others.
 
 #include <array>
 #include <cmath>
@@ -72,7 +72,7 @@ Image read_bytes(const std::string& bytes) {
     return parse_image(bytes, "x");
 }
 
-/// What is said about a picture by a process that may take only this much memory; "" if it is read.
+/// The message about a picture in a process with only this much memory; "" if it is read.
 std::string refusal_within(std::size_t memory, const std::string& bytes) {
     return test::said_within(memory, [&]() -> std::string {
         try {

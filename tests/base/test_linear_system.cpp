@@ -21,7 +21,7 @@ TEST_CASE("A linear system is solved: the matrix takes the solution back to what
             expected[i] = static_cast<double>(random.number(-5.0f, 5.0f));
             for (std::size_t k = 0; k < n; ++k)
                 a[i][k] = static_cast<double>(random.number(-1.0f, 1.0f));
-            a[i][(i + 1) % n] += 4.0; // far from singular, and no pivot stands on the diagonal
+            a[i][(i + 1) % n] += 4.0; // far from singular, and no pivot is on the diagonal
         }
         for (std::size_t i = 0; i < n; ++i) {
             for (std::size_t k = 0; k < n; ++k)

@@ -207,5 +207,5 @@ TEST_CASE("A file is locked for one at a time") {
         CHECK_THROWS_AS(FileLock(path), AccessError);
     }
     CHECK_NOTHROW(FileLock(path));
-    CHECK_NOTHROW(FileLock("/proc/nowhere/x")); // the writing will tell
+    CHECK_NOTHROW(FileLock("/proc/nowhere/x")); // writing will report it
 }

@@ -156,7 +156,7 @@ void measure_interface(Measurements& measurements, const std::string& scene_path
         frame();
     measure(measurements, "interface, seen from outside too", frame);
     ui.session.canvas.shows = CanvasShows::picture;
-    // The row table beside its rows, a number and a sign in every cell.
+    // The row table next to its rows, a number and a sign in every cell.
     ui.session.canvas.zoom = 24.0f;
     ui.session.canvas.centre = {250.0f, 300.0f};
     ui.session.canvas.numbers = CellNumbers::overdraw;

@@ -18,7 +18,7 @@ Session knot();
 /// The room on a picture of 4096 x 4096 pixels.
 Session wide();
 
-/// Run A beside one that differs in a setting, "name=value".
+/// Run A next to one that differs in a setting, "name=value".
 void compare_with_setting(Session& session, const char* assignment);
 
 /// Beside one that interpolates without perspective.

@@ -1,5 +1,5 @@
-// Whatever is wrong with what the user gives: one sentence on standard error, nothing on standard
-// output, and the exit code that is promised.
+// For any wrong input from the user: one sentence on standard error, nothing on standard output,
+// and the promised exit code.
 
 #include <algorithm>
 #include <string>
@@ -148,7 +148,7 @@ TEST_CASE("An output that cannot be written ends with exit code 4 and leaves not
 }
 
 TEST_CASE("A moment of clip or cull that does not exist says which ones do") {
-    // Two corners of the floor lie behind this camera, and one plane cuts it.
+    // Two corners of the floor are behind this camera, and one plane cuts it.
     const auto expect_at = [](const char* text, const std::string& complaint) {
         expect({"stats", "--to", text, "--set", "clip=near", "--set", "camera.position=0,0,-0.9"},
                2, std::string("there is no moment ") + text + ": " + complaint);

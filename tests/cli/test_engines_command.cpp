@@ -1,4 +1,4 @@
-// `rasterwalk engines` with stand-ins for llvmpipe's program: shell scripts that speak as it does.
+// `rasterwalk engines` with stand-ins for llvmpipe's program: shell scripts with the same output.
 // Whether llvmpipe itself draws the same is asked by tests/pictures.
 
 #include <csignal>

@@ -13,7 +13,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// What is kept between runs lies in this folder while the test goes on.
+/// What is kept between runs is in this folder during the test.
 class OwnState {
   public:
     OwnState() {

@@ -1,5 +1,5 @@
-// What `rasterwalk stats` counts of rejecting, clipping and culling, against counts that are made
-// another way: in double, from the scene's own corners; and the times that it measures.
+// The counts of `rasterwalk stats` for rejecting, clipping and culling, compared with counts made
+// another way, in double from the scene's own corners; and the times that it measures.
 
 #include <algorithm>
 #include <array>
@@ -39,7 +39,7 @@ glm::dvec4 clip_place(const glm::vec3& world, const Settings& settings) {
     return {f * (c * way.x - s * way.z), f * way.y, 1.0, s * way.x + c * way.z};
 }
 
-/// Do all three lie beyond the same plane, the sides two pixels farther out?
+/// Are all three beyond the same plane, the sides two pixels farther out?
 bool is_beyond_one(const std::array<glm::dvec4, 3>& corners, const Settings& settings) {
     const double x = settings.viewport.width / 2 + 2, y = settings.viewport.height / 2 + 2;
     const glm::dvec4 planes[] = {{0, 0, -static_cast<double>(settings.near), 1},
@@ -60,7 +60,7 @@ bool is_back(const Scene& scene, int triangle, const Settings& settings) {
                     glm::dvec3(corner.position) - glm::dvec3(settings.camera.position)) > 0.0;
 }
 
-/// The fragments of a polygon's row table, by its definition, that lie beside the picture.
+/// The fragments of a polygon's row table, by its definition, that are outside the picture.
 std::int64_t outside_of(PolygonCorners polygon, const Viewport& picture) {
     int ignored = 0;
     std::int64_t outside = 0;
@@ -132,7 +132,7 @@ TEST_CASE("stats counts what is rejected, clipped, culled and outside, as a seco
             Settings settings = default_settings(scene);
             set_step(settings, {Stage::depth, Shading::unlit});
             for (const std::string& assignment :
-                 // Small, since near corners lie thousands of pixels away from large pictures.
+                 // Small, since near corners are thousands of pixels away from large pictures.
                  {std::string("viewport.size=60x60"), std::string("camera.focal_length=60"),
                   std::string("camera.position=") + view.position,
                   std::string("camera.yaw=") + view.yaw, std::string(rule[0]), std::string(rule[1]),
@@ -189,7 +189,7 @@ TEST_CASE("stats --time tells for each way of culling what it saves") {
         CHECK(ways[i]["cull"] == names[i]);
         CHECK(ways[i]["milliseconds"] == 2.5);
         CHECK(ways[i]["share"] == 1.0);
-        // The counts are those that the way has by itself.
+        // The counts are the same as without a comparison.
         std::vector<std::string> alone = arguments;
         alone.erase(alone.begin() + 1);
         alone.insert(alone.end(), {"--json", "--set", std::string("cull=") + names[i]});

@@ -92,7 +92,7 @@ TEST_CASE("triangle shows every space with its matrix where matrices do the work
     CHECK(rows.exit_code == 0);
     CHECK_THAT(rows.out, ContainsSubstring("Spaces: window = (p · Tm · Tv · Tp) / w · Ts"));
     CHECK_THAT(rows.out, ContainsSubstring("  Tv, to camera space\n"));
-    // Row vectors: the translation stands in the last row.
+    // Row vectors: the translation is in the last row.
     CHECK_THAT(rows.out,
                ContainsSubstring("         0.0000      0.0000      3.0010      1.0000\n"));
     CHECK_THAT(rows.out, !ContainsSubstring("-0.0000"));
@@ -151,7 +151,7 @@ TEST_CASE("triangle --to stops in the middle of the row table") {
 
 TEST_CASE("A triangle that is cut or culled tells of every plane and edge, and of the answer") {
     const std::vector<std::string> cut{"--set", "camera.position=0,0,-0.9", "--set", "clip=near"};
-    // Corner 0 lies at z = 1.9, the others 0.1 behind the camera: 1.8 of 2.0 up to the plane.
+    // Corner 0 is at z = 1.9, the others 0.1 behind the camera: 1.8 of 2.0 up to the plane.
     const CliRun text = run({"triangle", "0", cut[0], cut[1], cut[2], cut[3]});
     CHECK(text.exit_code == 0);
     CHECK_THAT(text.out,
@@ -178,7 +178,7 @@ TEST_CASE("A triangle that is cut or culled tells of every plane and edge, and o
     CHECK_THAT(back.out, ContainsSubstring("It is left out: it faces away from the camera.\n"));
     CHECK_THAT(json_of({"0", culled[0], culled[1], culled[2], culled[3]}),
                ContainsSubstring("\"cull\":{\"culled\":true,"));
-    // Where nothing cuts and nothing culls there is nothing to tell.
+    // If nothing cuts and nothing culls, there is nothing to report.
     const CliRun plain = run({"triangle", "0"});
     CHECK_THAT(plain.out, !ContainsSubstring("Clipping"));
     CHECK_THAT(plain.out, !ContainsSubstring("Culling"));

@@ -1,4 +1,4 @@
-// Texts and names of files give no orders to the terminal.
+// Texts and file names cannot send commands to the terminal.
 
 #include "cli/visible_output.h"
 

@@ -54,14 +54,14 @@ std::vector<Scene> project_scenes() {
     return scenes;
 }
 
-/// What stands in the scenes of the project that the fast engine has not.
+/// What the scenes of the project have and the fast engine does not.
 Settings without_what_it_lacks(Settings settings) {
     settings.normal_map = NormalMapUse::off;
     settings.blend = Blend::off;
     return settings;
 }
 
-/// Where the camera stands, from the scene's own place.
+/// The camera's position, relative to the scene's own.
 struct PoseFromOwn {
     const char* name;
     glm::vec3 move; ///< world units
@@ -171,7 +171,7 @@ bool check_against_steps(const Scene& scene, const Settings& settings) {
     return true;
 }
 
-/// In these, surfaces lie in one plane, so that rounding alone decides which is nearer.
+/// In these, surfaces are in one plane, so rounding alone decides which is nearer.
 bool has_equal_depths(const Scene& scene) {
     const std::string file = std::filesystem::path(scene.path).stem().string();
     return file == "z-fighting";

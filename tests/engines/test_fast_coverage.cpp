@@ -1,5 +1,5 @@
-// Which pixels the fast engine gives to which triangle, against whole numbers: tilings of the
-// picture whose corners stand on 256ths of a pixel exactly, and the top-left rule of this file.
+// Which pixels the fast engine gives to which triangle, compared with integer arithmetic: tilings
+// of the picture whose corners are exactly on 256ths of a pixel, and this file's own top-left rule.
 
 #include <algorithm>
 #include <array>

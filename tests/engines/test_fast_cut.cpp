@@ -158,7 +158,7 @@ std::string cut_fault(const Floor& floor, const Settings& settings, SimdLevel le
     return {};
 }
 
-/// Of the pixels beside the outlines, those that show another triangle than the ray meets.
+/// The pixels away from the outlines that show a different triangle from the one the ray meets.
 std::string ray_fault(const Floor& floor, const Settings& settings, SimdLevel level) {
     constexpr double margin = 1.0 / 16.0, all_depths = 1e7;
     const std::vector<int> met = cast_rays(floor.scene, settings.camera, settings.viewport,

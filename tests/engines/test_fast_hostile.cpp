@@ -1,5 +1,5 @@
-// Scenes and settings that you would never choose in earnest: the fast engine finishes, stays
-// within its memory, and draws black or something sane.
+// Scenes and settings that are never chosen seriously: the fast engine finishes, stays within its
+// memory, and draws black or something sensible.
 
 #include <algorithm>
 #include <array>
@@ -262,10 +262,10 @@ TEST_CASE("The fast engine draws with any camera, lamp and exponent") {
         case 1: // in the plane of a wall
             settings.camera.position = {1.0f, 0.0f, -2.0f};
             break;
-        case 2: // at the lamp, which stands in a surface
+        case 2: // at the lamp, which is in a surface
             settings.camera.position = settings.light.position = vertex.position;
             break;
-        case 3: // all of it lies behind
+        case 3: // all of it is behind
             settings.camera.position.z = 50.0f;
             break;
         case 4:

@@ -1,6 +1,6 @@
-// Every word of every setting: the fast engine draws it as the steps do, or says that it does not
-// know it, or it is one of the rules for pixels and edges that it has of its own. A new setting
-// fails this test until it is decided which.
+// Every word of every setting: the fast engine draws it as the steps do, or reports that it does
+// not know it, or it is one of the engine's own rules for pixels and edges. A new setting fails
+// this test until it is decided which.
 
 #include <algorithm>
 #include <map>
@@ -26,7 +26,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// What the fast engine does by rules of its own, whatever these settings say, and why.
+/// What the fast engine does by its own rules, whatever these settings say, and why.
 const std::map<std::string_view, std::string_view> own_rules{
     {"rounding", "corners stand on 256ths of a pixel"},
     {"vertex_rounding", "corners stand on 256ths of a pixel"},

@@ -1,5 +1,5 @@
-// What must not change a bit of the fast engine's picture: how many threads draw it, and what the
-// engine has drawn before. Whether depth and owner are kept changes no more than roundings.
+// Neither the number of threads nor what the engine has drawn before may change a bit of the fast
+// engine's picture. Whether depth and owner are kept may only change rounding.
 
 #include <algorithm>
 #include <array>
@@ -56,7 +56,7 @@ std::vector<FastShot> shots_of(const Scene& scene) {
     shots[3].settings.camera.position += glm::vec3(-0.2f, 0.1f, 3.0f);
     shots[3].settings.camera.focal_length *= 0.3f;
     shots[5].settings.light.place = LampPlace::camera;
-    // All lies behind the camera.
+    // Everything is behind the camera.
     shots[6].settings.camera.position.z += 1000.0f;
     return shots;
 }

@@ -1,4 +1,4 @@
-// Depth and owners of the fast engine against rays that are cast into the scene one by one.
+// Depth and owners of the fast engine, compared with rays cast into the scene one by one.
 
 #include "engines/fast/fast_shape.h"
 

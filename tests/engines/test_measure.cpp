@@ -18,7 +18,7 @@ const Viewport small_size{60, 40};
 /// How a made peer draws wrongly.
 struct Fault {
     int patch = 0;           ///< so many black pixels
-    bool keeps_lamp = false; ///< the lamp stands where it stood in the first picture
+    bool keeps_lamp = false; ///< the lamp is where it was in the first picture
 };
 
 /// A peer that draws as the steps do but for its fault, and says that a picture takes it 100 ms the

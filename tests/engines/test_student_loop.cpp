@@ -1,5 +1,5 @@
-// The student's loop against the stages of this program under the lab's rules: two programs that
-// were written apart, and ought to draw the same pixels.
+// The student's loop compared with the stages of this program under the lab's rules: two programs
+// that were written independently, and should draw the same pixels.
 
 #include "engines/student_loop.h"
 

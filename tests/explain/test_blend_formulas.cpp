@@ -58,7 +58,7 @@ TEST_CASE("Blending is not mentioned where nothing is blended") {
     settings.blend = Blend::off;
     const Frame off = prepare_frame(scene, settings);
     CHECK(blend_formula(off, {2, Phase::rows, 4, 1}, "blend.red") == nullptr);
-    // Red on the right is drawn second and lies behind blue, in the part where both are.
+    // Red on the right is drawn second and is behind blue where they overlap.
     settings.blend = Blend::over;
     const Frame failed = prepare_frame(scene, settings);
     CHECK(blend_formula(failed, {8, Phase::rows, 5, 1}, "blend.red") == nullptr);

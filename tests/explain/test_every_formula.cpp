@@ -1,4 +1,4 @@
-// What is explained, under every value of every setting: each formula gives the number that it
+// The explanations, under every value of every setting: each formula gives the number that it
 // shows, and the last of them is the colour that was drawn.
 
 #include <algorithm>

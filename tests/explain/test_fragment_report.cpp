@@ -410,8 +410,7 @@ TEST_CASE("What values are divided by has the same name in each of a fragment's 
         CHECK(weight->name == word);
         CHECK(weight->help == quantity_in(frame, Quantity::zinv).words.help);
         for (const Formula& formula : report->formulas) {
-            if (formula.id.rfind("depth", 0) == 0)
-                continue; // the depth buffer has words of its own
+            if (formula.id.rfind("depth", 0) == 0) continue; // the depth buffer has its own words
             CAPTURE(formula.id, mix);
             CHECK(formula.name.find(other) == std::string::npos);
             CHECK(formula.expression.find(other) == std::string::npos);

@@ -102,7 +102,7 @@ TEST_CASE("Every number on the way to a shadow has a formula that gives it again
             REQUIRE(way);
             CHECK(way->met.has_value() == light.shadow.is_dark());
             if (report->shading != Shading::phong || event.fate != Fate::written) continue;
-            // What the shader has drawn is what the formulas come to.
+            // What the shader has drawn is the result of the formulas.
             for (int channel = 0; channel < 3; ++channel) {
                 constexpr std::array<const char*, 3> names{"red", "green", "blue"};
                 CHECK(shown_by(*report, std::string("pixel_light.R.") +

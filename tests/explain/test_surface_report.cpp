@@ -37,7 +37,7 @@ float shown_by(const std::vector<Formula>& formulas, const std::string& id) {
     return formula->result.value;
 }
 
-/// The brightest fragment of a frame, in which the highlight is, and two others.
+/// The brightest fragment of a frame, which has the highlight, and two others.
 std::vector<FragmentEvent> some_fragments(const Frame& frame) {
     test::Recorder recorder;
     Framebuffer framebuffer;

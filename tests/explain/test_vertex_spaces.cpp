@@ -1,5 +1,5 @@
-// The spaces of a vertex against the vertex as it is drawn, and against sums made by hand; and the
-// conventions against what is known to cancel.
+// The spaces of a vertex, compared with the vertex as drawn and with sums by hand; and the
+// conventions, compared with products that are known to cancel.
 
 #include "explain/vertex_spaces.h"
 
@@ -162,7 +162,7 @@ TEST_CASE("A formula of a space is its matrix times the place before, in either 
                        entry(*rows.places[i].matrix, MatrixOrder::row_vectors, row, column);
             CHECK(sum == Approx(rows.places[i].place[column]).margin(1e-12));
         }
-        // A translation stands in the last column, or in the last row.
+        // A translation is in the last column, or in the last row.
         for (int k = 0; k < 3; ++k) {
             CHECK(entry(*rows.places[i].matrix, MatrixOrder::row_vectors, 3, k) ==
                   entry(*columns.places[i].matrix, MatrixOrder::column_vectors, k, 3));

@@ -1,4 +1,4 @@
-// The diagram of a plane in clip space, against the planes written a second time: in double, from
+// The diagram of a plane in clip space, compared with planes written a second time: in double, from
 // the size of the picture and the distances of the near and the far plane.
 
 #include "inspect/clip_diagram.h"
@@ -18,7 +18,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// How far inside of a plane of the view a corner lies. Of the lab's projection, where w is z.
+/// How far inside a plane of the view a corner is. For the lab's projection, where w is z.
 double own_distance(const Settings& settings, ClipPlane plane, const CutCorner& corner) {
     const glm::dvec4 p(corner.vertex.position_clip);
     const double half_width = 0.5 * settings.viewport.width,
@@ -52,7 +52,7 @@ glm::dvec2 share_of(const ClipDiagram& diagram, const glm::dvec2& place) {
     return {share(place.x, diagram.side_range), share(place.y, diagram.w_range)};
 }
 
-/// How far within the tinted part a place lies, as a share of the diagram; less than 0: beside it.
+/// How far within the tinted part a place is, as a share of the diagram; less than 0: outside.
 double depth_in_tint(const ClipDiagram& diagram, const glm::dvec2& place) {
     const std::size_t count = diagram.inside.size();
     if (count < 3) return -1.0;
@@ -68,7 +68,7 @@ double depth_in_tint(const ClipDiagram& diagram, const glm::dvec2& place) {
     return depth;
 }
 
-/// How far a place lies from the plane's line, as a share of the diagram.
+/// How far a place is from the plane's line, as a share of the diagram.
 double distance_from_drawn_line(const ClipDiagram& diagram, const glm::dvec2& place) {
     const glm::dvec2 a = share_of(diagram, (*diagram.line)[0]);
     const glm::dvec2 b = share_of(diagram, (*diagram.line)[1]);
@@ -76,13 +76,13 @@ double distance_from_drawn_line(const ClipDiagram& diagram, const glm::dvec2& pl
            std::hypot(b.x - a.x, b.y - a.y);
 }
 
-/// Each coordinate of the corners before the plane stands to the side as it should.
+/// The coordinate that the diagram should plot to the side; -1: any.
 int expected_side(ClipPlane plane) {
     if (plane == ClipPlane::left || plane == ClipPlane::right) return 0;
     return plane == ClipPlane::top || plane == ClipPlane::bottom ? 1 : -1;
 }
 
-/// A history of which no plane is done yet.
+/// A history without a finished plane.
 ClipHistory before_all_planes() {
     const Scene room = lab_room();
     Settings settings = near_clipped_room(room);
@@ -201,7 +201,7 @@ TEST_CASE("The diagram says what holds on its inner side") {
     CHECK(condition(ClipPlane::top) == "y + 250 · w ≥ 0");
     CHECK(condition(ClipPlane::bottom) == "250 · w − y ≥ 0");
     CHECK(condition(ClipPlane::near) == "w − 0.1 ≥ 0");
-    // A depth that is no constant stands to the side by itself.
+    // A depth that is not constant is plotted to the side.
     history.corners[0].position_clip.z = 0.5f;
     CHECK(condition(ClipPlane::near) == "w − 0.1 · z ≥ 0");
     CHECK(clip_diagram(history, ClipPlane::near)->side == 2);

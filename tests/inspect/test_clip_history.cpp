@@ -1,4 +1,4 @@
-// The path of a triangle through clip and cull, as it is reported, against clipping by a second
+// The reported path of a triangle through clip and cull, compared with clipping by a second
 // method: in barycentric coordinates and in double.
 
 #include "inspect/clip_history.h"
@@ -137,7 +137,7 @@ void check_steps(const ClipHistory& history) {
             "the polygon");
 }
 
-/// The corners of the polygon that lie on the edge that the triangles of a pair share.
+/// The corners of the polygon on the edge that the triangles of a pair share.
 std::vector<ClipVertex> on_shared_edge(const ClipHistory& history, const OracleClip& oracle) {
     std::vector<ClipVertex> corners;
     for (std::size_t i = 0; i < oracle.corners.size(); ++i) {
@@ -153,7 +153,7 @@ struct Tally {
     int compared = 0, cut = 0, gone = 0, unclear = 0, shared = 0;
 };
 
-/// Holds one triangle against the second way; false where rounding may decide otherwise.
+/// Compares one triangle with the second way; false if rounding may decide differently.
 bool check_triangle(const Frame& frame, const ClipHistory& history, const OracleClip& oracle,
                     Tally& tally) {
     if (oracle.least < least_clear) {

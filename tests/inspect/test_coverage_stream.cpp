@@ -1,5 +1,5 @@
 // With every way to find the pixels of a triangle, and every rule of it: picture, row tables,
-// timeline, histories, statistics and the list of events tell one story.
+// timeline, histories, statistics and the list of events agree.
 
 #include <algorithm>
 #include <map>
@@ -372,7 +372,7 @@ TEST_CASE("What the fan's corner gives away is said to be given away") {
 }
 
 TEST_CASE("What is known of each pixel at a moment is what the tests before it have found") {
-    // The second way: the tests that drawing tells of, added up one by one.
+    // The second way: the tests that drawing reports, added up one by one.
     Scene cut = cut_scene();
     int in_fans = 0, moments = 0;
     for (const auto& [rule, walk] : {std::pair{FillRule::inclusive, BoxWalk::all},

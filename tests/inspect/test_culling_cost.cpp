@@ -11,7 +11,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// A clock of which every look is noted. What lies between two looks grows from one to the next.
+/// A clock that notes its readings. The time between two readings grows from one to the next.
 struct NotingClock {
     std::vector<double> looks;
     double now = 0.0, step = 0.0;

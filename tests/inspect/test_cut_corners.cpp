@@ -16,7 +16,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// How far a place of the world lies from the straight line through two others.
+/// How far a place in the world is from the straight line through two others.
 double distance_from_line(const glm::dvec3& place, const glm::dvec3& a, const glm::dvec3& b) {
     return glm::length(glm::cross(place - a, place - b)) / glm::length(b - a);
 }
@@ -50,7 +50,7 @@ TEST_CASE("The corners that are left are those that are drawn, each with where i
                     const glm::vec3 given = room.corner(t, corner.vertex_index).position;
                     CHECK(corner.vertex.varyings.position_world == given);
                 }
-                // The way to the next lies on the edge or in the plane that it is said to.
+                // The way to the next is on the edge or in the plane that the corner names.
                 if (corner.edge >= 0) {
                     const glm::dvec3 a = room.corner(t, corner.edge).position;
                     const glm::dvec3 b = room.corner(t, (corner.edge + 1) % 3).position;

@@ -445,7 +445,7 @@ void check_stats(const Frame& frame, const Story& story) {
     CHECK(stats.rows_looked_at == story.tally.rows_looked_at);
 }
 
-/// The small scene before a camera that sees it much as it lies in pixels.
+/// The small scene in front of a camera that sees it much as it is in pixels.
 Scene small_world() {
     Scene scene = small_scene();
     scene.space = SceneSpace::world;

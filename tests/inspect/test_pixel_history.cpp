@@ -52,7 +52,7 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
         const float ahead =
             kind == ClipDepth::ndc ? entry.stored - entry.depth : entry.depth - entry.stored;
         if (!same_bits(entry.margin, ahead)) return fault(name + " margin");
-        // Each rounded sum as the test has it, so that what lies on the limit is judged alike.
+        // Each rounded sum as in the test, so that a value on the limit is judged alike.
         const float limit =
             kind == ClipDepth::ndc ? entry.stored - epsilon : entry.stored + epsilon;
         const bool is_ahead =
@@ -404,7 +404,7 @@ TEST_CASE("The nearest triangles are nearer than all others, and stand in order"
             if (n < history.nearest.size()) {
                 CHECK(squared_distance(near) == squared_distance(history.nearest[n]));
             }
-            // The row that is named lies on the side that is named.
+            // The named row is on the named side.
             CHECK(near.row == pixel.y + near.rows_away);
             if (near.columns_away > 0) CHECK(near.left == pixel.x + near.columns_away);
             if (near.columns_away < 0) CHECK(near.right == pixel.x + near.columns_away);

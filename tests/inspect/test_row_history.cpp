@@ -194,7 +194,7 @@ TEST_CASE("A row shows which edges wrote its ends and how often they were replac
     CHECK(history.left_by[5] == EndWriter{0, 5, 0});
     CHECK(history.right_by[5] == EndWriter{2, 5, history.right_by[5].replaced});
     CHECK(history.right_by[5].replaced >= 1);
-    // Row 5 keeps the very first sample: the last one of edge 2 comes to the same column.
+    // Row 5 keeps the very first sample: the last one of edge 2 is in the same column.
     CHECK(history.left_by[0] == EndWriter{0, 0, 0});
     CHECK(history.right_by[0] == EndWriter{0, 0, 0});
 }

@@ -1,4 +1,4 @@
-// What is counted on the picture of a model, against rays in double, and which settings are named.
+// The counts on the picture of a model, compared with rays in double; and the settings named.
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +85,7 @@ TEST_CASE("A box whose fronts point inward is reported as seen from behind, and 
     CHECK(hints_of(box(true), {"cull=face_normal"}).empty());
     CHECK(hints_of(box(true), {"stage=rows"}).empty());
     CHECK(hints_of(box(false), {}).empty());
-    // Nothing stands behind a sheet, but its back can be lit.
+    // Nothing is behind a sheet, but its back can be lit.
     const std::vector<SeenHint> back = hints_of(sheet(true), {});
     REQUIRE(back.size() == 1);
     CHECK(back[0].settings == std::vector<std::string>{"light.sides=two"});

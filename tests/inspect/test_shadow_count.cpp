@@ -87,7 +87,7 @@ TEST_CASE("What is counted in shadow is what is darker in the picture, part by p
 TEST_CASE("Facts of shadows are those of the picked pixel, of the part shown and of the picture") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     session.a.settings = small_room(*session.scene, {"shadows=rays"});
-    session.selection.pixel = glm::ivec2(64, 72); // on the floor, beside the red block
+    session.selection.pixel = glm::ivec2(64, 72); // on the floor, next to the red block
     session.selection.triangle = 0;
     Results results;
     const auto value = [&](const char* name) {

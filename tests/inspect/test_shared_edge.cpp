@@ -1,5 +1,5 @@
-// Two triangles that share an edge, by each fill rule: against a second implementation that moves
-// the centres of pixels by a hair, and by hand.
+// Two triangles that share an edge, under each fill rule, compared with a second implementation
+// that moves the centres of pixels by a hair, and with results by hand.
 
 #include "inspect/shared_edge.h"
 

@@ -46,7 +46,7 @@ struct StudentMistakes {
     bool axes_exchanged = false;         ///< y for x and x for y
     bool half_forgotten = false;         ///< no + W/2, + H/2
     bool distance_for_z = false;         ///< 1/|p| for 1/z
-    bool dropped_partly_outside = false; ///< if any vertex lies outside the picture
+    bool dropped_partly_outside = false; ///< if any vertex is outside the picture
     bool culled_by_lamp = false;         ///< what faces away from the lamp is left out
     // Edges and rows
     bool edges_by_rows = false;         ///< |dy| + 1 samples
@@ -88,7 +88,7 @@ struct StudentMistakes {
     bool gamma_applied = false;        ///< pow(c, 1 / 2.2)
 };
 
-/// A point at which light is computed.
+/// A point where light is computed.
 struct StudentPoint {
     glm::vec3 position{0.0f}; ///< world space
     glm::vec3 normal{0.0f};

@@ -1,6 +1,6 @@
 #pragma once
 
-// Pictures that students may bring to the laboratory, each with what is true of it.
+// Pictures that students may bring to the laboratory, each with the facts about it.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace rasterwalk::test {
 
-/// What is true of a picture.
+/// The facts about a picture.
 enum class StudentKind {
     right,         ///< drawn by the handout's own rules
     equally_right, ///< with rules, a lamp or a camera that are just as right
@@ -36,7 +36,7 @@ struct BroughtPicture {
     StudentKind kind = StudentKind::right;
     StudentProgram program;
     std::vector<KnownMistake> mistakes{}; ///< one of a single, two of a pair
-    bool is_camera_told = false; ///< does the laboratory know where the student's camera stands?
+    bool is_camera_told = false; ///< does the laboratory know where the student's camera is?
 };
 
 /// The list. Its order mixes the kinds, so that a part of it has some of each.

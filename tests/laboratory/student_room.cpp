@@ -15,7 +15,7 @@ glm::vec3 scaled(glm::vec3 handout) {
             2.0f * handout.z / edge - 1.0f};
 }
 
-/// The eight corners A to H; E to H lie above A to D.
+/// The eight corners A to H; E to H are above A to D.
 std::array<glm::vec3, 8> corners_of(const std::array<glm::vec3, 4>& floor, float height) {
     std::array<glm::vec3, 8> corners;
     for (std::size_t i = 0; i < 4; ++i) {

@@ -862,7 +862,7 @@ TEST_CASE("B36: light falls as on normals that were moved by minus the camera's 
         lit += cosine > 0.0 ? 1 : 0;
     }
     CHECK(lit > 1000);
-    // Nothing is moved where the camera stands at the origin.
+    // Nothing is moved if the camera is at the origin.
     Settings wrong = runs.session.a.settings, correct = runs.session.b->settings;
     for (Settings* const settings : {&wrong, &correct}) {
         settings->camera.position = glm::vec3(0.0f);

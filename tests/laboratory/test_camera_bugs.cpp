@@ -1,4 +1,4 @@
-// The mistakes on the way from the world to the pixel: what is said about each is worked out here
+// The mistakes on the way from the world to the pixel: the statements about each are computed here
 // from the vertices of the scene, in double.
 
 #include <algorithm>
@@ -169,7 +169,7 @@ TEST_CASE("B74: the upper left quarter shows the lower right one, and the rest i
                 if (owner != -1) FAIL("pixel " << column << ", " << row);
                 continue;
             }
-            // Steps of edges are rounded otherwise elsewhere.
+            // Elsewhere, steps of edges are rounded differently.
             const std::size_t there = bug.right_picture.at(column + 250, row + 250);
             other += owner != bug.right_picture.owner[there] ? 1 : 0;
         }

@@ -1,5 +1,5 @@
-// The mistakes of the depth buffer and of the weights by which values are carried: each pixel once
-// more from the fragments of the right run.
+// The mistakes of the depth buffer and of the weights for interpolation: each pixel is computed
+// again from the fragments of the right run.
 
 #include <climits>
 #include <cmath>

@@ -118,7 +118,7 @@ TEST_CASE("The picture of every single bug is recognized, from three camera posi
         first += place == 0 ? 1 : 0;
         if (place != 0) WARN(bug.id << " at " << place << ": " << diagnosis.verdict);
         if (diagnosis.candidates.empty()) continue;
-        // What is said to make this very picture does.
+        // A candidate that claims to make this very picture does.
         const Candidate& nearest = diagnosis.candidates.front();
         if (nearest.different > 0 || nearest.recipe->orientation != Orientation::upright) continue;
         const Image made = picture_of(scene, nearest.recipe->settings);
@@ -243,7 +243,7 @@ TEST_CASE("Beside the true cause nothing is named that explains nothing more") {
         INFO(stage.name << ": " << diagnosis.verdict);
         CHECK(diagnosis.is_same());
     }
-    // One that makes the very same picture stands alone.
+    // One that makes exactly the same picture is alone.
     for (const char* id : {"B3", "B9", "B24"}) {
         const Diagnosis diagnosis = diagnose(wrong_run(find_bug(bugs, id), reference));
         INFO(diagnosis.verdict);
@@ -277,7 +277,7 @@ TEST_CASE("Mistakes of matrices are recognized, and no other mistake is taken fo
         CHECK(place_of(diagnosis, "B35") == -1);
         CHECK(place_of(diagnosis, "B36") == -1);
     }
-    // At the world's origin a translation is nothing, wherever it stands.
+    // At the world's origin a translation is nothing, wherever it is.
     matrices.camera.position = glm::vec3(0.0f);
     matrices.clip = Clip::all;
     Settings wrong = matrices;
@@ -327,7 +327,7 @@ TEST_CASE(
         INFO(way.setting << ": " << diagnosis.verdict);
         if (way.id == way.setting) {
             CHECK(diagnosis.is_same());
-            // Other planes, and other ways to cull, may come to the same picture.
+            // Other planes, and other ways to cull, may give the same picture.
             CHECK_THAT(diagnosis.rules, StartsWith(is_clip ? "clip=" : "cull="));
             continue;
         }

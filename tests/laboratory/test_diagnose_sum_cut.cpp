@@ -1,5 +1,5 @@
-// Most programs of the lab cut the sum, int(f x/z + W/2), which is just as right. Beside it every
-// mistake must still be found.
+// Most programs of the lab cut the sum, int(f x/z + W/2), which is just as right. Every mistake
+// must be found even then.
 
 #include <algorithm>
 

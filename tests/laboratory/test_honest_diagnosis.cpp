@@ -1,5 +1,5 @@
-// Pictures such as students bring, drawn by a second rasterizer, so that it is known what is wrong
-// with each. The laboratory must name that, and must not name anything else.
+// Pictures like those that students bring, drawn by a second rasterizer, so that their mistakes are
+// known. The laboratory must name those, and nothing else.
 
 #include <algorithm>
 #include <array>

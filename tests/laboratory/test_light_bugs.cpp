@@ -1,5 +1,5 @@
 // The mistakes in the formula of light and on the way to a byte: the wrong colour of every pixel,
-// worked out in double from the place that the fragment has in the room.
+// computed in double from the fragment's place in the room.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// The scene that is made to show why the depth buffer holds 1/z.
+// The scene that shows why the depth buffer holds 1/z.
 
 #include "pipeline/draw.h"
 #include "scene/read_scene.h"

@@ -1,5 +1,5 @@
-// The mistakes of edges and of the row table: each table once more from the samples of the right
-// run, by the smallest and the largest column of each row.
+// The mistakes of edges and of the row table: each table is made again from the samples of the
+// right run, by the smallest and the largest column of each row.
 
 #include <cmath>
 #include <functional>
@@ -14,7 +14,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// The row in which a sample should be entered; none: it should not.
+/// The row that a sample should be entered in; none: it should not.
 using RowOf = std::function<std::optional<int>(const SampleEvent&)>;
 
 /// Every table of the wrong run is made of these samples of the right one.

@@ -1,4 +1,4 @@
-// The mistakes of shadows, each in the lab's room, with what is said about its symptom.
+// The mistakes of shadows, each in the lab's room, with its described symptom.
 
 #include "laboratory/bug.h"
 

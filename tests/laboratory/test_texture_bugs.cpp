@@ -1,5 +1,5 @@
 // The mistakes of textures, on the square whose u and v go from -1 to 2 over 128 pixels: each pixel
-// once more in double precision, from where its column and row lie among the texels.
+// is computed again in double, from the place of its column and row among the texels.
 
 #include "laboratory/bug.h"
 

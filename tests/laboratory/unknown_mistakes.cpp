@@ -1,5 +1,5 @@
-// Mistakes that the laboratory does not know. Each shows clearly, and none is the same as another
-// lamp or another camera.
+// Mistakes that the laboratory does not know. Each shows clearly, and none looks like a different
+// lamp or camera.
 
 #include "laboratory/student_pictures.h"
 

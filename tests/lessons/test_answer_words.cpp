@@ -1,4 +1,4 @@
-// An answer as it is repeated back, and the answer in it.
+// An answer as repeated to the student, and reading it back.
 
 #include "lessons/lesson_run.h"
 #include "tests/support/catch.h"

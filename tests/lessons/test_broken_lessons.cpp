@@ -1,5 +1,5 @@
-// The lessons in tests/lessons/broken are broken on purpose, in every way that there is. What must
-// be said about them is next to them, in expected.txt.
+// The lessons in tests/lessons/broken are broken on purpose, in every possible way. The expected
+// messages are next to them, in expected.txt.
 
 #include <algorithm>
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Lessons that are made to hurt are refused with a sentence. Where one keeps the reader busy
-// without end, the time limit of all tests ends it.
+// Lessons made to cause harm are refused with a sentence. If one keeps the reader busy without end,
+// the time limit of all tests ends it.
 
 #include <filesystem>
 #include <fstream>

@@ -180,7 +180,7 @@ const std::string lesson_7 = "07-painters-order";
 
 PREDICTIONS_TEST("Predictions of lesson 1: one division makes the picture", "01-pinhole-camera",
                  "twice-as-far", "back-wall-width", "dolly-zoom", "column-at-3", "left-out") {
-    // The back wall stands at z = 1.
+    // The back wall is at z = 1.
     REQUIRE(1.0 + 7.002 == Approx(2.0 * (1.0 + 3.001)));
     require_choice(lesson_1, "twice-as-far", 0, 3);
     require_number(lesson_1, "back-wall-width", 500.0 * 2.0 / 4.001, 1e-3);
@@ -210,7 +210,7 @@ PREDICTIONS_TEST("Predictions of lesson 2: seen from a camera that moves and tur
     const double c = std::cos(0.3), s = std::sin(0.3);
     REQUIRE(500.0 * (c + 4.001 * s) / (4.001 * c - s) + 250.0 > 500.0);
     const int right_way = static_cast<int>(500.0 * (c - 4.001 * s) / (4.001 * c + s));
-    CHECK(right_way + 250 == 223); // as the lesson tells,
+    CHECK(right_way + 250 == 223); // as the lesson says,
     CHECK(250 - right_way == 277); // and mirrored
     require_choice(lesson_2, "transposed", 2, 3);
     const double x = std::cos(0.245) - 3.001 * std::sin(0.245);
@@ -249,7 +249,7 @@ PREDICTIONS_TEST("Predictions of lesson 3: corners become pixels", "03-points", 
                 covered.insert({column, row});
         }
     }
-    REQUIRE(covered.count({0, 1}) == 1); // as the lesson tells
+    REQUIRE(covered.count({0, 1}) == 1); // as the lesson says
     require_number(lesson_3, "uncovered", 250000.0 - static_cast<double>(covered.size()));
 }
 
@@ -269,7 +269,7 @@ PREDICTIONS_TEST("Predictions of lesson 4: samples of edges", "04-edges", "shall
     volatile const float step = (1.0f - 8.0f) / 13.0f;
     volatile const float way = 13.0f * step;
     volatile const float end = 8.0f + way;
-    CHECK(end == Approx(0.9999995).margin(5e-8)); // as the lesson tells
+    CHECK(end == Approx(0.9999995).margin(5e-8)); // as the lesson says
     REQUIRE(static_cast<int>(end) == 0);
     require_choice(lesson_4, "multiplied", 1, 3);
 
@@ -310,7 +310,7 @@ PREDICTIONS_TEST("Predictions of lesson 5: row tables", "05-row-table", "rows-of
             CHECK(wrong.at(row).left == ends.left); // only right ends are lost
         }
         CHECK(lost.at(4) == 3);
-        CHECK(right.at(4).right == 9); // as the lesson tells
+        CHECK(right.at(4).right == 9); // as the lesson says
         for (const auto& [row, pixels] : lost) {
             INFO("row " << row);
             if (row != 4) CHECK(pixels < 3);
@@ -324,7 +324,7 @@ PREDICTIONS_TEST("Predictions of lesson 6: rows become fragments", "06-filling",
     const auto printed = table_of(printed_triangle);
     // Twice the area by the corners' cross product; both ends of a row are whole pixels.
     const int twice_area = std::abs((5 - 10) * (15 - 5) - (10 - 5) * (15 - 10));
-    CHECK(twice_area == 75); // as the lesson tells
+    CHECK(twice_area == 75); // as the lesson says
     REQUIRE(pixel_count(printed) > 38);
     require_choice(lesson_6, "fragments", 2, 3);
     require_number(lesson_6, "no-area", pixel_count(table_of({{{3, 4}, {9, 10}, {15, 16}}})));
@@ -353,7 +353,7 @@ PREDICTIONS_TEST("Predictions of lesson 6: rows become fragments", "06-filling",
         return of_both.size();
     };
     constexpr std::size_t floor = 0, back_wall = 8;
-    CHECK(drawn_by_both(floor, true) == 374); // as the lesson tells
+    CHECK(drawn_by_both(floor, true) == 374); // as the lesson says
     CHECK(drawn_by_both(floor, false) == 248);
     CHECK(drawn_by_both(back_wall, true) == 249);
     CHECK(drawn_by_both(back_wall, false) == 0);
@@ -396,7 +396,7 @@ PREDICTIONS_TEST("Predictions of lesson 7: who is in front", "07-painters-order"
             z = std::min(z, scaled(corner).z + 3.001);
         return z;
     };
-    CHECK(nearest(short_block) == Approx(2.235).margin(5e-4)); // as the lesson tells
+    CHECK(nearest(short_block) == Approx(2.235).margin(5e-4)); // as the lesson says
     CHECK(nearest(tall_block) == Approx(2.891).margin(5e-4));
     require_choice(lesson_7, "nearer", 1, 3);
 
@@ -427,6 +427,6 @@ PREDICTIONS_TEST("Predictions of lesson 7: who is in front", "07-painters-order"
     for (const Triangle3& triangle : triangles)
         fragments += pixel_count(
             table_of({lab_pixel(triangle[0]), lab_pixel(triangle[1]), lab_pixel(triangle[2])}));
-    CHECK(fragments == 328'789); // as the lesson tells
+    CHECK(fragments == 328'789); // as the lesson says
     require_choice(lesson_7, "still-interpolated", 1, 3);
 }

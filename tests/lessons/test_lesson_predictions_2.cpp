@@ -79,7 +79,7 @@ Framebuffer drawn_room(const std::vector<std::string>& assignments) {
     return drawn("lab-room", assignments);
 }
 
-/// Two pictures beside each other.
+/// Two pictures side by side.
 struct Difference {
     int pixels = 0;
     double largest = 0.0;
@@ -218,7 +218,7 @@ PREDICTIONS_TEST("Lesson 8: how well the room hides linear z", "08-depth-buffer"
     for (std::size_t i = 0; i < inverse.colour.size(); ++i) {
         if (inverse.colour[i] != linear.colour[i]) CHECK(inverse.owner[i] < 10);
     }
-    // The chord of 1/z lies above it: between depths of 2 and 4 by about a third of a unit.
+    // The chord of 1/z is above it: between depths of 2 and 4 by about a third of a unit.
     double largest = 0.0;
     for (int i = 0; i <= 100; ++i) {
         const double t = i / 100.0;
@@ -457,7 +457,7 @@ PREDICTIONS_TEST("Lesson 12: samples outside, counted by a loop of its own", "12
     CHECK(count_outside(false, false) == 4);
     CHECK(count_outside(false, true) == 4);
     CHECK(asked.choice("floor-outside") == 2);
-    // With floor for the vertices as well: fewer, as the lesson tells.
+    // With floor for the vertices as well: fewer, as the lesson says.
     const int with_floor = count_outside(true, true);
     CHECK(with_floor > 0);
     CHECK(with_floor < 4);
@@ -470,7 +470,7 @@ PREDICTIONS_TEST("Lesson 12: a triangle just in front of the camera", "12-float-
     // walking them: at the height y of the picture it reaches from x = -y to x = y at the near
     // edge, and to a single point at the far corner.
     const double near = 500.0 / (-1.0 + 1.05), far = 500.0 / (1.0 + 1.05);
-    CHECK(2.0 * near + 1.0 == Approx(20'001.0).margin(2.0)); // as the lesson tells
+    CHECK(2.0 * near + 1.0 == Approx(20'001.0).margin(2.0)); // as the lesson says
     double fragments = 0.0;
     for (double y = std::ceil(far); y <= near; ++y)
         fragments += 2.0 * near * (y - far) / (near - far) + 1.0;

@@ -65,7 +65,7 @@ bool shows_back(const Corners3& t, const Corner& camera) {
     return glm::dot(upright(t), t[0] - camera) > 0.0;
 }
 
-/// What of the polygon lies at z >= near, seen from a camera that looks along z.
+/// The part of the polygon at z >= near, seen from a camera that looks along z.
 std::vector<Corner> cut_near(const std::vector<Corner>& polygon, double near) {
     std::vector<Corner> left;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -215,7 +215,7 @@ PREDICTIONS_TEST("Lesson 16: parallel rays and ndc z by hand", "16-orthographic"
     for (const double wrong : {50.0, 0.1, 0.29, 2.0})
         lesson.require_number("half-range", low, 1e-3, wrong);
 
-    // The camera of mix 0.5 stands 1 farther back, with the f that keeps the depth of the origin.
+    // The camera of mix 0.5 is 1 farther back, with the f that keeps the depth of the origin.
     const double half_way = 500.0 * 4.001 / 3.001 / 5.001;
     CHECK(half_way == Approx(133.3).margin(0.05));
     // The same by the factor of x and by w, as the step writes them.

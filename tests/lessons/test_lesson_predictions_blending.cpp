@@ -38,7 +38,7 @@ PREDICTIONS_TEST("Lesson 32: what glass leaves of a wall", "32-blending", "two-p
     CHECK(behind(1.0, {{alpha, 0.0}, {alpha, 1.0}}) > blue_last);
     CHECK(behind(1.0, {{alpha, 0.0}, {alpha, 0.0}}) < 0.6);
     lesson.require_choice("more-red", red_last > blue_last ? 1 : 0);
-    // Blue stands at depth 2 and is drawn first; red comes to the test with 4.
+    // Blue is at depth 2 and is drawn first; red reaches the test with 4.
     const bool red_passes = 4.0 < 2.0;
     lesson.require_choice("near-first", red_passes ? 0 : 1);
     lesson.require_number("dark-line", 1.0 - behind(1.0, {{0.5, 0.0}, {0.5, 0.0}}), 0.02, 0.5);

@@ -195,13 +195,13 @@ PREDICTIONS_TEST("Lesson 21: edge functions by determinants and a moved point", 
                  "which-side", "asked", "both", "diagonal", "own-corner", "square", "one-right",
                  "in-vain", "cracks", "fragments") {
     const Questions lesson("21-edge-functions");
-    CHECK(hand_values({7, 5})[1] == 27.0); // as the lesson tells
+    CHECK(hand_values({7, 5})[1] == 27.0); // as the lesson says
     CHECK(hand_values({12, 6})[1] == -27.0);
     lesson.require_choice("which-side", 2);
     const double columns = 14 - 2 + 1, rows = 10 - 1 + 1;
     lesson.require_number("asked", columns * rows, 0.0, 108.0);
     CHECK_FALSE(lesson.answered("asked", {twice_area(hand[0], hand[1], hand[2]) / 2.0}).is_right);
-    CHECK(hand_values({7, 5})[2] == 33.0); // as the lesson tells
+    CHECK(hand_values({7, 5})[2] == 33.0); // as the lesson says
     lesson.require_number("one-right", hand_values({8, 5})[2], 0.0, 24.0);
     CHECK_FALSE(lesson.answered("one-right", {hand_values({7, 6})[2]}).is_right);
     // The interval: what lies inside and on the outline is tested, and some of that is given away.
@@ -214,7 +214,7 @@ PREDICTIONS_TEST("Lesson 21: edge functions by determinants and a moved point", 
             inside += is_covered(of_hand, at, FillRule::top_left) ? 1 : 0;
         }
     }
-    CHECK(inside == 57); // as the lesson tells
+    CHECK(inside == 57); // as the lesson says
     lesson.require_number("in-vain", closed - inside, 0.0, 0.0);
     CHECK_FALSE(lesson.answered("in-vain", {columns * rows - inside}).is_right);
     CHECK(hand_values({3, 5})[2] < 0.0);
@@ -392,7 +392,7 @@ PREDICTIONS_TEST("Lesson 22: weights in double, polygons by counting", "22-weigh
             last = column;
         }
         const int gap = inside == 0 ? 0 : last - first + 1 - inside;
-        if (gap > 0) CHECK((row >= 3 && row <= 7)); // as the lesson tells
+        if (gap > 0) CHECK((row >= 3 && row <= 7)); // as the lesson says
         wrong_rows += gap > 0 ? 1 : 0;
         filled += gap;
     }

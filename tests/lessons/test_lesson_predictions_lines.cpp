@@ -133,7 +133,7 @@ PREDICTIONS_TEST("Lesson 20: lines in whole numbers", "20-bresenham", "which-sid
         }
         if (different == different_before) same_triangles.insert(t);
     }
-    CHECK(samples == 15'109); // as the lesson tells
+    CHECK(samples == 15'109); // as the lesson says
     CHECK(missed == 0);
     CHECK(program_choice("missed") == 0);
     CHECK(dda_missed == 0); // as the answer says

@@ -22,7 +22,7 @@ namespace models_track {
 
 using Place = std::array<double, 3>;
 
-/// What stands in a file of which nothing is wrong: points, and the words of each face.
+/// The content of a file without faults: points, and the words of each face.
 struct PlainFile {
     std::vector<Place> points;
     std::vector<std::vector<std::string>> faces;
@@ -98,7 +98,7 @@ PREDICTIONS_TEST("Lesson 30: a cube and its corners, counted in the file", "30-o
         INFO("face " << face);
         const Place& at = turned.corner(face, 0);
         const Place front = turned.front(face);
-        // The middle of the cube is the origin: a corner of a face lies on the side that is out.
+        // The middle of the cube is the origin, so a corner of a face is on its outer side.
         const bool is_turned = dot_of(front, at) < 0.0;
         CHECK(is_turned == (face == 3));
         const Place to_eye{eye[0] - at[0], eye[1] - at[1], eye[2] - at[2]};

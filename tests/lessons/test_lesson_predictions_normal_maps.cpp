@@ -117,7 +117,7 @@ PREDICTIONS_TEST("Lesson 29: the upper half of a stud, with green up and down", 
 }
 
 TEST_CASE("Lesson 29: the map of the bricks bends by 37 degrees, and only where a brick ends") {
-    // White stands 1.5 texels above black, and a slope is taken over two texels: 0.75 to 1.
+    // White is 1.5 texels above black, and a slope is taken over two texels: 0.75 to 1.
     const Scene wall = read_scene(lessons_folder() + "/scenes/brick-relief.toml");
     const TextureLevel& map = normal_map_of(wall, 0)->base();
     for (int row = 0; row < map.height; ++row) {

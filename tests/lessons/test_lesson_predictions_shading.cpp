@@ -93,7 +93,7 @@ struct LitScene {
         return sum;
     }
 
-    /// At a point of a triangle, with a normal as long as it is given.
+    /// At a point of a triangle, with a normal of the given length.
     Lit lit(int triangle, const glm::dvec3& weights, const glm::dvec3& normal) const {
         constexpr double pi = 3.14159265358979323846;
         const Shine& shine = scene.corner(triangle, 0).shine;
@@ -124,7 +124,7 @@ struct LitScene {
         return lit(triangle, weights, unit_normal_at(triangle, weights));
     }
 
-    /// Blended over the cell of a grid of n parts an edge that the point lies in.
+    /// Blended over the point's cell in a grid of n parts per edge.
     glm::dvec3 gouraud(int triangle, const glm::dvec3& weights, int n) const {
         const double b = std::max(0.0, weights[1]) * n, c = std::max(0.0, weights[2]) * n;
         const double i = std::min(std::floor(b), n - 1.0), k = std::min(std::floor(c), n - 1.0);
@@ -167,7 +167,7 @@ GouraudError gouraud_error(const LitScene& drum, const Framebuffer& owners, int 
     return error;
 }
 
-/// Pixels whose centres lie in no triangle of the scene as it is seen, in double.
+/// Pixels whose centres are in no visible triangle of the scene, in double.
 int uncovered(const LitScene& surface) {
     using Seen = std::array<glm::dvec2, 3>;
     std::vector<Seen> triangles;

@@ -1,6 +1,6 @@
-// The predictions and the figures of lesson 31, found a second time: every second pixel's own ray
-// from the eye, and from where it ends one to the lamp; for the map one from the lamp through the
-// centre of the texel. All in double.
+// The predictions and the figures of lesson 31, found a second time: a ray from the eye through
+// every second pixel, and from its end a ray to the lamp; for the map, a ray from the lamp through
+// the centre of the texel. All in double.
 
 #include <algorithm>
 #include <array>
@@ -81,7 +81,7 @@ class Room {
     std::vector<Pane> panes_;
 };
 
-/// What a pixel shows, as far as the lamp's light asks for it.
+/// What a pixel shows, as far as the lamp's light needs it.
 struct Place {
     int triangle = -1;
     glm::dvec3 position{0.0};
@@ -122,7 +122,7 @@ class Places {
                                    std::count_if(places_.begin(), places_.end(), holds));
     }
 
-    /// How far a place lies behind what the lamp sees in its texel, and behind the bias.
+    /// How far a place is behind what the lamp sees in its texel, beyond the bias.
     double behind(const Place& place, double bias, int resolution = 512) {
         const glm::dvec3 from_lamp = place.position - lamp_;
         int axis = 0;
@@ -167,7 +167,7 @@ class Places {
                asked;
     }
 
-    /// The axis of the face of the map in which a place lies, 0 to 2 for x, y, z.
+    /// The axis of the face of the map that a place falls in, 0 to 2 for x, y, z.
     int axis_of(const Place& place) const {
         const glm::dvec3 from_lamp = place.position - lamp_;
         int axis = 0;
@@ -205,7 +205,7 @@ PREDICTIONS_TEST("Lesson 31: what lies in shadow, and what a map takes for it", 
     const double facing = places.count([](const Place& place) { return place.cosine > 0.0; });
     CHECK(places.count([](const Place& place) { return place.is_dark; }) ==
           Approx(12'338).epsilon(0.03));
-    // What the program counts lies between what is surely dark and what may be.
+    // The program's count is between what is surely dark and what may be.
     constexpr double rounding = 1e-4;
     const Room room;
     const auto acne_of_program = [&](std::initializer_list<const char*> changed) {
@@ -297,7 +297,7 @@ PREDICTIONS_TEST("Lesson 31: the foot of a gate, and too much bias", "31-shadows
     const glm::dvec3 way = place - lamp;
     const double t = glm::dot(gate, gate_corner - lamp) / glm::dot(gate, way);
     CHECK(t > 0.0);
-    CHECK(t < 1.0); // the gate stands between
+    CHECK(t < 1.0); // the gate is in between
     const glm::dvec3 on_gate = lamp + t * way;
     // Its upper and lower edge there, in proportion to z.
     const double along = (on_gate.z - 2.5) / (30.0 - 2.5);

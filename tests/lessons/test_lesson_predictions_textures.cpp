@@ -1,5 +1,5 @@
-// The predictions and figures of lessons 23 and 24, found a second time from what the scenes say:
-// where a floor and a wall stand, and how places in a texture go with depth.
+// The predictions and figures of lessons 23 and 24, found a second time from the scenes: the place
+// of a floor and a wall, and how places in a texture change with depth.
 
 #include <cmath>
 #include <string>
@@ -49,7 +49,7 @@ PREDICTIONS_TEST("Lesson 23: places in a texture from depths and corners", "23-t
     const double place = 16.0 * (-1.0 + 3.0 * 20.0 / 127.0);
     CHECK(place == Approx(-8.44).margin(0.005));
     lesson.require_number("below-zero", std::floor(place) + 16.0, 0.0, 8.0);
-    // The task's rows: those whose place lies in row 5 of 16, with v as u.
+    // The task's rows: those whose place is in row 5 of 16, with v as u.
     for (int row = 0; row < 128; ++row) {
         const double v = -1.0 + 3.0 * row / 127.0;
         CHECK((std::floor(16.0 * v) == 5.0) == (row >= 56 && row <= 58));

@@ -1,5 +1,5 @@
 // The predictions and the figures of lesson 25, found a second time: the fragments of a picture are
-// gathered, and who is nearer by more than epsilon is decided here, in double.
+// gathered, and this file decides in double which is nearer by more than epsilon.
 
 #include <cmath>
 #include <string>
@@ -106,7 +106,7 @@ PREDICTIONS_TEST("Lesson 25: crumbs with and without an epsilon", "25-z-fighting
     CHECK(changed(two, false) == 325);
     CHECK(changed(one, true) == 24);
     CHECK(changed(two, true) == 190);
-    // By the exact sums it would be three pixels fewer: their margins lie within the rounding.
+    // Exact sums would give three pixels fewer: their margins are within the rounding.
     const std::vector<int> by_sums = room.parts(1e-6, false);
     int on_the_limit = 0;
     for (std::size_t i = 0; i < by_sums.size(); ++i)

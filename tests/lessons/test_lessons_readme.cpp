@@ -1,4 +1,4 @@
-// What lessons/README.md tells authors is tried out here.
+// Tries out what lessons/README.md says to authors.
 
 #include <string>
 

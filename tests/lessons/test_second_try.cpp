@@ -1,4 +1,4 @@
-// What a wrong answer gets as a reply, and in which order choices are offered.
+// The reply to a wrong answer, and the order in which choices are offered.
 
 #include <algorithm>
 #include <map>

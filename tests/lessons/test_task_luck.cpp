@@ -1,4 +1,4 @@
-// Is a task of a lesson solved by luck?
+// Tests whether a task of a lesson can be solved by luck.
 
 #include <cmath>
 

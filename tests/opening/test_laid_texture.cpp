@@ -20,7 +20,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-/// Two squares; only the first says where it lies in a texture.
+/// Two squares; only the first has texture coordinates.
 const std::string half_painted = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
                                  "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
                                  "o first\nf 1/1 2/2 3/3 4/4\no second\nf 2 5 6 3\n";

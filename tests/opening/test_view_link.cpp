@@ -64,7 +64,7 @@ std::string refusal_of(const Session& session) {
     }
 }
 
-/// A copy of the program's lessons, with files of its own and some that lead out of it.
+/// A copy of the program's lessons, with further files and some that lead out of it.
 class LinkedLessons {
   public:
     LinkedLessons() {

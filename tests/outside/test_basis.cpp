@@ -1,4 +1,4 @@
-// The axes of spaces that stand in the view from outside, against the matrices worked out by hand.
+// The axes of spaces in the view from outside, compared with matrices computed by hand.
 
 #include "outside/basis.h"
 
@@ -109,7 +109,7 @@ TEST_CASE("A model's axes are the first columns of Tm, and its origin is the las
     const double c = std::cos(0.7), s = std::sin(0.7);
     check_axes(model_of("turned and scaled"), {0, 0.05, 0.4}, {c, 0, -s}, {0, 1.5, 0},
                {0.6 * s, 0, 0.6 * c});
-    // The floor stands as it is made: its axes would lie on the world's.
+    // The floor has no steps, so its axes would coincide with the world's.
     CHECK(bases_of(frame, first_of_part(scene, "floor")).size() == 2);
 }
 

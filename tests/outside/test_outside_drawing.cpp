@@ -1,4 +1,4 @@
-// The picture from outside against rays that are cast into the scene one by one.
+// The picture from outside, compared with rays cast into the scene one by one.
 
 #include "outside/outside_drawing.h"
 
@@ -39,7 +39,7 @@ OutsideLook camera_look(glm::ivec2 size) {
     return look;
 }
 
-/// Where a ray from the eye meets a triangle, in lengths of its direction; none beside it.
+/// Where a ray from the eye meets a triangle, in lengths of its direction; none if it misses.
 std::optional<double> meeting(const Scene& scene, int triangle, const glm::dvec3& from,
                               const glm::dvec3& direction, double inset) {
     const glm::dvec3 a = scene.corner(triangle, 0).position;
@@ -57,7 +57,7 @@ std::optional<double> meeting(const Scene& scene, int triangle, const glm::dvec3
     return t > 0.0 ? std::optional(t) : std::nullopt;
 }
 
-/// Does a wall stand between the eye and the room? By the angle between its front and the eyes.
+/// Is a wall between the eye and the room? By the angle between its front and the eyes.
 bool is_wall_between(const Scene& scene, int triangle, const glm::dvec3& eye) {
     const glm::dvec3 front =
         face_normal(scene.corner(triangle, 0).position, scene.corner(triangle, 1).position,
@@ -142,7 +142,7 @@ TEST_CASE("Every place of the view shows the triangle that a ray meets first") {
         for (int k = 0; k < 200; ++k) {
             const glm::vec2 place(random.number(0, size.x - 1), random.number(0, size.y - 1));
             const OutsidePick pick = drawing.at(place);
-            if (pick.pixel) continue; // the picture stands before it
+            if (pick.pixel) continue; // the picture is in front of it
             const std::optional<int> met = met_by_ray(moment.scene(), drawing, place);
             if (!met) continue;
             INFO("view " << i << ", place " << place.x << ", " << place.y);
@@ -314,7 +314,7 @@ TEST_CASE("Nothing is drawn again where nothing has changed") {
 
 namespace {
 
-/// The same picture as one drawn by itself, and the same things under every fifth place.
+/// The same picture as one drawn from scratch, and the same things under every fifth place.
 void require_as_if_drawn_anew(const OutsideDrawing& drawing, const Moment& moment,
                               const OutsideLook& look) {
     OutsideDrawing anew;
@@ -431,7 +431,7 @@ TEST_CASE("A large scene is drawn in parts, the first of which shows all of it")
     CHECK(updates < 20);
     CHECK(4 * first > seen());
     CHECK_FALSE(drawing.update(moment.subject(), look));
-    // The order in which they were drawn is not seen.
+    // The order of drawing does not show.
     Random random(64);
     int compared = 0;
     for (int i = 0; i < rounds(40, 15); ++i) {

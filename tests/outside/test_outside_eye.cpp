@@ -1,4 +1,4 @@
-// The eye outside against the stages, which project in another way.
+// The eye outside, compared with the stages, which project in a different way.
 
 #include "outside/outside_eye.h"
 
@@ -74,7 +74,7 @@ TEST_CASE("Through the camera, every vertex falls on the same pixel as in the pi
         view.is_camera = true;
         const OutsideEye eye = eye_of(view, things, size, 20.0);
         const double scale = eye.focal_length / static_cast<double>(camera.focal_length);
-        // The picture stands in the middle, and all of it is seen.
+        // The picture is in the middle, and all of it is seen.
         const glm::dvec2 corner =
             0.5 * glm::dvec2(size) - 0.5 * scale * glm::dvec2(viewport.width, viewport.height);
         CHECK(corner.x >= 0.0);

@@ -212,7 +212,7 @@ TEST_CASE("A name that keeps off lines touches none of them") {
     name.line_distance = 3.0f;
     CHECK(left_of() + name.size.x < 250.0f);
     CHECK(label_places(std::array{name}, {}, {}, size).at(0)->x == 258.0f);
-    // Where everything else is taken it may lie on the line, unless it needs its distance.
+    // If everything else is taken it may be on the line, unless it needs its distance.
     const std::vector<OutsideBox> taken{{{0.0f, 0.0f}, {257.0f, 300.0f}},
                                         {{0.0f, 0.0f}, {500.0f, 141.0f}},
                                         {{0.0f, 159.0f}, {500.0f, 300.0f}}};

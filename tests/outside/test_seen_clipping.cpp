@@ -28,7 +28,7 @@ glm::dvec4 in_clip_space(const glm::dvec3& world, const PicturePlane& plane) {
     return {plane.focal_length.x * p.x, plane.focal_length.y * p.y, 1.0, p.z};
 }
 
-/// Does a place of a flat convex polygon lie in it?
+/// Is a place in the plane of a convex polygon inside it?
 bool is_within(const std::vector<glm::dvec3>& face, const glm::dvec3& place) {
     const glm::dvec3 normal = glm::cross(face[1] - face[0], face[2] - face[0]);
     bool is_left = true, is_right = true;
@@ -187,7 +187,7 @@ TEST_CASE("The planes of a box off-centre are seen where it has its sides") {
                         CHECK(is_within(face, cut));
                 }
             }
-            // The picture stands where the box is, whatever its distance.
+            // The picture is where the box is, whatever its distance.
             const std::array<glm::dvec3, 4> corners = plane.corners();
             const double odd_x = (box.right - box.left) / settings.viewport.width;
             for (std::size_t c = 0; c < 4; ++c) {
@@ -333,7 +333,7 @@ TEST_CASE("While clipping is at work only what is done is seen") {
         CHECK(seen_after(step).corners.size() == (step < 2 ? 3 : history.polygon.size()));
     }
     CHECK(made == 2);
-    // Nothing is cut where no plane has work: the back wall lies in front of the camera.
+    // Nothing is cut if no plane has work: the back wall is in front of the camera.
     const ClipHistory of_back_wall = clip_history(frame, 8);
     REQUIRE(of_back_wall.planes.empty());
     CHECK_FALSE(clipping_outside(frame, of_back_wall, {}, {}).is_cut);
@@ -360,7 +360,7 @@ TEST_CASE("What clipping takes of the triangle at work has another colour from o
     const SeenClipping clipping = clipping_outside(moment.frame(), history, {}, {});
     REQUIRE(clipping.is_cut);
     const OutsideDrawing whole = draw({}), cut = draw(clipping);
-    // Pixels of the triangle differ where, and only where, they lie nearer than the near plane.
+    // Pixels of the triangle differ where, and only where, they are nearer than the near plane.
     int taken = 0, kept = 0;
     const PicturePlane& plane = cut.things().plane;
     const WorldTriangle world = world_triangles(room)[1];
@@ -382,7 +382,7 @@ TEST_CASE("What clipping takes of the triangle at work has another colour from o
             for (std::size_t k = 0; k < 3; ++k)
                 is_same = is_same && whole.image().rgba[byte + k] == cut.image().rgba[byte + k];
             (depth < 0.1 ? taken : kept) += 1;
-            // At its border a pixel is mixed with what lies beside it.
+            // At its border a pixel is mixed with its neighbour.
             const bool is_deep =
                 cut.at(middle + 2.0f).triangle == 1 && cut.at(middle - 2.0f).triangle == 1;
             if (is_deep) CHECK(is_same == (depth > 0.1));

@@ -28,7 +28,7 @@ TEST_CASE("The overdraw view has the colours of its legend, and counts as many p
     REQUIRE(counts.pixels.size() == counts.most + 1);
     for (std::uint32_t n = 0; n <= counts.most; ++n)
         CHECK(counts.pixels[n] == seen[n]);
-    // Each number has a colour of its own.
+    // Each number has its own colour.
     for (std::uint32_t n = 0; n < counts.most; ++n)
         CHECK(overdraw_colour(n, counts.most) != overdraw_colour(n + 1, counts.most));
 }

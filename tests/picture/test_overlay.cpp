@@ -208,7 +208,7 @@ TEST_CASE("Facts are worked out once per moment, and again when the moment chang
     session.cursor = Cursor{4, Phase::vertices, 0, 0};
     update(session, results);
     CHECK(results.overlay_number == number + 2);
-    // Only floor and left wall are drawn; nothing stands in the middle of the ceiling yet.
+    // Only floor and left wall are drawn; nothing is in the middle of the ceiling yet.
     CHECK(results.overlay.facts.affine_error[results.a.framebuffer->at(250, 20)] == 0.0f);
     CHECK(results.overlay.facts.affine_error[results.a.framebuffer->at(250, 470)] > 0.0f);
     CHECK(value(Overlay::owner, results, 250, 20) == "none");

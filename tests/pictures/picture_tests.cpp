@@ -43,7 +43,7 @@ struct Shot {
     std::vector<std::string> arguments;
 };
 
-/// The folder, from the root, of the pictures that are drawn otherwise here; empty where none are.
+/// The folder, from the root, of pictures that are drawn differently here; empty if none are.
 std::string others_folder = RASTERWALK_OTHERS;
 
 /// The words of a line, up to a # that begins a word.
@@ -135,7 +135,7 @@ void remove_failed(const Shot& shot) {
         fs::remove(failed_path(shot, what), ignored);
 }
 
-/// The picture among those that are drawn otherwise, if there are any, from the root.
+/// The picture among those that are drawn differently, if there are any, from the root.
 std::string other_path(const Shot& shot) {
     return others_folder.empty() ? shot.path : others_folder + "/" + shot.name + ".png";
 }
@@ -152,7 +152,7 @@ bool agrees(const Image& actual, const std::string& path) {
                .is_within_tolerance;
 }
 
-/// Puts the picture into the place of the blessed one, or among those that are drawn otherwise.
+/// Puts the picture in place of the blessed one, or among those that are drawn differently.
 /// Where it agrees nothing is written, so that another machine does not rewrite all of them.
 void bless(const Shot& shot, const Image& actual) {
     const std::string other = other_path(shot);

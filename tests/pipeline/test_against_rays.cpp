@@ -1,12 +1,12 @@
-// The filled stages against a ray caster.
+// The filled stages, compared with a ray caster.
 //
-// For which place of the picture does a pixel stand? Not for one: vertices are cut to whole pixels,
-// which moves each by less than one pixel along either axis; the samples of an edge are cut again,
-// which moves them by less than another. Every number of a fragment is blended from its samples, as
-// its place is, so that it is the number of some place of the true triangle less than two pixels
-// away along either axis. That is a proof, not an experience; accumulated float steps add a little,
-// measured below. So a fragment is right if its number lies between the least and the largest that
-// rays find in the square of two pixels around it. 1/z and light per vertex are extreme at the
+// Which place in the picture does a pixel stand for? Not a single one: vertices are cut to whole
+// pixels, which moves each by less than one pixel along either axis; the samples of an edge are cut
+// again, which moves them by less than another. Every number of a fragment is blended from its
+// samples, like its place, so it is the number at some place of the true triangle less than two
+// pixels away along either axis. That is proved, not observed; accumulated float steps add a
+// little, measured below. So a fragment is right if its number is between the least and the largest
+// that rays find in the square of two pixels around it. 1/z and light per vertex are extreme at the
 // corners of any square; light per pixel is sampled within it too.
 
 #include <algorithm>
@@ -43,7 +43,7 @@ struct Interval {
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    /// How far the value lies from the middle, 1 at either end.
+    /// How far the value is from the middle, 1 at either end.
     double strain(double value) const {
         const double middle = 0.5 * (low + high);
         const double half = 0.5 * (high - low) + float_error * std::abs(middle);
@@ -99,7 +99,7 @@ class RayPicture {
     }
 };
 
-/// What a comparison has found: how many numbers lie outside what rays allow, and the worst.
+/// The result of a comparison: how many numbers are outside what rays allow, and the worst.
 struct Verdict {
     int pixels = 0, wrong = 0;
     double worst = 0.0;
@@ -127,7 +127,7 @@ void compare_light(Verdict& verdict, const RayPicture& picture, const StripStep&
             return at_vertices ? rays.light_from_vertices(hit)[c] : rays.light_at_point(hit)[c];
         };
         Interval interval = around(rays, triangle, place, at_vertices ? 1 : 4, light);
-        // Close to the lamp the brightest point may lie between the samples.
+        // Close to the lamp the brightest point may be between the samples.
         const double strain = interval.strain(colour[c]);
         if (!at_vertices && strain > 1.0 && strain < 1.5)
             interval = around(rays, triangle, place, 24, light);

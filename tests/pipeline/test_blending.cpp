@@ -1,5 +1,5 @@
-// What is half transparent, against a second computation in double precision that knows the scenes
-// only as rectangles.
+// Half-transparent surfaces, compared with a second computation in double precision that knows the
+// scenes only as rectangles.
 
 #include <cmath>
 #include <string>

@@ -1,5 +1,5 @@
-// box_walk=interval: the same picture, by fewer tests. Which pixels must be tested is known by the
-// second implementation of moved_point.h, which solves nothing for a column.
+// box_walk=interval: the same picture, with fewer tests. The second implementation in moved_point.h
+// says which pixels must be tested, without solving anything for a column.
 
 #include <algorithm>
 #include <array>
@@ -142,7 +142,7 @@ std::array<std::int64_t, 2> check_scene(const Scene& scene, Settings settings) {
                      [](const TestEvent& a, const TestEvent& b) {
                          return a.cursor == b.cursor && a.test == b.test;
                      }));
-    // Triangle, triangle of the fan, column and row; how often it is found to lie inside.
+    // Triangle, triangle of the fan, column and row; how often it is found to be inside.
     std::map<std::tuple<int, int, int, int>, int> times;
     for (const TestEvent& event : found) {
         const PixelTest& test = event.test;

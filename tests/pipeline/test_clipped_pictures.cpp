@@ -27,7 +27,7 @@ namespace {
 
 constexpr Viewport small_picture{64, 48};
 
-/// A scene, and the box in the world in which the camera walks through it.
+/// A scene, and the box in the world where the camera moves.
 struct Walk {
     Scene scene;
     glm::vec3 low, high;
@@ -113,7 +113,8 @@ void check_walk_by_rows(const Walk& walk) {
         cut += count_clipping(frame).clipped;
         const bool is_told = count_left_out(frame).of(Rejection::too_far_out) > 0;
         if (is_told && settings.clip == Clip::near) {
-            // The near plane alone leaves corners too far out for the arithmetic; that is said.
+            // The near plane alone leaves corners too far out for the arithmetic, which is
+            // reported.
             ++told;
             continue;
         }

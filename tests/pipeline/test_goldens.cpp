@@ -1,4 +1,4 @@
-// The room's pictures, every bit of them. The goldens are in tests/golden/room.txt, a line a
+// The room's pictures, every bit of them. The goldens are in tests/golden/room.txt, one line per
 // picture; with RASTERWALK_BLESS=1 in the environment this test writes them instead.
 
 #include <algorithm>

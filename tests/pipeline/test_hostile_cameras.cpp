@@ -1,5 +1,5 @@
 // The room from everywhere: inside walls, on vertices, in planes, through lenses of every length.
-// Nothing may crash, hang or be left out for another reason than its place.
+// Nothing may crash, hang or be left out for any reason but its place.
 
 #include <cmath>
 #include <string>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr float quarter_turn = 1.57079633f;
 
-/// A camera anywhere: at random, on a vertex, in the middle of a triangle, or a hair beside them.
+/// A camera anywhere: at random, on a vertex, in the middle of a triangle, or a hair away.
 Camera hostile_camera(const Scene& room, Random& random) {
     Camera camera;
     const auto corners = corners_of(room, random.integer(0, 29));

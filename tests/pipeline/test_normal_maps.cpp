@@ -249,7 +249,7 @@ TEST_CASE("The light in tangent space is the light in the world, by every rule o
             differing += found.pixels;
         }
     }
-    // It is another computation: the last bits tell.
+    // It is a different computation, as the last bits show.
     CHECK(differing > 1'000);
 }
 

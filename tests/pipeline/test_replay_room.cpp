@@ -1,5 +1,5 @@
-// Replay where its marks lie within triangles and only a part of the picture is drawn again: in the
-// lab's room, and in a frame of much work.
+// Replay with marks within triangles, where only a part of the picture is drawn again: in the lab's
+// room, and in a frame with much work.
 
 #include <climits>
 #include <string>

@@ -35,7 +35,7 @@ void check_same_when_watched(const Frame& frame, const DrawWindow& window) {
     test::require_same(unwatched, watched);
 }
 
-/// A function of its own that does the same.
+/// A separate function that does the same.
 template <auto function>
 struct Again;
 template <class Result, class... Arguments, Result (*function)(Arguments...)>

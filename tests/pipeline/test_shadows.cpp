@@ -1,5 +1,5 @@
-// Shadows against a second way in double precision: each pixel's own ray from the eye, and from
-// where it ends another one to the lamp, by planes and sides instead of Cramer's rule.
+// Shadows, compared with a second way in double precision: a ray from the eye for each pixel, and
+// from its end another to the lamp, by planes and sides instead of Cramer's rule.
 
 #include <algorithm>
 #include <array>
@@ -42,9 +42,9 @@ Settings small_room(std::initializer_list<const char*> assignments) {
     return settings;
 }
 
-/// How a stretch from a to b lies to a triangle.
+/// The position of a segment from a to b relative to a triangle.
 struct Crossing {
-    double part = 0.0;   ///< of the way from a to b at which it meets the plane
+    double part = 0.0;   ///< of the way from a to b, where it meets the plane
     double inside = 0.0; ///< how far within its edges, world units; below 0: outside
 };
 std::optional<Crossing> crossing(const Scene& scene, int triangle, const glm::dvec3& a,
@@ -66,7 +66,7 @@ std::optional<Crossing> crossing(const Scene& scene, int triangle, const glm::dv
     return result;
 }
 
-/// What stands between two places, in double; and whether that hangs on less than floats can tell.
+/// What is between two places, in double; and whether that depends on less than floats can show.
 struct Between {
     int triangle = -1;
     bool is_tie = false;
@@ -307,7 +307,7 @@ TEST_CASE("A place falls on the texel whose direction it lies in") {
 }
 
 /// The share of light by a map in double, from the depths that it holds.
-/// @return none where it hangs on less than floats can tell
+/// @return none if it depends on less than floats can show
 std::optional<double> lit_in_double(const ShadowMap& map, const ShadowRules& rules, bool by_four,
                                     const glm::dvec3& place, double cosine) {
     const glm::dvec3 way = place - glm::dvec3(map.lamp);

@@ -17,7 +17,7 @@ using namespace rasterwalk;
 
 namespace {
 
-/// Two triangles over a bent edge, whose corners have colours and normals of their own.
+/// Two triangles over a bent edge, whose corners have their own colours and normals.
 const std::string folded = R"(
 name = "A fold"
 stage = "pixel_light"
@@ -185,7 +185,7 @@ Settings settings_of(const Scene& scene, std::initializer_list<const char*> assi
 }
 
 /// Fails with the first pixel that is off by more than 1/255 of what the screen shows.
-/// @return pixels of which the rays see something, without ties
+/// @return pixels whose rays see something, without ties
 int compare_with_rays(const Scene& scene, const Settings& settings, const std::string& where) {
     const Framebuffer picture = draw_frame(prepare_frame(scene, settings));
     const Rays rays(scene, settings);

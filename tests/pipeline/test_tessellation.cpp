@@ -1,4 +1,4 @@
-// The cut mesh against barycentric points in double, and its pictures against the uncut ones.
+// The cut mesh compared with barycentric points in double, and its pictures with the uncut ones.
 
 #include <algorithm>
 #include <array>
@@ -110,7 +110,7 @@ TEST_CASE("Each triangle is cut into n * n of the same area and turn, where a ba
             const glm::dvec3 part = cut::cross_of(mesh, t) * static_cast<double>(n * n);
             CHECK(glm::length(part - whole) < 1e-4 * glm::length(whole));
         }
-        // Every point of the grid is there, with what lies there.
+        // Every point of the grid exists, with the right values.
         for (int i = 0; i <= n; ++i) {
             for (int k = 0; i + k <= n; ++k) {
                 const glm::dvec3 weights(static_cast<double>(n - i - k) / n,
@@ -276,7 +276,7 @@ TEST_CASE("Under light at the pixels the cut surface is the same, but for ties o
             other_owner += owner != whole.owner[i] ? 1 : 0;
             if (owner < 0 || whole.owner[i] < 0) continue;
             const glm::dvec3 off = glm::dvec3(fine.colour[i]) - glm::dvec3(whole.colour[i]);
-            // Corners stand on 256ths of a pixel: the point under a pixel moves by as little.
+            // Corners are on 256ths of a pixel, so the point under a pixel moves by as little.
             other_light += glm::length(off) > 0.005 ? 1 : 0;
         }
         CAPTURE(n, covered, other_owner, other_coverage, other_light);

@@ -45,7 +45,7 @@ void add_square(Scene& scene, float depth, bool is_painted) {
     }
 }
 
-/// A grey wall, before it a picture with holes, and at last a wall between the two.
+/// A grey wall, a picture with holes in front of it, and finally a wall between the two.
 Scene scene_with_holes(const Image& image = holed()) {
     Scene scene = test::textured_scene(image, {picture_side, picture_side});
     add_square(scene, 8.0f, false);
@@ -65,7 +65,7 @@ Framebuffer drawn_with_alpha(const Scene& scene, const char* alpha, Observer* ob
     return picture;
 }
 
-/// The texel in which a pixel lies, row by row; -1 where it lies on a border.
+/// The texel that contains a pixel, row by row; -1 if it is on a border.
 int texel_under(int column, int row) {
     const double u = 4.0 * column / (picture_side - 1), v = 4.0 * row / (picture_side - 1);
     if (std::abs(u - std::round(u)) < 0.01 || std::abs(v - std::round(v)) < 0.01) return -1;
@@ -122,7 +122,7 @@ TEST_CASE("Blended, each texel lies over the wall by its alpha; switched off, al
             const double alpha = channel_of(texel, 3);
             for (int c = 0; c < 3; ++c) {
                 const double colour = channel_of(texel, c) * own[c];
-                // What is drawn behind it later is hidden: it has written its depth.
+                // What is drawn behind it later is hidden, because it has written its depth.
                 CHECK(blended.colour[pixel][c] ==
                       Approx(alpha * colour + (1.0 - alpha) * grey[c]).margin(1e-5));
                 CHECK(opaque.colour[pixel][c] == Approx(colour).margin(1e-5));
@@ -218,7 +218,7 @@ TEST_CASE("Two runs diverge where one lets a fragment through, and the alpha is 
     const Frame opaque = prepare_frame(scene, settings);
     const auto first = next_divergence(cut, opaque, cursor_begin);
     REQUIRE(first.has_value());
-    // The corner of the picture lies in the first texel, which is clear.
+    // The corner of the picture is in the first texel, which is clear.
     CHECK(
         first->text.find("is cut out because the alpha of its texture is 0, below 1/2 in A") !=
         std::string::npos);

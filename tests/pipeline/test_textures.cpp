@@ -20,7 +20,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// What draw() tells of every fragment.
+/// What draw() reports about every fragment.
 std::vector<FragmentEvent> fragments_of(const Frame& frame) {
     Framebuffer picture;
     clear(picture, frame);
@@ -55,7 +55,7 @@ Scene tilted_triangles() {
 std::array<glm::dvec3, 3> places_of(const Scene& scene, int triangle) {
     std::array<glm::dvec3, 3> places;
     for (int v = 0; v < 3; ++v) {
-        // A point in pixels lies at the middle of its pixel.
+        // A point in pixels is at the middle of its pixel.
         places[static_cast<std::size_t>(v)] =
             glm::dvec3(scene.corner(triangle, v).position) + glm::dvec3(0.5, 0.5, 0.0);
     }
@@ -149,7 +149,7 @@ TEST_CASE("A footprint is the difference between neighbours, also where the near
     Scene scene = textured_scene(many_colours(16, 16), {40, 40});
     scene.space = SceneSpace::world;
     scene.camera = {{0.0f, 0.0f, 0.0f}, 0.0f, 0.0f, 40.0f};
-    // A floor from behind the camera to far before it.
+    // A floor from behind the camera to far in front of it.
     add_textured(scene, {{{{-4, 1, -1}, {0, 1}}, {{-4, 1, 30}, {0, 0}}, {{4, 1, -1}, {1, 1}}}});
     add_textured(scene, {{{{4, 1, -1}, {1, 1}}, {{-4, 1, 30}, {0, 0}}, {{4, 1, 30}, {1, 0}}}});
     const Frame frame = prepare_frame(

@@ -1,6 +1,6 @@
 // Draws the scenes and models of the lessons under each value of each setting, and under many at
-// once, and prints a hash of the planes and the tally of each picture. What two versions of the
-// sources print is compared by `diff`: a change that is to change no bit changes no line.
+// once, and prints a hash of the planes and the tally of each picture. Compare the output of two
+// versions of the sources with `diff`: a change that should change no bit changes no line.
 
 #include <algorithm>
 #include <cstdio>

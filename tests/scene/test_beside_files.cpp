@@ -114,7 +114,7 @@ TEST_CASE("No more names are looked at than may be") {
         found += files.find(fmt::format("{}.TXT", i)).trouble.empty();
     CHECK(found > 0);
     CHECK(found <= static_cast<int>(most_names_looked_at));
-    // The name as it stands costs no search.
+    // The name as written costs no search.
     CHECK(files.find("../textures/wood.png").remark.empty());
     CHECK(files.find("wood.png").path.empty());
 }

@@ -1,4 +1,4 @@
-// Files of every format that is read, changed at random: each is read or refused as it should be.
+// Files of every supported format, changed at random: each is read or refused as it should be.
 // tests/fuzz/fuzz does the same with many more, under sanitizers.
 
 #include "support/changed_files.h"

@@ -1,5 +1,5 @@
-// Files beside a model or scene that are damaged, named many times, or more than can be read: each
-// is tried once, what is wrong with it is reported once, and reading can be stopped at any of them.
+// Damaged files that a model or scene names, or names many times, or too many of them: each is
+// tried once, its fault is reported once, and reading can be stopped at any of them.
 
 #include <filesystem>
 #include <string>
@@ -28,7 +28,7 @@ namespace {
 
 const std::string three_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
 
-/// A model with so many materials, each of which has one image.
+/// A model with so many materials, each with one image.
 /// @param lines the statement of a material, with {} where its number belongs
 std::string model_with_maps(const test::TemporaryFolder& folder, int count,
                             const std::string& lines) {
@@ -140,7 +140,7 @@ TEST_CASE("Reading can be stopped at materials and at images") {
     const int count = has_images ? 10 : 3 * WatchedSteps::steps_between;
     const std::string path =
         model_with_maps(folder, count, has_images ? "bump -bm {} p.png" : "Kd 1 1 1");
-    // What names no material would be asked about as often by itself.
+    // A long model file would ask as often by its own lines, so this one is short.
     const std::string own = "mtllib m.mtl\n" + three_points + "usemtl m0\nf 1/1 2/2 3/3\n";
     if (!has_images) folder.write("m.obj", own);
     std::size_t asked = 0;

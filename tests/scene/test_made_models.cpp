@@ -80,7 +80,7 @@ TEST_CASE("The models have the counts of their formulas, and nothing is wrong wi
           Expected{"torus", 41 * 20, 800, 1600, 1}, Expected{"knot", 97 * 12, 1152, 2304, 1},
           Expected{"teapot", 20 * 24 + 1 + 20 * 24 + 1 + 17 * 12 + 13 * 12,
                    24 * 20 + 24 * 20 + 12 * 16 + 12 * 12, 24 * 39 + 24 * 39 + 24 * 16 + 24 * 12, 4},
-          // The sphere, and 13 rings of which the first is a point.
+          // The sphere, and 13 rings, the first of which is a point.
           Expected{"globe", 15 * 24 + 2 + 1 + 12 * 16, 16 * 24 + 12 * 16, 24 * 30 + 16 * 23, 2,
                    2}}) {
         INFO(expected.name);

@@ -1,4 +1,4 @@
-// The textures that come with the program, made by number: no picture of anyone else's. With
+// The textures that come with the program, computed, not taken from other pictures. With
 // RASTERWALK_BLESS=1 in the environment this test writes them into lessons/scenes/textures instead
 // of comparing.
 
@@ -54,7 +54,7 @@ Image bricks() {
     });
 }
 
-/// The same bricks as heights: they stand before the mortar.
+/// The same bricks as heights: they stick out from the mortar.
 Image brick_heights() {
     return painted(32, 32, [](int x, int y) {
         const int along = (x + (y / 8 % 2) * 8) % 32;

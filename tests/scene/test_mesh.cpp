@@ -149,7 +149,7 @@ TEST_CASE("Moving a corner leaves the other triangles where they are") {
     CHECK(mesh.corner(0, 1).position == glm::vec3(7, 8, 9));
     CHECK(mesh.corner(1, 0).position == glm::vec3(1, 0, 1));
     CHECK(mesh.vertices().size() == 5);
-    // The corner has a vertex of its own now.
+    // The corner has its own vertex now.
     mesh.place_corner(0, 1, {1.0f, 2.0f, 3.0f});
     CHECK(mesh.vertices().size() == 5);
     CHECK_FALSE(mesh == before);

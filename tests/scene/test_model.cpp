@@ -1,5 +1,5 @@
-// Model transformations against the same steps carried out one by one on the point, by sine and
-// cosine, and scene files that hold them.
+// Model transformations, compared with the same steps carried out one by one on the point, by sine
+// and cosine; and scene files that hold them.
 
 #include "scene/model.h"
 
@@ -139,7 +139,7 @@ TEST_CASE("Of a mirrored object the corners change places, and the normal still 
                 face_normal(corners[0].position, corners[1].position, corners[2].position);
             INFO(part.name << ", triangle " << t);
             CHECK(glm::distance(by_corners, corners[0].normal) < 1e-5f);
-            // What the object was made from stands in the same order as what became of it.
+            // The object's own points are in the same order as the transformed ones.
             for (int i = 0; !part.model.positions.empty() && i < triangle_corners; ++i) {
                 const auto place =
                     static_cast<std::size_t>(triangle_corners * (t - part.first_triangle) + i);
@@ -228,7 +228,7 @@ TEST_CASE("A broken model is refused with its file, line and what is wrong") {
     for (int i = 0; i < 60; ++i)
         many += "{ scale = [1e-6, 1e-6, 1e-6] },";
     CHECK_THAT(refusal_of_model(many + "]"), ContainsSubstring("leave nothing of the object"));
-    // Too small for floats, and too small for where it stands.
+    // Too small for floats, and too small for its place.
     many = "[";
     for (int i = 0; i < 8; ++i)
         many += "{ scale = [1e-6, 1e-6, 1e-6] },";

@@ -1,4 +1,4 @@
-// Models of which nothing would be seen, or nothing but black: what is drawn, and what is said.
+// Models that would be invisible, or all black: what is drawn, and what the notice says.
 
 #include <string>
 #include <vector>

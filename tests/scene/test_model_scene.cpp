@@ -1,5 +1,5 @@
-// A model as a scene: where its points, normals and texture coordinates come to lie, and whether
-// the camera sees all of it, projected here a second time, in double.
+// A model as a scene: where its points, normals and texture coordinates end up, and whether the
+// camera sees all of it, projected here a second time, in double.
 
 #include "scene/model_scene.h"
 

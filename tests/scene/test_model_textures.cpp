@@ -1,5 +1,5 @@
-// Images of a model's materials: which are found, what is said about the others, and whether each
-// pixel has the texel that a ray finds, with v up as in the model's own axes.
+// Images of a model's materials: which are found, what is reported about the others, and whether
+// each pixel has the texel that a ray finds, with v up as in the model's own axes.
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-// Normals and texture coordinates that a model's faces name wrongly: they cost no face. What must
-// come out is that of the same model written without them.
+// Normals and texture coordinates that a model's faces name wrongly do not cost a face. The result
+// must be the same as for the model written without them.
 
 #include <algorithm>
 #include <string>

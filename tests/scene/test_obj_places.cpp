@@ -1,4 +1,4 @@
-// Models far from the origin, very large and very small: they look as the same model near it.
+// Models far from the origin, very large or very small, look like the same model near it.
 
 #include <algorithm>
 #include <cmath>

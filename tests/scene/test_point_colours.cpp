@@ -1,5 +1,5 @@
-// Colours of a model's points, in the ways in which programs write them, and in the picture, where
-// a ray finds the weights of the corners.
+// Colours of a model's points, in the ways that programs write them, and in the picture, where a
+// ray finds the weights of the corners.
 
 #include <algorithm>
 #include <string>

@@ -1,5 +1,5 @@
 // Polygons cut into triangles, checked for what any right cut has: the polygon's area, and each
-// point of a grid in one triangle if it lies in the polygon, in none if it lies outside.
+// point of a grid in one triangle if it is in the polygon, in none if it is outside.
 
 #include "scene/polygon_cutter.h"
 

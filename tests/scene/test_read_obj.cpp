@@ -1,4 +1,4 @@
-// Model files in the dialects in which they are found, and what is said about their faults.
+// Model files in the dialects that programs write, and the reports of their faults.
 
 #include "scene/read_obj.h"
 

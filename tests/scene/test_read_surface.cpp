@@ -15,7 +15,7 @@ using namespace rasterwalk;
 
 namespace {
 
-/// Points of a roof: two squares that meet in the ridge B C, of which one is cut in two.
+/// Points of a roof: two squares that meet in the ridge B C; one of them is cut in two.
 const std::string roof = "name = \"s\"\n"
                          "[points.p]\n"
                          "A = [-1, 0, 0]\n"
@@ -32,7 +32,7 @@ const std::string sections = "[materials.m]\n"
                              "[colours.c]\n"
                              "C = [1, 0, 0.5]\n";
 
-/// A part of the roof with these keys; its name stands in line 16.
+/// A part of the roof with these keys; its name is in line 16.
 std::string written_part(const std::string& keys) {
     return "[[part]]\nname = \"q\"\npoints = \"p\"\n"
            "triangles = [\"A D B\", \"D C B\", \"B C E\", \"C F E\"]\n" +
@@ -52,7 +52,7 @@ std::string refusal_of(const std::string& text) {
     return "accepted";
 }
 
-/// The corner of a triangle that lies here.
+/// The corner of a triangle at this place.
 const Vertex& corner_at(const Scene& scene, int triangle, const glm::vec3& place) {
     for (int i = 0; i < triangle_corners; ++i) {
         if (scene.corner(triangle, i).position == place) return scene.corner(triangle, i);
@@ -145,7 +145,7 @@ TEST_CASE("Where the normals of a sheet cancel each triangle keeps its own") {
     CHECK(sheet.mesh.differences() == CornerDifferences{});
     CHECK(glm::length(sheet.corner(0, 0).normal) == Approx(1.0));
     CHECK(sheet.corner(0, 0).normal == -sheet.corner(1, 0).normal);
-    // So does one whose corners lie on a line, beside others.
+    // So does one whose corners are on a line, next to others.
     const Scene line = read(roof + "G = [-2, 1, 0]\n[[part]]\nname = \"q\"\npoints = \"p\"\n"
                                    "normals = \"averaged\"\ntriangles = [\"G A B\"]\n");
     CHECK(line.corner(0, 0).normal == glm::vec3(0.0f));

@@ -1,4 +1,4 @@
-// What cannot be prepared, for want of memory, is not taken to be prepared the next time. The
+// What could not be prepared for lack of memory does not count as prepared the next time. The
 // allocations of this test program go through the functions below, which can be made to fail.
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Files that are read beside the window.
+// Files that are read while the window stays usable.
 
 #include "session/file_reading.h"
 

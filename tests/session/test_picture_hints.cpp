@@ -1,4 +1,4 @@
-// When hints are looked for: of a whole picture that stands by itself, in parts, after all else.
+// When hints are looked for: only for a whole picture without comparison, in parts, after all else.
 
 #include <memory>
 

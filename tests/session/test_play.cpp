@@ -1,4 +1,4 @@
-// The play by a clock of its own: what the dial says is what happens, at every rate of frames.
+// The play with a separate clock: what the dial says is what happens, at every frame rate.
 
 #include <algorithm>
 #include <cmath>
@@ -191,7 +191,7 @@ TEST_CASE("A window that was hidden for long has missed a second, not more") {
     advance_play(player.session, timeline, player.results.length, 0.0f);
     advance_play(player.session, timeline, player.results.length, 3600.0f);
     CHECK(player.session.cursor == leap(timeline, cursor_begin, 8, Granularity::moment));
-    // A clock that stands, or runs back, or is broken, moves nothing.
+    // A clock that has stopped, or runs back, or is broken, moves nothing.
     const Cursor before = player.session.cursor;
     for (const float seconds : {0.0f, -5.0f, std::nanf("")}) {
         advance_play(player.session, timeline, player.results.length, seconds);

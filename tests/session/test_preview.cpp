@@ -210,7 +210,7 @@ TEST_CASE("engine=fast draws the whole picture, and the steps all moments before
         test::require_same(*a.framebuffer, expected);
         REQUIRE(a.picture == view_image(expected, View::colour));
     }
-    // A little at a time it comes to the same.
+    // A little at a time gives the same result.
     turn_all(session);
     set_from_text(session.a.settings, "viewport.size=200x190");
     int updates = 0;

@@ -139,7 +139,7 @@ TEST_CASE("The settings lie over a tab, which is back when they are closed") {
     close_settings(session);
     CHECK(session.tab == "graph");
     CHECK(session.tab_guide.is_own);
-    // What is set there may change the stage, whose tab then lies below.
+    // What is set there may change the stage, whose tab is then below.
     follow_guide(session);
     choose_tab(session, settings_tab);
     CHECK_FALSE(session.tab_guide.is_own);

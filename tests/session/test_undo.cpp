@@ -80,13 +80,13 @@ TEST_CASE("Undo forgets the oldest scenes when they take too much, but never the
     CHECK(oldest() == "0");
     CHECK(newest() == "7");
     CHECK(session.undo.past.size() == 7 + 50);
-    // Older ones are forgotten as soon as they are too much together with what came after them.
+    // Older ones are forgotten as soon as they and all later ones together are too much.
     for (int i = 0; i < 4; ++i)
         open("large " + std::to_string(i), 1200);
     CHECK(session.undo.past.size() == 2);
     CHECK(oldest() == "large 1");
     CHECK(newest() == "large 3");
-    // The newest step is kept even if it is too much by itself.
+    // The newest step is kept even if it alone is too much.
     open("largest", 5000);
     open("small", 1);
     CHECK(session.undo.past.size() == 1);

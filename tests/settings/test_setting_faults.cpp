@@ -22,7 +22,7 @@ TEST_CASE("Faulty planes are reported wherever they act, the camera's aim only i
     for (const std::string_view word : enum_words<DepthFormat>) {
         settings.depth_format = *value_of_word<DepthFormat>(word);
         CAPTURE(word);
-        // 1/z needs no planes; what lies between 0 and 1 is measured from one to the other.
+        // 1/z needs no planes; a depth between 0 and 1 is measured from one to the other.
         const bool is_measured = word.find("inv_z") == std::string_view::npos;
         CHECK(in_short(SceneSpace::world) == std::vector<std::string>{planes, aim});
         CHECK(in_short(SceneSpace::pixels) ==

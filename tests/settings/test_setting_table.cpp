@@ -158,7 +158,7 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
             CHECK(value_text(setting, settings) == word);
         }
     }
-    // Every choice now stands on its last word.
+    // Every choice now has its last word.
     CHECK(step_of(settings) == StripStep::pixel_light);
     CHECK(settings.vertex_rounding == VertexRounding::truncate_sum);
     CHECK(settings.coverage == Coverage::active_edges);
@@ -442,7 +442,7 @@ TEST_CASE("The two words of light on the strip say stage and shading") {
     set_from_text(settings, "stage=depth");
     CHECK(value_of(settings, "shading") == "phong");
     CHECK(shading_rule(settings) == Shading::unlit);
-    // Shadings without a step of their own.
+    // Shadings without a separate step.
     for (const auto& [word, shading] :
          {std::pair("shading=unlit", Shading::unlit), std::pair("shading=flat", Shading::flat)}) {
         set_from_text(settings, "stage=vertex_light");

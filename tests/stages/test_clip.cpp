@@ -1,7 +1,6 @@
-// Clipping against another way to find the same: in the plane of the triangle itself each plane of
-// the view is a line, and what is left of the triangle is where all half planes meet. Every two of
-// the lines are cut with each other in double, and the points that lie in all half planes are its
-// corners.
+// Clipping, compared with another method: in the plane of the triangle each plane of the view is a
+// line, and what is left of the triangle is the intersection of all half planes. Every two of the
+// lines are intersected in double, and the points in all half planes are its corners.
 
 #include "stages/clip.h"
 
@@ -228,7 +227,7 @@ TEST_CASE("One corner behind leaves two triangles, two leave one, three leave no
     CHECK(left_of(-1, 1, 1) == 4);
     CHECK(left_of(-1, -1, 1) == 3);
     CHECK(left_of(-1, -1, -1) == 0);
-    // What only touches the plane has no area before it.
+    // What only touches the plane has no area in front of it.
     CHECK(left_of(rules.near, -1, -1) == 0);
     CHECK(left_of(rules.near, rules.near, -1) == 0);
     CHECK(left_of(rules.near, rules.near, 1) == 3);
@@ -274,7 +273,7 @@ TEST_CASE("What reaches a million units out is cut where it meets the plane") {
             return v.position_clip != edge[0].position_clip &&
                    v.position_clip != edge[1].position_clip;
         });
-        if (found == kept.end()) continue; // the corner lies on the plane, as near as float knows
+        if (found == kept.end()) continue; // the corner is on the plane, as far as float can show
         // Rounded once if it was far out; and by float as everywhere if it was not.
         const bool is_far = is_too_large_for_float(edge[0]) || is_too_large_for_float(edge[1]);
         if (!is_far) continue;

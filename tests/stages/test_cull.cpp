@@ -139,7 +139,7 @@ TEST_CASE("The interpolated normal of each fragment decides whether it is drawn"
         CHECK(count.fronts > 300);
         // Unwatched, where fewer varyings travel, it is the same picture.
         CHECK(draw_frame(frame).owner == watched.owner);
-        // No triangle is left out for it, and no row is walked less.
+        // No triangle is left out because of it, and no fewer rows are walked.
         settings.cull = Cull::none;
         const FrameStats all = frame_stats(prepare_frame(wall, settings));
         const FrameStats culled = frame_stats(frame);

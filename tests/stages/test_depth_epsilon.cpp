@@ -1,5 +1,5 @@
-// The depth test that asks for more than nothing, against one in double precision: fragment by
-// fragment, and in whole pictures, whose fragments are sorted out once more.
+// The depth test with an epsilon, compared with one in double precision: fragment by fragment, and
+// in whole pictures, whose fragments are tested again.
 
 #include <cmath>
 #include <limits>
@@ -73,7 +73,7 @@ TEST_CASE("Without an epsilon the depth test is the one it has always been") {
     set_from_text(settings, "stage=depth");
     set_from_text(settings, "depth_epsilon=0.000001");
     CHECK(choose_stages(settings).depth_test == depth_test_with_epsilon);
-    // The other tests do not ask for it.
+    // The other tests do not use it.
     for (const char* test : {"linear_z", "off", "reversed"}) {
         Settings other = settings, plain;
         plain.stage = other.stage;

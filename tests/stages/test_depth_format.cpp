@@ -1,5 +1,5 @@
-// What the depth buffer can hold, 1/z, ndc z and reversed ndc z in 32, 24 and 16 bits, against
-// formulas worked out once more in double, and under every depth test.
+// What the depth buffer can hold, 1/z, NDC z and reversed NDC z in 32, 24 and 16 bits, compared
+// with formulas computed again in double, and under every depth test.
 
 #include <cmath>
 #include <limits>
@@ -43,7 +43,7 @@ float held_at(double z, const DepthRules& rules) {
     return held_depth(depth_at(static_cast<float>(z), rules), rules);
 }
 
-/// The smallest distance at which every pair of surfaces behind z is told apart, up to 1 %.
+/// The smallest distance at which the buffer separates every pair of surfaces behind z, up to 1 %.
 double told_apart(double z, const DepthRules& rules, Random& random) {
     const auto tells = [&](double distance) {
         for (int i = 0; i < rounds(2000, 500); ++i) {
@@ -58,7 +58,7 @@ double told_apart(double z, const DepthRules& rules, Random& random) {
     return distance;
 }
 
-/// Everything that stands in a depth format's word.
+/// Everything that a depth format's word says.
 struct Format {
     const char* word;
     ClipDepth kind;
@@ -125,7 +125,7 @@ TEST_CASE("At z = 4 a buffer of 16 bits tells surfaces 0.0024 apart, whichever w
 }
 
 TEST_CASE("Two surfaces that are hardly apart fight only in few bits") {
-    // The one behind is drawn last: it must not show where the buffer tells them apart.
+    // The one behind is drawn last: it must not show where the buffer separates them.
     const Format sixteen[] = {formats[2], formats[5], formats[8]};
     for (const Format& format : sixteen) {
         const DepthRules rules = rules_of(format.word);

@@ -1,5 +1,5 @@
-// Coverage that asks pixels at their centres: edge functions, scan conversion and active edges
-// against each other, and against a second implementation that knows no edge functions: it moves
+// Coverage tested at the centres of pixels: edge functions, scan conversion and active edges
+// compared with each other, and with a second implementation without edge functions, which moves
 // the centre by a hair.
 
 #include <algorithm>

@@ -78,7 +78,7 @@ TEST_CASE("Every term of the light agrees with the same term in double") {
             worst = std::max(worst, std::abs(terms.reflected[c] - reflected) / (scale + 1.0));
         }
     }
-    // Measured: 1.8e-7 at worst, of a colour of which 1 is white.
+    // Measured: 1.8e-7 at worst, where 1 is white.
     CHECK(worst < 5e-7);
 }
 

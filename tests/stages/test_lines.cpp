@@ -1,5 +1,5 @@
-// Lines by Bresenham, midpoint and DDA, against a reference by fractions: which pixels are nearest,
-// which of two at a tie, and what f is at the middle between two pixels.
+// Lines by Bresenham, midpoint and DDA, compared with a reference by fractions: which pixels are
+// nearest, which of two at a tie, and the value of f halfway between two pixels.
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-// The matrix path against the lab's: the room comes out in the same bits, and from any camera a
-// vertex is elsewhere only where the exact place lies within rounding of a border between pixels.
+// The matrix path compared with the lab's: the room has the same bits, and from any camera a vertex
+// is elsewhere only if its exact place is within rounding of a border between pixels.
 
 #include "stages/matrices.h"
 
@@ -134,7 +134,7 @@ TEST_CASE("The columns of the view matrix are what becomes of the axes") {
             const glm::dvec3 turned(rotate_to_camera(unit, rotation));
             CHECK(glm::distance(glm::dvec3(column(view, axis)), turned) == 0.0);
         }
-        // The camera itself stands at the origin.
+        // The camera itself is at the origin.
         const glm::dvec4 eye = view * glm::dvec4(glm::dvec3(camera.position), 1.0);
         CHECK(glm::length(glm::dvec3(eye)) < 1e-12);
         CHECK(eye.w == 1.0);

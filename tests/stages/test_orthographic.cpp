@@ -1,5 +1,5 @@
-// Orthographic projection against what is known of it: parallel rays, equal widths, and depths that
-// go in equal steps; and the way there against a camera that goes back.
+// Orthographic projection, compared with its known properties: parallel rays, equal widths, and
+// depths in equal steps; and mixed projection, compared with a camera that moves back.
 
 #include "stages/orthographic.h"
 
@@ -76,7 +76,7 @@ TEST_CASE("Under orthographic projection affine and perspective-correct pictures
 TEST_CASE("Back wall and opening of the room are equally wide without perspective") {
     const Scene room = lab_room();
     const Frame frame = prepare_frame(room, orthographic_settings(room));
-    // f / d = 500 / 3.001 pixels a unit; the walls stand at -1 and 1.
+    // f / d = 500 / 3.001 pixels per unit; the walls are at -1 and 1.
     const int half = static_cast<int>(500.0 / 3.001);
     for (int t = 0; t < frame.triangle_count(); ++t) {
         for (std::size_t v = 0; v < 3; ++v) {

@@ -124,7 +124,7 @@ TEST_CASE("The level is log2 of the longer side of the footprint, from 0 to the 
     CHECK(level(3, 4) == 2.0f);
     CHECK(level(6, 1) == Approx(std::log2(6.0)));
     CHECK(level(1000, 1) == 5.0f);
-    // A side that leans is as long as it is, not as wide.
+    // The length of a slanted side counts, not its width.
     const Footprint leans{{3.0f / 32.0f, 4.0f / 8.0f}, {0.0f, 0.0f}};
     CHECK(texture_level(leans, texture) == Approx(std::log2(5.0)));
     CHECK(nearest_level(0.0f) == 0);

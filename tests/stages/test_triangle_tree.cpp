@@ -18,7 +18,7 @@ glm::vec3 random_place(test::Random& random, double size) {
     return {random.number(-size, size), random.number(-size, size), random.number(-size, size)};
 }
 
-/// Small triangles here and there, large ones, and walls that lie along an axis.
+/// Small triangles here and there, large ones, and walls along an axis.
 Mesh random_mesh(test::Random& random, int triangles) {
     Mesh mesh;
     for (int t = 0; t < triangles; ++t) {

@@ -246,7 +246,7 @@ TEST_CASE("A coordinate that is not finite is left out, wherever it stands") {
             CHECK(shade({0, 0, 0}, moved).rejection == Rejection::not_finite);
         }
     }
-    // Finite by itself, but not after the camera is subtracted.
+    // Finite, but not after the camera is subtracted.
     VertexRules rules = plain_rules();
     rules.camera.position.x = -3e38f;
     CHECK(shade({3e38f, 0, 1}, rules).rejection == Rejection::not_finite);

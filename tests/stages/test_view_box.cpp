@@ -1,5 +1,5 @@
-// The window on the near plane against glm's frustum and ortho, against rays through it made
-// without a matrix, and against the focal length where both show the same.
+// The window on the near plane, compared with glm's frustum and ortho, with rays through it made
+// without a matrix, and with the focal length where both show the same.
 
 #include <cmath>
 

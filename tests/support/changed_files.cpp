@@ -32,13 +32,13 @@ std::string pixels(int count) {
     return bytes;
 }
 
-/// Deflate data that hold the bytes as they are; there are fewer than 65536.
+/// Deflate data that hold the bytes uncompressed; there are fewer than 65536.
 std::string stored(const std::string& bytes) {
     const int size = static_cast<int>(bytes.size());
     return "\x78\x01\x01" + two_bytes(size) + two_bytes(size ^ 0xffff) + bytes + "????";
 }
 
-/// @param kind the type of colour, and behind it how rows are interlaced
+/// @param kind the type of colour, followed by how rows are interlaced
 std::string png_of(std::uint32_t width, std::uint32_t height, int bits, std::array<int, 2> kind,
                    const std::string& more_blocks, const std::string& data) {
     const std::string head = big_endian(width) + big_endian(height) + byte(bits) + byte(kind[0]) +
@@ -54,7 +54,7 @@ std::vector<std::string> png_seeds() {
         for (const int channel : {i * 3, i % 7 * 20, 128, 255 - i})
             image.rgba.push_back(static_cast<std::uint8_t>(channel));
     write_png(image, folder.file("written.png"));
-    std::string rows; // each with a filter of its own
+    std::string rows; // each with its own filter
     for (int row = 0; row < 5; ++row)
         rows += byte(row) + pixels(12);
     // 5 x 3 pixels, Adam7: the rows of passes 1, 2, 4, 5, 6, 6 and 7.
@@ -140,7 +140,7 @@ const std::string scene_seed =
     "material = \"m\"\ntexture = \"p.png\"\ntexcoords = [[[0, 0], [1, 0], [0, 1]]]\n"
     "model = [{ scale = [2, 1, 1] }, { rotate_y = 0.5 }]\ntriangles = [\"A B C\"]\n";
 
-/// Calls a reader of a file that others name files beside.
+/// Calls a reader of a file that names other files next to it.
 template <class Read>
 FileOutcome text_outcome(const std::string& path, const std::string& other_path, Read read) {
     try {

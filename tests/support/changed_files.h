@@ -1,8 +1,8 @@
 #pragma once
 
-// Small files of every format that is read, changed at random, and what must hold for each of
-// them: it is read and what comes of it is sound, or it is refused in a sentence; and within the
-// bounds. A test tries a few hundred of each format, tests/fuzz/fuzz as many as it is asked to.
+// Small files of every supported format, changed at random, and what must be true for each of
+// them: it is read with a sound result, or it is refused with a sentence; and within the bounds. A
+// test tries a few hundred of each format, tests/fuzz/fuzz as many as requested.
 
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +28,7 @@ struct FileOutcome {
 struct ChangedFormat {
     std::string name;               ///< "PNG"
     std::vector<std::string> seeds; ///< sound files, at least one
-    std::vector<std::string> words; ///< pieces at which readers stumble
+    std::vector<std::string> words; ///< pieces that trip up readers
     FileOutcome (*read)(const std::string& bytes, const TemporaryFolder& folder);
 };
 
@@ -42,7 +42,7 @@ std::string changed_file(const ChangedFormat& format, std::uint32_t number);
 
 /// Reads the bytes as a file of a format. Too much computing time is trouble, too; so is any
 /// exception but the one that refuses bad input.
-/// @param folder in which the files are that others name; see lay_out()
+/// @param folder of the files that others name; see lay_out()
 FileOutcome outcome_of(const ChangedFormat& format, const std::string& bytes,
                        const TemporaryFolder& folder);
 

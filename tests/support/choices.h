@@ -1,7 +1,7 @@
 #pragma once
 
-// Settings under which tests compare what is said with what is drawn: each value of each setting by
-// itself, and many at once.
+// Settings under which tests compare texts with what is drawn: each value of each setting alone,
+// and many together.
 
 #include <string>
 #include <vector>

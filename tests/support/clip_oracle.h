@@ -1,7 +1,7 @@
 #pragma once
 
 // Clipping a second way: in barycentric coordinates of the triangle and in double. A distance from
-// a plane is linear in them, so that no corner is ever worked out on the way.
+// a plane is linear in them, so no corner need be computed on the way.
 
 #include <array>
 #include <cmath>

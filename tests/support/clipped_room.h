@@ -6,7 +6,7 @@
 
 namespace rasterwalk::test {
 
-/// The room seen by a camera that stands somewhere in it and looks somewhere.
+/// The room seen by a camera somewhere in it that looks somewhere.
 inline Frame room_frame(const Scene& room, Random& random, Clip clip) {
     Settings settings = default_settings(room);
     settings.clip = clip;

@@ -11,7 +11,7 @@ namespace rasterwalk {
 struct Tolerance {
     int channel = 0;       ///< largest difference of a channel that is let pass, 0..255
     double mean = 0.0;     ///< largest mean difference over all channels of all pixels
-    int pixels_beyond = 0; ///< how many pixels may lie beyond `channel`
+    int pixels_beyond = 0; ///< how many pixels may exceed `channel`
 };
 
 /// Pictures of the interface. Measured on the same program with processor features taken away one

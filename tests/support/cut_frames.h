@@ -1,6 +1,6 @@
 #pragma once
 
-// Frames in which planes cut triangles, or take them away, and in which some are culled.
+// Frames where planes cut triangles or take them away, and where some are culled.
 
 #include <string>
 

@@ -6,7 +6,7 @@
 namespace rasterwalk::test {
 
 /// How hard the randomized and exhaustive tests try: the environment's RASTERWALK_EFFORT, a number
-/// from 0; 1 when it is not set. What is no such number ends the test with a sentence.
+/// from 0; 1 when it is not set. Anything else ends the test with a sentence.
 double effort();
 
 /// How often to repeat something: `full` times at effort 1, in proportion at others, but never less

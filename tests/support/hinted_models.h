@@ -1,6 +1,6 @@
 #pragma once
 
-// Models of which there is something to say: most of them is backs, black or transparent.
+// Models that deserve a hint, because they mostly show backs, or are black or transparent.
 
 #include <string>
 
@@ -14,8 +14,8 @@ Scene box(bool is_inward);
 /// One triangle that shows its back or its front.
 Scene sheet(bool shows_back);
 
-/// Its front, of a material: lines of a .mtl file, beside which an image `clear.png` has nothing
-/// but texels of an alpha below 1/2, and `black.png` nothing but black ones.
+/// Its front, with a material: lines of a .mtl file, next to which an image `clear.png` has only
+/// texels with an alpha below 1/2, and `black.png` only black ones.
 Scene sheet_of(const std::string& material);
 
 /// Two of them side by side.

@@ -5,7 +5,7 @@
 
 namespace rasterwalk::test {
 
-/// A lesson that is made to hurt, and the fault with which it is refused.
+/// A lesson made to cause harm, and the fault that refuses it.
 struct HostileLesson {
     std::string about;
     std::string text;

@@ -101,7 +101,7 @@ class Writer {
     int positions_ = 0, texcoords_ = 0, normals_ = 0;
 };
 
-/// A tube along a curve; `up` must never lie along it.
+/// A tube along a curve; `up` must never be along it.
 std::vector<Ring> tube(int count, const glm::dvec3& up,
                        const std::function<glm::dvec3(double)>& curve,
                        const std::function<double(double)>& radius) {
@@ -269,7 +269,7 @@ Image earth() {
     });
 }
 
-/// Wood in planks that stand upright.
+/// Wood in vertical planks.
 Image wood() {
     return painted(16, 16, [](int x, int y) {
         const int grain = (x * 3 + y * y / 7) % 6 * 7;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The models that come with the program, in lessons/models: made here, from formulas.
+// Makes the models that come with the program, in lessons/models, from formulas.
 
 #include <string>
 #include <vector>

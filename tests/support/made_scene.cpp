@@ -29,7 +29,7 @@ constexpr float reach = 248.0f;
 /// A patch is a grid of so many cells a side, each of two triangles.
 constexpr int patch_cells = 5;
 constexpr int patch_triangles = 2 * patch_cells * patch_cells;
-/// So far a vertex of the grid lies from its place, half cells.
+/// How far a vertex of the grid is from its place, half cells.
 constexpr float stray = 0.6f;
 /// With so many patches comes one large triangle.
 constexpr int patches_to_a_large_one = 20;
@@ -39,7 +39,7 @@ class Maker {
   public:
     explicit Maker(Scene& scene) : scene_(scene) {}
 
-    /// A square of this half side anywhere in the picture, in which a piece is to lie, pixels.
+    /// A square of this half side anywhere in the picture, for a piece, pixels.
     void begin_piece(float half) {
         half_ = half;
         middle_.x = random_.number(-reach + half, reach - half);
@@ -58,7 +58,7 @@ class Maker {
         return vertex;
     }
 
-    /// All vertices of the piece lie as if on one plane, and have one colour.
+    /// All vertices of the piece are as if on one plane, and have one colour.
     void add_piece(std::vector<Vertex>& vertices, const std::vector<TriangleIndices>& triangles) {
         const auto [a, b, c] = triangles.front();
         const auto at = [&](int v) { return vertices[static_cast<std::size_t>(v)].position; };

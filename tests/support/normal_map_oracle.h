@@ -1,8 +1,8 @@
 #pragma once
 
-// Bent normals once more, in double precision and found otherwise: where u and v grow by the
-// inverse of a matrix, the bitangent from v itself and not from a cross product, and the light by
-// hand.
+// Bent normals computed again, in double precision and in a different way: the directions of u and
+// v by the inverse of a matrix, the bitangent from v itself and not from a cross product, and the
+// light by hand.
 
 #include <array>
 #include <cmath>

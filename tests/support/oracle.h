@@ -1,6 +1,6 @@
 #pragma once
 
-// What interpolate and the row table must answer, worked out another way: sums and products of
+// The right results of interpolate and the row table, computed another way: sums and products of
 // floats in double, where they are exact, and fractions as whole numbers.
 
 #include <climits>

@@ -38,7 +38,7 @@ class Moment {
         if (picture_before_ != 0) changed_ = difference(before, picture);
         ++picture_number_;
     }
-    /// Another picture, of which nothing is known.
+    /// Another picture, about which nothing is known.
     void forget_before() {
         picture_before_ = 0;
         ++picture_number_;

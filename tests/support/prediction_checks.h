@@ -41,7 +41,7 @@ void require_asked(const std::string& lesson, std::initializer_list<const char*>
 
 /// A test case about predictions of one lesson: title, id of the lesson, ids of the predictions. It
 /// must ask for each of them. A test demands that every prediction of every lesson has one.
-/// Several files may be compiled as one, where two tests can stand on the same line: hence
+/// Several files may be compiled as one, where two tests can be on the same line: hence
 /// __COUNTER__.
 #define PREDICTIONS_TEST(title, lesson, ...)                                                       \
     RASTERWALK_PREDICTIONS_TEST(RASTERWALK_JOINED(predictions_test_, __COUNTER__),                 \

@@ -28,13 +28,13 @@ struct CameraAxes {
 /// @param camera aimed by its angles
 CameraAxes camera_axes(const Camera& camera);
 
-/// How far a place lies from the nearest point of a line from a to b.
+/// How far a place is from the nearest point of a line from a to b.
 double distance_to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b);
 
 /// Casts rays from a camera. Places on the picture are in pixels from its middle, x right, y down.
 class RayCaster {
   public:
-    /// Where distance_to_edges() is asked every vertex must lie in front of the camera.
+    /// For distance_to_edges(), every vertex must be in front of the camera.
     RayCaster(const Scene& scene, const Camera& camera, const Light& light);
 
     /// The triangles that the ray through the place meets, the nearest first.
@@ -46,10 +46,10 @@ class RayCaster {
     /// Light worked out at the point itself.
     glm::dvec3 light_at_point(const RayHit& hit) const;
 
-    /// Light worked out at the three vertices and blended by where the point lies in the world.
+    /// Light computed at the three vertices and blended by the place of the point in the world.
     glm::dvec3 light_from_vertices(const RayHit& hit) const;
 
-    /// Distance in pixels to the nearest edge of any triangle as it is seen from the camera.
+    /// Distance in pixels to the nearest edge of any triangle, seen from the camera.
     double distance_to_edges(glm::dvec2 place) const;
 
   private:

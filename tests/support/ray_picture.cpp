@@ -36,7 +36,7 @@ struct Picture {
     }
 };
 
-/// The pixels of a row or a column whose centres lie from `low` to `high`.
+/// The pixels of a row or a column whose centres are from `low` to `high`.
 struct Pixels {
     int first = 0, end = 0;
 };
@@ -68,7 +68,7 @@ void mark_outline(const Picture& picture, glm::dvec2 from, glm::dvec2 to, std::v
     }
 }
 
-/// Takes away what of a convex polygon lies nearer than the depth, side 1, or farther, side -1.
+/// Removes the part of a convex polygon nearer than the depth, side 1, or farther, side -1.
 void cut_at_depth(std::vector<glm::dvec3>& polygon, double depth, double side) {
     std::vector<glm::dvec3> left;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -18,7 +18,7 @@ struct SeenDepths {
 /// What a pixel gets instead of a triangle.
 inline constexpr int ray_meets_nothing = -1, ray_near_outline = -2;
 
-/// Casts the rays. The camera may stand anywhere.
+/// Casts the rays. The camera may be anywhere.
 /// @param margin pixels whose centres lie no farther from an outline of any triangle, hidden ones
 ///               too, get ray_near_outline. Where a triangle is cut by one of the two depths, its
 ///               outline runs along the cut

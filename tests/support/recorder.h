@@ -7,8 +7,8 @@
 
 namespace rasterwalk::test {
 
-/// Keeps everything that an observer gets, in order; edge samples and tested pixels only where they
-/// are asked for.
+/// Keeps everything that an observer gets, in order; edge samples and tested pixels only if
+/// requested.
 struct Recorder : Observer {
     explicit Recorder(bool samples_too = false) : with_samples(samples_too) {}
 

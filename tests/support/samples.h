@@ -19,7 +19,7 @@ Scene lab_room();
 /// A vertex in pixel space, with a normal toward the eye.
 Vertex pixel_vertex(float column, float row, float z);
 
-/// A scene in pixel space, each triangle a part of its own colour.
+/// A scene in pixel space, with each triangle a part with its own colour.
 Scene pixel_scene(const std::vector<std::array<glm::vec3, 3>>& triangles, Viewport viewport);
 
 /// A few triangles on a tiny picture: overlapping, partly and wholly outside it, without area, of

@@ -1,6 +1,6 @@
 #pragma once
 
-// Textures once more, in double precision and written differently from the program: mip levels by
+// Textures computed again, in double precision and differently from the program: mip levels by
 // differences of running sums, texels by a tent over all of their centres, the place in the texture
 // by solving for the plane of the triangle.
 

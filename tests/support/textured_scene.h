@@ -10,7 +10,7 @@
 
 namespace rasterwalk::test {
 
-/// An opaque picture whose every texel has another colour.
+/// An opaque picture whose texels all have different colours.
 inline Image many_colours(int width, int height) {
     Random random(static_cast<std::uint32_t>(1000 * width + height));
     Image image{width, height, {}};
@@ -27,7 +27,7 @@ struct PixelCorner {
     glm::vec2 texcoord;
 };
 
-/// Adds a triangle as a part of its own, painted by the scene's first texture.
+/// Adds a triangle as a separate part, painted by the scene's first texture.
 inline void add_textured(Scene& scene, const std::array<PixelCorner, 3>& corners) {
     std::array<Vertex, triangle_corners> vertices;
     for (std::size_t v = 0; v < 3; ++v) {

@@ -35,7 +35,7 @@ inline Settings settings_of(const WalkRules& rules) {
     return settings;
 }
 
-/// Stands on one sample of a line after the other; asks the stage for each by itself.
+/// Goes to one sample of a line after the other; asks the stage for each separately.
 class LineWalker {
   public:
     LineWalker(const ScreenVertex& a, const ScreenVertex& b, int count, const LineRules& rules)

@@ -18,7 +18,7 @@ inline void finish_check(Driver& driver) {
     driver.hand.rest();
 }
 
-/// The picture that these settings draw of the scene as it stands in the driver.
+/// The picture that these settings draw of the driver's scene.
 inline Image drawn_by(const Driver& driver, const Settings& settings) {
     const Frame frame = prepare_frame(*driver.ui.session.scene, settings);
     return view_image(draw_frame(frame), View::colour);
@@ -33,7 +33,7 @@ inline void check_image(Driver& driver, const Image& picture) {
     finish_check(driver);
 }
 
-/// The same with one that these settings draw of the scene as it stands in the driver.
+/// The same with one that these settings draw of the driver's scene.
 inline void check_picture(Driver& driver, const Settings& settings) {
     check_image(driver, drawn_by(driver, settings));
 }

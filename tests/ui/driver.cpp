@@ -15,7 +15,7 @@ namespace rasterwalk {
 ImTextureID KeptTextures::upload(ImTextureID old, const Image& image) {
     last = image;
     ++uploads;
-    // Any name that is not null; every new texture has one of its own.
+    // Any name that is not null; every new texture has a different one.
     if (old != ImTextureID{}) return old;
     return ImTextureID(static_cast<std::intptr_t>(uploads));
 }

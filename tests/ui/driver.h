@@ -29,7 +29,7 @@ class Driver {
     /// @param window screen pixels
     explicit Driver(const std::string& scene = "lab-room.toml", ImVec2 window = {1600, 1000},
                     float text_scale = 1.0f);
-    /// On a session of its own.
+    /// With a separate session.
     explicit Driver(Session session, ImVec2 window = {1600, 1000}, float text_scale = 1.0f);
     ~Driver();
     Driver(const Driver&) = delete;

@@ -20,7 +20,7 @@ struct Letter {
 
 using Letters = std::map<std::pair<float, float>, Letter>;
 
-/// Where the letters of each font lie, how many they are and how large: what letters_of() follows
+/// Where the letters of each font are, how many and how large: what letters_of() follows
 /// from.
 using FontsKey = std::vector<std::tuple<const ImFont*, const ImFontGlyph*, int, float>>;
 

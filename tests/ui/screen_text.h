@@ -7,7 +7,7 @@
 
 namespace rasterwalk {
 
-/// A line of text that stands on the screen.
+/// A line of text on the screen.
 struct ScreenText {
     std::string window; ///< whose it is, as ImGui names it: "canvas", "inspector/..."
     std::string words;

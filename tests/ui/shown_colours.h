@@ -8,7 +8,7 @@
 
 namespace rasterwalk {
 
-/// The colours with which something begins or ends within the widget in the frame that was drawn
+/// The colours that something begins or ends with within the widget in the frame that was drawn
 /// last, as draw lists have them.
 inline std::set<ImU32> shown_colours(const WidgetPlace& place) {
     std::set<ImU32> colours;

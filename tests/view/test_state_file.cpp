@@ -30,7 +30,7 @@ std::string scene_of_program(const char* name) {
     return lessons_folder() + "/scenes/" + name;
 }
 
-/// What is said when this text is opened_file as a view; "" if it can be.
+/// The message when this text is opened as a view; "" if it can be.
 std::string complaint(const TemporaryFolder& folder, const std::string& text) {
     const std::string path = folder.write("v.walk.toml", text);
     try {

@@ -1,4 +1,4 @@
-// Whatever stands in view_table() survives wherever a view is kept.
+// Whatever is in view_table() survives wherever a view is kept.
 
 #include "view/view_table.h"
 
@@ -34,7 +34,7 @@ Shown shown_of(const Session& session) {
     return shown;
 }
 
-/// The scene of the session, as it is opened first.
+/// The scene of the session, as first opened.
 Session fresh_of(const Session& session) {
     return open_session(session.scene->path);
 }
@@ -64,7 +64,7 @@ Session from_state(const Session& session) {
     return again;
 }
 
-/// What stands behind the colon of the links that show a field; none where it is not said.
+/// The text after the colon in the links that show a field; none if there is none.
 Words link_arguments(const ViewField& field, const ViewState& state, const ViewChange& change) {
     std::vector<std::string> words = field.key == "set" ? state.set
                                      : field.words      ? field.words(change)

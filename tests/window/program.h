@@ -8,7 +8,7 @@
 
 namespace rasterwalk::test {
 
-/// A program that runs beside the test and is ended with it.
+/// A program that runs alongside the test and is ended with it.
 class Program {
   public:
     /// @param words the program and its arguments

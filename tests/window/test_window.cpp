@@ -16,7 +16,7 @@ namespace {
 /// How long a step may take on a machine that is busy with other things, seconds.
 constexpr double patience = 60.0;
 
-/// The program in a window on a display of its own, watched through the report that it writes.
+/// The program in a window on a separate display, watched through the report that it writes.
 struct OpenProgram {
     TemporaryFolder display_folder, folder;
     VirtualDisplay display{display_folder.file("")};

@@ -35,7 +35,7 @@ const std::regex& wrong_name() {
     return wrong;
 }
 
-/// Collects what stands on the screen beside the lesson, whose words are its own.
+/// Collects the text on the screen outside the lesson, which has its own words.
 class Looker {
   public:
     /// @param last_triangle of the scene

@@ -1,4 +1,4 @@
-// What of the window is found again the next time.
+// What the window keeps until the next start.
 
 #include <filesystem>
 #include <string>

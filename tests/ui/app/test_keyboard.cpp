@@ -57,7 +57,7 @@ TEST_CASE("By keys alone: from the start page through a lesson to the mistakes")
     REQUIRE(ui.session.lesson == "01-pinhole-camera");
     CHECK_FALSE(ui.start.is_open);
 
-    // The first prediction of the lesson, wherever it stands.
+    // The first prediction of the lesson, wherever it is.
     constexpr const char* number = "lesson.prediction.back-wall-width.number";
     for (int step = 0; step < 12 && ui.widgets.count(number) == 0; ++step) {
         REQUIRE(driver.tab_to("lesson.next"));

@@ -111,7 +111,7 @@ TEST_CASE("Reading on gives the arrows back to the camera, and Tab brings the fr
         Driver driver("lab-room.toml", window);
         Ui& ui = driver.ui;
         open_at(driver, lesson_1, 4);
-        // To the question, in a small window over the cards before it.
+        // To the question, in a small window past the preceding cards.
         constexpr const char* choice = "lesson.prediction.dolly-zoom.choice.0";
         for (int i = 0; i < 8 && !driver.hand.is_visible(choice); ++i)
             driver.hand.press(key::page_down);

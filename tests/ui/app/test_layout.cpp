@@ -42,7 +42,7 @@ TEST_CASE("The parts of the window cover it without overlapping") {
                 std::vector<Area> parts{layout.menu,      layout.lesson,    layout.canvas,
                                         layout.inspector, layout.transport, layout.status};
                 if (layout.is_narrow) {
-                    // The stages stand in the line of the menu.
+                    // The stages are in the line of the menu.
                     CHECK(layout.strip.size.y == layout.menu.size.y);
                     CHECK(layout.strip.position.x > 30.0f * u);
                     CHECK(layout.strip.position.x + layout.strip.size.x ==

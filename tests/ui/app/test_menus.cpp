@@ -17,7 +17,7 @@ TEST_CASE("No menu has more than seven entries without a line between them") {
         const bool is_first = action.menu != menu;
         menu = action.menu;
         INFO(action.name);
-        CHECK_FALSE((is_first && action.begins_group)); // nothing stands above it
+        CHECK_FALSE((is_first && action.begins_group)); // nothing is above it
         entries = is_first || action.begins_group ? 1 : entries + 1;
         lines += action.begins_group ? 1 : 0;
         CHECK(entries <= 7);

@@ -176,7 +176,7 @@ TEST_CASE("Stages in a narrow window do not move when another is chosen") {
             INFO(info.name);
             const WidgetPlace& chosen = driver.ui.widgets.at("stage." + std::string(info.name));
             CHECK(chosen.is_whole);
-            // Nothing in the line lies over anything else.
+            // Nothing in the line covers anything else.
             std::vector<std::pair<std::string, WidgetPlace>> line;
             for (const auto& [name, place] : driver.ui.widgets) {
                 if (place.bottom_right.y <= 48.0f * driver.ui.options.text_scale && place.visible)

@@ -95,7 +95,7 @@ TEST_CASE("No tooltip lies over what it explains") {
             if (!is_there || !driver.ui.widgets.at(name).has_tooltip) continue;
             driver.hand.hover(name);
             const WidgetPlace place = driver.ui.widgets.at(name); // it may have been scrolled
-            // A plot or a table's page is too large to stand beside.
+            // A plot or a table's page leaves no room next to it.
             if (place.bottom_right.y - place.top_left.y > 60.0f) continue;
             const ImGuiWindow* const tooltip = ImGui::FindWindowByName("##Tooltip_00");
             if (tooltip == nullptr || !tooltip->Active) continue;

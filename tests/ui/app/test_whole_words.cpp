@@ -1,4 +1,4 @@
-// What the panels say is whole in every window: where there is little room, less is said.
+// The texts of the panels are whole in every window: where there is little room, they are shorter.
 
 #include <algorithm>
 #include <string>
@@ -29,7 +29,7 @@ std::vector<std::string> shortened_lines(const std::vector<std::string>& names) 
 
 const std::vector<std::string> nothing;
 
-/// All that stands in the windows whose names begin with this.
+/// All text in the windows whose names begin with this.
 std::string all_words(const std::string& name) {
     std::string words;
     for (const ScreenText& text : screen_text()) {

@@ -247,7 +247,7 @@ class Tour {
         }
     }
 
-    /// One that is not drawn before it is asked for, and one that is hardly in the picture.
+    /// One that is drawn only on request, and one that is hardly in the picture.
     void large_frame() {
         {
             Driver driver;
@@ -261,7 +261,7 @@ class Tour {
             seen.insert(name);
     }
 
-    /// A model of which most of what is seen is backs.
+    /// A model that mostly shows its backs.
     void hinted_model() {
         Driver driver(session_of(test::box(true)));
         driver.ui.session.a.settings.stage = Stage::shade;

@@ -72,7 +72,7 @@ TEST_CASE("The perspective switch skews the light and a second click puts it rig
 TEST_CASE("Without the depth test the blue block covers the red one") {
     Driver driver;
     driver.hand.click("stage.depth");
-    // In front of the tall block stands the short one.
+    // The short block is in front of the tall one.
     const auto owner_in_front = [&] {
         const Framebuffer& f = *driver.ui.results.a.framebuffer;
         return part_name(*driver.ui.session.scene, f.owner[f.at(250, 350)]);

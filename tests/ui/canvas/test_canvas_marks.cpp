@@ -40,7 +40,7 @@ std::vector<ImVec2> corners_of_marks(Driver& driver, const Frame& frame, const C
     return corners;
 }
 
-/// How many corners lie on the line from a to b between these shares of its length.
+/// How many corners are on the line from a to b between these shares of its length.
 int corners_along(const std::vector<ImVec2>& corners, ImVec2 a, ImVec2 b, float from, float to) {
     const ImVec2 along{b.x - a.x, b.y - a.y};
     const float length = std::hypot(along.x, along.y);
@@ -54,7 +54,7 @@ int corners_along(const std::vector<ImVec2>& corners, ImVec2 a, ImVec2 b, float 
     return count;
 }
 
-/// How many corners lie about this far from the place of a pixel, in screen pixels.
+/// How many corners are about this far from the place of a pixel, in screen pixels.
 int corners_around(const std::vector<ImVec2>& corners, PicturePlace place, float x, float y,
                    float radius) {
     int count = 0;

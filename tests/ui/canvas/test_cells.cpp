@@ -1,4 +1,4 @@
-// What stands in the cells of the picture where they are large.
+// The text in the cells of the picture where they are large.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ bool is_sign(const ScreenText& text) {
     return text.words.find("✓") != text.words.npos || text.words.find("✗") != text.words.npos;
 }
 
-/// The texts in the cells, each by itself.
+/// The texts in the cells, one by one.
 std::vector<ScreenText> cell_texts() {
     std::vector<ScreenText> texts;
     for (const ScreenText& text : screen_text(0.15f)) {
@@ -41,7 +41,7 @@ glm::ivec2 cell_of(const Driver& driver, const ScreenText& text) {
             std::floor((0.5f * (text.low.y + text.high.y) - place.origin.y) / place.scale)};
 }
 
-/// The pixels whose cells can be seen as a whole and lie under no name of a vertex.
+/// The pixels whose cells can be seen as a whole and are not under the name of a vertex.
 std::vector<glm::ivec2> whole_cells(const Driver& driver) {
     const Ui& ui = driver.ui;
     const WidgetPlace canvas = ui.widgets.at("canvas");
@@ -182,7 +182,7 @@ TEST_CASE("Below the zoom that gives room there are no numbers, and none too sma
                     CHECK(text.size >= 12.0f * text_scale);
                     if (is_sign(text)) continue;
                     CHECK(text.high.x - text.low.x <= scale);
-                    // It stands in one cell.
+                    // It is in one cell.
                     const glm::ivec2 cell = cell_of(driver, text);
                     const float left =
                         driver.ui.canvas.place.origin.x + scale * static_cast<float>(cell.x);

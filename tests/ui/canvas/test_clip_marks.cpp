@@ -1,4 +1,4 @@
-// What is seen of clipping on the picture and from outside.
+// The marks of clipping on the picture and from outside.
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ Driver& with_clip(Driver& driver, const std::string& clip) {
     return driver;
 }
 
-/// How often a word stands alone on the canvas.
+/// How often a word is alone on the canvas.
 int count_on_canvas(const std::string& word) {
     const std::vector<ScreenText> texts = screen_text();
     return static_cast<int>(std::count_if(texts.begin(), texts.end(), [&](const ScreenText& text) {
@@ -189,7 +189,7 @@ TEST_CASE(
     settings.clip = Clip::near;
     settings.camera.position.z = -0.5f;
     follow_link(driver.ui, "triangle:1");
-    driver.ui.session.canvas.zoom = 0.25f; // what lies far beside the picture is seen, too
+    driver.ui.session.canvas.zoom = 0.25f; // shows what is far outside the picture, too
     driver.hand.rest();
     const ClipHistory history = *driver.ui.results.a.inspected.clip;
     REQUIRE(history.planes.size() == 1);

@@ -261,7 +261,7 @@ TEST_CASE("Two pictures stand above each other where that leaves them larger") {
           static_cast<int>(std::floor((pointer.x - b.origin.x) / b.scale)));
     CHECK(driver.ui.canvas.hovered_pixel->y ==
           static_cast<int>(std::floor((pointer.y - b.origin.y) / b.scale)));
-    // Titles do not lie on the pictures, nor on each other.
+    // Titles cover neither the pictures nor each other.
     const WidgetPlace title_b = driver.hand.find("compare.title_b");
     CHECK(title_b.top_left.y >= a.origin.y + 500.0f * a.scale);
     CHECK(title_b.bottom_right.y <= b.origin.y);

@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// How large the whole picture comes out beside numbers, title and row table.
+/// The size of the whole picture next to numbers, title and row table.
 float least_scale(const Driver& driver) {
     const WidgetPlace& canvas = driver.ui.widgets.at("canvas");
     const Viewport size = driver.ui.results.a.frame.settings.viewport;
@@ -60,7 +60,7 @@ TEST_CASE("Fit fills the canvas in every window, view and way to compare") {
     }
     Driver bench("one-triangle.toml");
     check_fit(bench);
-    CHECK(bench.ui.canvas.row_table); // and all of the picture is beside it
+    CHECK(bench.ui.canvas.row_table); // and all of the picture is next to it
     CHECK(bench.ui.canvas.place.scale == std::floor(bench.ui.canvas.place.scale)); // even pixels
     bench.ui.session.canvas.row_table = false;
     check_fit(bench);

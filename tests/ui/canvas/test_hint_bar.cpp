@@ -1,4 +1,4 @@
-// The line above the picture of a model that says what is wrong with what is seen, and mends it.
+// The line above the picture of a model that says what is wrong with it, and fixes it.
 
 #include "ui/canvas/hint_bar.h"
 

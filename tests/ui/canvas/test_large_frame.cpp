@@ -48,7 +48,7 @@ TEST_CASE("A frame of very many fragments in the picture waits, is drawn in part
     CHECK(run.is_held);
     CHECK(run.replay.drawn() == cursor_begin);
     CHECK_FALSE(is_working(driver.ui.results));
-    CHECK_FALSE(is_animating(driver.ui)); // nothing to do until someone asks for it
+    CHECK_FALSE(is_animating(driver.ui)); // nothing to do until it is requested
 
     driver.hand.click("canvas.draw_it");
     const double begun = run.replay.work().before(run.replay.drawn());

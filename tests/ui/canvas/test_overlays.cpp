@@ -234,7 +234,7 @@ TEST_CASE("The overdraw legend is whole in small windows, and lists what there i
             Driver driver("lab-room.toml", window, text_scale);
             driver.ui.session.view = View::overdraw;
             driver.hand.frames(3);
-            // Many more than have room for a box of their own.
+            // Many more than there is room for boxes.
             auto& picture = const_cast<Framebuffer&>(*driver.ui.results.a.framebuffer);
             picture.overdraw[0] = 4'000;
             driver.ui.results.overdraw = overdraw_counts(picture);

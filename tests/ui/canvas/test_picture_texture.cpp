@@ -1,4 +1,4 @@
-// What of the picture the graphics system is given.
+// The part of the picture that is sent to the graphics system.
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +97,7 @@ TEST_CASE("Of a picture larger than the canvas the texture holds what is in view
                       static_cast<float>(driver.textures.last.height) <=
                   1.7f * room);
             CHECK(is_up_to_date(driver));
-            // All that is in view lies in it.
+            // It contains all that is in view.
             const PicturePlace& place = driver.ui.canvas.place;
             const auto seen = [&](float screen, float origin) {
                 return std::clamp((screen - origin) / place.scale, 0.0f, 2400.0f);

@@ -1,4 +1,4 @@
-// The row table beside the rows of the picture that it describes.
+// The row table next to the rows of the picture that it describes.
 
 #include <algorithm>
 #include <array>
@@ -75,7 +75,7 @@ void switch_layer(Driver& driver, const std::string& name) {
     driver.hand.leave();
 }
 
-/// Where the lines of the table lie beside other places than their rows; empty if nowhere.
+/// Where lines of the table are not next to their rows; empty if nowhere.
 std::string misplaced_lines(const Driver& driver) {
     const PolygonRows& rows = driver.ui.results.a.rows.rows;
     const PicturePlace& place = driver.ui.canvas.place;
@@ -86,7 +86,7 @@ std::string misplaced_lines(const Driver& driver) {
         if (found == driver.ui.widgets.end()) continue;
         const ImVec2 low = found->second.top_left, high = found->second.bottom_right;
         const float top = place.origin.y + place.scale * static_cast<float>(row);
-        // One that is cut off by the canvas lies within its row.
+        // One that is cut off by the canvas is within its row.
         const bool is_whole = high.y - low.y > place.scale - 0.5f;
         if (low.y < top - 0.01f || (is_whole && low.y > top + 0.01f))
             return line_name(row) + " begins elsewhere";
@@ -319,7 +319,7 @@ TEST_CASE("The table takes the edge of the canvas at which the triangle is not")
     Driver driver("one-triangle.toml");
     // The triangle reaches from column 5 to 15.
     for (const float zoom : {24.0f, 30.0f}) {
-        look_at(driver, zoom, {18.0f, 10.0f}); // it lies in the left half
+        look_at(driver, zoom, {18.0f, 10.0f}); // it is in the left half
         REQUIRE(driver.ui.canvas.row_table);
         CHECK_FALSE(driver.ui.canvas.row_table->is_at_left);
         look_at(driver, zoom, {3.0f, 10.0f}); // in the right one
@@ -327,7 +327,7 @@ TEST_CASE("The table takes the edge of the canvas at which the triangle is not")
         CHECK(driver.ui.canvas.row_table->is_at_left);
         const float first = driver.ui.canvas.place.origin.x + zoom * 5.0f;
         CHECK(driver.ui.canvas.row_table->right <= first);
-        // The numbers of the rows stand beside it, and not under it.
+        // The numbers of the rows are next to it, not under it.
         driver.hand.leave();
         for (const ScreenText& text : screen_text()) {
             if (text.window != "canvas" || text.low.y < driver.hand.find("canvas").top_left.y)

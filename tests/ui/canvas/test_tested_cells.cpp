@@ -77,7 +77,7 @@ std::set<int> tinted(const Driver& driver, Meaning meaning, float opacity, int r
     for (int i = 0; i < data->CmdListsCount; ++i) {
         const ImVector<ImDrawVert>& corners = data->CmdLists[i]->VtxBuffer;
         for (int k = 0; k + 3 < corners.Size; ++k) {
-            // A filled rectangle is four corners: the first and the third lie opposite.
+            // A filled rectangle is four corners: the first and the third are opposite.
             const ImVec2 a = corners[k].pos, b = corners[k + 2].pos;
             if (corners[k].col != colour || corners[k + 2].col != colour) continue;
             if (a.x != corners[k + 3].pos.x || a.y > y || b.y < y) continue;
@@ -112,7 +112,7 @@ TEST_CASE("The pixels tested so far are tinted by what was found, and no others"
         }
     }
     CHECK(driver.hand.is_visible("canvas.cells"));
-    // Behind the tests the picture is seen as it is.
+    // Behind the tests the picture is seen unchanged.
     driver.ui.session.cursor = cursor_end;
     driver.hand.leave();
     CHECK(tinted(driver, Meaning::pass, inside_tint, 3, 20).empty());
@@ -158,7 +158,7 @@ TEST_CASE("The weights in a cell are shares of the area, in the order of the cor
     // (7, 5): the opposite edges have 27, 33 and 48 of 108.
     REQUIRE(words.count({7, 5}) > 0);
     CHECK(words.at({7, 5}) == "0.25 0.306 0.444 ");
-    // (9, 9) lies beyond edge 1 only, which is opposite of v0.
+    // (9, 9) is beyond edge 1 only, which is opposite v0.
     CHECK(e_of(1, 9, 9) == -27);
     CHECK(words.at({9, 9}) == "−0.25 ");
 }
@@ -168,7 +168,7 @@ TEST_CASE("A 0 on an edge is filled where it is kept and framed where it is give
         Driver driver("one-triangle.toml");
         driver.ui.session.canvas.numbers = CellNumbers::edge_values;
         show_sketch(driver, "end", rule);
-        // (6, 1) lies on edge 0, the top edge.
+        // (6, 1) is on edge 0, the top edge.
         REQUIRE(e_of(0, 6, 1) == 0);
         const PicturePlace& place = driver.ui.canvas.place;
         const ImU32 black = IM_COL32(0, 0, 0, 255);

@@ -15,7 +15,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The names that stand on the canvas.
+/// The names on the canvas.
 std::vector<ScreenText> names_on_canvas() {
     std::vector<ScreenText> names;
     for (const ScreenText& text : screen_text()) {

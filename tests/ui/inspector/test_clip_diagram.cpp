@@ -38,7 +38,7 @@ ImVec2 middle_of(const WidgetPlace& place) {
             0.5f * (place.top_left.y + place.bottom_right.y)};
 }
 
-/// All that stands in the window.
+/// All text in the window.
 std::string words_on_screen() {
     std::string words;
     for (const ScreenText& text : screen_text(8.0f))
@@ -130,7 +130,7 @@ TEST_CASE("The diagram follows the plane at work, with t at the edge that it has
     CutWall wall(0);
     Driver& driver = wall.driver;
     const auto plane_above = [&] {
-        // The diagram stands below the table of its plane.
+        // The diagram is below the table of its plane.
         const float diagram = driver.ui.widgets.at("clip.diagram").top_left.y;
         int plane = -1;
         for (const PlaneHistory& work : wall.history().planes) {

@@ -32,7 +32,7 @@ struct Corridor {
     const ClipHistory& history() const { return *driver.ui.results.a.inspected.clip; }
 };
 
-/// All that stands in the inspector.
+/// All text in the inspector.
 std::string inspector_words() {
     std::string words;
     for (const ScreenText& text : screen_text(8.0f)) {
@@ -41,7 +41,7 @@ std::string inspector_words() {
     return words;
 }
 
-/// z of a vertex of the scene: the camera of the corridor stands at the origin and is not turned.
+/// z of a vertex of the scene: the camera of the corridor is at the origin and is not turned.
 double depth_of(const Driver& driver, int vertex) {
     return static_cast<double>(driver.ui.session.scene->corner(0, vertex).position.z);
 }
@@ -205,7 +205,7 @@ TEST_CASE("The outcodes have a bit for each plane and corner, and lead to its di
 }
 
 TEST_CASE("The polygon that remains has the pixels that are drawn") {
-    Corridor corridor("all", 1); // one of its vertices lies behind the camera
+    Corridor corridor("all", 1); // one of its vertices is behind the camera
     Driver& driver = corridor.driver;
     const auto pixels = driver.ui.results.a.frame.triangle_vertices(1);
     REQUIRE(pixels.size() > 3);

@@ -77,7 +77,7 @@ TEST_CASE("The light term by term is that of the report, of the lighting in forc
     CHECK_FALSE(driver.hand.is_visible("fragment.pixel_light.r2"));
     const std::string light = shown_text(driver, "fragment.vertex_light.v1.red");
     CHECK(light == shown({report.at_vertex[1].reflected.r}));
-    // Its source is the vertex, where the same number stands.
+    // Its source is the vertex, which has the same number.
     driver.hand.click("fragment.vertex_light.v1.red");
     CHECK(driver.ui.session.tab == "vertices");
     CHECK(driver.ui.session.selection.vertex == 1);

@@ -148,7 +148,7 @@ TEST_CASE("A picked pixel is explained once it has been tested") {
     CHECK_FALSE(has("pixel (13, 8)"));
     session.cursor = cursor_end;
     CHECK(has("pixel (13, 8): outside"));
-    session.selection.pixel = glm::ivec2(19, 15); // beside the box
+    session.selection.pixel = glm::ivec2(19, 15); // outside the box
     CHECK_FALSE(has("pixel (19, 15)"));
 }
 
@@ -259,7 +259,7 @@ TEST_CASE("Small pictures of coverage are whole, with all their words") {
                           << (has_test ? ", a pixel is tested" : ""));
                 const WidgetPlace place = driver.hand.find(name);
                 CHECK(place.is_whole);
-                // Every word of it stands within the card.
+                // Every word of it is within the card.
                 std::string seen;
                 for (const ScreenText& line : screen_text()) {
                     const bool is_in = line.low.x >= place.top_left.x &&

@@ -42,7 +42,7 @@ struct AllTextures : TextureHost {
     std::map<ImTextureID, Image> images;
 };
 
-/// Pixels of the colour in which differences are marked.
+/// Pixels of the colour that marks differences.
 int marked_pixels(const Image& image) {
     int count = 0;
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) {

@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The answer to a picture of which this was found.
+/// The answer to a picture for which this was found.
 LabAnswer answer_with(Diagnosis diagnosis) {
     LabAnswer answer;
     answer.subject.is_picture = true;

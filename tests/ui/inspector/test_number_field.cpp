@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What stands on the screen within a widget.
+/// The text on the screen within a widget.
 std::string words_in(const WidgetPlace& place) {
     std::string words;
     for (const ScreenText& line : screen_text()) {

@@ -108,7 +108,7 @@ TEST_CASE("Settings that do nothing say why, once for several, and can be set al
         return driver.ui.widgets.count(std::string("setting_idle.") + first) > 0;
     };
     CHECK(is_idle("fill_rule"));
-    CHECK_FALSE(is_idle("snap")); // it stands below the other
+    CHECK_FALSE(is_idle("snap")); // it is below the other
     CHECK_FALSE(is_idle("line"));
     driver.hand.click("setting.fill_rule");
     driver.hand.click("setting.fill_rule=top_left");
@@ -260,8 +260,7 @@ TEST_CASE("A setting that a lesson asks for stays where it is until its next ste
     // The next step sets the stage as well.
     driver.hand.click("lesson.next");
     REQUIRE(driver.ui.session.step == 5);
-    driver.hand.press(key::comma,
-                      {.ctrl = true}); // it has a slider of its own, and no need of them
+    driver.hand.press(key::comma, {.ctrl = true}); // it has its own slider, and does not need them
     CHECK(top("stage") < top("camera.yaw"));
 }
 
@@ -301,7 +300,7 @@ TEST_CASE("Name and value of every setting stand on one line, and nothing is cut
             CHECK(field.is_whole);
             CHECK(name.is_whole);
             CHECK(field.bottom_right.x <= window.x);
-            if (scale > 1.0f) continue; // where a line is too short, a field of three stands below
+            if (scale > 1.0f) continue; // if a line is too short, a field of three is below
             if (std::holds_alternative<BoxSetting>(setting.kind)) {
                 // One of four always does.
                 CHECK(name.bottom_right.y <= field.top_left.y);
@@ -332,7 +331,7 @@ TEST_CASE("What closes the settings and what sets one back have no sign of failu
         INFO(line.words);
         CHECK(line.words.find(failed_sign) == std::string::npos);
     }
-    // What a preset does stands beside its button.
+    // What a preset does is next to its button.
     CHECK(has_words(screen_text(), "The same lab done carefully"));
 }
 

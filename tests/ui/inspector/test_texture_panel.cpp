@@ -22,7 +22,7 @@ TEST_CASE("The Texture tab is there only where the scene has a texture") {
     Driver wall("receding-wall.toml");
     wall.hand.click("group.pixel");
     wall.hand.click("tab.texture");
-    follow_link(wall.ui, "pixel:2,2"); // beside the wall
+    follow_link(wall.ui, "pixel:2,2"); // next to the wall
     wall.hand.rest();
     CHECK(wall.hand.is_visible("texture.none"));
     follow_link(wall.ui, "pixel:100,70");

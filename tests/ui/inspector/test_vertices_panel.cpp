@@ -275,12 +275,12 @@ TEST_CASE("In a small window the table shows what the step speaks of, in all its
         CHECK(driver.ui.widgets.at("vertices.zinv").is_whole);
         CHECK(driver.ui.widgets.at("vertices.zinv.v0").text == "0.41463");
         CHECK(driver.ui.widgets.at("vertices.zinv.v0").is_whole);
-        // z stands in the formula below.
+        // z is in the formula below.
         const std::string& z = driver.ui.widgets.at("vertices.formula.z").text;
         CHECK(z.substr(0, 5) == "2.412");
         // In so small a lecture picture and text have the room, and the formula is scrolled to.
         if (!c.is_lecture) CHECK(driver.ui.widgets.at("vertices.formula.z").visible);
-        // The camera looks along z: the numbers would stand there twice.
+        // The camera looks along z, so the numbers would be there twice.
         CHECK(driver.ui.widgets.at("vertices.minus_camera.z.v0").text == "2.412");
         CHECK_FALSE(driver.ui.widgets.contains("vertices.rotated.z"));
     }

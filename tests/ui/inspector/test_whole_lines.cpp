@@ -32,7 +32,7 @@ Edges edges_of(const ImDrawList& list) {
     return edges;
 }
 
-/// The windows of the inspector that scroll; tables that do have lines of their own.
+/// The windows of the inspector that scroll; tables that scroll have their own lines.
 std::vector<ImGuiWindow*> scrolling_windows() {
     std::vector<ImGuiWindow*> windows;
     for (ImGuiWindow* const window : GImGui->Windows) {

@@ -80,7 +80,7 @@ wrong = "250,250"
 [^1]: A note to the text.
 )";
 
-/// The interface with the lessons of a folder of its own.
+/// The interface with the lessons of a separate folder.
 struct Classroom {
     test::TemporaryFolder folder;
     std::string file = folder.file("01-tiny.md");
@@ -194,7 +194,7 @@ TEST_CASE("What is searched for is found in lessons and glossary") {
     int hits = 0;
     while (room.driver.ui.widgets.count("lesson.hit." + std::to_string(hits)) > 0)
         ++hits;
-    // With the number of its lesson before it.
+    // Preceded by the number of its lesson.
     const std::string last = "lesson.hit." + std::to_string(hits - 1);
     const WidgetPlace place = room.driver.hand.find(last);
     const std::vector<ScreenText> texts = screen_text();
@@ -358,7 +358,7 @@ TEST_CASE("Answers that were given before are shown again with what the program 
         CHECK(view.judged->because == before.at(id).judged->because);
         room.driver.hand.find(std::string("lesson.prediction.") + id + ".verdict");
     }
-    // It can be answered again, and then is not shown once more by itself.
+    // It can be answered again, and is then not shown once more.
     room.driver.hand.click("lesson.prediction.who.again");
     room.driver.hand.frames(5);
     CHECK_FALSE(ui.lesson.predictions.at("who").judged);
@@ -495,7 +495,7 @@ TEST_CASE("What a lesson is about is broken between words, never within a number
         INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
         Driver driver("lab-room.toml", window.size, window.text_scale);
         driver.hand.press('L');
-        // Where there is room for only one line each, it is shown beside the pointer.
+        // If there is room for only one line each, it is shown next to the pointer.
         if (driver.ui.lesson.is_strip) {
             driver.hand.hover("lesson.item.01-pinhole-camera");
             driver.hand.rest();

@@ -138,7 +138,7 @@ TEST_CASE("A slider shows no more digits than its stops need, and not below its 
         driver.hand.leave();
         return shown();
     };
-    // What was set elsewhere is shown as it is: a camera at −3.001 is not at −3.00.
+    // What was set elsewhere is shown exactly: a camera at −3.001 is not at −3.00.
     const std::optional<ScreenText> odd = number(1109.788f);
     REQUIRE(odd);
     CHECK(odd->words == "1109.788");

@@ -29,7 +29,7 @@ bool is_there(const Driver& driver, const std::string& name) {
     return driver.ui.widgets.count(name) > 0;
 }
 
-/// The number of the step in which a prediction of a lesson stands.
+/// The number of the step that contains a prediction of a lesson.
 int step_of_prediction(Driver& driver, const char* lesson, const char* id) {
     const Lesson* const found = driver.ui.lesson.lessons.find(lesson);
     REQUIRE(found != nullptr);
@@ -62,7 +62,7 @@ float hidden_of_card() {
     return 0.0f;
 }
 
-/// The last card of the text with which the current step begins.
+/// The last card of the text that the current step begins with.
 int last_card_of_text(const Driver& driver) {
     int last = 0;
     while (cards(driver)[static_cast<std::size_t>(last + 1)].part == 0)

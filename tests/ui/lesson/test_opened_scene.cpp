@@ -1,4 +1,4 @@
-// What becomes of a lesson when a scene is opened in its place.
+// What happens to a lesson when a scene is opened in its place.
 
 #include "session/content.h"
 #include "session/scene_file.h"

@@ -1,4 +1,4 @@
-// Questions that are asked twice, tasks that are judged at rest, and what stands at the end.
+// Questions that are asked twice, tasks that are judged at rest, and the end of a lesson.
 
 #include <string>
 
@@ -227,7 +227,7 @@ TEST_CASE("A task is not solved by what a slider passes on its way, and says wha
     q.driver.hand.leave();
     CHECK(q.is_done("turn"));
     CHECK(q.said("lesson.task.turn.words") == "It is 550 now.");
-    // What it says stays true of the moment in which it was solved.
+    // What it says stays true of the moment when it was solved.
     q.driver.hand.enter(slider, "420");
     q.driver.hand.leave();
     CHECK(q.is_done("turn"));
@@ -408,7 +408,7 @@ TEST_CASE("In a lecture Page down shows the answer that has not been given to a 
     q.driver.hand.rest();
     CHECK(q.said(name + ".verdict") == "The program says: 30 triangles.");
     CHECK(q.ui.session.a.settings.stage == Stage::depth);
-    // It is nobody's answer.
+    // It does not count as an answer.
     CHECK(q.ui.lesson.progress.of("01-questions").answers.empty());
     const std::string colour = "lesson.prediction.colour";
     for (int i = 0; i < 8 && !q.is_there(colour + ".choice.0"); ++i) {

@@ -102,7 +102,7 @@ void follow_all(const Session& start, ImVec2 window) {
         } else if (link.is_of("cursor")) {
             CHECK(to_text(driver.ui.results.a.cursor) == link.argument);
         } else {
-            // In a narrow window perhaps the way to it: the menus stand behind a button.
+            // In a narrow window perhaps the way to it: the menus are behind a button.
             const std::string shown = driver.ui.lesson.pointed_at;
             CHECK(driver.ui.lesson.meant == link.argument);
             CHECK((shown == link.argument || (is_strip && shown == "menu")));

@@ -1,4 +1,4 @@
-// What the strip of the lesson shows of a text it shows whole: no letter is cut, and each is
+// The strip of the lesson shows whole lines of a text: no letter is cut, and every one can be
 // reached.
 
 #include <algorithm>
@@ -185,7 +185,7 @@ TEST_CASE("A table that has no room in the strip begins a card of its own, its h
             CHECK(strip_says("part"));
             CHECK(strip_says("1/z"));
             CHECK_FALSE(strip_says("Five fragments"));
-            CHECK(read.size() - before > 1); // no row stands alone
+            CHECK(read.size() - before > 1); // no row is alone
             CHECK_FALSE(driver.ui.lesson.has_more_below);
         }
         driver.hand.press(key::page_down);

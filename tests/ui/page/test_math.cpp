@@ -239,7 +239,7 @@ TEST_CASE("Whatever is set stays within the box that is returned") {
         INFO(tex);
         const Set set(tex, driver.ui.fonts);
         for (const PagePiece& piece : set.box.pieces) {
-            REQUIRE(piece.at.x >= -8.0f); // an accent may stand over the left edge
+            REQUIRE(piece.at.x >= -8.0f); // an accent may extend over the left edge
             REQUIRE(piece.at.x + piece.width <= set.box.width + 8.0f);
             REQUIRE(piece.at.y >= -set.box.ascent - 0.01f);
             REQUIRE(piece.at.y <= set.box.descent + 0.01f);

@@ -31,7 +31,7 @@ int channel(const Image& image, int x, int y, int c) {
     return image.rgba[static_cast<std::size_t>(4 * (y * image.width + x) + c)];
 }
 
-/// A folder of lessons of its own, as long as it lives.
+/// A separate folder of lessons, as long as it lives.
 class OwnLessons {
   public:
     OwnLessons() {

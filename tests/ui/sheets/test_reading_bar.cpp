@@ -1,4 +1,4 @@
-// Files are read beside the window.
+// Files are read while the window stays usable.
 
 #include <future>
 #include <memory>
@@ -27,7 +27,7 @@ struct ImpatientDriver : Driver {
     ImpatientDriver() { ui.reading.patience = std::chrono::milliseconds(0); }
 };
 
-/// A thread that reads nothing before it may.
+/// A thread that reads nothing until it is allowed to.
 struct HeldReading {
     std::promise<void> go_on;
 

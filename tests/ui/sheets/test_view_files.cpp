@@ -356,7 +356,7 @@ TEST_CASE("On the sheet folders are entered and files chosen") {
     CHECK_FALSE(is_up(driver));
     CHECK(driver.ui.session.scene->path == folder.file("a.toml"));
 
-    // A view of this scene belongs beside it.
+    // A view of this scene belongs next to it.
     driver.hand.press('S', ctrl);
     CHECK(std::filesystem::equivalent(driver.ui.sheets.files.folder, folder.file("")));
     CHECK(driver.ui.sheets.files.path == "a.walk.toml");
@@ -438,7 +438,7 @@ TEST_CASE("A result of one's own is chosen from a list of pictures and texts") {
         CHECK_FALSE(driver.hand.is_visible(std::string("files.entry.") + name));
     }
 
-    // What cannot be checked is said on the sheet; nothing changes behind it.
+    // The sheet says what cannot be checked; nothing changes behind it.
     driver.hand.click("files.entry.empty.txt");
     driver.hand.click("files.do");
     REQUIRE(is_up(driver));
@@ -469,7 +469,7 @@ TEST_CASE("Of a very large folder the sheet lists a part, and says so") {
     enter_folder(sheet, folder.file("."), 12);
     CHECK_FALSE(sheet.is_cut);
     CHECK(sheet.entries.size() == 12);
-    // A folder that cannot be read leaves the list as it is.
+    // A folder that cannot be read leaves the list unchanged.
     enter_folder(sheet, folder.file("there is none"));
     CHECK_FALSE(sheet.fault.empty());
     CHECK(sheet.entries.size() == 12);
@@ -489,7 +489,7 @@ TEST_CASE("An image is laid on an open model, saved with the view, and taken awa
     driver.hand.rest();
     REQUIRE(is_up(driver));
     driver.hand.enter("files.path", folder.file("none.png"));
-    CHECK(is_up(driver)); // the fault stands on the sheet
+    CHECK(is_up(driver)); // the fault is on the sheet
     CHECK_FALSE(driver.ui.sheets.files.fault.empty());
     driver.hand.enter("files.path", image);
     CHECK_FALSE(is_up(driver));

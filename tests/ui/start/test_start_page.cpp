@@ -1,4 +1,4 @@
-// The page with which the program begins the first time, and how later starts go on.
+// The page that the program shows the first time, and what later starts do.
 
 #include <cmath>
 #include <set>
@@ -98,7 +98,7 @@ TEST_CASE("A click on the second card shows the room without a lesson") {
     CHECK_FALSE(is_open(driver));
     CHECK(driver.ui.session.lesson.empty());
     CHECK(driver.ui.options.way == Way::stages);
-    // The walk begins at the beginning, in a light in which the last stages can be seen.
+    // The walk begins at the beginning, with a light that shows the last stages.
     CHECK(driver.ui.session.a.settings.stage == Stage::points);
     CHECK(driver.ui.session.tab == "vertices");
     driver.hand.click("stage.pixel_light");
@@ -369,7 +369,7 @@ TEST_CASE("The cards show what their ways lead to") {
     const std::size_t all = marked.rgba.size() / 4;
     CHECK(different > all / 200);
     CHECK(different < all / 4);
-    // The lessons that come next are named, each on a line of its own.
+    // The lessons that come next are named, each on a separate line.
     int named = 0;
     for (const ScreenText& text : screen_text())
         for (int i = 0; i < 3; ++i)

@@ -1,6 +1,6 @@
-// The colours of the edges, by what the eye tells apart: distances in Oklab (Ottosson, "A
-// perceptual color space for image processing", 2020), where 0.02 is about the least difference
-// seen, and the contrast of WCAG 2.1.
+// The colours of the edges, by what the eye can distinguish: distances in Oklab (Ottosson, "A
+// perceptual color space for image processing", 2020), where 0.02 is about the smallest visible
+// difference, and the contrast of WCAG 2.1.
 
 #include <algorithm>
 #include <cmath>
