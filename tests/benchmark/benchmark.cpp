@@ -196,7 +196,7 @@ double milliseconds_now() {
     return time.count();
 }
 
-/// What each way of culling saves of a frame.
+/// What each way of culling saves in a frame.
 void print_culling_times(const Scene& scene) {
     const CullingCosts costs =
         culling_costs(scene, default_settings(scene), cursor_end, milliseconds_now);

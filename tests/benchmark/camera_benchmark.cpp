@@ -64,7 +64,7 @@ class Figures {
     KnownFigures other_;
 };
 
-/// What follows from the session, without the window: a step of the camera, a moment of time. All
+/// The work for the session, without the window: a step of the camera, a moment of time. All
 /// of it, also what the window leaves for the next frames.
 void take_session_figures(const Figures& figures, const std::string& scene, Session (*open)()) {
     for (const bool is_comparing : {false, true}) {

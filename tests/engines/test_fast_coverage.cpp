@@ -58,7 +58,7 @@ bool owns_centre(Place a, Place b, Place c, int column, int row) {
     return is_within(a, b) && is_within(b, c) && is_within(c, a);
 }
 
-/// Of each pixel, row by row: the triangle that owns it, or -1; and how many do.
+/// For each pixel, row by row: the triangle that owns it, or -1; and how many do.
 struct Owners {
     std::vector<int> owner, count;
 };

@@ -118,7 +118,7 @@ Settings settings_of(const Scene& scene, Random& random) {
     return settings;
 }
 
-/// How many triangles cover each pixel, by drawing each alone; row by row.
+/// How many triangles cover each pixel, found by drawing each alone; row by row.
 std::vector<int> covered_times(const Floor& floor, const Settings& settings, SimdLevel level) {
     std::vector<int> times(static_cast<std::size_t>(settings.viewport.width) *
                            static_cast<std::size_t>(settings.viewport.height));
@@ -139,7 +139,7 @@ std::vector<int> covered_times(const Floor& floor, const Settings& settings, Sim
     return times;
 }
 
-/// Where a whole picture is not covered as by its triangles one by one, each pixel at most once.
+/// Where a whole picture is covered differently from its triangles one by one, or more than once.
 /// @param is_full no pixel may show the background
 std::string cut_fault(const Floor& floor, const Settings& settings, SimdLevel level, bool is_full) {
     const std::vector<int> times = covered_times(floor, settings, level);

@@ -51,7 +51,7 @@ TEST_CASE("The knot's triangles look outwards, and its normals are those of its 
     CHECK(without_area == 0);
     CHECK(against == 0);
     CHECK(not_unit == 0);
-    // Of a tube without bumps, r^2 pi times its length, which is that of the curve in its middle.
+    // For a tube without bumps, pi r^2 times its length, which is the length of its middle curve.
     double length = 0.0;
     const auto middle = [](double u) {
         const double r = 0.62 + 0.22 * std::cos(3 * u);

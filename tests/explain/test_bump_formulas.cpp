@@ -23,7 +23,7 @@ TEST_CASE("Every number of a bent normal follows from its formula to the bit") {
     test::Random random(5);
     std::set<float> signs;
     int in_space = 0;
-    // What else is set along with each reading of the map.
+    // The other settings for each reading of the map.
     const std::string_view others[] = {
         "normal_map_space=world", "normal_map_space=tangent",
         "normal_map_space=tangent light.model=blinn_phong light.sides=two",

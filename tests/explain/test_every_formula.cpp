@@ -27,7 +27,7 @@ using test::Choice;
 
 constexpr std::array<const char*, 3> channels{"red", "green", "blue"};
 
-/// What is shown where this shading is in force.
+/// What is shown if this shading is in force.
 const char* shown_id(Shading shading) {
     switch (shading) {
     case Shading::unlit:
@@ -130,7 +130,7 @@ TEST_CASE("Under every setting each formula gives its number, and the last the d
     CHECK(looked_at > 400);
 }
 
-/// Where a number follows another rule than usual.
+/// Where a number follows an unusual rule.
 struct Exception {
     const char* scene;
     std::vector<const char*> assignments;
@@ -161,7 +161,7 @@ TEST_CASE("A formula whose number follows another rule than usual says so") {
         Framebuffer framebuffer;
         clear(framebuffer, frame);
         draw(frame, {}, framebuffer, &recorder);
-        // In the row through the lamp's mirror image, and a few in each other.
+        // In the row through the lamp's mirror image, and a few in each other row.
         for (const FragmentEvent& event : recorder.fragments) {
             if (event.fragment.row != 120 && event.fragment.column % 40 != 0) continue;
             const std::optional<FragmentReport> report = fragment_report(frame, event.cursor);

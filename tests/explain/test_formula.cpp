@@ -168,7 +168,7 @@ TEST_CASE("Every number of every vertex of the room follows from what its formul
                                          variant.name + ", " + pose.name + ", t" +
                                              std::to_string(t) + "/v" + std::to_string(v));
                     if (report.shaded.rejection != Rejection::none) continue;
-                    // Where a plane cuts, the corners that are drawn are others.
+                    // Where a plane cuts, different corners are drawn.
                     const ScreenVertex& drawn =
                         frame.is_cut(t) ? frame.given_vertex(t, v).pixel
                                         : frame.triangle_vertices(t)[static_cast<std::size_t>(v)];

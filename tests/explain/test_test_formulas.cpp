@@ -53,7 +53,7 @@ TEST_CASE("The formulas of a tested pixel come to the numbers of the stage") {
         float sum = 0.0f;
         for (int e = 0; e < 3; ++e) {
             const Formula& formula = formula_of(formulas, "e." + std::to_string(e));
-            // Of whole pixels floats hold every product; else they are off in the last digits.
+            // For whole pixels floats hold every product; others are off in the last digits.
             if (settings.snap == Snap::pixel)
                 CHECK(evaluate(formula) == formula.result.value);
             else

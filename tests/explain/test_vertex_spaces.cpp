@@ -217,7 +217,7 @@ TEST_CASE("Of the conventions those cancel that are known to") {
     CHECK(cancelling_words(camera) == std::vector<std::string>{"column_vectors", "transposed",
                                                                "z_backward negative_f",
                                                                "y_up rows_up"});
-    // With a tilt, y up turns it round as well.
+    // With a tilt, y up reverses it as well.
     camera.pitch = 0.2f;
     CHECK(cancelling_words(camera) ==
           std::vector<std::string>{

@@ -406,7 +406,7 @@ TEST_CASE("Facts of lines: ends that are missed, samples elsewhere in run B, dec
     CHECK(room.number("frame.ends_missed") == 0);
     CHECK(room.is_there("cursor.decision"));
     CHECK(room.is_there("cursor.diagonal"));
-    // Where the next thing is no sample, nothing is decided.
+    // If the next thing is not a sample, nothing is decided.
     room.session.cursor = {0, Phase::vertices, 0, 0};
     CHECK_FALSE(room.is_there("cursor.decision"));
 }

@@ -233,7 +233,7 @@ TEST_CASE("B79: red and blue change places on the screen, and nowhere before it"
     const PixelDifference difference = pixel_difference(bug.wrong_picture, bug.right_picture);
     CHECK(difference.different == changed);
     CHECK(difference.shown == changed);
-    // Of another view of the picture the channels are no colours of the scene.
+    // In another view of the picture the channels are not colours of the scene.
     CHECK(view_image(bug.wrong_picture, View::depth).rgba ==
           view_image(bug.right_picture, View::depth).rgba);
 }

@@ -79,7 +79,7 @@ TEST_CASE("B82: a cut corner stands in the right place, with what the one cut of
             }
             ++cut_corners;
             CHECK(glm::distance(carried, expected) > 0.5);
-            // Of one of the corners behind the plane.
+            // For one of the corners behind the plane.
             int alike = 0;
             for (int c = 0; c < triangle_corners; ++c) {
                 const Vertex& corner = bug.wrong.scene->corner(t, c);
@@ -94,7 +94,7 @@ TEST_CASE("B82: a cut corner stands in the right place, with what the one cut of
     CHECK(bug.wrong_picture.owner == bug.right_picture.owner);
     CHECK(bug.wrong_picture.depth == bug.right_picture.depth);
     CHECK(pixel_difference(bug.wrong_picture, bug.right_picture).different > 3000);
-    // What is not cut is as it was.
+    // What is not cut is unchanged.
     Settings far_back = bug.wrong.settings;
     far_back.camera.position.z = 0.0f;
     const Framebuffer wrong = draw_frame(bug.frame_of(far_back));

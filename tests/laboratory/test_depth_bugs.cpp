@@ -99,7 +99,7 @@ TEST_CASE("B17e: the picture is the same to the last bit, and only empty cells a
         if (!same_bits(runs.wrong.picture.depth[at], wanted)) FAIL("cell " << at);
     }
     CHECK(empty == 998);
-    // Of z, where the smaller value wins, nothing would pass.
+    // With z, where the smaller value wins, nothing would pass.
     for (const FragmentEvent& event : runs.right.told.fragments)
         REQUIRE_FALSE(event.fragment.z < -static_cast<float>(INT_MAX));
 }

@@ -235,7 +235,7 @@ TEST_CASE("Beside the true cause nothing is named that explains nothing more") {
     const auto diagnose = [&](const Settings& wrong) {
         return diagnose_picture(picture_of(scene, wrong), scene, reference, bugs);
     };
-    // What the lab itself does is no cause.
+    // What the lab itself does is not a cause.
     for (const StageInfo& stage : stage_list()) {
         Settings other = reference;
         set_step(other, stage.step);

@@ -159,7 +159,7 @@ TEST_CASE("B94: tables of all edges but the last, and triangles that dissolve in
             const bool is_spanned = row > top && row < bottom;
             whole += !is_spanned && found != wrong.end() && found->second == columns ? 1 : 0;
             if (!is_spanned) continue;
-            // What is left is one edge, of a few pixels a row.
+            // One edge is left, with a few pixels per row.
             const bool is_line = found != wrong.end() && found->second.right - found->second.left <
                                                              (columns.right - columns.left) / 2;
             open += is_line ? 1 : 0;

@@ -115,7 +115,7 @@ TEST_CASE("B67: below 0 a texel is read from the row above, and before the first
     const TexturedRuns runs("B67");
     int moved = 0, outside = 0;
     for_each_inner_pixel([&](int column, int row) {
-        // What is left of a number by counting on from it, its sign kept.
+        // The remainder of a number by counting on from it, with its sign.
         const auto rest = [](double coordinate, int count) {
             int texel = static_cast<int>(std::floor(coordinate * count));
             while (texel <= -count)

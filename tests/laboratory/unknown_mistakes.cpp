@@ -262,7 +262,7 @@ const Unknown of_the_light[] = {
      }},
 };
 
-// What is done to the finished picture.
+// Changes to the finished picture.
 const Unknown of_the_picture[] = {
     {"a checkerboard of pixels is dropped", "depth",
      [](Program& p) {

@@ -53,7 +53,7 @@ TEST_CASE("A computed answer below zero has a minus sign, and is read again") {
     }
     CHECK(answer_text(-5.0) == "−5");
     CHECK(answer_text(-1.25, 2) == "−1.25");
-    // What was typed looks like what the program says.
+    // The typed answer looks like the program's.
     CHECK(answer_words(prediction_of(Kind::number), {-5.0}, "-5") == answer_text(-5.0));
 }
 

@@ -14,7 +14,7 @@ using namespace rasterwalk::test;
 namespace {
 namespace blending_track {
 
-/// What is left of a channel of the wall behind panes, and what they add, from the first drawn on.
+/// A channel of the wall behind panes, and what they add, starting with the first drawn.
 struct Pane {
     double alpha, channel;
 };
@@ -34,7 +34,7 @@ PREDICTIONS_TEST("Lesson 32: what glass leaves of a wall", "32-blending", "two-p
     const double blue_last = behind(1.0, {{alpha, 1.0}, {alpha, 0.0}});
     CHECK(red_last == Approx(0.8125));
     CHECK(blue_last == Approx(0.75));
-    // Where blue is last there is more blue than red, and little green: what a task asks for.
+    // If blue is last there is more blue than red, and little green, which a task asks for.
     CHECK(behind(1.0, {{alpha, 0.0}, {alpha, 1.0}}) > blue_last);
     CHECK(behind(1.0, {{alpha, 0.0}, {alpha, 0.0}}) < 0.6);
     lesson.require_choice("more-red", red_last > blue_last ? 1 : 0);

@@ -37,7 +37,7 @@ GridPoint centre(int column, int row) {
     return {pixel_centre(column), pixel_centre(row)};
 }
 
-/// In square pixels, of corners that are pixels.
+/// Twice the area, in square pixels, of a triangle with corners at pixels.
 double twice_area(const glm::ivec2& a, const glm::ivec2& b, const glm::ivec2& c) {
     return a.x * b.y + b.x * c.y + c.x * a.y - a.y * b.x - b.y * c.x - c.y * a.x;
 }
@@ -307,7 +307,7 @@ TEST_CASE("Lesson 21: what it says about the room in figures") {
     CHECK(tested == 719'256);
     CHECK(fragments == 325'329);
     require_said("21-edge-functions.md", "719 256 pixels for 325 329 fragments");
-    // What lies inside or on an edge is what the interval tests.
+    // The interval tests exactly what is inside or on an edge.
     require_said("21-edge-functions.md", "In the room 325 329 of the 719 256 tests are left.");
 }
 

@@ -115,7 +115,7 @@ class Places {
         }
     }
 
-    /// How many of the pixels hold a condition, counted for all of the picture.
+    /// The number of pixels that satisfy a condition, scaled to the whole picture.
     template <typename Condition>
     double count(const Condition& holds) const {
         return static_cast<double>(stride * stride *

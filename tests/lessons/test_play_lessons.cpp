@@ -56,7 +56,7 @@ struct Student {
     bool has_done(const LessonTask& task) const { return is_done(task, Facts(session, results)); }
 };
 
-/// What the link of a field promises has come true; each by the key of its field.
+/// Checks that links of fields keep their promises, by the key of the field.
 const std::map<std::string_view, void (*)(const LessonLink&, const Student&)> promises{
     {"set",
      [](const LessonLink& link, const Student& student) {
@@ -114,7 +114,7 @@ const std::map<std::string_view, void (*)(const LessonLink&, const Student&)> pr
      }},
 };
 
-/// What a link promises has come true.
+/// Checks that a link keeps its promise.
 void check_kept(const LessonLink& link, const Student& student) {
     if (link.kind == LessonLink::Kind::lesson) {
         CHECK(std::filesystem::exists(lessons_folder() + "/" + link.argument + ".md"));
@@ -200,7 +200,7 @@ TEST_CASE("Each prediction is computed, refuses a wrong answer and takes the rig
             CHECK(judged({right}).is_right);
             const double far = 2.0 * std::abs(right) + 1000.0;
             CHECK_FALSE(judged({right + far}).is_right);
-            // What is shown is what would be accepted.
+            // What is shown would be accepted.
             CHECK(judged({*read_answer(answer_text(right))}).is_right);
             break;
         }

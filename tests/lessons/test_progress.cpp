@@ -256,7 +256,7 @@ TEST_CASE("What two windows do is kept, whichever writes last") {
     CHECK(after_b.of("06-filling").answers.at("how-many") == FirstAnswer{"5", true});
     CHECK(after_b.of("04-edges").last_step == 5);
     CHECK(after_b.last_lesson == "04-edges");
-    // What one forgets does not come back by the other, which still knows it.
+    // What one forgets does not come back through the other, which still has it.
     write_progress(after_b, {}, path);
     Progress later = after_b;
     later.note_step("07-painters-order", 0);

@@ -106,7 +106,7 @@ TEST_CASE("Every prediction of a lesson foresees wrong answers, and of a choice 
             INFO(lesson.path << ":" << prediction.line << " " << prediction.id);
             CHECK_FALSE(prediction.misconceptions.empty());
             if (prediction.kind != LessonPrediction::Kind::choice) continue;
-            // Of a choice all wrong ones are answered, and only those.
+            // For a choice, all wrong answers get a reply, and only those.
             std::set<int> answered;
             for (const Misconception& one : prediction.misconceptions)
                 answered.insert(one.choice);

@@ -85,7 +85,7 @@ TEST_CASE("No task of a lesson is solved by luck, and every try that misses is a
     lessons.read_folder(lessons_folder());
     LessonTrial trial;
     const int tries = test::rounds(300, 4);
-    // Of few tries more may pass by chance: three deviations above a tenth.
+    // With few tries, more may pass by chance: three deviations above a tenth.
     const double most = 0.1 * tries + (tries < 300 ? 3.0 * std::sqrt(0.09 * tries) : 0.0);
     for (const Lesson& lesson : lessons.all()) {
         for (const LessonTask& task : lesson.tasks) {

@@ -35,7 +35,7 @@ Session session_on(const std::string& scene) {
     return open_session(lessons_folder() + "/" + scene);
 }
 
-/// What the link shows is what it was made of.
+/// Checks that the link shows what it was made from.
 void check_round_trip(const Session& session) {
     const std::string link = view_link(session);
     INFO(link);

@@ -69,7 +69,7 @@ class RayPicture {
   public:
     static constexpr int left_out = -2, nothing = -1;
 
-    /// Of each row only every `every`-th pixel is looked at.
+    /// Only every `every`-th pixel of each row is tested.
     RayPicture(const Scene& scene, const Settings& settings, int every = 1)
         : rays(scene, settings.camera, settings.light), size(settings.viewport) {
         for (int row = 0; row < size.height; ++row) {

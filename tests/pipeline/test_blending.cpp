@@ -39,7 +39,7 @@ struct Pane {
     bool holds(int x, int y) const { return x >= left && x < right && y >= top && y < bottom; }
 };
 
-/// In the order of drawing, on black; each that is drawn writes its depth.
+/// Blends in drawing order, on black; each that is drawn writes its depth.
 glm::dvec3 composed(const std::vector<Pane>& panes, int x, int y, bool tests_depth) {
     glm::dvec3 colour(0.0);
     double nearest = 1e30;

@@ -150,7 +150,7 @@ std::array<std::int64_t, 2> check_scene(const Scene& scene, Settings settings) {
     }
     CHECK(times.size() == static_cast<std::size_t>(inside));
     CHECK(std::all_of(times.begin(), times.end(), [](const auto& of) { return of.second == 1; }));
-    // What is counted and what can be walked is what is reported.
+    // The counts and the moments agree with what is reported.
     CHECK(frame_stats(interval).pixels_tested == static_cast<std::int64_t>(found.size()));
     const Timeline timeline(interval);
     std::int64_t moments = 0;

@@ -30,7 +30,7 @@ struct Counts {
 
 Counts draw_counted(const Frame& frame) {
     Counts counts;
-    // Of all that a buffer can hold the farthest, whatever depth_clear says.
+    // The farthest depth that a buffer can hold, whatever depth_clear says.
     const ClipDepth kind = depth_kind(frame);
     PictureRules rules;
     rules.depth_clear = farthest_depth(kind);

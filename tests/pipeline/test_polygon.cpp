@@ -144,7 +144,7 @@ TEST_CASE("A rejected triangle keeps its entry, even without any corner") {
         CHECK(frame.triangle_count() == 1);
         CHECK_FALSE(frame.is_drawn(0));
         const Timeline timeline(frame);
-        // What clip or cull have taken away can be stood on, with the vertices of the scene.
+        // The cursor can be at what clip or cull have taken away, with the vertices of the scene.
         CHECK(timeline.first() == (reason == Rejection::outside ? cursor_end : cursor_begin));
         CHECK_FALSE(timeline.exists({0, Phase::edges, 0, 0}));
         const Framebuffer picture = draw_frame(frame);

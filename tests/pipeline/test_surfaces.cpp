@@ -231,9 +231,9 @@ TEST_CASE("Each shading, fall-off, highlight and mistake of it is what rays in d
                  {"light.model=lambert", "light.falloff=no_4pi", "light.falloff=linear",
                   "light.falloff=none", "light.place=camera", "light.highlight=unasked",
                   "light.highlight=long_half", "light.renormalize=off"}) {
-                // What spreads over less gets less power, so that not all is white.
+                // Light that spreads over less gets less power, so that not all is white.
                 const std::string law = rule;
-                // Of a number near 2 the cylinder's exponent of 50 makes much of 1/256 of a pixel.
+                // Near 2, the cylinder's exponent of 50 amplifies 1/256 of a pixel.
                 if (is_cylinder && law == "light.highlight=long_half") continue;
                 const char* power = law == "light.falloff=none"     ? "light.power=0.6"
                                     : law == "light.falloff=linear" ? "light.power=1.2"

@@ -79,7 +79,7 @@ struct Apart {
     double mean = 0.0, largest = 0.0;
 };
 
-/// Of the light, the channel that differs most, over all pixels.
+/// The largest difference of light in any channel, over all pixels.
 Apart apart(const Framebuffer& a, const Framebuffer& b) {
     Apart result;
     for (std::size_t i = 0; i < a.colour.size(); ++i) {
@@ -302,7 +302,7 @@ TEST_CASE(
           "compared.");
     CHECK_FALSE(found.is_same());
     CHECK_FALSE(next_divergence(a, b, cursor_begin));
-    // In parts the same is found.
+    // Done in parts, the result is the same.
     ComparisonWork work;
     work.begin(b, a);
     int calls = 0;

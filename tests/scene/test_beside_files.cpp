@@ -35,7 +35,7 @@ struct Archive {
     test::TemporaryFolder folder;
 };
 
-/// What became of a name: the file that is read, without its folders; "" if none is.
+/// The result for a name: the file that is read, without its folders; "" if none is.
 std::string found_as(const Archive& archive, const std::string& name) {
     BesideFiles files({archive.model()});
     const BesideFile file = files.find(name);

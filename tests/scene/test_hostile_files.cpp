@@ -85,7 +85,7 @@ TEST_CASE("An image is unpacked once for all strengths of its heights") {
     CHECK(files.read_heights(path, "h", 2.0f).index == 1);
     CHECK(files.read(path, "h").index == 2);
     CHECK(files.read_heights(path, "h", 1.0f).index == 0);
-    // From 64 on each is the same.
+    // From 64 up, each is the same.
     CHECK(files.read_heights(path, "h", 64.0f).index == files.read_heights(path, "h", 65.0f).index);
 }
 

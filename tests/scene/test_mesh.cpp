@@ -178,7 +178,7 @@ TEST_CASE("The triangles of a flat face of the room share the vertices of their 
                 room.mesh.triangles()[static_cast<std::size_t>(triangle)];
             vertices.insert(indices.begin(), indices.end());
         }
-        // Of some faces the normals differ in the last bit, or in the sign of a zero.
+        // In some faces the normals differ in the last bit, or in the sign of a zero.
         const bool is_flat = same_bits(room.corner(t, 0).normal, room.corner(t + 1, 0).normal);
         CHECK(vertices.size() == (is_flat ? 4u : 6u));
         shared += is_flat ? 1 : 0;

@@ -44,7 +44,7 @@ TEST_CASE("A frame that could not be prepared is prepared the next time") {
     session.scene = std::make_shared<const Scene>(test::made_scene(4000));
     largest_block = 100'000;
     CHECK_THROWS_AS(update(session, results), std::bad_alloc);
-    // What is there still belongs together.
+    // What remains still belongs together.
     CHECK(results.a.frame.triangle_count() == 20);
     CHECK(results.a.frame.scene == results.a.scene.get());
     largest_block = std::numeric_limits<std::size_t>::max();

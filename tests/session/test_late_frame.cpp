@@ -95,7 +95,7 @@ TEST_CASE("While the camera turns without rest frames are seen, and at rest the 
     finish(session, expected);
     CHECK(results.a.picture == expected.a.picture);
 
-    // What is finished at once is what is asked for, whatever was begun.
+    // finish() leads to what is asked for, whatever was begun.
     session.a.settings.camera.yaw += 0.01f;
     update(session, results, little);
     REQUIRE(results.a.is_frame_late);
@@ -148,7 +148,7 @@ TEST_CASE("What fell on the picked pixel is looked for when the picture is drawn
     int without = 0;
     do {
         update(session, results, least);
-        // What is said about the pixel is about the frame on screen, or nothing is said.
+        // Anything reported about the pixel belongs to the frame on screen.
         REQUIRE(results.history.has_value() != results.history_work.has_value());
         if (results.history_work) {
             REQUIRE(is_working(results));

@@ -29,7 +29,7 @@ std::string told_moment(const std::string& words, int triangles) {
     const auto number = [&](std::size_t group) {
         return match[group].matched ? std::stoi(match[group]) : -1;
     };
-    // Of everything counted, which of how many: the last is one less than there are.
+    // Which of how many, for everything counted: the last is one less than the count.
     for (const auto& [index, count] : {std::pair(1, 2), {3, 4}, {6, 7}, {9, 10}, {11, 12}}) {
         if (number(index) >= 0 && number(index) >= number(count)) return "beyond the last";
     }

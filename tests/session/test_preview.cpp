@@ -35,7 +35,7 @@ Settings changed_by(Settings settings, std::string_view assignment) {
     return settings;
 }
 
-/// What the fast engine makes of it, by way of its planes.
+/// The fast engine's picture of it, made from its planes.
 Framebuffer fast_planes(const Scene& scene, const Settings& settings) {
     Framebuffer planes;
     draw_by_engine(prepare_frame(scene, changed_by(settings, "engine=fast")), cursor_end, planes);
@@ -82,7 +82,7 @@ TEST_CASE("A large picture turns as the fast engine's, and at rest becomes that 
         REQUIRE_FALSE(a.next.run);
         REQUIRE(a.frame_number == frame);
         REQUIRE(a.picture_number == picture);
-        // Nor by a second update of the same frame of the window.
+        // And not by a second update of the same frame of the window.
         CHECK_FALSE(update(session, results, so_little));
         REQUIRE_FALSE(a.next.run);
     }

@@ -118,7 +118,7 @@ TEST_CASE("At z = 4 a buffer of 16 bits tells surfaces 0.0024 apart, whichever w
     // 1/z has as many steps, from 0 to 1/near.
     CHECK(told_apart(4.0, rules_of("inv_z_16"), random) ==
           Approx(1.0 / near / 65535.0 * 16.0).epsilon(0.04));
-    // In 32 bits only the reversed form gains by the float's small steps near 0.
+    // In 32 bits only the reversed form gains from float's small steps near 0.
     const double reversed = told_apart(50.0, rules_of("reversed_32"), random);
     const double normal = told_apart(50.0, rules_of("ndc_32"), random);
     CHECK(reversed < 0.1 * normal);
@@ -168,7 +168,7 @@ TEST_CASE("Every depth test acts with every format, the right way round") {
                 const float stored = held_at(before, rules), held = held_at(z, rules);
                 const DepthResult over = stages.depth_test(fragment, stored, rules);
                 CHECK(over.depth == held);
-                // Where the buffer holds both as equally near, only a missing test lets z pass.
+                // If the buffer holds both as equally near, only a missing test lets z pass.
                 const bool is_nearer_by_z = z < before && held != stored;
                 const bool is_farther_by_z = z > before && held != stored;
                 const bool expected = word == "off"        ? true

@@ -45,7 +45,7 @@ ScreenVertex vertex_at(std::int64_t x, std::int64_t y) {
     return vertex;
 }
 
-/// In a field of so many pixels; often on a centre, or level with one.
+/// A corner in a field of so many pixels; often on a centre, or level with one.
 constexpr int field = 9;
 GridPoint any_point(Random& random) {
     const auto any = [&]() -> std::int64_t {
@@ -177,7 +177,7 @@ TEST_CASE("Two triangles that share an edge: under top_left no pixel twice, and 
                     covered[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
                 const bool is_on_edge = side(a, b, centre) == 0;
                 if (times == 1 && !is_on_edge) continue;
-                // Of the shared edge, but for its ends, and of the inside all is of the union.
+                // The union has all of the inside, and the shared edge except for its ends.
                 const std::vector<GridPoint> both{a, d, b, c};
                 const bool is_in = is_covered(both, centre, FillRule::exclusive);
                 on_shared_edge += is_in && is_on_edge ? 1 : 0;

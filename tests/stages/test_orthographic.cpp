@@ -200,7 +200,7 @@ TEST_CASE("By the depth of the world's origin the scale is f / d, or by the dept
     settings = orthographic_settings(room);
     settings.camera.position.z = 5.0f;
     CHECK(orthographic_depth_rule(settings) == settings.near);
-    // What is given in pixels is projected already.
+    // A scene in pixels is already projected.
     CHECK(vertex_rules(settings, SceneSpace::pixels).projection.mix == 0.0f);
 }
 

@@ -155,7 +155,7 @@ TEST_CASE("The rows of random polygons are those of the definition, under every 
             REQUIRE(rows.left[r].column == ends.left);
             REQUIRE(rows.right[r].column == ends.right);
             if (ends.left_edge < 0) continue;
-            // Of equal samples the first one stays, with all it carries.
+            // The first of equal samples stays, with all its values.
             REQUIRE(same_bits(rows.left[r], end_of(ends.left_edge, ends.left_sample)));
             REQUIRE(same_bits(rows.right[r], end_of(ends.right_edge, ends.right_sample)));
         }

@@ -60,7 +60,7 @@ TEST_CASE("A vertex on the screen keeps its place inside the pixel that it is sn
     CHECK(shaded.pixel.column == 18);
     CHECK(shaded.pixel.row == 9); // the lab's int() cuts toward the middle
 
-    // Where a scene is given in pixels a place is the centre of its pixel.
+    // In a scene given in pixels, a place is the centre of its pixel.
     rules.space = SceneSpace::pixels;
     vertex.position = {4.75f, 2.5f, 1.0f};
     const ShadedVertex given = shade_vertex(vertex, camera_rotation(rules.camera), rules, {});

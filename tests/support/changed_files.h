@@ -17,7 +17,7 @@ namespace rasterwalk::test {
 inline constexpr double most_seconds = 2.0;
 inline constexpr std::size_t most_memory = std::size_t{200} << 20;
 
-/// What became of a file.
+/// The outcome of a file.
 struct FileOutcome {
     bool is_read = false; ///< or refused; a file of materials, of which only what is wrong is left
                           ///< out, is read if there is nothing wrong

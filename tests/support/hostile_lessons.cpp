@@ -87,7 +87,7 @@ std::vector<HostileLesson> hostile_lessons() {
         {"bytes that are no text", "\xff\xfe\xfd", first,
          "the line is not plain UTF-8 text, or contains control characters."},
     };
-    // Of these the rest can be shown.
+    // The rest of these can be shown.
     const auto add = [&](const char* about, std::string text, int line, std::string sentence) {
         all.push_back({about, std::move(text), line, std::move(sentence), true});
     };
@@ -126,7 +126,7 @@ std::vector<HostileLesson> hostile_lessons() {
     add("a picture outside", "![a](../../../../etc/passwd.png)", first,
         "the picture '../../../../etc/passwd.png' must be a PNG in the lessons folder or in "
         "../screenshots/.");
-    // Of each setting one; all others are too many.
+    // One for each setting; all others are too many.
     const std::string three = "<!-- control\nsetting = \"interpolation\"\n-->\n"
                               "<!-- control\nsetting = \"clip\"\n-->\n"
                               "<!-- control\nsetting = \"cull\"\n-->\n";

@@ -120,7 +120,7 @@ std::vector<Ring> tube(int count, const glm::dvec3& up,
     return rings;
 }
 
-/// What turns about the y axis: a smooth line through places (radius, height), from below to above.
+/// A surface of revolution about the y axis: a smooth line through places (radius, height), upward.
 std::vector<Ring> lathe(const std::vector<glm::dvec2>& profile, int pieces) {
     const int last = static_cast<int>(profile.size()) - 1;
     const auto at = [&](int i) {

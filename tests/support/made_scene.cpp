@@ -31,7 +31,7 @@ constexpr int patch_cells = 5;
 constexpr int patch_triangles = 2 * patch_cells * patch_cells;
 /// How far a vertex of the grid is from its place, half cells.
 constexpr float stray = 0.6f;
-/// With so many patches comes one large triangle.
+/// There is one large triangle per so many patches.
 constexpr int patches_to_a_large_one = 20;
 
 /// Makes the scene, piece by piece.

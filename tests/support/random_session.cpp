@@ -74,7 +74,7 @@ Session started(Random& random) {
     const Lesson lesson =
         read_lesson(lessons_folder() + "/" + lessons[random.integer(0, 3)] + ".md");
     open_step(session, lesson, random.integer(0, static_cast<int>(lesson.steps.size()) - 1));
-    // In a lesson another scene may be open than its own.
+    // In a lesson, a scene other than its own may be open.
     if (random.integer(0, 3) == 0) {
         set_scene(session, *open_session(lessons_folder() + "/scenes/" + scene + ".toml").scene);
     }
@@ -162,7 +162,7 @@ Session random_session(Random& random) {
     }
     const Frame frame = prepare_frame(*session.scene, session.a.settings);
     session.cursor = Timeline(frame).at_or_after(session.cursor);
-    // What another size of the picture has put outside is selected no more.
+    // A selection that a new picture size has put outside is dropped.
     Selection& selection = session.selection;
     const Viewport& size = session.a.settings.viewport;
     if (selection.row && *selection.row >= size.height) selection.row = std::nullopt;

@@ -8,7 +8,7 @@
 
 namespace rasterwalk {
 
-/// Of pictures that are diagnosed often, pixels.
+/// Side of pictures that are diagnosed often, pixels.
 inline constexpr int small_side = 100;
 
 /// Ends the check of a file that has been begun.

@@ -158,7 +158,7 @@ TEST_CASE(
         driver.ui.session.overlays.set(Overlay::wireframe, true);
         driver.ui.session.overlays.set(Overlay::drawn_twice, true);
         rest(driver);
-        // Of the triangles one in the middle and the last.
+        // Among the triangles, one in the middle and the last.
         std::vector<Cursor> phases = moments_of(driver, Granularity::phase);
         std::erase_if(phases,
                       [](const Cursor& at) { return at.triangle % 15 != 14 && at != cursor_end; });

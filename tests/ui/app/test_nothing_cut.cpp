@@ -22,7 +22,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What is shown, and in which scene.
+/// What is shown, and its scene.
 struct Shown {
     const char* name;
     const char* scene;

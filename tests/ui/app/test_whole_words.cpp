@@ -60,7 +60,7 @@ TEST_CASE("No panel shortens what it says, nor does the line below the time line
             driver.open(tab);
             driver.hand.leave();
             CHECK(shortened_lines({"inspector", "transport"}) == nothing);
-            // Nor does it leave out what it is about.
+            // And it does not leave out its subject.
             const std::string words = "\n" + all_words("inspector");
             const std::vector<std::string> said = said_by(tab);
             INFO(words);

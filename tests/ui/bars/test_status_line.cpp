@@ -35,7 +35,7 @@ TEST_CASE("Nothing is said about row tables before they come up") {
     CHECK_FALSE(tells());
     driver.ui.session.tab_guide.shows_all = true;
     CHECK(tells());
-    // That triangles are left out is said in every lesson.
+    // Every lesson reports that triangles are left out.
     driver.ui.session.tab_guide.shows_all = false;
     driver.ui.session.a.settings.camera.position.z = -0.5f;
     CHECK(tells());

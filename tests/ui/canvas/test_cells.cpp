@@ -302,7 +302,7 @@ TEST_CASE("A line below the cells says whose their signs are, and of what their 
     CHECK(text.find("number: 1/z in the depth buffer") != text.npos);
     CHECK(text.find(picked) != text.npos);
     CHECK(text.find("triangles[" + std::to_string(triangle) + "]") != text.npos);
-    // What there is room for of it is drawn.
+    // It is drawn as far as there is room.
     const WidgetPlace key = driver.hand.find("canvas.cells");
     const std::vector<ScreenText> texts = screen_text(3.0f);
     CHECK(std::any_of(texts.begin(), texts.end(), [&](const ScreenText& line) {

@@ -207,7 +207,7 @@ TEST_CASE("A scene in pixels has no outside") {
     CHECK(driver.hand.is_visible("canvas"));
     CHECK_FALSE(driver.hand.is_visible("canvas.outside"));
     CHECK(driver.ui.session.notice.find("no camera") != std::string::npos);
-    // Nor if a view says so.
+    // Not even if a view says so.
     driver.ui.session.canvas.shows = CanvasShows::both;
     driver.hand.rest();
     CHECK(driver.hand.is_visible("canvas"));
@@ -327,7 +327,7 @@ TEST_CASE("The view from outside says which triangles are still to come") {
     CHECK(coming_words(30, {29, Phase::vertices, 0, 0}).empty());
     CHECK(coming_words(30, cursor_end).empty());
     CHECK(coming_words(0, cursor_begin).empty());
-    // Of a large scene none is darker.
+    // In a large scene none is darker.
     CHECK(coming_words(most_ordered + 1, cursor_begin).empty());
 }
 

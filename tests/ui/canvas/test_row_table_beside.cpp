@@ -476,7 +476,7 @@ TEST_CASE("1/z stands in the table too where no samples have written the ends") 
     CHECK(std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
         return text.words.find(shown) != text.words.npos;
     }));
-    // Where pixels are asked one by one there are no ends to be put into a table.
+    // If pixels are tested one by one, there are no ends to put into a table.
     room.ui.session.a.settings.coverage = Coverage::edge_functions;
     room.hand.rest();
     CHECK_FALSE(is_shown(room));

@@ -45,7 +45,7 @@ struct PixelOf {
     int column, row;
 };
 
-/// Of a small picture, by the pixel of the large one.
+/// The colour in a small picture at a pixel of the large one.
 std::vector<std::uint8_t> colour_at(const Driver& driver, std::size_t picture, PixelOf pixel) {
     const CoveragePictures& shown = driver.ui.inspector.coverage;
     const Rectangle& window =

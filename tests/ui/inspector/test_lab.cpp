@@ -38,7 +38,7 @@ TEST_CASE("What the lab does by itself is said to be on already, and compared wi
     Driver driver;
     driver.open("lab");
     for (const Bug& bug : lab_bugs(driver.ui)) {
-        // By the data alone: each thing that the mistake sets is what the lab has.
+        // Judged by the data alone: everything that the mistake sets is as in the lab.
         const Settings lab = default_settings(*driver.ui.session.scene);
         Settings set = lab;
         for (const auto& [name, value] : bug.set) {

@@ -92,7 +92,7 @@ TEST_CASE("Every setting can be reached in the panel, and the search leaves only
     driver.hand.enter("settings.search", "focal");
     CHECK(driver.hand.is_visible("setting.camera.focal_length"));
     CHECK_FALSE(driver.hand.is_visible("setting.rounding"));
-    // What the scene has no use for is found all the same.
+    // Settings without a use in the scene are found all the same.
     driver.hand.enter("settings.search", "texture_wrap");
     CHECK(driver.hand.is_visible("setting.texture_wrap"));
 }

@@ -278,7 +278,7 @@ TEST_CASE("In a small window the table shows what the step speaks of, in all its
         // z is in the formula below.
         const std::string& z = driver.ui.widgets.at("vertices.formula.z").text;
         CHECK(z.substr(0, 5) == "2.412");
-        // In so small a lecture picture and text have the room, and the formula is scrolled to.
+        // In such a small lecture, picture and text take the room; scroll to the formula.
         if (!c.is_lecture) CHECK(driver.ui.widgets.at("vertices.formula.z").visible);
         // The camera looks along z, so the numbers would be there twice.
         CHECK(driver.ui.widgets.at("vertices.minus_camera.z.v0").text == "2.412");

@@ -17,7 +17,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What of a window is drawn.
+/// The part of a window that is drawn.
 struct Edges {
     float top = -1e9f, bottom = 1e9f; ///< screen pixels
 };

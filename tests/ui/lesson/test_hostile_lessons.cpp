@@ -57,7 +57,7 @@ TEST_CASE("The column shows the fault of every hostile lesson, and the open less
         const std::string id = name.substr(0, name.size() - 3);
         room.driver.hand.click("lesson.list");
         REQUIRE(ui.widgets.count("lesson.item." + id) == 1);
-        // What only rasterwalk check finds is no fault of the reader.
+        // What only rasterwalk check finds is not a fault for the reader.
         const Lesson read = *ui.lesson.lessons.find(id);
         const std::string sentence = read.faults.empty() ? "" : fault_text(read, read.faults[0]);
         room.driver.hand.click("lesson.item." + id);

@@ -412,7 +412,7 @@ TEST_CASE("The first page of a lesson says what the next one is about") {
         if (driver.ui.lesson.is_strip) continue;
         const std::vector<ScreenText> texts = screen_text();
         CHECK(std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
-            // Where it is too long, as far as it fits.
+            // If it is too long, as far as it fits.
             return text.window.starts_with("lesson") &&
                    text.words.find(lesson.steps[1].heading.substr(0, 6)) != std::string::npos;
         }));
@@ -520,7 +520,7 @@ TEST_CASE("In a small window each lesson of the list has one line, cut between w
         for (const Lesson& lesson : driver.ui.lesson.lessons.all()) {
             INFO(lesson.title);
             const WidgetPlace place = driver.hand.find("lesson.item." + lesson.id);
-            // Of one at the edge of the list only a part is seen.
+            // Only a part of one at the edge of the list is seen.
             height = std::max(height, place.bottom_right.y - place.top_left.y);
             if (place.text == lesson.title) continue;
             const std::string end = " …";

@@ -461,7 +461,7 @@ TEST_CASE("Strip and whole text take each other on where the student reads") {
     CHECK(lesson.has_more_above); // within the first part
     press('T');
     CHECK(lesson.strip.card == last);
-    // What is scrolled in the whole text the strip goes on with.
+    // The strip continues where the whole text was scrolled to.
     press('T');
     while (lesson.has_more_above)
         press(key::page_up);

@@ -326,7 +326,7 @@ TEST_CASE("The stages are drawn once, and each is another picture") {
     driver.hand.frames(5);
     CHECK(driver.textures.uploads == drawn);
     driver.hand.press(key::escape);
-    // In a low window the cards have none: the last is the room in the light of every pixel, with
+    // In a low window the cards have none: the last is the room with light per pixel, with
     // more shades than the room has colours.
     driver.resize({1024, 640});
     driver.ui.start.is_open = true;
