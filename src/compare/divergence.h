@@ -28,7 +28,7 @@ enum class DivergenceKind : std::uint8_t {
     other,   ///< both do something, but with different results
 };
 
-/// "missing in B", "extra in B" or "different value".
+/// "missing from B", "extra in B" or "different value".
 std::string kind_text(DivergenceKind kind);
 
 /// One moment at which the runs differ.

@@ -51,7 +51,7 @@ bool is_clear(const Scene& scene) {
                        [](const Part& part) { return is_invisible(glm::vec3(part.alpha)); });
 }
 
-/// "blend=off, the setting 'Half-transparent',"
+/// "blend=off (the 'Half-transparent' setting)"
 std::string named(const std::vector<std::string>& assignments) {
     std::string text;
     for (const std::string& assignment : assignments) {

@@ -20,7 +20,7 @@ namespace rasterwalk {
 /// The pixels of a picture that show a surface.
 struct SeenPixels {
     std::int64_t surface = 0; ///< all of them
-    std::int64_t backs = 0;   ///< of a triangle that shows its back, see away_from_camera()
+    std::int64_t backs = 0;   ///< of a triangle that faces away, see away_from_camera()
     std::int64_t lit = 0;     ///< those that are not black, see is_invisible()
     std::int64_t light = 0;   ///< the largest channels of all of them, in steps of 1/255
 
@@ -38,8 +38,8 @@ inline constexpr int most_hinted_triangles = 1'000'000;
 /// Something to say about a whole picture, and what helps. Two hints can be about the same thing,
 /// with different help.
 struct SeenHint {
-    std::string seen;                  ///< "Most of what you see is backs, 90 of 100 pixels"
-    std::string in_short;              ///< the same for tight spaces: "Mostly backs"
+    std::string seen;                  ///< "Most of what you see is back faces, 90 of 100 pixels"
+    std::string in_short;              ///< the same for tight spaces: "Back faces"
     std::string act;                   ///< what to do about it, on a button: "leave them out"
     std::vector<std::string> settings; ///< the ones that do it: name=value
     std::string help;                  ///< their names, and what they do: one sentence

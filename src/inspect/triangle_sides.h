@@ -14,7 +14,7 @@ namespace rasterwalk {
 struct TriangleSides {
     /// By outer_planes(), as in reject_by_outcodes(); no planes in pixel space.
     TriangleCodes codes;
-    /// away_from_camera() of as_one_face(): positive if it shows its back. World units.
+    /// away_from_camera() of as_one_face(): positive if it faces away. World units.
     float away = 0.0f;
     /// t of its first edge that the near plane cuts, 0 at the corner in front of the plane: from
     /// the function that clips, or the right one if that cuts nothing. None if no edge is cut.

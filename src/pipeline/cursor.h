@@ -57,7 +57,7 @@ constexpr const PhaseInfo& phase_info(Phase phase) {
 }
 
 /// A moment in the drawing of a frame: the next piece of work to be done. Everything before it is
-/// done, nothing from it on. Totally ordered; counts from 0.
+/// done, and nothing else. Totally ordered; counts from 0.
 struct Cursor {
     int pass = 0; ///< over all triangles; a frame has one, so far
     int triangle = 0;

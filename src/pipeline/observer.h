@@ -71,7 +71,7 @@ struct ClipEvent {
     ClipStep step;
 };
 
-/// One triangle, at the moment it is tested for showing its back.
+/// One triangle, at the moment it is tested for facing away.
 struct CullEvent {
     Cursor cursor;
     CullTest test;

@@ -18,7 +18,7 @@ enum class Rejection : std::uint8_t {
     taken_for_behind, ///< its column is -1, the mark for "behind the camera": mistake B14
     outside,          ///< all corners lie beyond the same plane of the view volume
     clipped_away,     ///< nothing is left of it after clipping
-    back_facing,      ///< it shows its back, and backs are culled
+    back_facing,      ///< it faces away, and back faces are culled
     partly_outside,   ///< a corner lies outside the view: mistake B16
 };
 

@@ -48,7 +48,7 @@ void draw_overlay_list(Ui& ui) {
     keep_item_whole(ui);
 }
 
-/// "from 24x on", while the picture is smaller than that.
+/// "24x and up", while the picture is smaller than that.
 void draw_zoom_needed(const Ui& ui, float needed) {
     if (ui.canvas.place.scale >= needed) return;
     ImGui::SameLine();

@@ -23,7 +23,7 @@ void draw_history_swatch(const Ui& ui, ImVec2 at, float size, const glm::vec3& c
 /// Everything that fell on the pixel, one a line.
 void draw_history_table(Ui& ui, const PixelHistory& history, float height);
 
-/// What the depth test compares: "1/z", "ndc z", or "1/z from linear z".
+/// What the depth test compares: "1/z", "NDC z", or "1/z from linear z".
 std::string depth_value_words(const Ui& ui);
 
 } // namespace rasterwalk
