@@ -174,7 +174,7 @@ TEST_CASE("Leaving a lecture restores everything") {
     }
 }
 
-TEST_CASE("A lesson's text that settings lay over is there again after a lecture") {
+TEST_CASE("A lesson's text covered by the settings is back after a lecture") {
     Driver driver("lab-room.toml", {1024, 640});
     open_lesson(driver.ui, "05-row-table", 3);
     driver.hand.press('T');
@@ -256,7 +256,7 @@ TEST_CASE("A lecture says what could not be done") {
     CHECK(driver.hand.is_visible("status.trouble"));
 }
 
-TEST_CASE("A lecture is not kept, and stands in the View menu and among the keys") {
+TEST_CASE("A lecture is not kept, and is listed in the View menu and among the keys") {
     const test::TemporaryFolder folder;
     const std::string file = folder.file("options.toml");
     {

@@ -58,7 +58,7 @@ std::vector<VertexLabel> corner_labels(Driver& driver) {
 
 } // namespace
 
-TEST_CASE("New corners stand on the picture with the names of their planes") {
+TEST_CASE("New corners are marked on the picture with the names of their planes") {
     Driver driver("corridor.toml");
     with_clip(driver, "all");
     const ClipHistory& history = *driver.ui.results.a.inspected.clip;
@@ -98,7 +98,7 @@ TEST_CASE("The corners of a cut triangle are named in their order, and no name l
             int last = -1;
             for (const VertexLabel& label : labels) {
                 CAPTURE(label.name);
-                REQUIRE(label.vertex > last); // from the first corner on, as the edges go
+                REQUIRE(label.vertex > last); // starting at the first corner, as the edges go
                 last = label.vertex;
                 REQUIRE(last < static_cast<int>(corners.size()));
                 const CutCorner& corner = corners[static_cast<std::size_t>(last)];
@@ -181,8 +181,7 @@ TEST_CASE("While planes are at work no edge of the polygon is drawn yet") {
     }
 }
 
-TEST_CASE(
-    "While it is clipped the picture shows where dividing would put a corner behind the camera") {
+TEST_CASE("During clipping the picture shows where dividing would put a corner behind the camera") {
     Driver driver;
     driver.hand.rest();
     Settings& settings = driver.ui.session.a.settings;

@@ -120,7 +120,7 @@ TEST_CASE("Where a page has no card of its own, a number that is clicked brings 
     CHECK(driver.ui.widgets.at("fragment.formula.expression").is_whole);
 }
 
-TEST_CASE("In a low panel the wheel goes from the samples on to what stands below them") {
+TEST_CASE("In a low panel the wheel goes from the samples on to what is below them") {
     Driver driver("lab-room.toml", {1024, 640}, 1.5f);
     driver.ui.session.tab = "microscope";
     driver.hand.rest();

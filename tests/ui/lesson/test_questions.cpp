@@ -141,7 +141,7 @@ TEST_CASE(
         q.answer("12");
         CHECK(q.said(name + ".verdict") ==
               "You said: 12 triangles. The program says: 30 triangles.");
-        // Kept is the second answer, too: it comes back with the step, and with its picture on
+        // The second answer is kept, too: it comes back with the step, and with its picture on
         // request.
         open_lesson(q.ui, "02-after", 0);
         q.driver.hand.rest();
