@@ -41,7 +41,7 @@ Judgement judged(const std::string& lesson_id, const std::string& prediction_id,
     return judgement;
 }
 
-/// The program has this number, takes it for right, and takes a number a tenth larger for wrong.
+/// The program has this number, accepts it, and rejects a number a tenth larger.
 void require_number(const std::string& lesson, const std::string& id, double expected,
                     double margin = 1e-9) {
     const Judgement judgement = judged(lesson, id, {expected});

@@ -291,9 +291,8 @@ PREDICTIONS_TEST("Lesson 10: the spots of the lamp", "10-light-per-pixel", "wher
         CHECK_FALSE(asked.accepts("left-wall-spot", wrong));
 }
 
-PREDICTIONS_TEST(
-    "Lesson 10: where light per vertex is most wrong, and how often light is worked out",
-    "10-light-per-pixel", "worst-difference") {
+PREDICTIONS_TEST("Lesson 10: where light per vertex is most wrong, and how often light is computed",
+                 "10-light-per-pixel", "worst-difference") {
     const Asked asked("10-light-per-pixel");
     const Framebuffer pixel = drawn_room({"stage=pixel_light", "light.power=14"});
     const Difference worst =

@@ -45,7 +45,7 @@ double f_of(double x, double y) {
     return 2.0 * x - 5.0 * y;
 }
 
-/// The pixel along an axis of a line of n steps: nearest to the fraction, at a tie further on.
+/// The pixel along an axis of a line of n steps: nearest to the fraction, or further on at a tie.
 int nearest_on_axis(int from, int to, int i, int n) {
     const auto way = static_cast<std::int64_t>(std::abs(to - from));
     const int size = n == 0 ? 0 : round_fraction(way * i, n, Rounding::round);

@@ -92,7 +92,7 @@ TEST_CASE("No task of a lesson is solved by luck, and every try that misses is a
             const TaskLuck found = luck_of(lesson, task, tries, session, trial);
             INFO(lesson.path << ":" << task.done_line << " " << task.id << ": " << found.passed
                              << " of " << found.tries << " tries of " << found.control
-                             << " solve it; one that nothing is said to: " << found.unanswered_by);
+                             << " solve it; one without a reply: " << found.unanswered_by);
             CHECK_FALSE(task.because.empty());
             CHECK_FALSE(task.not_yet.empty());
             CHECK(found.passed <= most);

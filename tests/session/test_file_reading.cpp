@@ -20,7 +20,7 @@ FileReading::Read scene_at(const std::string& path) {
 
 } // namespace
 
-TEST_CASE("What is read beside the window is what is read at once") {
+TEST_CASE("Reading in the background gives the same as reading directly") {
     const std::string path = lessons_folder() + "/models/cube.obj";
     FileReading reading(path, scene_at(path));
     CHECK(reading.path() == path);

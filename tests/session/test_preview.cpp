@@ -224,7 +224,7 @@ TEST_CASE("engine=fast draws the whole picture, and the steps all moments before
     CHECK(a.picture == view_image(turned, View::colour));
 }
 
-TEST_CASE("What the fast engine refuses the steps draw, and the reason is given") {
+TEST_CASE("The steps draw what the fast engine refuses, and the reason is given") {
     Session session = large_session();
     set_from_text(session.a.settings, "engine=fast");
     set_from_text(session.a.settings, "shading=flat");
