@@ -1,5 +1,5 @@
-// The answers of the predictions of lessons 1 to 7, found another way: from the handout's numbers
-// by arithmetic, and from row tables made by their definition.
+// The answers of the predictions of lessons 1 to 7, found in a different way: from the handout's
+// numbers by arithmetic, and from row tables made by their definition.
 
 #include <algorithm>
 #include <array>

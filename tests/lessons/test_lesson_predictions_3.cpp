@@ -249,7 +249,7 @@ TEST_CASE("A room inside out under light from the lamp is the room") {
     };
     const Framebuffer room = picture("lab-room", "light.direction=to_light");
     const Framebuffer both = picture("inside-out", "light.direction=from_light");
-    // Edges are walked the other way round, so some pixels change hands.
+    // Edges are walked in the opposite direction, so some pixels change hands.
     std::size_t kept = 0, apart = 0;
     for (std::size_t i = 0; i < room.colour.size(); ++i) {
         if (room.owner[i] != both.owner[i]) continue;

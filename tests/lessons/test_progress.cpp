@@ -297,7 +297,7 @@ TEST_CASE("Two processes that write at the same time lose none of each other's w
     CHECK(both.of("02-b").steps.size() == count);
 }
 
-TEST_CASE("Progress that someone has broken meanwhile is left as it is") {
+TEST_CASE("Progress broken by someone in the meantime is left as it is") {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("progress.toml", "lessons = 5\n");
     CHECK_THROWS_AS(write_progress({}, some_progress(), path), InputError);

@@ -131,7 +131,7 @@ TEST_CASE("Colours of points are multiplied by that of the material") {
 
 TEST_CASE("Colours of points go over a face in perspective, by the steps and by the fast engine") {
     using namespace coloured_points;
-    // It tilts steeply away from the camera, so that straight across the picture would be wrong.
+    // It tilts steeply away from the camera, so a linear blend on the screen would be wrong.
     const Scene scene = scene_of_model(
         parse_obj("v -1 0 1 1 0 0\nv 1 0 1 0 1 0\nv 0 0.5 -4 0 0 1\nf 1 2 3\n", "m.obj"));
     Settings settings = test::by_fast_rules(default_settings(scene));

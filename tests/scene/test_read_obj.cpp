@@ -194,7 +194,7 @@ TEST_CASE("Faults in a model are reported with their lines, and the rest is read
     }
 }
 
-TEST_CASE("A comment may follow a number at once, even one that ends with its point") {
+TEST_CASE("A comment can directly follow a number, even one that ends with its point") {
     const ObjModel model = parse_obj(
         "v 0 0 0#.#INF\nv 1 0 2.#top\nv 0 1 -3.#\nv 1 1 4.##QNAN\nf 1 2 3\nf 2 4 3\n", "m.obj");
     CHECK(fault_lines(model.report).empty());
@@ -425,7 +425,7 @@ TEST_CASE("Scale and offset of an image move the corners of its faces in the tex
     CHECK(corners_by("-s 1 1e9")[2].y == static_cast<float>(largest_model_coordinate)); // not 3e9
 }
 
-TEST_CASE("A file of materials may be named in quotes, and is plain text") {
+TEST_CASE("A file of materials can be named in quotes, and is plain text") {
     const test::TemporaryFolder folder;
     folder.write("my two.mtl", "newmtl a\nKd 1 0 0\n");
     folder.write("wide.mtl", std::string("\xff\xfen\0e\0w\0m\0t\0l\0 \0a\0", 18));
@@ -446,7 +446,7 @@ TEST_CASE("A file of materials may be named in quotes, and is plain text") {
               ":1: the file is UTF-16; a material file must be plain text. It is left out.");
 }
 
-TEST_CASE("Of several files of materials each may be named in quotes") {
+TEST_CASE("Several files of materials can each be named in quotes") {
     const test::TemporaryFolder folder;
     folder.write("my two.mtl", "newmtl a\nKd 1 0 0\n");
     folder.write("one.mtl", "newmtl b\nKd 0 1 0\n");

@@ -73,7 +73,7 @@ TEST_CASE("A part has its triangles' normals, averaged ones, or those of a set")
     const glm::vec3 left = faces.corner(0, 0).normal;
     CHECK(std::abs(left.x) == Approx(half));
 
-    // In the ridge both slopes count alike, although one has two triangles at B and one at C. At
+    // At the ridge both slopes count alike, although one has two triangles at B and one at C. At
     // the eaves there is only one slope.
     const Scene smooth = read(roof + written_part("normals = \"averaged\"\n"));
     CHECK(smooth.mesh.differences() == CornerDifferences{true, false});

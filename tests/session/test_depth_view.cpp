@@ -95,7 +95,7 @@ TEST_CASE("Every pixel with a depth is in the histogram once, in its own bin") {
     std::int64_t strays = 0;
     for (std::size_t b = 0; b < depth_bins; ++b)
         strays += std::abs(expected[b] - histogram.bins[b]);
-    // Those on the border of two bins may be rounded to either.
+    // Those on the border of two bins can be rounded to either.
     CHECK(strays <= 20);
 }
 

@@ -41,7 +41,7 @@ TEST_CASE("A reading that was stopped gives no scene, even if it was done before
     CHECK_THROWS_AS(late.take(), ReadingStopped);
 }
 
-TEST_CASE("A reading that nothing waits for ends by itself") {
+TEST_CASE("A reading that nothing waits for ends on its own") {
     const std::string path = lessons_folder() + "/models/knot.obj";
     const FileReading left(path, scene_at(path));
     CHECK_FALSE(left.path().empty());

@@ -62,7 +62,7 @@ bool has_preview(Session session) {
 
 } // namespace
 
-TEST_CASE("A large picture turns as the fast engine's, and at rest becomes that of the steps") {
+TEST_CASE("A large picture turns as the fast engine's, and at rest becomes the steps' own") {
     Session session = large_session();
     Results results;
     finish(session, results);

@@ -81,7 +81,7 @@ TEST_CASE("A second run that cuts the scene finer shows the same triangle, by it
     CHECK(results.b->triangle == 9 * 29);
     CHECK(results.b->cursor == Cursor{9 * 12, Phase::vertices, 0, 0});
     CHECK(results.comparison.work.is_done());
-    // And the other way round.
+    // And the other way around.
     std::swap(session.a, *session.b);
     session.selection.triangle = 9 * 29 + 8;
     session.cursor = cursor_end;
@@ -385,7 +385,7 @@ TEST_CASE("Overlays wait for the picture that they mark") {
     CHECK(results.overlay.image == expected.overlay.image);
 }
 
-TEST_CASE("What is out of order is reported for the whole frame, wherever the cursor is") {
+TEST_CASE("Troubles are reported for the whole frame, wherever the cursor is") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     Results end;
     update(session, end);

@@ -131,7 +131,7 @@ TEST_CASE("What changes in A changes in B too, unless they differ in it") {
     CHECK(settings_of(session) == "rounding truncate floor; ");
 }
 
-TEST_CASE("A second run that was set by itself is left alone") {
+TEST_CASE("A second run that was set separately is left alone") {
     Session session = room();
     start_pair(session, compare_pairs()[3]);
     carry_changes_to_b(session);
@@ -235,7 +235,7 @@ TEST_CASE("Undo brings back which mistake was on") {
     CHECK(is_on(session, "B5"));
 }
 
-TEST_CASE("The same scene opened again is no step for undo") {
+TEST_CASE("Opening the same scene again is not a step for undo") {
     Session session = room();
     const std::shared_ptr<const Scene> scene = session.scene;
     set_scene(session, read_scene_file(lessons_folder() + "/scenes/lab-room.toml"));

@@ -152,7 +152,7 @@ TEST_CASE("From a new step one Tab reaches the first answer, in a strip by way o
         CHECK(driver.ui.focus.name == number_field);
         CHECK(driver.ui.focus.is_shown);
         CHECK(driver.hand.is_visible(number_field));
-        // Once: then it goes on, and comes round.
+        // Only once; after that it goes on and comes around.
         driver.hand.press(key::tab);
         CHECK(driver.ui.focus.name == "lesson.prediction.back-wall-width.answer");
         driver.hand.press(key::tab);

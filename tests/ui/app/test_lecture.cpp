@@ -98,7 +98,7 @@ TEST_CASE("In a lecture the picture has half of the window, from bar to bar") {
         CHECK(driver.ui.widgets.at("lesson.whole").is_whole);
         CHECK(driver.ui.widgets.at("lesson.card.text").is_whole);
     }
-    // A row table that goes on from the picture's rows is as high as the picture.
+    // A row table that extends the picture's rows is as high as the picture.
     Driver rows("one-triangle.toml", {1280, 800});
     open_lesson(rows.ui, "05-row-table", 3);
     rows.hand.press(key::f5);

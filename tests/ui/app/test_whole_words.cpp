@@ -110,7 +110,7 @@ TEST_CASE("The Fragment tab names its columns and its pixel in whole words") {
     }
 }
 
-TEST_CASE("While two runs are compared nothing that is said about them is shortened") {
+TEST_CASE("While two runs are compared no text about them is shortened") {
     for (const SmallWindow& window : all_windows()) {
         CAPTURE(window.size.x, window.size.y, window.text_scale);
         Driver driver("lab-room.toml", window.size, window.text_scale);

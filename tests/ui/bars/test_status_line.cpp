@@ -173,7 +173,7 @@ TEST_CASE("Work too long for one frame of the window goes on in the next ones") 
     CHECK_FALSE(a.is_drawn());
 }
 
-TEST_CASE("While a large picture turns it is said that the fast engine draws it") {
+TEST_CASE("While a large picture turns, the line says that the fast engine draws it") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     set_scene(session, test::made_scene(60'000));
     Driver driver(std::move(session));

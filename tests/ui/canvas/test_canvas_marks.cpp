@@ -90,7 +90,7 @@ Clipped cut_off_right(std::vector<ClipVertex>& corners, const ViewVolume&, ClipS
 
 } // namespace
 
-TEST_CASE("With another walk along the edges the marks are where its samples are") {
+TEST_CASE("With a different walk along the edges the marks are where its samples are") {
     Driver driver("one-triangle.toml");
     Settings settings = driver.ui.session.a.settings;
     settings.stage = Stage::fill;

@@ -79,7 +79,7 @@ TEST_CASE("New corners are marked on the picture with the names of their planes"
         CHECK((!corner.is_new() || count_on_canvas(std::string(word_of(corner.plane))) == 0));
 }
 
-TEST_CASE("The corners of a cut triangle are named in their order, and no name lies on another") {
+TEST_CASE("The corners of a cut triangle are named in order, and no two names overlap") {
     int named = 0, made = 0;
     for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1024, 640)}) {
         for (const int triangle : {0, 1, 5, 9}) {
@@ -233,7 +233,7 @@ TEST_CASE("The cull step says on the picture which side it takes the triangle fo
     CHECK(count_on_canvas(is_back ? "back" : "front") == 1);
 }
 
-TEST_CASE("From outside the plane that cuts is named, and another one can be looked at") {
+TEST_CASE("From outside the plane that cuts is named, and others can be looked at") {
     Driver driver("corridor.toml");
     follow_link(driver.ui, "canvas:outside");
     with_clip(driver, "leave_out");

@@ -334,7 +334,7 @@ TEST_CASE("Blinking shows A and B in turn once a second, and can be held") {
     CHECK(blink_shows_b(driver.ui) == held);
 }
 
-TEST_CASE("While pictures blink nothing is to be drawn until the next one is due") {
+TEST_CASE("While pictures blink nothing needs drawing until the next one is due") {
     Driver driver(lit_room());
     driver.hand.click("switch.compare");
     CHECK(std::isinf(seconds_to_blink(driver.ui)));
@@ -424,7 +424,7 @@ TEST_CASE("The counts of the tab are those of the comparison") {
     CHECK(grouped(999) == "999");
 }
 
-TEST_CASE("Run B is set in the tab, and what is changed in A is changed in both") {
+TEST_CASE("Run B is set in the tab, and a change to A changes both") {
     Driver driver(lit_room(200));
     driver.open("compare");
     driver.hand.click("compare.another");

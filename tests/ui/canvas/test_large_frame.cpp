@@ -66,7 +66,7 @@ TEST_CASE("A frame of very many fragments in the picture waits, is drawn in part
     CHECK(told_of(driver).find("stopped") != std::string::npos);
     CHECK_FALSE(is_animating(driver.ui));
 
-    // Another frame is asked for again.
+    // A different frame has to be requested again.
     driver.hand.click("canvas.draw_it");
     CHECK_FALSE(run.is_held);
     driver.ui.session.a.settings.camera.position.z = -0.001f;

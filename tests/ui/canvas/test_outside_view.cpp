@@ -44,7 +44,7 @@ void click_at(Driver& driver, const glm::dvec3& world) {
     driver.hand.rest();
 }
 
-/// What is written over the view from outside; a name and its halo, which is the same name
+/// The texts over the view from outside; a name and its halo, which is the same name
 /// slightly offset, are one.
 std::vector<ScreenText> outside_texts(Driver& driver) {
     const WidgetPlace view = driver.hand.find("canvas.outside");
@@ -286,7 +286,7 @@ TEST_CASE("A click from outside selects the triangle, or the pixel of the pictur
     CHECK(std::abs(selection.pixel->x - 60) <= 4);
     CHECK(std::abs(selection.pixel->y - 250) <= 4);
     CHECK(part_name(scene, *selection.triangle) == "left wall");
-    // And the other way round: what is picked in the picture is lit outside.
+    // And the other way around: what is picked in the picture is lit outside.
     const std::uint64_t number = driver.ui.canvas.outside_drawing->number();
     driver.hand.click_picture(250, 30);
     CHECK(part_name(scene, *selection.triangle) == "ceiling");

@@ -288,7 +288,7 @@ TEST_CASE("A click on a line selects its row, one on an end leads to the sample 
     CHECK(to_text(driver.ui.results.a.cursor) == "t0/e1/s5");
 }
 
-TEST_CASE("What is pointed at in the table lights up in the picture and in the tab, and back") {
+TEST_CASE("A row pointed at in the table, the tab or the picture lights up in the table") {
     Driver driver("one-triangle.toml");
     const ImU32 lit = packed(palette(Theme::dark).row_lit);
     driver.hand.hover("canvas.rows.9");

@@ -92,7 +92,7 @@ std::set<int> tinted(const Driver& driver, Meaning meaning, float opacity, int r
 
 } // namespace
 
-TEST_CASE("The pixels tested so far are tinted by what was found, and no others") {
+TEST_CASE("The pixels tested so far are tinted by their result, and no others are") {
     Driver driver("one-triangle.toml");
     show_sketch(driver, "t0/b4/c6"); // (7, 5) in column 6 - 1 of the box has just been tested
     for (int row = 0; row < 12; ++row) {

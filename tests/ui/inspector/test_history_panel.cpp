@@ -57,7 +57,7 @@ TEST_CASE("A click on a line of the history goes to the moment just after that f
         CHECK(driver.ui.results.a.done == entries[line].cursor);
         CHECK(driver.ui.session.selection.triangle == entries[line].cursor.triangle);
         CHECK(picked_colour(driver) == entries[line].colour_after);
-        // What is yet to come keeps its line.
+        // Fragments still to come keep their lines.
         CHECK(driver.hand.is_visible("history.2"));
     }
     driver.hand.press(key::left, {.alt = true});

@@ -218,7 +218,7 @@ TEST_CASE("In a small window the laboratory's buttons can be reached") {
     }
 }
 
-TEST_CASE("The mistake that is on when the laboratory opens is the one described") {
+TEST_CASE("The laboratory opens on the mistake that is on") {
     for (const char* id : {"B10", "B9", "B2"}) {
         INFO(id);
         ViewOptions options;

@@ -360,7 +360,7 @@ TEST_CASE("What is below an answer does not jump from one frame to the next") {
     }
 }
 
-TEST_CASE("Below what is said about a picture the controls for choosing another stay whole") {
+TEST_CASE("Below the answer about a picture the controls for choosing another stay whole") {
     for (const ImVec2 window : {ImVec2{1600, 1000}, ImVec2{1280, 800}}) {
         INFO(window.x << " x " << window.y);
         Driver driver("lab-room.toml", window);

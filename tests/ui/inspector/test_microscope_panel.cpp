@@ -65,7 +65,7 @@ TEST_CASE("An edge that is picked stays under the microscope until the cursor mo
     CHECK(driver.ui.inspector.microscope.edge == 1);
 }
 
-TEST_CASE("The microscope opens on the coordinate that drifts, and shows the one that is asked") {
+TEST_CASE("The microscope opens on the coordinate that drifts, and shows the one chosen") {
     Driver driver("one-triangle.toml");
     open_outside_example(driver);
     CHECK_FALSE(driver.ui.inspector.microscope.shows_x); // (0,2) to (3,1): x steps by whole pixels

@@ -68,7 +68,7 @@ TEST_CASE("Nothing in the inspector that scrolls lies in something that scrolls"
     }
 }
 
-TEST_CASE("No number of a vertex or a fragment makes page and card scroll each by itself") {
+TEST_CASE("No number of a vertex or a fragment makes page and card scroll separately") {
     for (const SmallWindow& window : test::some_of(std::vector<SmallWindow>{{{1280, 720}, 1.0f},
                                                                             {{1366, 768}, 1.0f},
                                                                             {{1600, 1000}, 1.5f},

@@ -35,7 +35,7 @@ TEST_CASE("A click on a cell goes to the moment in which it was written") {
     CHECK(driver.ui.results.a.cursor == cursor_end);
 }
 
-TEST_CASE("A row that is pointed at lights up in the picture, and the other way round") {
+TEST_CASE("A row that is pointed at lights up in the picture, and vice versa") {
     Driver driver("one-triangle.toml");
     driver.hand.hover("rows.9");
     CHECK(driver.ui.inspector.hovered_row == 9);

@@ -248,14 +248,14 @@ TEST_CASE("Progress is kept in a file, taken up again, and forgotten on request"
     CHECK(room.driver.ui.lesson.progress == Progress{});
 }
 
-TEST_CASE("Progress that cannot be kept is said once, and nothing is lost") {
+TEST_CASE("Progress that cannot be kept is reported once, and nothing is lost") {
     Classroom room;
     keep_progress(room.driver.ui, "/proc/nowhere/progress.toml");
     room.open();
     room.driver.hand.rest();
     CHECK(room.driver.ui.session.notice.find("will not be kept") != std::string::npos);
     CHECK(room.driver.ui.lesson.progress.is_step_seen("01-tiny", 0));
-    // It is tried again, but not said again.
+    // It is tried again, but not reported again.
     room.driver.ui.session.notice.clear();
     room.driver.hand.frames(12, 1.0f);
     CHECK(room.driver.ui.session.notice.empty());
@@ -336,7 +336,7 @@ TEST_CASE("Answers that were given before are shown again with the program's rep
         hand.click("lesson.prediction.how-many.show");
         hand.click("lesson.prediction.who.choice.0");
         hand.click("lesson.prediction.who.show");
-        hand.press('R'); // what the reveal shows is another picture
+        hand.press('R'); // what the reveal shows is a different picture
         hand.click_picture(250, 250);
         hand.click("lesson.prediction.black.answer");
         hand.click("lesson.prediction.black.show");

@@ -256,7 +256,7 @@ TEST_CASE("A task is not solved by time that runs past its moment") {
     CHECK(q.is_done("later"));
 }
 
-TEST_CASE("The last step says what was done, where to go next, and on what the lesson rests") {
+TEST_CASE("The last step says what was done, where to go next, and what the lesson is based on") {
     Questions q(1);
     q.answer("30");
     q.driver.hand.click("lesson.prediction.colour.choice.0");

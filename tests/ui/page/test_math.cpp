@@ -126,7 +126,7 @@ TEST_CASE("What cannot be read is shown as written, and nothing gets lost") {
     CHECK(written("{a") == "a");
     CHECK(written("\\frac{a}") == "frac(a|)");
     CHECK(written("x^") == "x^{}_{}");
-    CHECK(written("^2") == "^2"); // a sign like another
+    CHECK(written("^2") == "^2"); // a sign like any other
     CHECK(written("\\") == "\\");
     CHECK(written("").empty());
     CHECK(written("   ").empty());

@@ -208,7 +208,7 @@ TEST_CASE("A file is not overwritten unasked") {
         CHECK_FALSE(is_up(driver));
         CHECK(bytes_of(path) != "old");
     }
-    SECTION("another name is another question") {
+    SECTION("a different name is saved at once") {
         driver.hand.enter("files.path", folder.file("other"));
         CHECK_FALSE(is_up(driver));
         CHECK(bytes_of(path) == "old");
@@ -304,7 +304,7 @@ TEST_CASE("Files dropped on the window open by their kind") {
     write_view(driver.ui.session, view);
     drop(lessons_folder() + "/scenes/fence.toml");
     CHECK(driver.ui.session.scene->name != "The lab's room");
-    CHECK(driver.ui.session.lesson.empty()); // it speaks of another scene
+    CHECK(driver.ui.session.lesson.empty()); // it is about a different scene
     drop(view);
     CHECK(driver.ui.session.lesson == "04-edges");
     CHECK_FALSE(is_up(driver));
