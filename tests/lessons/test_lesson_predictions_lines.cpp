@@ -68,7 +68,7 @@ PREDICTIONS_TEST("Lesson 20: lines in whole numbers", "20-bresenham", "which-sid
     for (const double wrong : {-3.5, -0.5, -1.0, 4.0})
         CHECK_FALSE(judged_line("second-middle", {wrong}).is_right);
 
-    // The task: edge 1 goes from (6, 4) to (2, 10), d in question is halfway to the next column.
+    // The task: edge 1 goes from (6, 4) to (2, 10), and d is needed halfway to the next column.
     const auto straight_from = [](int sample) { // f = 4 y − 6 x, x to the left
         int x = 0;
         for (int y = 0; y < sample; ++y)
