@@ -91,7 +91,7 @@ TEST_CASE("rasterwalk check names the same faults, and ends with exit code 1") {
     CHECK(one.err == "rasterwalk: 2 faults in 1 file.\n");
 }
 
-TEST_CASE("rasterwalk check of what is not there ends with exit code 4, of nothing with 3") {
+TEST_CASE("rasterwalk check ends with 4 for a missing file, with 3 for a folder without lessons") {
     const test::CliRun none = test::run({"check", folder + "/99-none.md"});
     CHECK(none.exit_code == 4);
     CHECK(from_folder(none.err) ==

@@ -73,7 +73,7 @@ TEST_CASE("Marks of emphasis that never close are words, and nested in nothing")
     CHECK(parse_lesson(test::lesson_head() + marks, "01-flat.md").faults.empty());
 }
 
-TEST_CASE("What is no file of text is no lesson") {
+TEST_CASE("Only a text file can be a lesson") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("01-hostile.md");
     SECTION("a folder") {
@@ -121,7 +121,7 @@ TEST_CASE("No link of the file system leads a lesson out of its folder") {
             {12, "there is no file 'images/scene.toml' in the lessons folder."});
 }
 
-TEST_CASE("A picture that says it is endless is refused by what it says") {
+TEST_CASE("A picture that claims a huge size is refused for the claim") {
     const test::TemporaryFolder folder;
     folder.write("dot.png", test::endless_picture());
     const std::string path = folder.write("01-hostile.md", test::lesson_head() + "![a](dot.png)");

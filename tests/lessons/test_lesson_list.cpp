@@ -121,7 +121,7 @@ TEST_CASE("A folder that is not there has no lessons, and one that is too full h
     CHECK(list.all().size() == most_lessons);
 }
 
-TEST_CASE("A lesson's number is that with which its name begins") {
+TEST_CASE("A lesson's number is the one that its name begins with") {
     CHECK(lesson_number("07-painters-order") == 7);
     CHECK(lesson_number("13-a") == 13);
     CHECK(lesson_number("tiny") == 0);

@@ -1,5 +1,5 @@
-// The answers of the predictions of lessons 1 to 7, found another way: from the handout's numbers
-// by arithmetic, and from row tables made by their definition.
+// The answers of the predictions of lessons 1 to 7, found in a different way: from the handout's
+// numbers by arithmetic, and from row tables made by their definition.
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ Judgement judged(const std::string& lesson_id, const std::string& prediction_id,
     return judgement;
 }
 
-/// The program has this number, takes it for right, and takes a number a tenth larger for wrong.
+/// The program has this number, accepts it, and rejects a number a tenth larger.
 void require_number(const std::string& lesson, const std::string& id, double expected,
                     double margin = 1e-9) {
     const Judgement judgement = judged(lesson, id, {expected});

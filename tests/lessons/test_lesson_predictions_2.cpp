@@ -291,9 +291,8 @@ PREDICTIONS_TEST("Lesson 10: the spots of the lamp", "10-light-per-pixel", "wher
         CHECK_FALSE(asked.accepts("left-wall-spot", wrong));
 }
 
-PREDICTIONS_TEST(
-    "Lesson 10: where light per vertex is most wrong, and how often light is worked out",
-    "10-light-per-pixel", "worst-difference") {
+PREDICTIONS_TEST("Lesson 10: where light per vertex is most wrong, and how often light is computed",
+                 "10-light-per-pixel", "worst-difference") {
     const Asked asked("10-light-per-pixel");
     const Framebuffer pixel = drawn_room({"stage=pixel_light", "light.power=14"});
     const Difference worst =
@@ -350,7 +349,7 @@ PREDICTIONS_TEST("Lesson 11: halfway on the screen", "11-perspective", "half-way
     const double back = 0.75 * (direct_light({-1, 1, 1}, {1, 0, 0}) + 0.5);
     const double colour = (front / near + back / far) / (1.0 / near + 1.0 / far);
     CHECK(asked.number("colour-half-way") == Approx(colour).margin(0.003));
-    // The pixel asked is one row above the edge from (1, 499) to (126, 374): there the upper
+    // The pixel in question is one row above the edge from (1, 499) to (126, 374): there the upper
     // corner, which is brighter, counts as well.
     CHECK(499 - (63 - 1) == 436 + 1);
     const double upper = 0.75 * (direct_light({-1, -1, -1}, {1, 0, 0}) + 0.5);

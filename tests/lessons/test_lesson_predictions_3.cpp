@@ -207,7 +207,7 @@ PREDICTIONS_TEST("Lesson 14: dot, cross and the side of a plane by hand", "14-ar
     CHECK(away == Approx(-0.133).margin(0.001));
     lesson.require_choice("red-side", away < 0.0 ? 0 : 1);
     CHECK(shows_back(room_triangles()[12], {-0.15, 0.0, -3.001}));
-    // A ceiling that turns its back to the lamp has the indirect light alone.
+    // A ceiling that faces away from the lamp has only the indirect light.
     lesson.require_number("swapped", 0.75 * 0.5, 0.001, 0.75 * (0.5 - 14.0 / 3.14159265));
 }
 
@@ -249,7 +249,7 @@ TEST_CASE("A room inside out under light from the lamp is the room") {
     };
     const Framebuffer room = picture("lab-room", "light.direction=to_light");
     const Framebuffer both = picture("inside-out", "light.direction=from_light");
-    // Edges are walked the other way round, so that some pixels change hands.
+    // Edges are walked in the opposite direction, so some pixels change hands.
     std::size_t kept = 0, apart = 0;
     for (std::size_t i = 0; i < room.colour.size(); ++i) {
         if (room.owner[i] != both.owner[i]) continue;
@@ -390,7 +390,7 @@ PREDICTIONS_TEST("Lesson 19: backs and what they cost", "19-culling", "backs", "
     lesson.require_choice("same-picture", 1);
 }
 
-TEST_CASE("Lesson 19: of all fronts the view axis would lose those of the left wall") {
+TEST_CASE("Lesson 19: the only fronts that the view axis would lose are those of the left wall") {
     const glm::dvec3 forward(std::sin(0.15), 0.0, std::cos(0.15));
     const std::vector<Corners3> room = room_triangles();
     std::set<std::size_t> lost;
@@ -401,7 +401,7 @@ TEST_CASE("Lesson 19: of all fronts the view axis would lose those of the left w
     CHECK(lost == std::set<std::size_t>{2, 3});
 }
 
-TEST_CASE("Lesson 18: of the blue block the codes accept one triangle") {
+TEST_CASE("Lesson 18: the codes accept one triangle of the blue block") {
     // Seen from (0, 0, -1.5) by a camera that is turned by 0.2; a square picture with f = 500.
     std::set<std::size_t> accepted;
     const std::vector<Corners3> room = room_triangles();

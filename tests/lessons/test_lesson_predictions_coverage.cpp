@@ -133,7 +133,7 @@ bool has_corner(const Frame& frame, int triangle, const glm::vec3& place) {
     return false;
 }
 
-/// Have the two an edge in common, and the picture's line along it between them?
+/// Do the two share an edge, with the picture's line along it between them?
 bool are_neighbours(const Frame& frame, int a, int b) {
     std::vector<glm::dvec2> common;
     glm::dvec2 alone_a(0.0), alone_b(0.0);

@@ -45,7 +45,7 @@ double f_of(double x, double y) {
     return 2.0 * x - 5.0 * y;
 }
 
-/// The pixel along an axis of a line of n steps: nearest to the fraction, at a tie further on.
+/// The pixel along an axis of a line of n steps: nearest to the fraction, or further on at a tie.
 int nearest_on_axis(int from, int to, int i, int n) {
     const auto way = static_cast<std::int64_t>(std::abs(to - from));
     const int size = n == 0 ? 0 : round_fraction(way * i, n, Rounding::round);
@@ -68,7 +68,7 @@ PREDICTIONS_TEST("Lesson 20: lines in whole numbers", "20-bresenham", "which-sid
     for (const double wrong : {-3.5, -0.5, -1.0, 4.0})
         CHECK_FALSE(judged_line("second-middle", {wrong}).is_right);
 
-    // The task: edge 1 goes from (6, 4) to (2, 10), and d is asked halfway to the next column.
+    // The task: edge 1 goes from (6, 4) to (2, 10), and d is needed halfway to the next column.
     const auto straight_from = [](int sample) { // f = 4 y − 6 x, x to the left
         int x = 0;
         for (int y = 0; y < sample; ++y)

@@ -46,7 +46,7 @@ struct OnBoard {
         const auto texel = [](double coordinate) {
             return std::fmod(std::floor(coordinate * 32.0), 32.0) + 0.5;
         };
-        // The cap of a ball of 16 texels, 12 round the middle.
+        // The cap of a ball of 16 texels, 12 around the middle.
         const double right = texel(uv.x) - 16.0, up = 16.0 - texel(uv.y);
         const double square = right * right + up * up;
         arrow = square < 144.0

@@ -138,7 +138,7 @@ struct LitScene {
     }
 };
 
-/// The wall of the drum is made of so many triangles; its lids follow.
+/// The number of triangles in the drum's wall; its lids follow.
 constexpr int wall_triangles = 24;
 
 struct GouraudError {

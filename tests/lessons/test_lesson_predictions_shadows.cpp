@@ -89,7 +89,7 @@ struct Place {
     bool is_dark = false;
 };
 
-constexpr int stride = 2; // of the pixels that are asked
+constexpr int stride = 2; // of the pixels that are tested
 
 class Places {
   public:
@@ -145,15 +145,15 @@ class Places {
         return z - bias - known->second;
     }
 
-    /// Pixels that the map puts in shadow though nothing stands between; those that lie no farther
-    /// behind than this are left out. Across the way of the light rounding decides.
+    /// Pixels that the map puts in shadow though nothing is in between; those no farther behind
+    /// than `least` are left out. Across the way of the light rounding decides.
     double acne(double bias, double least, int resolution = 512) {
         return count([&](const Place& place) {
             return place.cosine > 0.0 && !place.is_dark && behind(place, bias, resolution) > least;
         });
     }
 
-    /// Of the pixels that hold a condition and that no surface shades, the share that is dark
+    /// Of the pixels that satisfy a condition and that no surface shades, the share that is dark
     /// without a bias.
     template <typename Condition>
     double share_of_acne(const Condition& holds) {
@@ -199,7 +199,7 @@ class Places {
     std::map<std::array<int, 4>, double> depths_; ///< by resolution, face and texel
 };
 
-PREDICTIONS_TEST("Lesson 31: what lies in shadow, and what a map takes for it", "31-shadows",
+PREDICTIONS_TEST("Lesson 31: what is in shadow, and what a map puts there", "31-shadows",
                  "finer-map") {
     Places places;
     const double facing = places.count([](const Place& place) { return place.cosine > 0.0; });

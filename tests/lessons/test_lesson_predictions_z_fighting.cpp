@@ -197,7 +197,7 @@ PREDICTIONS_TEST("Lesson 25: the steps of sixteen bits, and reversed z", "25-z-f
 } // namespace z_fighting
 } // namespace
 
-TEST_CASE("Mistake B61 takes the feet of the blocks, and nothing of what stands free") {
+TEST_CASE("Mistake B61 takes the feet of the blocks, and nothing that stands free") {
     using namespace z_fighting;
     const Gathered room("lab-room", {});
     const std::vector<int> plain = room.parts(0.0), far_off = room.parts(0.05);

@@ -139,7 +139,7 @@ TEST_CASE("Every lesson has no fault") {
     }
 }
 
-TEST_CASE("Each step of every lesson can be opened, and each link be followed") {
+TEST_CASE("Each step of every lesson can be opened, and each link followed") {
     Student student;
     for (const Lesson& lesson : all_lessons()) {
         INFO(lesson.path);
@@ -163,7 +163,7 @@ TEST_CASE("Each step of every lesson can be opened, and each link be followed") 
     }
 }
 
-TEST_CASE("Each task is not solved before, and is after its recipe") {
+TEST_CASE("Each task is unsolved before its recipe, and solved after it") {
     Student student;
     for (const Lesson& lesson : all_lessons()) {
         for (const LessonTask& task : lesson.tasks) {
@@ -218,7 +218,7 @@ TEST_CASE("Each prediction is computed, refuses a wrong answer and takes the rig
     }
 }
 
-TEST_CASE("The program's answer to each prediction is worked out a second time without it") {
+TEST_CASE("The program's answer to each prediction is computed a second time without it") {
     std::set<std::string> all;
     for (const Lesson& lesson : all_lessons()) {
         for (const LessonPrediction& prediction : lesson.predictions)

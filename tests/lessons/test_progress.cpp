@@ -96,9 +96,9 @@ TEST_CASE("A wrong first answer counts once the program has shown its own") {
     CHECK(progress.is_revealed("01-a", id));
     CHECK(score_of(progress, lesson).answered == 1);
     CHECK(score_of(progress, lesson).right == 0);
-    // Another window that has kept the second try open takes over that it is not.
+    // Another window that still has the second try open learns that it is over.
     CHECK_FALSE(merged(before, progress, before).has_second_try("01-a", id));
-    // But one that was opened again there stays open where this window has changed nothing.
+    // But one opened again there stays open if this window has changed nothing.
     CHECK(merged(progress, progress, before).has_second_try("01-a", id));
     Progress theirs = before;
     theirs.note_step("02-b", 1);
@@ -143,7 +143,7 @@ TEST_CASE("The student goes on with the lesson that was left, or the first that 
     CHECK(lesson_to_open(progress, lessons) == "01-a");
 }
 
-TEST_CASE("How far all lessons are done is worked out again only after an answer") {
+TEST_CASE("Progress over all lessons is computed again only when it has changed") {
     const test::TemporaryFolder folder;
     for (const char* name : {"01-a.md", "02-b.md"})
         folder.write(name, "# A\n\nText.\n\n## B\n\nMore.\n");
@@ -222,7 +222,7 @@ TEST_CASE("A file of progress that is too large, or none, is refused") {
     CHECK_THROWS_AS(write_progress({}, {}, "/proc/nowhere/progress.toml"), AccessError);
 }
 
-TEST_CASE("What was damaged by one byte is read or refused, and never crashes") {
+TEST_CASE("A file with a damaged byte is read or refused, and never crashes") {
     const std::string good = progress_text(some_progress());
     for (std::size_t i = 0; i < good.size(); ++i) {
         for (const char c : {'\0', '"', '[', '}', '\n', '\xff', '9'}) {
@@ -265,7 +265,7 @@ TEST_CASE("What two windows do is kept, whichever writes last") {
     CHECK(left.is_step_seen("07-painters-order", 0));
 }
 
-TEST_CASE("Two processes that write at the same time lose nothing of each other") {
+TEST_CASE("Two processes that write at the same time lose none of each other's work") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("progress.toml");
     constexpr int count = 40;
@@ -297,7 +297,7 @@ TEST_CASE("Two processes that write at the same time lose nothing of each other"
     CHECK(both.of("02-b").steps.size() == count);
 }
 
-TEST_CASE("Progress that someone has broken meanwhile is left as it is") {
+TEST_CASE("Progress broken by someone in the meantime is left as it is") {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("progress.toml", "lessons = 5\n");
     CHECK_THROWS_AS(write_progress({}, some_progress(), path), InputError);

@@ -75,7 +75,7 @@ TEST_CASE("A wrong choice and a wrong pixel get a reply that says what is wrong 
     CHECK(judged(pixel, {glm::ivec2(4, 250)}).says.empty());
 }
 
-TEST_CASE("Choices and units that no card can hold are not kept, and choices are all different") {
+TEST_CASE("Choices and units too long for a card are dropped, and all choices differ") {
     std::string long_text;
     for (int line = 0; line < 400; ++line)
         long_text += std::string(100, 'x') + "\n";
@@ -96,7 +96,7 @@ TEST_CASE("Choices and units that no card can hold are not kept, and choices are
     CHECK(unit.predictions.at(0).unit.empty());
 }
 
-TEST_CASE("Every prediction of a lesson foresees wrong answers, and of a choice all of them") {
+TEST_CASE("Every prediction of a lesson foresees wrong answers, and for a choice all of them") {
     const Session session = empty_session();
     LessonList lessons;
     lessons.read_folder(lessons_folder());
@@ -149,7 +149,7 @@ TEST_CASE("The right choice is not found by its place") {
     }
 }
 
-TEST_CASE("An order holds each number once, is always the same, and another for another name") {
+TEST_CASE("An order has each number once, and depends on the name alone") {
     std::set<std::vector<int>> orders;
     for (int i = 0; i < 200; ++i) {
         const std::string name = "lesson/" + std::to_string(i);

@@ -32,7 +32,7 @@ TaskLuck tried_at_random(const Lesson& lesson, int tries) {
 
 } // namespace
 
-TEST_CASE("The share of random tries that solve a task is that of its answers") {
+TEST_CASE("The share of random tries that solve a task is the share of its answers") {
     // 50 of the 200 stops.
     const TaskLuck quarter = tried_at_random(
         lesson_of_task("done = \"camera.focal_length > 550\"\n"
@@ -85,14 +85,14 @@ TEST_CASE("No task of a lesson is solved by luck, and every try that misses is a
     lessons.read_folder(lessons_folder());
     LessonTrial trial;
     const int tries = test::rounds(300, 4);
-    // With few tries, more may pass by chance: three deviations above a tenth.
+    // With few tries, more can pass by chance: three deviations above a tenth.
     const double most = 0.1 * tries + (tries < 300 ? 3.0 * std::sqrt(0.09 * tries) : 0.0);
     for (const Lesson& lesson : lessons.all()) {
         for (const LessonTask& task : lesson.tasks) {
             const TaskLuck found = luck_of(lesson, task, tries, session, trial);
             INFO(lesson.path << ":" << task.done_line << " " << task.id << ": " << found.passed
                              << " of " << found.tries << " tries of " << found.control
-                             << " solve it; one that nothing is said to: " << found.unanswered_by);
+                             << " solve it; one without a reply: " << found.unanswered_by);
             CHECK_FALSE(task.because.empty());
             CHECK_FALSE(task.not_yet.empty());
             CHECK(found.passed <= most);

@@ -62,7 +62,7 @@ TEST_CASE("A part has its alpha, or that of its material, or is opaque") {
                ContainsSubstring("s.toml:10") && ContainsSubstring("alpha"));
 }
 
-TEST_CASE("d of a material is its alpha, and Tr what is missing to 1") {
+TEST_CASE("d of a material is its alpha, and Tr is 1 minus it") {
     using namespace alpha_in_files;
     CHECK(mtl_of("d 0.25\n").materials[0].alpha == 0.25f);
     CHECK(mtl_of("Tr 0.25\n").materials[0].alpha == 0.75f);

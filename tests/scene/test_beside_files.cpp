@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// An archive as models come: project/source/model.obj, project/textures/..., and what is no
-/// business of it beside the project.
+/// A typical archive of a model: project/source/model.obj, project/textures/..., and files outside
+/// the project that it must not read.
 struct Archive {
     Archive() {
         for (const char* const of : {"project/source/art/deep", "project/textures", "private"})
@@ -45,7 +45,7 @@ std::string found_as(const Archive& archive, const std::string& name) {
 
 } // namespace
 
-TEST_CASE("A file is found beside, below and next to the folder of the one that names it") {
+TEST_CASE("A file is found in, below and next to the folder of the one that names it") {
     const Archive archive;
     for (const auto& [name, file] : std::vector<std::array<std::string, 2>>{
              {"../textures/wood.png", "wood.png"},
@@ -61,7 +61,7 @@ TEST_CASE("A file is found beside, below and next to the folder of the one that 
              {"secret.png", ""},
              {"../../private/secret.png", ""},
              {"../textures/../../private/secret.png", ""},
-             {"above.png", ""}, // only folders next to its own are looked into
+             {"above.png", ""}, // only folders next to its own are searched
              {"wood", ""}}) {
         INFO(name);
         CHECK(found_as(archive, name) == file);
@@ -93,7 +93,7 @@ TEST_CASE("Links do not lead out of the parent folder") {
     }
 }
 
-TEST_CASE("Of several files of a name, the one in a folder of the given name is taken") {
+TEST_CASE("Of several files with a name, the one in a folder of the given name is taken") {
     const Archive archive;
     fs::create_directories(archive.folder.file("project/a"));
     write_png(test::many_colours(2, 2), archive.folder.file("project/a/wood.png"));
@@ -103,7 +103,7 @@ TEST_CASE("Of several files of a name, the one in a folder of the given name is 
     CHECK(fs::path(files.find("Wood.png").path).parent_path().filename() == "a");
 }
 
-TEST_CASE("No more names are looked at than may be") {
+TEST_CASE("No more names are looked at than allowed") {
     const Archive archive;
     const int count = static_cast<int>(most_names_looked_at) + 200;
     for (int i = 0; i < count; ++i)
@@ -119,7 +119,7 @@ TEST_CASE("No more names are looked at than may be") {
     CHECK(files.find("wood.png").path.empty());
 }
 
-TEST_CASE("An image is found whatever options, quotes and comments stand round its name") {
+TEST_CASE("An image is found whatever options, quotes and comments surround its name") {
     const Archive archive;
     for (const char* const said :
          {"map_Kd wood.png # oak", "map_Kd \"wood.png\"", "map_Kd 'wood.png'",
@@ -133,7 +133,7 @@ TEST_CASE("An image is found whatever options, quotes and comments stand round i
                              "f 1/1 2/1 3/1\n");
         const ObjModel model = read_obj(archive.model());
         CHECK(model.textures.size() == 1);
-        // Found elsewhere, or under a part of what stands there: told with file and line.
+        // Found elsewhere, or under a part of the text there, which is reported with file and line.
         REQUIRE(model.report.notes.size() == 1);
         CHECK(model.report.notes[0].line == 2);
         CHECK_THAT(model.report.notes[0].sentence, Catch::Matchers::EndsWith("' is used."));

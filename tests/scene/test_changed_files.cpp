@@ -27,7 +27,7 @@ TEST_CASE("Changed files of every format are read or refused, within their bound
                 if (!outcome.trouble.empty()) return fmt::format("file {}: {}", i, outcome.trouble);
                 ++(outcome.is_read ? read : refused);
             }
-            // Most changes leave no scene: its file has words that must be and no others.
+            // Most changes leave no scene: its file has required words and no others.
             const int fewest_read = format.name == "scene" ? count / 50 : count / 8;
             if (read < fewest_read || refused < count / 8)
                 return fmt::format("of {} files {} are read, {} refused.", count, read, refused);

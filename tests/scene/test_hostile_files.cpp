@@ -1,5 +1,5 @@
-// Damaged files that a model or scene names, or names many times, or too many of them: each is
-// tried once, its fault is reported once, and reading can be stopped at any of them.
+// Damaged files that a model or scene names, once or often, or too many of them: each is tried
+// once, its fault is reported once, and reading can be stopped at any of them.
 
 #include <filesystem>
 #include <string>
@@ -41,7 +41,7 @@ std::string model_with_maps(const test::TemporaryFolder& folder, int count,
     return folder.write("m.obj", faces);
 }
 
-/// Says that it has 4096 x 4096 pixels, and has as many bytes as those need at least; but they are
+/// Claims to have 4096 x 4096 pixels, and has the least number of bytes for that; but they are
 /// no deflate data.
 std::string damaged_png() {
     return test::png(4096, 4096, 8, "\x78\x01\x07" + std::string(66'000, 'x'));
@@ -57,7 +57,7 @@ std::string changed(std::string bytes, test::Random& random) {
 
 } // namespace
 
-TEST_CASE("A damaged image is tried once and told once, whatever names it") {
+TEST_CASE("A damaged image is tried once and reported once, whatever names it") {
     const test::TemporaryFolder folder;
     const std::string image = folder.write("c.png", damaged_png());
     for (const char* const lines : {"bump -bm {} c.png", "map_Kd c.png", "map_Kd {}.png"}) {
@@ -85,11 +85,11 @@ TEST_CASE("An image is unpacked once for all strengths of its heights") {
     CHECK(files.read_heights(path, "h", 2.0f).index == 1);
     CHECK(files.read(path, "h").index == 2);
     CHECK(files.read_heights(path, "h", 1.0f).index == 0);
-    // From 64 up, each is the same.
+    // From 64 up, all are the same.
     CHECK(files.read_heights(path, "h", 64.0f).index == files.read_heights(path, "h", 65.0f).index);
 }
 
-TEST_CASE("Images that are unpacked in vain count as texels") {
+TEST_CASE("Images unpacked in vain count toward the limit of texels") {
     const test::TemporaryFolder folder;
     for (const char* const name : {"0.png", "1.png", "2.png"})
         folder.write(name, damaged_png());
@@ -103,7 +103,7 @@ TEST_CASE("Images that are unpacked in vain count as texels") {
     }
 }
 
-TEST_CASE("Files beside a scene are read up to so many bytes, those of one kind together") {
+TEST_CASE("Files that a scene names are read up to a limit of bytes, one for each kind") {
     const test::TemporaryFolder folder;
     const std::string six = folder.write("six", "123456");
     BesideBytes bytes(4 * megabyte, "all images");

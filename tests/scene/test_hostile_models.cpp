@@ -48,8 +48,8 @@ TEST_CASE("Large junk is refused in a sentence, whatever it is made of") {
     }
 }
 
-TEST_CASE("A fan of many faces round one point is not compared pair by pair") {
-    // Without the limit each corner would ask all others: 4 x 10^8 questions.
+TEST_CASE("A fan of many faces around one point is not compared pair by pair") {
+    // Without the limit each corner would be compared with all others, 4 x 10^8 times.
     constexpr int count = 20000;
     std::string text = "v 0 0 1\n";
     for (int i = 0; i < count; ++i) {

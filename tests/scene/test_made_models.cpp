@@ -1,5 +1,5 @@
 // The models that come with the program: their files are what the generator writes, and a walk
-// round them finds them closed, with their fronts outside.
+// around them finds them closed, with their fronts outside.
 
 #include <cmath>
 #include <cstdlib>

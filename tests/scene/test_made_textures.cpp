@@ -27,7 +27,7 @@ Image checkerboard() {
     return painted(8, 8, [](int x, int y) { return (x + y) % 2 == 0 ? light : dark; });
 }
 
-/// Nothing in it is the same turned or mirrored: an arrow up, and a corner of each colour.
+/// It differs from itself turned or mirrored: an arrow up, and a corner of each colour.
 Image corners() {
     return painted(16, 16, [](int x, int y) {
         const bool is_left = x<5, is_right = x> 10, is_top = y<5, is_bottom = y> 10;
@@ -42,7 +42,7 @@ Image corners() {
     });
 }
 
-/// Rows of bricks, each moved by half a brick against the row above, with mortar between them.
+/// Rows of bricks, each shifted by half a brick from the row above, with mortar between them.
 Image bricks() {
     return painted(32, 32, [](int x, int y) {
         const int course = y / 8;
@@ -63,7 +63,7 @@ Image brick_heights() {
     });
 }
 
-/// One stud: the cap of a ball of 16 texels, 12 texels round the middle, on a flat ground.
+/// One stud: the cap of a ball of 16 texels, 12 texels around the middle, on a flat ground.
 Image stud_normals() {
     return painted(32, 32, [](int x, int y) {
         constexpr double ball = 16.0, cap = 12.0;
@@ -80,7 +80,7 @@ Image stud_normals() {
 
 } // namespace
 
-TEST_CASE("The textures of the lessons are those that are made here") {
+TEST_CASE("The textures of the lessons are those made here") {
     const std::filesystem::path folder =
         std::filesystem::path(lessons_folder()) / "scenes/textures";
     const std::vector<std::pair<std::string, Image>> made{

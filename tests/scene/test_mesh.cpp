@@ -113,7 +113,7 @@ TEST_CASE("Vertices are joined where they are equal in every bit, and nowhere el
     CHECK(is_another(with([](Vertex& v) { v.texcoord.x = 1.0f; })));
     CHECK(is_another(with([](Vertex& v) { v.texcoord.y = 1.0f; })));
     CHECK(is_another(with([](Vertex& v) { v.shine.exponent = 9.0f; })));
-    // -0 and 0 are equal, and yet two numbers; a NaN is not equal to itself, and yet one.
+    // -0 and 0 are equal, yet two numbers; a NaN is not equal to itself, yet is one number.
     CHECK(is_another(with([](Vertex& v) { v.position.y = -0.0f; })));
     const Vertex nan =
         with([](Vertex& v) { v.position.y = std::numeric_limits<float>::quiet_NaN(); });
@@ -127,7 +127,7 @@ TEST_CASE("A mesh knows whether the corners of a triangle differ in normal or co
     CHECK(mesh.differences() == CornerDifferences{});
     std::array<Vertex, triangle_corners> corners{vertex_at(0, 0, 0), vertex_at(1, 0, 0),
                                                  vertex_at(0, 1, 0)};
-    corners[1].texcoord.x = 0.5f; // this travels anyhow
+    corners[1].texcoord.x = 0.5f; // this travels anyway
     mesh.add_triangle_of(corners);
     CHECK(mesh.differences() == CornerDifferences{});
     corners[2].reflectance.b = 0.5f;
@@ -166,7 +166,7 @@ TEST_CASE("Moving a corner leaves the other triangles where they are") {
     CHECK(point.corner(0, 2).position == glm::vec3(7, 7, 1));
 }
 
-TEST_CASE("The triangles of a flat face of the room share the vertices of their common edge") {
+TEST_CASE("Triangles in a flat face of the room share the vertices of their common edge") {
     const Scene room = lab_room();
     REQUIRE(room.triangle_count() == 30);
     int shared = 0;
@@ -196,7 +196,7 @@ TEST_CASE("The triangles of a flat face of the room share the vertices of their 
     }
 }
 
-TEST_CASE("A scene that is read has each vertex once, in use, with the normal of its triangle") {
+TEST_CASE("A scene read from a file has each vertex once, in use, with its triangle's normal") {
     for (const char* name : {"lab-room", "corridor", "one-triangle", "fence", "wide-wall",
                              "linear-z", "three-needles"}) {
         CAPTURE(name);

@@ -109,7 +109,7 @@ TEST_CASE("A direction is turned and scaled but not moved") {
           glm::dvec3(1.0, 2.0, 0.0));
 }
 
-TEST_CASE("A normal stays across its surface by the inverse transpose, and not by the matrix") {
+TEST_CASE("The inverse transpose keeps a normal perpendicular to its surface, the matrix not") {
     const glm::dmat4 scale = step_matrix({ModelStepKind::scale, {1.0f, 2.0f, 1.0f}});
     const glm::dvec3 n(1.0, 1.0, 0.0), t(1.0, -1.0, 0.0);
     CHECK(glm::dot(n, t) == 0.0);
@@ -126,7 +126,7 @@ TEST_CASE("A normal stays across its surface by the inverse transpose, and not b
     }
 }
 
-TEST_CASE("Of a mirrored object the corners change places, and the normal still points out") {
+TEST_CASE("The corners of a mirrored object change places, and the normal still points out") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/turned-block.toml");
     REQUIRE(scene.parts.size() == 4);
     int mirrored = 0;
@@ -160,7 +160,7 @@ TEST_CASE("Of a mirrored object the corners change places, and the normal still 
         CHECK(glm::dot(scene.corner(t, 0).normal, scene.corner(t, 0).position - middle) > 0.0f);
 }
 
-TEST_CASE("From every side a mirrored object shows the fronts that its normals say") {
+TEST_CASE("From every side a mirrored object shows the fronts that its normals give") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/turned-block.toml");
     Random random(124);
     int fronts = 0, backs = 0;
@@ -191,7 +191,7 @@ TEST_CASE("From every side a mirrored object shows the fronts that its normals s
     CHECK(backs > 100);
 }
 
-TEST_CASE("A part with a model stands where its steps put it, and keeps what it was made from") {
+TEST_CASE("A part with a model is where its steps put it, and keeps what it was made from") {
     const Scene scene = parse_scene(
         scene_with("[{ scale = [2, 1, -1] }, { rotate_y = 0.5 }, { translate = [1, 2, 3] }]"),
         "s.toml");

@@ -26,7 +26,7 @@ Scene scene_of_text(const std::string& text) {
 }
 
 /// How far from the middle of the picture a point is seen, as a part of the way to its edge; more
-/// than 1 is beside it. The camera turns by yaw, then by pitch, as in the lab.
+/// than 1 is outside. The camera turns by yaw, then by pitch, as in the lab.
 double distance_from_middle(const Scene& scene, const glm::vec3& point) {
     const double yaw = scene.camera.yaw, pitch = scene.camera.pitch;
     const glm::dvec3 p = glm::dvec3(point) - glm::dvec3(scene.camera.position);
@@ -42,7 +42,7 @@ double distance_from_middle(const Scene& scene, const glm::vec3& point) {
 
 } // namespace
 
-TEST_CASE("A model stands in the middle of its scene, turned so that up is up") {
+TEST_CASE("A model is in the middle of its scene, turned so that up is up") {
     // A box from (10, 20, 30) to (14, 21, 32): its longest side, of 4, becomes 2.
     const Scene scene = scene_of_text("v 10 20 30\nv 14 20 30\nv 14 21 32\n"
                                       "vt 0.25 0.75\nvn 0 1 0\nf 1/1/1 2/1/1 3/1/1\n");

@@ -83,7 +83,7 @@ TEST_CASE("Each material paints its faces with its own image, v up, where a ray 
                                    row + 0.5 - 0.5 * picture.size.height);
             const std::vector<test::RayHit> hits = rays.hits(place);
             if (hits.empty() || rays.distance_to_edges(place) < 1.0) continue;
-            // The box from (0, 0) to (3, 1) stands in the middle of the world, turned over, its
+            // The box from (0, 0) to (3, 1) is in the middle of the world, turned over, its
             // longer side 2.
             const glm::dvec3 world = hits.front().position_world;
             const double x = 1.5 * world.x + 1.5, y = 0.5 - 1.5 * world.y;
@@ -149,7 +149,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("An image is read once, for a material that is drawn, and also from beside the model") {
+TEST_CASE("An image is read once, for a material that is drawn, and also from next to the model") {
     const test::TemporaryFolder folder;
     std::filesystem::create_directory(folder.file("sub"));
     write_png(many_colours(2, 2), folder.file("p.png"));
@@ -184,7 +184,7 @@ TEST_CASE("Faces without texture coordinates keep their colour in a part of thei
     CHECK(model.report.counts.parts == 3);
 }
 
-TEST_CASE("A model has at most so many textures") {
+TEST_CASE("The number of a model's textures is limited") {
     const test::TemporaryFolder folder;
     std::string materials, faces = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n";
     const int count = static_cast<int>(most_textures) + 2;

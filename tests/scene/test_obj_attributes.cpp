@@ -17,11 +17,11 @@ using namespace rasterwalk;
 namespace {
 namespace wrong_attributes {
 
-// A tent: two squares that lean from each other by 90 degrees.
+// A tent: two squares at 90 degrees to each other.
 const std::string points = "v -1 0 0\nv -1 0 -2\nv 0 1 -2\nv 0 1 0\nv 1 0 0\nv 1 0 -2\n";
 const std::string faces = "f 1 4 3 2\nf 4 5 6 3\n";
 
-/// The faces of the tent, with the same text behind each point.
+/// The faces of the tent, with the same text after each point.
 std::string faces_with(const std::string& behind) {
     std::string text = faces;
     for (std::size_t i = text.size(); i-- > 0;) {
@@ -85,7 +85,7 @@ TEST_CASE("Both attributes may be wrong in one face, and each is reported") {
     CHECK(model.report.counts.faults == 4);
 }
 
-TEST_CASE("What a corner names beyond three parts is not used") {
+TEST_CASE("Parts of a corner after the third are not used") {
     using namespace wrong_attributes;
     const std::string lines = points + "vt 0.5 0.25\nvn 1 0 0\n";
     const ObjModel model = parse_obj(lines + faces_with("/1/1/9"), "m.obj");

@@ -107,12 +107,12 @@ TEST_CASE("A model far away is as exact as the digits of its file") {
     using namespace far_away;
     const Shell near{};
     const Shell far{.move = {432100.125, 6543211.5, 100}, .number = "{:.6f}"};
-    // Half a millionth is what the digits leave open, and a corner's normal leans by as much over
-    // the length of an edge, which is longer than 0.03.
+    // The digits leave half a millionth open, and a corner's normal tilts by that over an edge's
+    // length, which is more than 0.03.
     CHECK(difference(scene_of(far), scene_of(near)) < 1e-6f / 0.03f);
 }
 
-TEST_CASE("Where a model lies far away, what is subtracted is a round number, and noted") {
+TEST_CASE("The offset subtracted from a model far away is a round number, and noted") {
     using namespace far_away;
     const Shell far{.rounded_to = 1.0 / 64.0, .move = {432100, 6543211, 100}};
     const ObjModel model = parse_obj(text_of(far), "m.obj");
@@ -154,7 +154,7 @@ TEST_CASE("A model may be of any size") {
     }
 }
 
-TEST_CASE("Sizes that differ between the axes beyond all measure are no numbers' end") {
+TEST_CASE("Sizes that differ enormously between the axes still give numbers") {
     for (const std::string text : {"v 1e9 0 0\nv 1e9 1e-300 0\nv 1e9 0 1e-300\nf 1 2 3\n",
                                    "v 1e9 1e-310 0\nv 1e9 2e-310 0\nv 1e9 0 1e-310\nf 1 2 3\n",
                                    "v -1e9 -1e9 0\nv 1e9 1e9 1e-300\nv 0 1e-300 0\nf 1 2 3\n"}) {

@@ -23,7 +23,7 @@ namespace coloured_points {
 
 const std::vector<std::string> places{"v -1 -1 0", "v 1 -1 0", "v 0 1 0"};
 
-/// A triangle whose points have these texts behind their coordinates.
+/// A triangle whose points have these texts after their coordinates.
 std::string triangle_with(const std::vector<std::string>& behind) {
     std::string text;
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -50,7 +50,7 @@ using Colours = std::vector<glm::vec3>;
 } // namespace coloured_points
 } // namespace
 
-TEST_CASE("Numbers behind the coordinates of a point are its colour") {
+TEST_CASE("Numbers after the coordinates of a point are its colour") {
     using namespace coloured_points;
     const Colours red_green_blue{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     CHECK(colours_with({"1 0 0", "0 1 0", "0 0 1"}) == red_green_blue);
@@ -67,7 +67,7 @@ TEST_CASE("Numbers behind the coordinates of a point are its colour") {
     CHECK(colours_with({"1.0001 0 0", "0 1 0", "0 0 1"}) == red_green_blue);
 }
 
-TEST_CASE("That colours are taken to run to 255 is noted with the line that shows it") {
+TEST_CASE("Colours taken to run to 255 are noted with the line that shows it") {
     using namespace coloured_points;
     const ObjReport report =
         parse_obj(triangle_with({"0 0 1", "9 0 0", "255 0 0"}), "m.obj").report;
@@ -77,7 +77,7 @@ TEST_CASE("That colours are taken to run to 255 is noted with the line that show
     CHECK(parse_obj(triangle_with({"0 0 1", "1 0 0", "0 0 0"}), "m.obj").report.notes.empty());
 }
 
-TEST_CASE("What is not a colour after a point leaves it white, and is reported") {
+TEST_CASE("A point followed by anything but a colour stays white, and that is reported") {
     using namespace coloured_points;
     const ObjModel model = parse_obj(triangle_with({"1 0 0", "1 x 0", "nan 0 0"}), "m.obj");
     CHECK(colours_of(model) == Colours{{1, 0, 0}, {1, 1, 1}, {1, 1, 1}});
@@ -112,7 +112,7 @@ TEST_CASE("The comments with colours that ZBrush writes are read") {
     CHECK(colours("#MRGB nothing\n") == Colours(3, glm::vec3(1)));
 }
 
-TEST_CASE("Colours of points are multiplied with that of the material") {
+TEST_CASE("Colours of points are multiplied by that of the material") {
     using namespace coloured_points;
     const test::TemporaryFolder folder;
     const std::string path = folder.write(
@@ -131,7 +131,7 @@ TEST_CASE("Colours of points are multiplied with that of the material") {
 
 TEST_CASE("Colours of points go over a face in perspective, by the steps and by the fast engine") {
     using namespace coloured_points;
-    // It leans far away from the camera, so that straight across the picture would be wrong.
+    // It tilts steeply away from the camera, so a linear blend on the screen would be wrong.
     const Scene scene = scene_of_model(
         parse_obj("v -1 0 1 1 0 0\nv 1 0 1 0 1 0\nv 0 0.5 -4 0 0 1\nf 1 2 3\n", "m.obj"));
     Settings settings = test::by_fast_rules(default_settings(scene));

@@ -1,4 +1,4 @@
-// Polygons cut into triangles, checked for what any right cut has: the polygon's area, and each
+// Polygons cut into triangles, checked for what any correct cut has: the polygon's area, and each
 // point of a grid in one triangle if it is in the polygon, in none if it is outside.
 
 #include "scene/polygon_cutter.h"
@@ -150,7 +150,7 @@ TEST_CASE("A hole that is joined to its outline stays a hole") {
     check_cover(cutter, polygon);
 }
 
-TEST_CASE("Polygons without an inside are cut all the same") {
+TEST_CASE("Polygons without an inside are cut as well") {
     PolygonCutter cutter;
     const std::vector<glm::vec3> one_point(7, glm::vec3(2, 3, 4));
     CHECK(cutter.cut(one_point) == PolygonCut::fan);
@@ -165,7 +165,7 @@ TEST_CASE("Polygons without an inside are cut all the same") {
 TEST_CASE("The work of all polygons together has an end") {
     PolygonCutter cutter;
     const std::vector<glm::vec3> spiral = spiral_of(static_cast<int>(most_ear_corners) / 2);
-    // Each costs at least a question about each reflex corner for each ear.
+    // Each costs at least one test of each reflex corner for each ear.
     const long long least = static_cast<long long>(most_ear_corners) * most_ear_corners / 8;
     int cut = 0;
     while (cutter.cut(spiral) != PolygonCut::refused) {

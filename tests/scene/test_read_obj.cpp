@@ -123,7 +123,7 @@ TEST_CASE("Names of parts that no terminal can show are made visible") {
     CHECK(parse_obj(one_face, "folder/m.obj").parts.at(0).name == "m");
 }
 
-TEST_CASE("What is wrong in a model is reported with its line, and the rest is read") {
+TEST_CASE("Faults in a model are reported with their lines, and the rest is read") {
     struct Case {
         std::string line, fault;
     };
@@ -194,7 +194,7 @@ TEST_CASE("What is wrong in a model is reported with its line, and the rest is r
     }
 }
 
-TEST_CASE("A comment may follow a number at once, even one that ends with its point") {
+TEST_CASE("A comment can directly follow a number, even one that ends with its point") {
     const ObjModel model = parse_obj(
         "v 0 0 0#.#INF\nv 1 0 2.#top\nv 0 1 -3.#\nv 1 1 4.##QNAN\nf 1 2 3\nf 2 4 3\n", "m.obj");
     CHECK(fault_lines(model.report).empty());
@@ -264,7 +264,7 @@ TEST_CASE("More faults than are kept are counted") {
           "counted from 1, but 'f' names 0; the face is left out. 204 more faults after that.");
 }
 
-TEST_CASE("A model that is inside out is reported with the cure, and no other is") {
+TEST_CASE("A model that is inside out is reported with the cure, and no other model is") {
     const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
     const auto notice_of = [&](const std::string& faces) {
         ObjModel model = parse_obj(points + faces, "m.obj");
@@ -284,7 +284,7 @@ TEST_CASE("A model that is inside out is reported with the cure, and no other is
     }
 }
 
-TEST_CASE("Only so many files of materials are looked for, and the same one only once") {
+TEST_CASE("The number of files of materials is limited, and each is looked for only once") {
     std::string text = one_face;
     for (std::size_t i = 0; i < most_material_files + 2; ++i)
         text += "mtllib " + std::to_string(i) + ".mtl\n";
@@ -335,7 +335,7 @@ TEST_CASE("A face of 100000 corners is cut if a fan can, and left out in a sente
               "(ear clipping is limited to 2048 corners); the face is left out."});
 }
 
-TEST_CASE("A face whose edges cross is drawn, and told") {
+TEST_CASE("A face whose edges cross is drawn, and reported") {
     // Two triangles of the same size, which together have no area, and two of different size.
     for (const std::string last : {"v 0 2 0\n", "v 0 3 0\n"}) {
         INFO(last);
@@ -348,7 +348,7 @@ TEST_CASE("A face whose edges cross is drawn, and told") {
     }
 }
 
-TEST_CASE("Materials stand beside the model, and give its faces their colour") {
+TEST_CASE("Materials are next to the model, and give its faces their colour") {
     const test::TemporaryFolder folder;
     folder.write(
         "two parts.mtl",
@@ -425,7 +425,7 @@ TEST_CASE("Scale and offset of an image move the corners of its faces in the tex
     CHECK(corners_by("-s 1 1e9")[2].y == static_cast<float>(largest_model_coordinate)); // not 3e9
 }
 
-TEST_CASE("A file of materials may be named in quotes, and is plain text") {
+TEST_CASE("A file of materials can be named in quotes, and is plain text") {
     const test::TemporaryFolder folder;
     folder.write("my two.mtl", "newmtl a\nKd 1 0 0\n");
     folder.write("wide.mtl", std::string("\xff\xfen\0e\0w\0m\0t\0l\0 \0a\0", 18));
@@ -446,7 +446,7 @@ TEST_CASE("A file of materials may be named in quotes, and is plain text") {
               ":1: the file is UTF-16; a material file must be plain text. It is left out.");
 }
 
-TEST_CASE("Of several files of materials each may be named in quotes") {
+TEST_CASE("Several files of materials can each be named in quotes") {
     const test::TemporaryFolder folder;
     folder.write("my two.mtl", "newmtl a\nKd 1 0 0\n");
     folder.write("one.mtl", "newmtl b\nKd 0 1 0\n");
@@ -478,7 +478,7 @@ TEST_CASE("A long name of a material is cut in both files, and an exponent at it
     CHECK(model.mesh.corner(0, 0).shine == Shine{glm::vec3(1.0f), largest_exponent});
 }
 
-TEST_CASE("What is wrong in a file of materials is reported with its own line") {
+TEST_CASE("Faults in a file of materials are reported with their own lines") {
     struct Case {
         std::string line, fault;
     };
@@ -519,7 +519,7 @@ TEST_CASE("What is wrong in a file of materials is reported with its own line") 
                                    ": the file is larger than 4 MB. It is left out."});
 }
 
-TEST_CASE("Missing normals are the faces', or smoothed where faces lean little") {
+TEST_CASE("Missing normals are the faces', or smoothed where the angle between faces is small") {
     // A roof: two squares that meet in the edge from (0,0,0) to (0,0,1), 60 degrees apart.
     const std::string roof = "v -1 0 0\nv -1 0 -1\nv 0 0 -1\nv 0 0 0\n"
                              "v 0.5 -0.8660254 0\nv 0.5 -0.8660254 -1\n"
@@ -545,7 +545,7 @@ TEST_CASE("Missing normals are the faces', or smoothed where faces lean little")
     CHECK(parse_obj(roof, "m.obj", {1.1f}).mesh.vertices().size() == 6);
 }
 
-TEST_CASE("A model is known by its ending") {
+TEST_CASE("A model is recognized by its file's ending") {
     CHECK(is_model_file("a/m.obj"));
     CHECK(is_model_file("M.OBJ"));
     CHECK_FALSE(is_model_file(".obj"));

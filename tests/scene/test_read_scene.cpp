@@ -250,7 +250,7 @@ TEST_CASE("A pixel scene takes columns and rows and refuses what no picture has"
           "s.toml:11: points in pixels cannot have a transform.");
 }
 
-TEST_CASE("A polygon of a scene in pixels becomes a fan, and what is none is refused") {
+TEST_CASE("A polygon of a scene in pixels becomes a fan, and what is not a polygon is refused") {
     const std::string head = "name = \"s\"\nspace = \"pixels\"\n[points.p]\nA = [2, 2]\n"
                              "B = [10, 8]\nC = [18, 2]\nD = [18, 14]\nE = [2, 14]\n"
                              "[[part]]\nname = \"q\"\npoints = \"p\"\n";
@@ -303,7 +303,7 @@ TEST_CASE("A stage that does not exist is refused where the scene asks for it") 
                       "s.toml:2: there is no stage 'fil'; the stages are: rows, fill.");
 }
 
-TEST_CASE("Bytes that are no text are refused and not read as a scene") {
+TEST_CASE("Bytes that are not text are refused and not read as a scene") {
     const std::string zeros("\0\0\0", 3);
     CHECK(refusal(zeros).substr(0, 9) == "s.toml:1:");
     CHECK(refusal("name = \"\xff\xfe\"\n").substr(0, 9) == "s.toml:1:");

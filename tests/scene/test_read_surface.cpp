@@ -73,7 +73,7 @@ TEST_CASE("A part has its triangles' normals, averaged ones, or those of a set")
     const glm::vec3 left = faces.corner(0, 0).normal;
     CHECK(std::abs(left.x) == Approx(half));
 
-    // In the ridge both slopes count alike, although one has two triangles at B and one at C. At
+    // At the ridge both slopes count alike, although one has two triangles at B and one at C. At
     // the eaves there is only one slope.
     const Scene smooth = read(roof + written_part("normals = \"averaged\"\n"));
     CHECK(smooth.mesh.differences() == CornerDifferences{true, false});
@@ -84,7 +84,7 @@ TEST_CASE("A part has its triangles' normals, averaged ones, or those of a set")
     CHECK(glm::distance(corner_at(smooth, 1, c).normal, corner_at(smooth, 1, b).normal) < 1e-6f);
     CHECK(glm::distance(corner_at(smooth, 0, a).normal, left) < 1e-6f);
 
-    // A given one is made unit length; who is not named keeps the triangle's.
+    // A given one is made unit length; a corner not named keeps the triangle's.
     const Scene given = read(roof + sections + written_part("normals = \"n\"\n"));
     CHECK(corner_at(given, 0, a).normal == glm::vec3(0, -1, 0));
     CHECK(corner_at(given, 0, b).normal == left);
@@ -103,7 +103,7 @@ TEST_CASE("Given and averaged normals go with the object that is mirrored, turne
     // The ridge stays level.
     CHECK(turned.corner(0, 2).normal.y == Approx(up));
 
-    // Where the scene turns an axis round, a given normal is turned with the points.
+    // Where the scene flips an axis, a given normal is flipped with the points.
     const std::string mirrored = roof + sections + written_part("normals = \"n\"\n") +
                                  "[transform]\nedge = 2\nmirror = [\"y\"]\n";
     const Scene scene = read(mirrored);

@@ -19,7 +19,7 @@ using test::many_colours;
 
 namespace {
 
-/// A scene of one part with two triangles; `lines` are those of its texture, from line 10 on.
+/// A scene of one part with two triangles; `lines` are those of its texture, starting at line 10.
 std::string scene_with_lines(const std::string& lines) {
     return "name = \"s\"\n"
            "[points.p]\n"
@@ -87,7 +87,7 @@ TEST_CASE("The last level of a mip chain is the mean of the whole picture, whate
     }
 }
 
-TEST_CASE("A scene names a texture beside it, and where the corners of its triangles lie") {
+TEST_CASE("A scene names a texture next to it, and where the corners of its triangles are") {
     const test::TemporaryFolder folder;
     const Image image = many_colours(5, 3);
     write_png(image, folder.file("painted.png"));
@@ -110,7 +110,7 @@ TEST_CASE("A scene names a texture beside it, and where the corners of its trian
     CHECK(texture_of(copy, 0) == texture_of(scene, 0)); // shared
     CHECK(read_scene(path) == scene);                   // and compared by its texels
     CHECK(texture_of(scene, 3) == &*scene.textures.front());
-    // In the mirror the corners of a triangle change places, and their texcoords with them.
+    // Mirrored, the corners of a triangle change places, and their texcoords with them.
     CHECK(scene.corner(0, 1).position == glm::vec3(-1, 1, 2));
     CHECK(scene.corner(0, 1).texcoord == glm::vec2(1, 1));
     CHECK(scene.corner(0, 2).position == glm::vec3(-1, -1, 2));
@@ -152,7 +152,7 @@ TEST_CASE("Texcoords that do not fit the triangles are refused with file and lin
     }
 }
 
-TEST_CASE("A file that is no texture is refused in a sentence, with file and line") {
+TEST_CASE("A file that is not a texture is refused in a sentence, with file and line") {
     const test::TemporaryFolder folder;
     write_png(many_colours(64, 64), folder.file("whole.png"));
     const std::string whole = test::bytes_of(folder.file("whole.png"));
@@ -197,7 +197,7 @@ TEST_CASE("A file that is no texture is refused in a sentence, with file and lin
                Catch::Matchers::StartsWith("s.toml:10: 'texture' of part 1 must be text"));
 }
 
-TEST_CASE("Every cut and many a broken bit of a small PNG is a picture or a sentence") {
+TEST_CASE("A small PNG with any cut or a broken bit gives a picture or a sentence") {
     const test::TemporaryFolder folder;
     write_png(many_colours(3, 2), folder.file("small.png"));
     const std::string whole = test::bytes_of(folder.file("small.png"));

@@ -33,7 +33,7 @@ glm::vec<3, std::uint8_t> colour_at(const Image& image, std::size_t pixel) {
 
 } // namespace
 
-TEST_CASE("Without a range of its own the depth view goes from the smallest to the largest 1/z") {
+TEST_CASE("Without a set range the depth view goes from the smallest to the largest 1/z") {
     const Session session = depth_session();
     Results results;
     update(session, results);
@@ -77,7 +77,7 @@ TEST_CASE("What lies outside the range takes the colour of its end") {
     CHECK(results.depth->farther == farther);
 }
 
-TEST_CASE("Every pixel with a depth stands in the histogram once, in its own bin") {
+TEST_CASE("Every pixel with a depth is in the histogram once, in its own bin") {
     const Session session = depth_session();
     Results results;
     update(session, results);
@@ -95,7 +95,7 @@ TEST_CASE("Every pixel with a depth stands in the histogram once, in its own bin
     std::int64_t strays = 0;
     for (std::size_t b = 0; b < depth_bins; ++b)
         strays += std::abs(expected[b] - histogram.bins[b]);
-    // Those on the border of two bins may be rounded to either.
+    // Those on the border of two bins can be rounded to either.
     CHECK(strays <= 20);
 }
 
@@ -163,7 +163,7 @@ TEST_CASE("Before anything has a depth the view is empty and still has an axis")
     CHECK(session.depth_range->largest > session.depth_range->smallest);
 }
 
-TEST_CASE("Other views have no depth view beside them") {
+TEST_CASE("Other views have no depth view next to them") {
     Session session = depth_session();
     Results results;
     update(session, results);
@@ -203,8 +203,7 @@ TEST_CASE("A stored depth shows how far in front of the camera its vertex is") {
     }
 }
 
-TEST_CASE(
-    "Under ndc z the far end of the range is the larger one, and near is bright all the same") {
+TEST_CASE("Under ndc z the far end of the range is the larger one, and near is still bright") {
     Session session = depth_session();
     Results results;
     update(session, results);

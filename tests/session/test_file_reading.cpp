@@ -20,7 +20,7 @@ FileReading::Read scene_at(const std::string& path) {
 
 } // namespace
 
-TEST_CASE("What is read beside the window is what is read at once") {
+TEST_CASE("Reading in the background gives the same as reading directly") {
     const std::string path = lessons_folder() + "/models/cube.obj";
     FileReading reading(path, scene_at(path));
     CHECK(reading.path() == path);
@@ -41,7 +41,7 @@ TEST_CASE("A reading that was stopped gives no scene, even if it was done before
     CHECK_THROWS_AS(late.take(), ReadingStopped);
 }
 
-TEST_CASE("A reading that nothing waits for ends by itself") {
+TEST_CASE("A reading that nothing waits for ends on its own") {
     const std::string path = lessons_folder() + "/models/knot.obj";
     const FileReading left(path, scene_at(path));
     CHECK_FALSE(left.path().empty());

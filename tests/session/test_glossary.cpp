@@ -16,7 +16,7 @@ TEST_CASE("The glossary that comes with the program has the words of the lab, ea
     }
 }
 
-TEST_CASE("A section of the lab is called so, and what leads beyond it is not") {
+TEST_CASE("Sections of the lab are labelled as such, and those beyond it are not") {
     CHECK(section_words("Drawing edges") == "lab: Drawing edges");
     CHECK(section_words("Beyond the lab: textures") == "Beyond the lab: textures");
 }

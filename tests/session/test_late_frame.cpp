@@ -95,7 +95,7 @@ TEST_CASE("While the camera turns without rest frames are seen, and at rest the 
     finish(session, expected);
     CHECK(results.a.picture == expected.a.picture);
 
-    // finish() leads to what is asked for, whatever was begun.
+    // finish() leads to what is requested, whatever was begun.
     session.a.settings.camera.yaw += 0.01f;
     update(session, results, little);
     REQUIRE(results.a.is_frame_late);
@@ -135,7 +135,7 @@ TEST_CASE("Two runs that turn together are seen from the same place at any time"
     CHECK(results.b->picture == results.a.picture);
 }
 
-TEST_CASE("What fell on the picked pixel is looked for when the picture is drawn") {
+TEST_CASE("The picked pixel's fragments are looked for when the picture is drawn") {
     Session session = session_of_many();
     session.selection.pixel = {250, 250};
     Results results;

@@ -15,8 +15,8 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// The moment that the words tell, put together from their numbers; what is wrong with them, if
-/// they do not count from 0.
+/// The moment that the words describe, put together from their numbers; what is wrong with
+/// them, if they do not count from 0.
 std::string told_moment(const std::string& words, int triangles) {
     static const std::regex form(
         "triangles\\[(\\d+)\\] of (\\d+) \\([^)]*\\) · "

@@ -18,7 +18,7 @@ namespace hints_of_box {
 /// So little that a picture of the box takes many updates.
 constexpr WorkLimit in_small_parts{2'000.0, 3'000.0};
 
-/// A box whose fronts point inward: most of what is seen is backs.
+/// A box whose fronts point inward: most of what is seen faces away.
 Session session_of_box() {
     Session session;
     session.scene = std::make_shared<const Scene>(test::box(true));
@@ -79,8 +79,7 @@ TEST_CASE("Hints stay until those of the next picture are known, and another vie
     CHECK(results.hints.found.empty());
 }
 
-TEST_CASE(
-    "There are no hints before the end of a frame, beside a second run and of another scene") {
+TEST_CASE("There are no hints before a frame's end, with a second run or for another scene") {
     using namespace hints_of_box;
     Session session = session_of_box();
     Results results;

@@ -53,8 +53,8 @@ struct Player {
         toggle_play(session, Timeline(results.a.frame));
     }
 
-    /// Lets the clock run in ticks of 1 / frame_rate seconds until the play ends; returns for how
-    /// many seconds it did.
+    /// Lets the clock run in ticks of 1 / frame_rate seconds until the play ends; returns how
+    /// many seconds that took.
     double run(double seconds, int frame_rate) {
         const Timeline timeline(results.a.frame);
         const float tick = 1.0f / static_cast<float>(frame_rate);
@@ -184,7 +184,7 @@ TEST_CASE(
     CHECK(player.session.cursor == cursor_end);
 }
 
-TEST_CASE("A window that was hidden for long has missed a second, not more") {
+TEST_CASE("A window that was hidden for long has missed one second, no more") {
     Player player(bench_session());
     const Timeline timeline(player.results.a.frame);
     player.begin(Granularity::moment, {SpeedUnit::steps, 8.0});

@@ -62,7 +62,7 @@ bool has_preview(Session session) {
 
 } // namespace
 
-TEST_CASE("A large picture turns as the fast engine's, and at rest becomes that of the steps") {
+TEST_CASE("A large picture turns as the fast engine's, and at rest becomes the steps' own") {
     Session session = large_session();
     Results results;
     finish(session, results);
@@ -224,7 +224,7 @@ TEST_CASE("engine=fast draws the whole picture, and the steps all moments before
     CHECK(a.picture == view_image(turned, View::colour));
 }
 
-TEST_CASE("What the fast engine refuses the steps draw, and the reason is given") {
+TEST_CASE("The steps draw what the fast engine refuses, and the reason is given") {
     Session session = large_session();
     set_from_text(session.a.settings, "engine=fast");
     set_from_text(session.a.settings, "shading=flat");

@@ -81,7 +81,7 @@ TEST_CASE("A second run that cuts the scene finer shows the same triangle, by it
     CHECK(results.b->triangle == 9 * 29);
     CHECK(results.b->cursor == Cursor{9 * 12, Phase::vertices, 0, 0});
     CHECK(results.comparison.work.is_done());
-    // And the other way round.
+    // And the other way around.
     std::swap(session.a, *session.b);
     session.selection.triangle = 9 * 29 + 8;
     session.cursor = cursor_end;
@@ -164,7 +164,7 @@ TEST_CASE("A picture of which only a part was redrawn is the same as one drawn i
     CHECK(partly > 10);
 }
 
-TEST_CASE("B is worked out again only if something changed") {
+TEST_CASE("B is computed again only if something changed") {
     Session session = room_session();
     compare_with(session, with(session.a.settings, "rounding=floor"));
     Results results;
@@ -253,7 +253,7 @@ TEST_CASE("Pictures of different sizes are not compared") {
     CHECK(results.no_comparison.empty());
 }
 
-TEST_CASE("What is too much work for one update is done by several, and comes to the same") {
+TEST_CASE("Work too long for one update is done by several, with the same result") {
     Session session = room_session();
     compare_with(session, with(session.a.settings, "rounding=floor"));
     Results expected;
@@ -283,7 +283,7 @@ TEST_CASE("What is too much work for one update is done by several, and comes to
     CHECK(results.a.picture_number == picture);
 }
 
-TEST_CASE("The difference of large pictures is worked out some rows an update, a step at once") {
+TEST_CASE("Large pictures are compared some rows an update, and a step within one update") {
     Session session = room_session();
     compare_with(session, with(session.a.settings, "rounding=floor"));
     session.cursor = {12, Phase::rows, 20, 0};
@@ -326,7 +326,7 @@ TEST_CASE("The difference of large pictures is worked out some rows an update, a
     require_right(results);
 }
 
-TEST_CASE("Half a difference picture is not shown, though a step comes meanwhile") {
+TEST_CASE("A half-done difference picture is not shown, even if a step comes meanwhile") {
     Session session = room_session();
     compare_with(session, with(session.a.settings, "rounding=floor"));
     session.cursor = {12, Phase::rows, 20, 0};
@@ -348,8 +348,7 @@ TEST_CASE("Half a difference picture is not shown, though a step comes meanwhile
           difference_image(comparison.difference_values, {120, 100}, comparison.difference_limit));
 }
 
-TEST_CASE(
-    "The room of the lab is drawn in one update; of two runs the moments are compared later") {
+TEST_CASE("The lab's room is drawn in one update; the moments of two runs are compared later") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     compare_with(session, with(session.a.settings, "interpolation=affine"));
     Results results;
@@ -386,7 +385,7 @@ TEST_CASE("Overlays wait for the picture that they mark") {
     CHECK(results.overlay.image == expected.overlay.image);
 }
 
-TEST_CASE("What is out of order is reported for the whole frame, wherever the cursor is") {
+TEST_CASE("Troubles are reported for the whole frame, wherever the cursor is") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     Results end;
     update(session, end);

@@ -31,7 +31,7 @@ std::string settings_of(const Session& session) {
 
 } // namespace
 
-TEST_CASE("Each pair leaves run A as it is and gives B what A has not, where the stage shows it") {
+TEST_CASE("Each pair leaves run A as it is and gives B what A lacks, where the stage shows it") {
     const std::string expected[] = {
         "interpolation perspective affine; ", "stage vertex_light pixel_light; ",
         "depth_test inverse_z off; ", "rounding truncate floor; line_walk accumulate exact; "};
@@ -59,7 +59,7 @@ TEST_CASE("Each pair leaves run A as it is and gives B what A has not, where the
     CHECK(i == 4);
 }
 
-TEST_CASE("A pair offers what run A has not, also where A has neither way") {
+TEST_CASE("A pair offers what run A lacks, even where A has neither way") {
     const ComparePair& affine = compare_pairs()[0];
     Session session = room();
     set_step(session.a.settings, StripStep::pixel_light);
@@ -78,7 +78,7 @@ TEST_CASE("A pair offers what run A has not, also where A has neither way") {
     CHECK(pair_of_runs(session) == nullptr);
 }
 
-TEST_CASE("What only B has of a setting with parts stays B's, and the rest follows A") {
+TEST_CASE("The part of a setting that only B has stays B's, and the rest follows A") {
     Session session = room();
     set_from_text(session.a.settings, "stage=pixel_light");
     session.b = session.a;
@@ -131,7 +131,7 @@ TEST_CASE("What changes in A changes in B too, unless they differ in it") {
     CHECK(settings_of(session) == "rounding truncate floor; ");
 }
 
-TEST_CASE("A second run that was set by itself is left alone") {
+TEST_CASE("A second run that was set separately is left alone") {
     Session session = room();
     start_pair(session, compare_pairs()[3]);
     carry_changes_to_b(session);
@@ -177,7 +177,7 @@ TEST_CASE("Another scene brings its view to both runs") {
     CHECK(session.b->settings.viewport == Viewport{20, 20});
 }
 
-TEST_CASE("The end of a pair takes back what it has set in A, where it still stands") {
+TEST_CASE("The end of a pair takes back what it has set in A, if unchanged since") {
     Session session = room();
     const Settings before = session.a.settings;
     start_pair(session, compare_pairs()[0]);
@@ -193,7 +193,7 @@ TEST_CASE("The end of a pair takes back what it has set in A, where it still sta
     CHECK_FALSE(session.replaced);
 }
 
-TEST_CASE("A mistake on its own scene is turned off into the scene from before") {
+TEST_CASE("Turning off a mistake on its own scene brings back the previous scene") {
     Session session = room();
     const std::shared_ptr<const Scene> scene = session.scene;
     const Settings before = session.a.settings;
@@ -201,7 +201,7 @@ TEST_CASE("A mistake on its own scene is turned off into the scene from before")
     open_bug(find_bug(bugs, "B1"), session);
     CHECK(session.scene != scene);
     CHECK(is_on(session, "B1"));
-    open_bug(find_bug(bugs, "B14"), session); // the first one is turned off before
+    open_bug(find_bug(bugs, "B14"), session); // the first one is turned off first
     CHECK_FALSE(is_on(session, "B1"));
     end_comparison(session);
     CHECK(session.scene == scene);
@@ -235,7 +235,7 @@ TEST_CASE("Undo brings back which mistake was on") {
     CHECK(is_on(session, "B5"));
 }
 
-TEST_CASE("The same scene opened again is no step for undo") {
+TEST_CASE("Opening the same scene again is not a step for undo") {
     Session session = room();
     const std::shared_ptr<const Scene> scene = session.scene;
     set_scene(session, read_scene_file(lessons_folder() + "/scenes/lab-room.toml"));

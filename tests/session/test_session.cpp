@@ -67,7 +67,7 @@ TEST_CASE("Another scene brings its camera, light, viewport and stage; the rules
     CHECK_FALSE(session.play.running);
 }
 
-TEST_CASE("A scene without a wish for a stage leaves the stage as it is") {
+TEST_CASE("A scene that asks for no stage leaves the stage as it is") {
     Session session = open_session(room_file);
     session.a.settings.stage = Stage::edges;
     Scene scene = *session.scene;
@@ -87,7 +87,7 @@ TEST_CASE("A scene that asks for an unknown stage does not open") {
                              "rows, fill, depth, vertex_light, pixel_light.");
 }
 
-TEST_CASE("RASTERWALK_LESSONS names the folder of lessons, and is believed only if it is one") {
+TEST_CASE("RASTERWALK_LESSONS names the folder of lessons, and is used only if it is one") {
     const test::TemporaryFolder folder;
     {
         const Environment environment("RASTERWALK_LESSONS", folder.file("none"));

@@ -30,7 +30,7 @@ constexpr double frames[] = {0, 1, 11, 29, 30, 31, 42, 300, 5'000, 19'000, 900'0
 
 } // namespace
 
-TEST_CASE("A speed says in words what it is") {
+TEST_CASE("A speed has a name in words") {
     CHECK(speed_text(steps_a_second(1)) == "1 step/s");
     CHECK(speed_text(steps_a_second(8)) == "8 steps/s");
     CHECK(speed_text(steps_a_second(1000)) == "1000 steps/s");
@@ -40,7 +40,7 @@ TEST_CASE("A speed says in words what it is") {
     CHECK(speed_text(no_limit) == "no limit");
 }
 
-TEST_CASE("A frame of few steps does not take 15 seconds, but two steps each") {
+TEST_CASE("A frame of few steps does not take 15 seconds, but half a second per step") {
     CHECK(speed_in(Speed{}, 11) == steps_a_second(2));
     CHECK(speed_in(Speed{}, 29.9) == steps_a_second(2));
     CHECK(speed_in(Speed{}, 30) == Speed{});
@@ -81,7 +81,7 @@ TEST_CASE("Every turn of the dial makes the play faster, whatever the frame, and
     }
 }
 
-TEST_CASE("Every speed of the dial is found again where it stands, and by its neighbours") {
+TEST_CASE("Every speed of the dial is found again at its place, and from its neighbours") {
     for (const double steps : frames) {
         const std::vector<Speed> dial = speed_dial(steps);
         for (std::size_t i = 0; i < dial.size(); ++i) {
@@ -97,7 +97,7 @@ TEST_CASE("Every speed of the dial is found again where it stands, and by its ne
     }
 }
 
-TEST_CASE("A speed that the dial of this frame does not have stands beside those it lies between") {
+TEST_CASE("A speed that this frame's dial does not have is between its neighbours") {
     // 250 steps a second are the bench's frame in a sixth of a second.
     CHECK(dial_place(steps_a_second(250), 42) < 1.0);
     CHECK(speed_at(dial_place(steps_a_second(250), 42), 42) == frame_in(1));

@@ -81,7 +81,7 @@ Lesson lesson_of_tabs() {
 
 } // namespace
 
-TEST_CASE("The tabs of a group stand together, and every name of a tab is another") {
+TEST_CASE("The tabs of a group are together, and every tab has a different name") {
     std::set<std::string_view> names;
     std::set<TabGroup> seen;
     const TabInfo* before = nullptr;
@@ -129,7 +129,7 @@ TEST_CASE("A tab that runs are compared in stays, whatever the stage") {
     CHECK(session.tab == "vertices");
 }
 
-TEST_CASE("The settings lie over a tab, which is back when they are closed") {
+TEST_CASE("The settings cover a tab, which is back when they are closed") {
     Session session = session_of_room();
     choose_tab(session, "graph");
     choose_tab(session, settings_tab);
@@ -149,7 +149,7 @@ TEST_CASE("The settings lie over a tab, which is back when they are closed") {
     CHECK(session.tab == "vertices");
     close_settings(session); // nothing is open
     CHECK(session.tab == "vertices");
-    // Opened with them, as by an option, there is none below but the usual one.
+    // If the session opens with them, as by an option, only the usual one is below.
     session = session_of_room();
     session.tab = settings_tab;
     CHECK(tab_below(session) == "fragment");
@@ -157,7 +157,7 @@ TEST_CASE("The settings lie over a tab, which is back when they are closed") {
     CHECK(session.tab == "fragment");
 }
 
-TEST_CASE("A group opens the tab of it that was shown last") {
+TEST_CASE("A group opens its tab that was shown last") {
     Session session = session_of_room();
     CHECK(tab_of_group(session, TabGroup::triangle) == "vertices");
     choose_tab(session, "rows");
@@ -180,7 +180,7 @@ TEST_CASE("A lesson's step chooses the tab until the student does; another lesso
     open_step(session, lesson, 1);
     CHECK(session.tab == "vertices");
     CHECK(session.tab_guide.is_own);
-    // The settings are laid over the student's tab, and do not take it away.
+    // The settings cover the student's tab, and do not take it away.
     open_step(session, lesson, 2);
     CHECK(session.tab == settings_tab);
     close_settings(session);
@@ -236,7 +236,7 @@ TEST_CASE("A step shows only the panels that it names, and never hides the one o
     CHECK(offered(session) == all); // without a lesson nothing is hidden
 }
 
-TEST_CASE("A panel that is none is refused with the line where it stands") {
+TEST_CASE("An unknown panel is refused with its line") {
     const Lesson lesson =
         parse_lesson("<!-- lesson\ntitle = \"T\"\nsection = \"Drawing points\"\n"
                      "minutes = 1\nabout = \"A.\"\nprogram = \"p\"\n"

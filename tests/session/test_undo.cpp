@@ -38,7 +38,7 @@ std::size_t triangle_bytes(int triangles) {
 
 } // namespace
 
-TEST_CASE("Scenes take the memory of their triangles and texels, and what they share counts once") {
+TEST_CASE("Scenes take the memory of their triangles and texels, and anything shared counts once") {
     const SharedTexture texture = texture_of_side(64);
     const std::size_t texels = 64 * 64 * sizeof(glm::vec3);
     const Scene small = large_scene("small", 1, texture), large = large_scene("l", 1000, texture);

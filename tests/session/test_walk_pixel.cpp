@@ -48,7 +48,7 @@ TEST_CASE("The history of the picked pixel follows pixel and frame, and costs no
     CHECK_FALSE(results.history);
 }
 
-TEST_CASE("A picked pixel that a smaller picture no longer has is no picked pixel") {
+TEST_CASE("A picked pixel outside a new, smaller picture is no longer picked") {
     Session session = picked_room();
     Results results;
     update(session, results);
@@ -127,7 +127,7 @@ TEST_CASE("A change is not found twice where both ends of a row fall on the pixe
     CHECK_FALSE(previous_change(session, timeline, *results.history));
 }
 
-TEST_CASE("Each entry of the history, hidden ones too, can be gone to") {
+TEST_CASE("Each entry of the history can be visited, hidden ones too") {
     Session session = picked_room();
     Results results;
     update(session, results);

@@ -36,7 +36,7 @@ struct Values {
         return {number_text(kind.smallest), number_text(kind.largest)};
     }
     std::vector<std::string> operator()(const WholeSetting& kind) const {
-        constexpr int most = 32; // of many triangles or large maps a picture takes long
+        constexpr int most = 32; // with many triangles or large maps a picture takes long
         return {fmt::format("{}", kind.smallest),
                 fmt::format("{}", std::clamp(most, kind.smallest, kind.largest))};
     }
@@ -56,7 +56,7 @@ struct Values {
 std::vector<std::vector<std::string>> assignments_for(const Scene& scene) {
     std::vector<std::vector<std::string>> all;
     for (const Setting& setting : setting_table()) {
-        // What is drawn is the base's; of a camera elsewhere nothing is seen.
+        // What is drawn is the base's; a camera elsewhere would see nothing.
         const bool is_kept =
             setting.name == "stage" || setting.name == "shading" ||
             setting.name == "tessellation" ||

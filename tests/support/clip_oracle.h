@@ -15,7 +15,7 @@ namespace rasterwalk::test {
 
 struct OracleClip {
     std::vector<glm::dvec3> corners; ///< shares of the triangle's three
-    std::array<int, 6> steps{};      ///< edges asked, by plane: near, far, left, right, top, bottom
+    std::array<int, 6> steps{};      ///< tested edges by plane: near, far, left, right, top, bottom
     bool is_cut = false;
     bool is_gone = false;
     /// How near a corner comes to a plane, and how flat an edge meets one, as a part of the size of

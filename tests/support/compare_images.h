@@ -9,7 +9,7 @@ namespace rasterwalk {
 
 /// How far two pictures may be apart and still count as the same.
 struct Tolerance {
-    int channel = 0;       ///< largest difference of a channel that is let pass, 0..255
+    int channel = 0;       ///< largest difference of a channel that is allowed, 0..255
     double mean = 0.0;     ///< largest mean difference over all channels of all pixels
     int pixels_beyond = 0; ///< how many pixels may exceed `channel`
 };
@@ -26,7 +26,7 @@ struct DifferingPixel {
     int difference = 0; ///< of the channel that differs most
 };
 
-/// What two pictures differ in. Opacity counts as a channel.
+/// How two pictures differ. Opacity counts as a channel.
 struct ImageDifference {
     bool same_size = true;
     int largest = 0;                   ///< of all channels of all pixels

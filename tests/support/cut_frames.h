@@ -11,7 +11,7 @@
 
 namespace rasterwalk::test {
 
-/// Triangles all about a camera at the origin; what is meant to be seen of them lies between near
+/// Triangles all around a camera at the origin; the part meant to be seen is between near
 /// 0.3 and far 2.
 inline Scene cut_scene() {
     Random random(91);
@@ -54,8 +54,8 @@ inline Frame cut_frame(const Scene& scene, const StripStep& step, const CutRules
     return prepare_frame(scene, settings);
 }
 
-/// Calls the function with a frame of every stage, each under another of the rules; so often that
-/// each stage meets `rounds_of_rules` of them.
+/// Calls the function with a frame of every stage, each under different rules, until each stage has
+/// had `rounds_of_rules` of them.
 template <class Function>
 void for_each_cut_frame(const Scene& scene, int rounds_of_rules, Function function) {
     std::size_t next = 0;

@@ -24,7 +24,7 @@ Settings by_fast_rules(Settings settings);
 struct FastDifference {
     std::size_t pixels = 0;      ///< of the picture
     std::size_t colours = 0;     ///< of which a channel differs by more than 1/255
-    std::size_t owners = 0;      ///< that show another triangle
+    std::size_t owners = 0;      ///< that show a different triangle
     std::string first_of_colour; ///< in words; empty: there is none
     std::string first_of_owner;
 
@@ -39,7 +39,7 @@ FastDifference difference(const FastPicture& fast, const Framebuffer& steps,
                           const std::vector<int>& met = {});
 
 /// The first pixel at which colour, depth or owner are not the same bits, in words; empty if there
-/// is none. What lies beside the picture in its rows is not looked at.
+/// is none. What its rows hold beyond the picture is not looked at.
 std::string first_other_bits(const FastPicture& a, const FastPicture& b);
 
 } // namespace rasterwalk::test

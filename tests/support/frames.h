@@ -37,7 +37,7 @@ void for_each_frame(const Scene& scene, Function function) {
     }
 }
 
-/// A cursor that may be no moment at all.
+/// A cursor that need not be a moment of any frame.
 inline Cursor any_cursor(Random& random, int triangles) {
     return {random.integer(0, triangles), static_cast<Phase>(random.integer(0, phase_count - 1)),
             random.integer(0, 12), random.integer(0, 16)};

@@ -1,6 +1,6 @@
 #pragma once
 
-// Models that deserve a hint, because they mostly show backs, or are black or transparent.
+// Models that deserve a hint, because they mostly face away, or are black or transparent.
 
 #include <string>
 
@@ -11,7 +11,7 @@ namespace rasterwalk::test {
 /// A closed box; its fronts point inward or outward.
 Scene box(bool is_inward);
 
-/// One triangle that shows its back or its front.
+/// One triangle that faces away from the camera or toward it.
 Scene sheet(bool shows_back);
 
 /// Its front, with a material: lines of a .mtl file, next to which an image `clear.png` has only

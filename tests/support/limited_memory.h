@@ -15,8 +15,8 @@ namespace rasterwalk::test {
 
 inline constexpr std::size_t megabyte = std::size_t{1} << 20;
 
-/// What an action returns that runs in a process of its own, which may take only this much more
-/// memory, bytes. Under the address sanitizer it may take all there is.
+/// The result of an action run in its own process, which may take only this much more
+/// memory, bytes. With the address sanitizer there is no limit.
 template <class Action>
 std::string said_within([[maybe_unused]] std::size_t memory, Action action) {
     int ends[2];

@@ -23,7 +23,7 @@ class Lcg {
     std::uint64_t state_ = 1;
 };
 
-/// Middle of the picture to where triangles may reach, pixels: the outermost stays free.
+/// From the middle of the picture to where triangles can reach, pixels; the outermost stays free.
 constexpr float reach = 248.0f;
 
 /// A patch is a grid of so many cells a side, each of two triangles.

@@ -15,14 +15,14 @@
 
 namespace rasterwalk::test {
 
-/// The pixels that edge functions ask, triangle by triangle of the fan, by the places of its
+/// The pixels that edge functions test, triangle by triangle of the fan, by the places of its
 /// corners.
 inline void add_tests(const Frame& frame, int t, std::vector<Cursor>& moments) {
     const Settings& settings = frame.settings;
     const int first = settings.bounds == Bounds::excludes_zero ? 1 : 0;
     const PolygonCorners v = frame.triangle_vertices(t);
-    // In pixels, on the grid that is set; whole pixels are at their centres. To ask pixels at their
-    // corners is to ask as if everything were half a pixel further on.
+    // In pixels, on the grid that is set; whole pixels are at their centres. Testing pixels at
+    // their corners is as if everything were half a pixel further on.
     const double moved = settings.pixel_sample == PixelSample::corner ? 0.5 : 0.0;
     const auto place = [&](const ScreenVertex& vertex, int axis) {
         const double parts = settings.snap == Snap::sixteenth ? 16.0 : 256.0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which pixels a polygon covers, by a second implementation that knows no edge functions: it moves
+// Which pixels a polygon covers, by a second implementation without edge functions: it moves
 // the pixel's centre by a hair and counts the edges on a ray to the right.
 
 #include <algorithm>

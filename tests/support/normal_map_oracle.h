@@ -24,7 +24,7 @@ struct WrongNormals {
     bool undecoded = false;
 };
 
-/// The weights of a triangle's corners at a place of the picture, as things are on the triangle and
+/// The weights of a triangle's corners at a place of the picture, measured on the triangle and
 /// not on the picture.
 /// @param x, y in pixels
 inline glm::dvec3 weights_at(const Frame& frame, int triangle, double x, double y) {

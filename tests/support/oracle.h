@@ -1,7 +1,7 @@
 #pragma once
 
-// The right results of interpolate and the row table, computed another way: sums and products of
-// floats in double, where they are exact, and fractions as whole numbers.
+// The right results of interpolate and the row table, computed in a different way: sums and
+// products of floats in double, where they are exact, and fractions as whole numbers.
 
 #include <climits>
 #include <cstdint>

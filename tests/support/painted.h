@@ -13,7 +13,7 @@ struct Rgb {
     int red, green, blue;
 };
 
-/// A picture whose pixels are asked for one by one.
+/// A picture computed pixel by pixel.
 inline Image painted(int width, int height, const std::function<Rgb(int, int)>& colour_at) {
     Image image{width, height, {}};
     for (int row = 0; row < height; ++row) {

@@ -13,7 +13,7 @@ namespace rasterwalk::test {
 /// "lesson/prediction" of every test that was written with PREDICTIONS_TEST.
 std::set<std::string>& checked_predictions();
 
-/// Enters predictions of a lesson there.
+/// Adds predictions of a lesson to them.
 struct CheckedPredictions {
     CheckedPredictions(const std::string& lesson, std::initializer_list<const char*> ids);
 };

@@ -45,8 +45,8 @@ Pixels pixels_between(double low, double high, int count) {
             static_cast<int>(std::floor(std::clamp(high - 0.5, -1.0, count - 1.0))) + 1};
 }
 
-/// Marks the pixels whose centres lie within the margin of a line. Row by row, beside that part of
-/// the line which is within the margin of the row.
+/// Marks the pixels whose centres lie within the margin of a line. Row by row, next to the part of
+/// the line that is within the margin of the row.
 void mark_outline(const Picture& picture, glm::dvec2 from, glm::dvec2 to, std::vector<int>& met) {
     if (from.y > to.y) std::swap(from, to);
     const double margin = picture.margin;
@@ -81,7 +81,7 @@ void cut_at_depth(std::vector<glm::dvec3>& polygon, double depth, double side) {
     polygon.swap(left);
 }
 
-/// The triangle as rays ask it. One whose plane goes through the eye is met by none.
+/// The triangle in the form that rays use. If its plane goes through the eye, no ray meets it.
 void add_triangle(int number, const glm::dvec3 (&p)[3], glm::dvec2 low, glm::dvec2 high,
                   std::vector<SeenTriangle>& triangles) {
     const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);

@@ -10,7 +10,7 @@
 
 namespace rasterwalk::test {
 
-/// The file of the lessons says this, so that a text that changes takes its test along.
+/// Checks that the lessons' file says this, so a test fails when its text changes.
 inline void require_said(const std::string& file, const std::string& words) {
     INFO(file << " does not say: " << words);
     CHECK(read_file(lessons_folder() + "/" + file).find(words) != std::string::npos);

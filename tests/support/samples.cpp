@@ -21,7 +21,7 @@ Scene pixel_scene(const std::vector<std::array<glm::vec3, 3>>& triangles, Viewpo
     Scene scene;
     scene.space = SceneSpace::pixels;
     scene.viewport = viewport;
-    // A lamp in front of the picture, strong enough to make every pixel another colour.
+    // A lamp in front of the picture, strong enough to give every pixel a different colour.
     scene.light = {{8.0f, 6.0f, -5.0f}, {900.0f, 700.0f, 500.0f}, {0.1f, 0.2f, 0.3f}};
     for (const auto& corners : triangles) {
         const int number = scene.triangle_count();
@@ -79,11 +79,11 @@ const std::vector<Variant>& rule_variants() {
         std::vector<Variant> all{{"handout", [](Settings&) {}}};
         for (const Setting& setting : setting_table()) {
             const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
-            // A part is tried by its whole.
+            // A part is tried with its whole.
             if (choice == nullptr || setting.name == "stage" || !setting.part_of.empty()) continue;
             // The scenes of these tests have no textures; tests/pipeline/test_textures.cpp has.
             if (setting.needs_texture || setting.needs_alpha) continue;
-            // Another engine is no rule of the steps: tests/engines compares it with them.
+            // The engine is not a rule of the steps: tests/engines compares it with them.
             if (setting.name == "engine") continue;
             // Six more pictures each time: tests/pipeline/test_shadows.cpp tries them.
             if (setting.group == "Shadow") continue;

@@ -35,7 +35,7 @@ struct Variant {
     std::function<void(Settings&)> apply;
 };
 
-/// The handout's rules; each other word of each choice setting by itself; and several changed at
+/// The handout's rules; each other word of each choice setting alone; and several changed at
 /// once.
 const std::vector<Variant>& rule_variants();
 

@@ -64,7 +64,7 @@ TEST_CASE("A difference counts from one more than the tolerance, up and down") {
     }
 }
 
-TEST_CASE("As many pixels may lie beyond as the tolerance says, and not one more") {
+TEST_CASE("As many pixels may be beyond as the tolerance says, and not one more") {
     const Image expected = plain_image(20, 20, 0);
     Image actual = expected;
     channel(actual, 1, 1, 0) = 200;

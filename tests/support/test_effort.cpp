@@ -39,7 +39,7 @@ TEST_CASE("Rounds follow the effort, but not below the fewest") {
     CHECK(test::rounds(200, 20) == wanted);
 }
 
-TEST_CASE("What is spread has the first and the last, each once") {
+TEST_CASE("A spread selection has the first and the last, each once") {
     const Effort effort("0.1");
     CHECK(test::spread(31, 3) == std::vector<std::size_t>{0, 10, 20, 30});
     CHECK(test::spread(31, 2).size() == 4);
@@ -50,7 +50,7 @@ TEST_CASE("What is spread has the first and the last, each once") {
     CHECK(test::spread(4, 1) == std::vector<std::size_t>{0, 1, 2, 3});
 }
 
-TEST_CASE("An effort that is no number is refused") {
+TEST_CASE("An effort that is not a number is refused") {
     for (const char* text : {"", "much", "-1", "0.5x", "nan", "1e9"}) {
         INFO(text);
         const Effort effort(text);

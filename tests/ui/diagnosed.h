@@ -11,7 +11,7 @@ namespace rasterwalk {
 /// Side of pictures that are diagnosed often, pixels.
 inline constexpr int small_side = 100;
 
-/// Ends the check of a file that has been begun.
+/// Finishes the check of a file that was begun.
 inline void finish_check(Driver& driver) {
     while (is_diagnosing(driver.ui))
         carry_on_diagnosis(driver.ui, {});
@@ -24,7 +24,7 @@ inline Image drawn_by(const Driver& driver, const Settings& settings) {
     return view_image(draw_frame(frame), View::colour);
 }
 
-/// Holds a picture against the lab's room.
+/// Compares a picture with the lab's room.
 inline void check_image(Driver& driver, const Image& picture) {
     test::TemporaryFolder folder;
     const std::string path = folder.file("mine.png");

@@ -37,8 +37,7 @@ class Driver {
 
     void resize(ImVec2 window);
 
-    /// Clicks whatever leads to a tab of the inspector: its group or the list of tabs, then the
-    /// tab.
+    /// Clicks what leads to a tab of the inspector (its group or the list of tabs), then the tab.
     void open(std::string_view tab);
 
     /// Presses Tab until a widget has the frame. Returns false if it never has.

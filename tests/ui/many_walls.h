@@ -10,7 +10,7 @@
 
 namespace rasterwalk {
 
-/// Sixty walls behind each other, the nearest last, each of them as large as the picture.
+/// Sixty walls one behind the other, the nearest last, each as large as the picture.
 inline Scene many_walls() {
     Scene scene;
     scene.viewport = {1000, 1000};

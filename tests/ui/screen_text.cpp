@@ -20,8 +20,7 @@ struct Letter {
 
 using Letters = std::map<std::pair<float, float>, Letter>;
 
-/// Where the letters of each font are, how many and how large: what letters_of() follows
-/// from.
+/// Where the letters of each font are, how many and how large: what letters_of() uses.
 using FontsKey = std::vector<std::tuple<const ImFont*, const ImFontGlyph*, int, float>>;
 
 FontsKey key_of(const ImFontAtlas& atlas) {
@@ -31,8 +30,8 @@ FontsKey key_of(const ImFontAtlas& atlas) {
     return key;
 }
 
-/// The letters of all fonts by the corner at which they begin in the fonts' picture. They are some
-/// ten thousand, so they are kept until the fonts are others.
+/// The letters of all fonts by the corner where they begin in the fonts' picture. They are some
+/// ten thousand, so they are kept until the fonts change.
 const Letters& letters_of(const ImFontAtlas& atlas) {
     static FontsKey known;
     static Letters letters;
@@ -53,7 +52,7 @@ std::string utf8(unsigned codepoint) {
     return ImTextCharToUtf8(text, codepoint);
 }
 
-/// Puts letters together to lines.
+/// Joins letters into lines.
 class Reader {
   public:
     Reader(std::string window, float widest_gap, std::vector<ScreenText>& lines)
@@ -62,7 +61,7 @@ class Reader {
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
 
-    /// @param seen within which a letter is seen: left, top, right, bottom
+    /// @param seen the rectangle in which a letter is seen: left, top, right, bottom
     void add(const Letter& letter, const ImDrawVert& low, const ImDrawVert& high,
              const ImVec4& seen) {
         const ImFontGlyph& glyph = *letter.glyph;
@@ -93,7 +92,7 @@ class Reader {
         return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
     }
 
-    /// Letters of a line that are seen within the same rectangle: are they seen in part?
+    /// Ends a part of a line whose letters are seen within one rectangle: is it cut by the edge?
     void end_part() {
         if (words_.empty() || part_ >= pen_) return;
         // The space above and below letters may be cut off.
@@ -127,7 +126,7 @@ class Reader {
     bool is_cut_ = false;
 };
 
-/// Within which each corner of a list is seen; none for one that is not drawn.
+/// The rectangle in which each corner of a list is seen; none for one that is not drawn.
 std::vector<ImVec4> seen_of_corners(const ImDrawList& drawn) {
     std::vector<ImVec4> seen(static_cast<std::size_t>(drawn.VtxBuffer.Size), ImVec4());
     for (const ImDrawCmd& command : drawn.CmdBuffer) {

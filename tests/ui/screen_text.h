@@ -9,7 +9,7 @@ namespace rasterwalk {
 
 /// A line of text on the screen.
 struct ScreenText {
-    std::string window; ///< whose it is, as ImGui names it: "canvas", "inspector/..."
+    std::string window; ///< the one it is in, as ImGui names it: "canvas", "inspector/..."
     std::string words;
     ImVec2 low, high;    ///< from the upper left corner of the first letter's line to the end of it
     float size;          ///< of its letters, screen pixels

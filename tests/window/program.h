@@ -12,7 +12,7 @@ namespace rasterwalk::test {
 class Program {
   public:
     /// @param words the program and its arguments
-    /// @param environment what to set beside what the test has; an empty value takes a name away
+    /// @param environment what to set besides what the test has; an empty value removes a name
     /// @param folder it runs in, and where its "stdout" and "stderr" are
     Program(const std::vector<std::string>& words,
             const std::map<std::string, std::string>& environment, const std::string& folder);

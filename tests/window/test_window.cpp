@@ -124,7 +124,7 @@ TEST_CASE("A stage is clicked with the mouse in a real window, which is then clo
     CHECK(open.errors().empty());
 }
 
-TEST_CASE("The window takes keys however short they are pressed, and saves a picture of itself") {
+TEST_CASE("The window takes keys however briefly they are pressed, and saves a picture of itself") {
     OpenProgram open({"--stage", "depth"});
     REQUIRE(open.says("setting stage depth"));
     open.point_at("canvas");

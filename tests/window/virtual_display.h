@@ -36,7 +36,7 @@ class VirtualDisplay {
     void resize(const std::string& title, int width, int height);
     /// The number of a window, which it keeps. Throws if there is none of this title.
     unsigned long window_number(const std::string& title);
-    /// Takes a window off the display, as a window manager does that minimizes it, or brings it
+    /// Takes a window off the display, as a window manager does to minimize it, or brings it
     /// back.
     void show(unsigned long number, bool is_shown);
 

@@ -22,7 +22,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What must not be read anywhere: a name that is not as in a C++ program, or one that counts from
+/// Text that must appear nowhere: a name not written as in a C++ program, or one that counts from
 /// 1. A triangle has vertices[0] to vertices[2] and edge 0 to edge 2.
 const std::regex& wrong_name() {
     static const std::regex wrong(
@@ -82,7 +82,7 @@ std::vector<Cursor> moments_of(const Driver& driver, Granularity granularity) {
     return moments;
 }
 
-/// All tabs at full effort; at little effort some of them, others for each number.
+/// All tabs at full effort; at little effort only some, different ones for each number.
 std::vector<std::string_view> some_tabs(int number) {
     const std::size_t step = test::effort() < 0.5 ? 4 : 1;
     std::vector<std::string_view> tabs;
@@ -91,8 +91,7 @@ std::vector<std::string_view> some_tabs(int number) {
     return tabs;
 }
 
-/// Rests the pointer on everything that is drawn and was not pointed at before, and looks at what
-/// it tells.
+/// Rests the pointer on everything drawn that was not pointed at before, and reads what it says.
 void read_tooltips(Driver& driver, Looker& looker, const std::string& where) {
     for (const std::string& name : driver.hand.names()) {
         const bool is_lesson = name.starts_with("lesson") || name.starts_with("menu.");
@@ -204,7 +203,7 @@ TEST_CASE("Tooltips, overlays and two runs count from 0 in the room") {
     CHECK(looker.has("t0 floor"));
 }
 
-TEST_CASE("A vertex on the canvas is vertices[0], and v0 where room is short") {
+TEST_CASE("A vertex on the canvas is vertices[0], or v0 where there is little room") {
     Driver driver("one-triangle.toml");
     const auto is_on_canvas = [&](const std::string& words) {
         const std::vector<ScreenText> lines = screen_text();
@@ -221,8 +220,7 @@ TEST_CASE("A vertex on the canvas is vertices[0], and v0 where room is short") {
     CHECK_FALSE(is_on_canvas("vertices[0]"));
 }
 
-TEST_CASE(
-    "The status line tells of the whole frame, the row table of what is done of its triangle") {
+TEST_CASE("The status line is about the whole frame, the row table about its triangle so far") {
     Driver driver("one-triangle.toml");
     driver.hand.drag_picture(10, 5, 0, 2);
     driver.hand.drag_picture(5, 10, 3, 1);

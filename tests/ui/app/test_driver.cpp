@@ -17,7 +17,7 @@ TEST_CASE("A click reaches the widget of that name and no other") {
     CHECK(driver.ui.session.a.settings.stage == Stage::edges);
 }
 
-TEST_CASE("A widget that is not there is answered with the nearest name") {
+TEST_CASE("A missing widget is reported with the nearest name") {
     Driver driver;
     CHECK_THROWS_WITH(
         driver.hand.click("stage.point"),
@@ -25,7 +25,7 @@ TEST_CASE("A widget that is not there is answered with the nearest name") {
                                     "mean 'stage.points'? There are: stage.points, "));
 }
 
-TEST_CASE("Two clicks on one place are not a double click") {
+TEST_CASE("Two clicks in one place are not a double click") {
     Driver driver;
     driver.hand.wheel_picture(250, 250, 6.0f);
     const float zoomed = driver.ui.session.canvas.zoom;
@@ -76,7 +76,7 @@ TEST_CASE("A key is pressed for one frame and modifiers end with it") {
     CHECK(driver.ui.session.a.settings.stage == Stage::fill);
 }
 
-TEST_CASE("The picture goes to the textures when it changed, and only then") {
+TEST_CASE("The picture is uploaded when it has changed, and only then") {
     Driver driver;
     driver.ui.session.canvas.zoom = 1.0f; // shown as it is
     driver.hand.click("stage.points");
@@ -104,7 +104,7 @@ TEST_CASE("The report names the settings and every widget that can be seen, with
     CHECK(report.find(line) != std::string::npos);
 }
 
-TEST_CASE("Keys are read by name, and a name that is none is refused") {
+TEST_CASE("Keys are read by name, and an unknown name is refused") {
     CHECK(parse_key("a").key == 'A');
     CHECK(parse_key("7").key == '7');
     CHECK(parse_key("[").key == '[');

@@ -67,7 +67,7 @@ void open_everything() {
 
 } // namespace
 
-TEST_CASE("A part of a frame that throws leaves ImGui as it found it, and its sentence") {
+TEST_CASE("A part of a frame that throws leaves ImGui as it found it, and shows its message") {
     Driver driver;
     for (int i = 0; i < 3; ++i) {
         ImGui::NewFrame();
@@ -93,7 +93,7 @@ TEST_CASE("A part of a frame that throws leaves ImGui as it found it, and its se
     CHECK(driver.ui.session.a.settings.stage == Stage::depth);
 }
 
-TEST_CASE("The folder of the lessons disappears: the window goes on, and nothing is lost") {
+TEST_CASE("If the lessons' folder disappears, the window goes on and nothing is lost") {
     const BorrowedLessons lessons;
     Driver driver;
     open_lesson(driver.ui, "05-row-table", 3);
@@ -128,7 +128,7 @@ TEST_CASE("The folder of the lessons disappears: the window goes on, and nothing
     CHECK(driver.ui.results.a.frame.settings.stage == Stage::points);
 }
 
-TEST_CASE("What cannot be worked out is taken back, and the window goes on") {
+TEST_CASE("Settings that cannot be drawn are undone, and the window goes on") {
     Driver driver;
     driver.hand.click("stage.depth");
     const Settings before = driver.ui.session.a.settings;

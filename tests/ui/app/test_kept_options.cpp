@@ -61,7 +61,7 @@ TEST_CASE("A broken file of options is named with its line, and nothing is taken
     }
 }
 
-TEST_CASE("What is changed in one run is there in the next") {
+TEST_CASE("A change made in one run is there in the next") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("state/window.toml");
     {
@@ -85,7 +85,7 @@ TEST_CASE("What is changed in one run is there in the next") {
     CHECK(driver.ui.options.score.points == 0);
 }
 
-TEST_CASE("A broken file of options is left as it is, and said to be so") {
+TEST_CASE("A broken file of options is left as it is, and reported") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("window.toml");
     write_file(path, "text_scale = 1.5\ntheme = \"pink\"\n");
@@ -97,7 +97,7 @@ TEST_CASE("A broken file of options is left as it is, and said to be so") {
     CHECK(read_file(path) == "text_scale = 1.5\ntheme = \"pink\"\n");
 }
 
-TEST_CASE("Two windows keep what each has changed") {
+TEST_CASE("Two windows each keep what they changed") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("window.toml");
     Driver driver;
@@ -138,7 +138,7 @@ TEST_CASE("After a moment in which nothing can be written, options and progress 
         Catch::Matchers::StartsWith("Progress and the look of the window will not be kept until"));
     driver.ui.session.notice.clear();
     driver.hand.frames(20, 1.0f);
-    CHECK(driver.ui.session.notice.empty()); // it is said once
+    CHECK(driver.ui.session.notice.empty()); // it is reported once
     std::filesystem::remove(place);
     driver.hand.frames(10, 1.0f);
     CHECK_THAT(driver.ui.session.notice, Catch::Matchers::ContainsSubstring("kept again"));
@@ -161,7 +161,7 @@ TEST_CASE("Where nothing can be written, the first lesson says that progress is 
     CHECK_THAT(driver.ui.session.notice, Catch::Matchers::StartsWith("Progress"));
 }
 
-TEST_CASE("At the end it is tried once more, without waiting") {
+TEST_CASE("At the end saving is tried once more, without waiting") {
     const test::TemporaryFolder folder;
     const std::string place = folder.write("state", "");
     Driver driver;
@@ -173,7 +173,7 @@ TEST_CASE("At the end it is tried once more, without waiting") {
     CHECK(read_progress(place + "/progress.toml").is_step_seen("01-pinhole-camera", 2));
 }
 
-TEST_CASE("Files that nest too deeply do not keep the window from opening, and stay as they are") {
+TEST_CASE("Files that nest too deeply do not keep the window from opening, and stay unchanged") {
     const test::TemporaryFolder folder;
     std::string deep;
     for (int i = 0; i < 30'000; ++i)

@@ -117,7 +117,7 @@ TEST_CASE("By keys alone: from the start page through a lesson to the mistakes")
     CHECK(ui.lab.mode == LabMode::result);
 }
 
-TEST_CASE("An answer of several is reached by Tab, and given by Enter as by Space") {
+TEST_CASE("One of several answers is reached by Tab, and given by Enter or Space") {
     for (const int given : {key::enter, key::space}) {
         Driver driver;
         Ui& ui = driver.ui;
@@ -147,7 +147,7 @@ TEST_CASE("An answer of several is reached by Tab, and given by Enter as by Spac
         CHECK(ui.lesson.predictions.at(id).judged);
         CHECK_FALSE(driver.hand.is_visible(second));
         CHECK_FALSE(ui.session.play.running);
-        // The frame stays with what the program says to it.
+        // The frame stays on the program's reply to it.
         driver.hand.rest();
         CHECK(ui.focus.is_shown);
         CHECK(ui.focus.name == "lesson.prediction." + id + ".again");
@@ -240,7 +240,7 @@ TEST_CASE("A menu opens by Enter, is walked by arrows, and gives the keyboard ba
     CHECK(driver.ui.focus.is_shown);
 }
 
-TEST_CASE("A list that keys open begins at the entry that holds") {
+TEST_CASE("A list opened by keys begins at the current entry") {
     Driver driver;
     driver.hand.leave();
     driver.hand.press(key::comma, {.ctrl = true});
@@ -266,7 +266,7 @@ TEST_CASE("A list of words is chosen from by keys") {
     CHECK(driver.ui.session.a.settings.vertex_rounding == VertexRounding::floor);
 }
 
-TEST_CASE("Arrows and Space are the framed widget's: camera and time stay") {
+TEST_CASE("Arrows and Space go to the framed widget, so camera and time stay") {
     Driver driver;
     driver.hand.leave();
     const Settings before = driver.ui.session.a.settings;
@@ -287,7 +287,7 @@ TEST_CASE("Arrows and Space are the framed widget's: camera and time stay") {
     CHECK(driver.ui.session.play.running);
 }
 
-TEST_CASE("What can be dragged is moved by arrows") {
+TEST_CASE("Anything that can be dragged can be moved by arrows") {
     Driver driver;
     driver.hand.leave();
     Ui& ui = driver.ui;
@@ -358,7 +358,7 @@ TEST_CASE("The sheet for files by keys: a folder is entered, and a file opened")
     CHECK(driver.ui.sheets.files.kind == FileSheet::Kind::closed);
 }
 
-TEST_CASE("What is too long is scrolled by keys: the sheet of keys, and a lesson's text") {
+TEST_CASE("Long text is scrolled by keys: the sheet of keys, and a lesson's text") {
     Driver driver("lab-room.toml", {1200, 640});
     driver.hand.leave();
     const auto scroll_of = [&] {
@@ -451,7 +451,7 @@ TEST_CASE("A sheet takes the keyboard from what it covers, and gives it back") {
     CHECK(ui.focus.is_shown);
 }
 
-TEST_CASE("A sheet that was chosen from a menu has the keyboard") {
+TEST_CASE("A sheet opened from a menu has the keyboard") {
     Driver driver;
     driver.hand.leave();
     driver.ui.focus.name = "menu.Help";

@@ -45,7 +45,7 @@ float scroll_of(const char* part) {
 
 } // namespace
 
-TEST_CASE("A number typed into the framed field of an answer stands there, and sets no stage") {
+TEST_CASE("A number typed into the framed field of an answer stays there, and sets no stage") {
     Driver driver;
     open_at(driver, lesson_1, 2);
     REQUIRE(driver.tab_to(number_field));
@@ -60,7 +60,7 @@ TEST_CASE("A number typed into the framed field of an answer stands there, and s
     CHECK(view.judged->is_right);
 }
 
-TEST_CASE("What is typed while the field opens is not lost, and comes in its order") {
+TEST_CASE("Text typed while the field opens is kept, in order") {
     Driver driver;
     open_at(driver, lesson_1, 2);
     REQUIRE(driver.tab_to(number_field));
@@ -72,7 +72,7 @@ TEST_CASE("What is typed while the field opens is not lost, and comes in its ord
     CHECK(typed(driver) == "1234");
 }
 
-TEST_CASE("No key that writes does anything else while a field has the frame") {
+TEST_CASE("No typing key does anything else while a field has the frame") {
     Driver driver;
     open_at(driver, lesson_1, 2);
     REQUIRE(driver.tab_to(number_field));
@@ -93,7 +93,7 @@ TEST_CASE("No key that writes does anything else while a field has the frame") {
     }
 }
 
-TEST_CASE("A number that can be dragged is typed over as it has the frame") {
+TEST_CASE("A number that can be dragged can be typed over while it has the frame") {
     Driver driver;
     driver.hand.leave();
     driver.hand.press(key::comma, {.ctrl = true});
@@ -152,7 +152,7 @@ TEST_CASE("From a new step one Tab reaches the first answer, in a strip by way o
         CHECK(driver.ui.focus.name == number_field);
         CHECK(driver.ui.focus.is_shown);
         CHECK(driver.hand.is_visible(number_field));
-        // Once: then it goes on, and comes round.
+        // Only once; after that it goes on and comes around.
         driver.hand.press(key::tab);
         CHECK(driver.ui.focus.name == "lesson.prediction.back-wall-width.answer");
         driver.hand.press(key::tab);
@@ -193,7 +193,7 @@ TEST_CASE("Leaving the file sheet that the start page opened puts the frame on c
     }
 }
 
-TEST_CASE("A link that shows something gives it the frame where a key has pressed it") {
+TEST_CASE("A link pressed by a key gives the frame to what it shows") {
     const std::pair<const char*, std::string> shown[] = {
         {"show:setting.camera.focal_length", "setting.camera.focal_length"},
         {"show:walk.step", "walk.step"},
@@ -225,7 +225,7 @@ TEST_CASE("A link that shows something gives it the frame where a key has presse
     CHECK(driver.ui.session.a.settings.camera.position.x == 1.0f);
 }
 
-TEST_CASE("A slider in the lesson is moved and typed over as it has the frame") {
+TEST_CASE("A slider in the lesson is moved and typed over while it has the frame") {
     Driver driver;
     open_at(driver, lesson_1, 3);
     const float& f = driver.ui.session.a.settings.camera.focal_length;

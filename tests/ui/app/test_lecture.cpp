@@ -98,7 +98,7 @@ TEST_CASE("In a lecture the picture has half of the window, from bar to bar") {
         CHECK(driver.ui.widgets.at("lesson.whole").is_whole);
         CHECK(driver.ui.widgets.at("lesson.card.text").is_whole);
     }
-    // A row table that goes on from the picture's rows is as high as the picture.
+    // A row table that extends the picture's rows is as high as the picture.
     Driver rows("one-triangle.toml", {1280, 800});
     open_lesson(rows.ui, "05-row-table", 3);
     rows.hand.press(key::f5);
@@ -174,7 +174,7 @@ TEST_CASE("Leaving a lecture restores everything") {
     }
 }
 
-TEST_CASE("A lesson's text that settings lay over is there again after a lecture") {
+TEST_CASE("A lesson's text covered by the settings is back after a lecture") {
     Driver driver("lab-room.toml", {1024, 640});
     open_lesson(driver.ui, "05-row-table", 3);
     driver.hand.press('T');
@@ -256,7 +256,7 @@ TEST_CASE("A lecture says what could not be done") {
     CHECK(driver.hand.is_visible("status.trouble"));
 }
 
-TEST_CASE("A lecture is not kept, and stands in the View menu and among the keys") {
+TEST_CASE("A lecture is not kept, and is listed in the View menu and among the keys") {
     const test::TemporaryFolder folder;
     const std::string file = folder.file("options.toml");
     {

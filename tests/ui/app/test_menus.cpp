@@ -25,7 +25,7 @@ TEST_CASE("No menu has more than seven entries without a line between them") {
     CHECK(lines > 5);
 }
 
-TEST_CASE("The groups of the View menu are set apart, and all of it is in sight") {
+TEST_CASE("The groups of the View menu are set apart, and the whole menu is in sight") {
     for (const SmallWindow& window :
          {SmallWindow{{1600, 1000}, 1.0f}, SmallWindow{{1024, 640}, 1.5f}}) {
         INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);

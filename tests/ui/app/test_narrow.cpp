@@ -250,7 +250,7 @@ TEST_CASE("Picture and outside together fold the lesson to a strip that leaves t
     CHECK(driver.hand.is_visible("lesson.list"));
 }
 
-TEST_CASE("The lesson keeps its column beside picture and outside that have room for each pixel") {
+TEST_CASE("The lesson keeps its column if picture and view from outside have room for each pixel") {
     // The corridor's picture is 320 wide, the room's 500.
     for (const auto& [lesson, step, window, is_strip] :
          {std::tuple{"17-near-plane", 4, ImVec2(1600, 1000), true},

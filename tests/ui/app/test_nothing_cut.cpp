@@ -1,4 +1,4 @@
-// No edge cuts through a line of text, whatever is open, in whichever window.
+// No edge cuts through a line of text, whatever is open, in any window.
 
 #include <functional>
 #include <string>

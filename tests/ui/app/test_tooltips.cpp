@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// What says enough by itself: the picture and the plots, with their read-outs; the borders that
+/// What needs no tooltip: the picture and the plots, with their read-outs; the borders that
 /// are dragged; links and sentences; lines of a table whose headers explain them.
 bool needs_tooltip(const std::string& name) {
     for (const char* exempt : {"canvas", "canvas.rows", "clip.diagram", "graph.plot",
@@ -28,7 +28,7 @@ bool needs_tooltip(const std::string& name) {
 
 void collect(const Driver& driver, std::set<std::string>& bare, std::set<std::string>& seen) {
     for (const auto& [name, place] : driver.ui.widgets) {
-        // An open menu's title needs none: what has had one is not asked again.
+        // An open menu's title needs none, so a widget that has had one is not checked again.
         const bool is_new = seen.insert(name).second;
         if (is_new && needs_tooltip(name) && !place.has_tooltip) bare.insert(name);
     }

@@ -39,7 +39,7 @@ TEST_CASE("A drag of the camera is one step to undo") {
     CHECK(driver.ui.session.a.settings.camera == before);
 }
 
-TEST_CASE("An arrow that is held on a number is one step to undo") {
+TEST_CASE("An arrow key held on a number is one step to undo") {
     Driver driver;
     driver.hand.leave();
     driver.hand.press(key::comma, {.ctrl = true});
@@ -60,7 +60,7 @@ TEST_CASE("An arrow that is held on a number is one step to undo") {
     CHECK(driver.ui.session.a.settings.camera.yaw == before);
 }
 
-TEST_CASE("Undoing a change of scene shows the scene before as a whole, from outside too") {
+TEST_CASE("Undoing a change of scene shows the whole previous scene, from outside too") {
     Driver driver;
     driver.ui.session.canvas.shows = CanvasShows::both;
     driver.hand.rest();

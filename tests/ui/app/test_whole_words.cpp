@@ -38,8 +38,8 @@ std::string all_words(const std::string& name) {
     return words;
 }
 
-/// What is said in this tab, however little room there is, in one of these forms; none: nothing in
-/// particular.
+/// Words of which this tab shows at least one, however little room there is; empty if none are
+/// required.
 std::vector<std::string> said_by(std::string_view tab) {
     if (tab == "history" || tab == "fragment") return {"(250, 400)"};
     if (tab == "graph") return {"column ", "\nx "};
@@ -110,7 +110,7 @@ TEST_CASE("The Fragment tab names its columns and its pixel in whole words") {
     }
 }
 
-TEST_CASE("While two runs are compared nothing that is said about them is shortened") {
+TEST_CASE("While two runs are compared no text about them is shortened") {
     for (const SmallWindow& window : all_windows()) {
         CAPTURE(window.size.x, window.size.y, window.text_scale);
         Driver driver("lab-room.toml", window.size, window.text_scale);
@@ -128,7 +128,7 @@ TEST_CASE("While two runs are compared nothing that is said about them is shorte
     }
 }
 
-TEST_CASE("The samples of an edge stand in the table whole, without scrolling to the side") {
+TEST_CASE("The samples of an edge are whole in the table, without scrolling to the side") {
     for (const SmallWindow& window : all_windows()) {
         CAPTURE(window.size.x, window.size.y, window.text_scale);
         Driver driver("lab-room.toml", window.size, window.text_scale);

@@ -113,7 +113,7 @@ class Tour {
         look(driver);
     }
 
-    /// Of a surface with a highlight, at the vertices too.
+    /// The tabs of a surface with a highlight, at the vertices too.
     void shining() {
         Driver driver("cylinder.toml");
         follow_link(driver.ui, "tab:vertices");
@@ -261,7 +261,7 @@ class Tour {
             seen.insert(name);
     }
 
-    /// A model that mostly shows its backs.
+    /// A model whose faces mostly face away.
     void hinted_model() {
         Driver driver(session_of(test::box(true)));
         driver.ui.session.a.settings.stage = Stage::shade;
@@ -325,7 +325,7 @@ bool is_seen(const Names& seen, const WidgetPattern& pattern) {
                        [&](const std::string& name) { return is_named_by(pattern, name); });
 }
 
-/// What the file does not name of what is seen, as patterns.
+/// The widgets seen that the file does not name, as patterns.
 Names missing_names(const Names& seen, const std::vector<WidgetPattern>& patterns) {
     Names missing;
     for (const std::string& name : seen) {
@@ -337,7 +337,7 @@ Names missing_names(const Names& seen, const std::vector<WidgetPattern>& pattern
     return missing;
 }
 
-/// The file of patterns without those that nothing seen has, and with those that are missing.
+/// The file of patterns, without those that match nothing seen, and with the missing ones.
 std::string rewritten(const std::string& text, const Names& seen) {
     std::string kept;
     std::istringstream lines(text);
@@ -370,7 +370,7 @@ TEST_CASE("Every widget of the window is listed for the lessons, and the list na
     CHECK(extra == Names{});
 }
 
-TEST_CASE("The list of widgets is rewritten: what is gone goes, what is new comes") {
+TEST_CASE("Rewriting the list of widgets drops what is gone and adds what is new") {
     const std::string text = "# Rows\nrows.#\nold.#\n- lab.*\n\nstage.{stage}\n";
     const Names seen{"rows.7", "stage.depth", "lab.B3", "new.12.left", "new.3.left", "walk"};
     CHECK(rewritten(text, seen) == "# Rows\nrows.#\n- lab.*\n\nstage.{stage}\nnew.#.left\nwalk\n");

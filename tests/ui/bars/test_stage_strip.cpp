@@ -85,7 +85,7 @@ TEST_CASE("Without the depth test the blue block covers the red one") {
     CHECK(owner_in_front() == "short block");
 }
 
-TEST_CASE("The test that lets the farther one win is not called like a depth format beside it") {
+TEST_CASE("The test that lets the farther one win is not named like a depth format next to it") {
     Driver driver;
     driver.hand.click("stage.depth");
     const auto strip_says = [&](std::string_view words) {
@@ -112,7 +112,7 @@ TEST_CASE("The test that lets the farther one win is not called like a depth for
     CHECK_FALSE(strip_says("rev"));
 }
 
-TEST_CASE("Alternatives touch in the strip; what follows or begins a group stands apart") {
+TEST_CASE("Alternatives touch in the strip; all other buttons are set apart") {
     Driver driver;
     const WidgetPlace* before = nullptr;
     for (const StageInfo& info : stage_list()) {
@@ -144,7 +144,7 @@ TEST_CASE("The strip leaves out what the scene cannot use, but never what is sho
     CHECK_FALSE(is_there("stage.pixel_light"));
 }
 
-TEST_CASE("The switches are there from the depth stage on, where they change something") {
+TEST_CASE("From the depth stage up, the switches are there where they change something") {
     Driver driver;
     for (const StageInfo& info : stage_list()) {
         INFO(info.name);

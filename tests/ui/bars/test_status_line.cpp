@@ -76,7 +76,7 @@ TEST_CASE("Samples outside their row table are shown by a click on the status li
 }
 
 TEST_CASE(
-    "In a small window the facts of the pixel give way to the trouble, whole ones last first") {
+    "In a small window the pixel's facts give way to the trouble one by one, the last first") {
     for (const float scale : {1.0f, 1.5f}) {
         Driver driver("lab-room.toml", {800, 600}, scale);
         driver.ui.session.selection.pixel = glm::ivec2(250, 400);
@@ -137,7 +137,7 @@ TEST_CASE("Where there is no status line the pixel under the pointer is shown al
     }
 }
 
-TEST_CASE("What is too much work for one frame of the window goes on in the next ones") {
+TEST_CASE("Work too long for one frame of the window goes on in the next ones") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     set_scene(session, test::made_scene(120'000));
     Driver driver(std::move(session));
@@ -173,7 +173,7 @@ TEST_CASE("What is too much work for one frame of the window goes on in the next
     CHECK_FALSE(a.is_drawn());
 }
 
-TEST_CASE("While a large picture turns it is said that the fast engine draws it") {
+TEST_CASE("While a large picture turns, the line says that the fast engine draws it") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     set_scene(session, test::made_scene(60'000));
     Driver driver(std::move(session));
@@ -206,7 +206,7 @@ TEST_CASE("While a large picture turns it is said that the fast engine draws it"
     CHECK(driver.ui.canvas.picture.number == a.picture_number);
 }
 
-TEST_CASE("What was done is not said in the colour of what could not be done") {
+TEST_CASE("Success is not reported in the colour of failure") {
     const test::TemporaryFolder folder;
     Driver driver;
     const Theme theme = driver.ui.options.theme;

@@ -95,7 +95,7 @@ TEST_CASE("A window stays within its frame, and starts over in another frame") {
     CHECK(window.width == 1.0);
 }
 
-TEST_CASE("Edges are not lost beside fragments, and every moment is found where it stands") {
+TEST_CASE("Edges are not lost next to fragments, and every moment is found where it is shown") {
     const Scene scene = read_scene_file(find_lesson_file(lessons_folder(), "scenes/lab-room.toml"));
     for (const StageInfo& info : stage_list()) {
         Settings settings = default_settings(scene);

@@ -80,7 +80,7 @@ TEST_CASE("The brackets go from triangle to triangle whatever the size of a step
     CHECK(cursor_text(driver) == "t1/v0");
 }
 
-TEST_CASE("Play takes the steps that its dial says, several a frame, and stops at the end") {
+TEST_CASE("Play takes as many steps as its dial says, several a frame, and stops at the end") {
     Driver driver("one-triangle.toml");
     driver.ui.session.play.speed = {SpeedUnit::steps, 60.0};
     driver.hand.click("walk.play");

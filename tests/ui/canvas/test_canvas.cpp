@@ -143,7 +143,7 @@ TEST_CASE("A pixel that arrows pick is seen, even where the picture showed only 
     }
 }
 
-TEST_CASE("In a narrow canvas the ends of the depth range say both the same, and stay apart") {
+TEST_CASE("In a narrow canvas the ends of the depth range show the same, and stay apart") {
     for (const ImVec2 window : {ImVec2{800, 600}, ImVec2{1024, 640}, ImVec2{1600, 1000}}) {
         INFO(window.x << " x " << window.y);
         Driver driver("lab-room.toml", window, window.x < 1600.0f ? 1.5f : 1.0f);

@@ -90,7 +90,7 @@ Clipped cut_off_right(std::vector<ClipVertex>& corners, const ViewVolume&, ClipS
 
 } // namespace
 
-TEST_CASE("With another walk along the edges the marks are where its samples are") {
+TEST_CASE("With a different walk along the edges the marks are where its samples are") {
     Driver driver("one-triangle.toml");
     Settings settings = driver.ui.session.a.settings;
     settings.stage = Stage::fill;
@@ -123,7 +123,7 @@ TEST_CASE("With another walk along the edges the marks are where its samples are
                          static_cast<float>(last.fragment.row), corner) >= 4);
 }
 
-TEST_CASE("Of a clipped triangle the marks are at the corners and samples of what is left") {
+TEST_CASE("The marks of a clipped triangle are at the corners and samples of what is left") {
     Driver driver("one-triangle.toml");
     Settings settings = driver.ui.session.a.settings;
     settings.stage = Stage::fill;
@@ -173,7 +173,7 @@ TEST_CASE("At a low zoom the outline is whole where it is walked, and dashed whe
     CHECK(corners_along(corners, at(2), at(0), 0.1f, 0.9f) > 8);
 }
 
-TEST_CASE("The numbers of the vertices stand on dark ground, however bright the pixels are") {
+TEST_CASE("The numbers of the vertices are on dark ground, however bright the pixels are") {
     Driver driver("one-triangle.toml");
     Settings settings = driver.ui.session.a.settings;
     settings.stage = Stage::edges;
@@ -210,7 +210,7 @@ TEST_CASE("The numbers of the vertices stand on dark ground, however bright the 
     CHECK(letters == 3 * 11 * 4); // "vertices[0]", four corners a letter
 }
 
-TEST_CASE("Where the picture is larger than the canvas its numbers stand on a strip of their own") {
+TEST_CASE("Where the picture is larger than the canvas its numbers have a strip of their own") {
     for (const Theme theme : {Theme::dark, Theme::light}) {
         Driver driver("one-triangle.toml");
         driver.ui.options.theme = theme;

@@ -167,7 +167,7 @@ TEST_CASE("The ends of rows are written in the cells where they lie") {
     }
 }
 
-TEST_CASE("Below the zoom that gives room there are no numbers, and none too small above it") {
+TEST_CASE("There are no numbers below the zoom with room for them, and none too small above it") {
     for (const float text_scale : {1.0f, 1.5f, 2.0f}) {
         Driver driver("lab-room.toml", {1600, 1000}, text_scale);
         driver.hand.click("stage.depth");
@@ -282,7 +282,7 @@ TEST_CASE("The picked pixel shows the fates of all its fragments so far") {
     }
 }
 
-TEST_CASE("A line below the cells says whose their signs are, and of what their numbers") {
+TEST_CASE("A line below the cells says what their signs and their numbers belong to") {
     Driver driver;
     driver.hand.click("stage.depth");
     CHECK(driver.ui.widgets.count("canvas.cells") == 0);

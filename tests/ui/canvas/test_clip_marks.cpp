@@ -58,7 +58,7 @@ std::vector<VertexLabel> corner_labels(Driver& driver) {
 
 } // namespace
 
-TEST_CASE("New corners stand on the picture with the names of their planes") {
+TEST_CASE("New corners are marked on the picture with the names of their planes") {
     Driver driver("corridor.toml");
     with_clip(driver, "all");
     const ClipHistory& history = *driver.ui.results.a.inspected.clip;
@@ -79,7 +79,7 @@ TEST_CASE("New corners stand on the picture with the names of their planes") {
         CHECK((!corner.is_new() || count_on_canvas(std::string(word_of(corner.plane))) == 0));
 }
 
-TEST_CASE("The corners of a cut triangle are named in their order, and no name lies on another") {
+TEST_CASE("The corners of a cut triangle are named in order, and no two names overlap") {
     int named = 0, made = 0;
     for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1024, 640)}) {
         for (const int triangle : {0, 1, 5, 9}) {
@@ -98,7 +98,7 @@ TEST_CASE("The corners of a cut triangle are named in their order, and no name l
             int last = -1;
             for (const VertexLabel& label : labels) {
                 CAPTURE(label.name);
-                REQUIRE(label.vertex > last); // from the first corner on, as the edges go
+                REQUIRE(label.vertex > last); // starting at the first corner, as the edges go
                 last = label.vertex;
                 REQUIRE(last < static_cast<int>(corners.size()));
                 const CutCorner& corner = corners[static_cast<std::size_t>(last)];
@@ -181,8 +181,7 @@ TEST_CASE("While planes are at work no edge of the polygon is drawn yet") {
     }
 }
 
-TEST_CASE(
-    "While it is clipped the picture shows where dividing would put a corner behind the camera") {
+TEST_CASE("During clipping the picture shows where dividing would put a corner behind the camera") {
     Driver driver;
     driver.hand.rest();
     Settings& settings = driver.ui.session.a.settings;
@@ -234,7 +233,7 @@ TEST_CASE("The cull step says on the picture which side it takes the triangle fo
     CHECK(count_on_canvas(is_back ? "back" : "front") == 1);
 }
 
-TEST_CASE("From outside the plane that cuts is named, and another one can be looked at") {
+TEST_CASE("From outside the plane that cuts is named, and others can be looked at") {
     Driver driver("corridor.toml");
     follow_link(driver.ui, "canvas:outside");
     with_clip(driver, "leave_out");

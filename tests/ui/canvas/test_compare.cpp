@@ -22,7 +22,7 @@
 
 namespace rasterwalk {
 
-TEST_CASE("One click compares the picture as it is with affine, and one ends it as it was before") {
+TEST_CASE("One click compares the picture with affine, and another restores what was there") {
     Driver driver(lit_room());
     const Settings before = driver.ui.session.a.settings;
     driver.hand.click("switch.compare");
@@ -115,7 +115,7 @@ TEST_CASE("A comparison brings the tab that explains it, and the previous tab is
     CHECK(tab() == "rows");
 }
 
-TEST_CASE("A stage that is chosen while two runs are compared has its tab when they are not") {
+TEST_CASE("A stage chosen while two runs are compared has its tab once they no longer are") {
     Driver driver(lit_room(200));
     const auto tab = [&] { return driver.ui.session.tab; };
     driver.hand.click("stage.rows");
@@ -202,7 +202,7 @@ TEST_CASE("Every pair is compared by one click in the Compare tab, and a second 
     }
 }
 
-TEST_CASE("What may be compared is offered as pictures of what each would make, drawn once") {
+TEST_CASE("Comparisons are offered as pictures of what each would show, drawn once") {
     Driver driver(lit_room());
     driver.open("compare");
     driver.hand.leave();
@@ -334,7 +334,7 @@ TEST_CASE("Blinking shows A and B in turn once a second, and can be held") {
     CHECK(blink_shows_b(driver.ui) == held);
 }
 
-TEST_CASE("While pictures blink nothing is to be drawn until the next one is due") {
+TEST_CASE("While pictures blink nothing needs drawing until the next one is due") {
     Driver driver(lit_room());
     driver.hand.click("switch.compare");
     CHECK(std::isinf(seconds_to_blink(driver.ui)));
@@ -424,7 +424,7 @@ TEST_CASE("The counts of the tab are those of the comparison") {
     CHECK(grouped(999) == "999");
 }
 
-TEST_CASE("Run B is set in the tab, and what is changed in A is changed in both") {
+TEST_CASE("Run B is set in the tab, and a change to A changes both") {
     Driver driver(lit_room(200));
     driver.open("compare");
     driver.hand.click("compare.another");

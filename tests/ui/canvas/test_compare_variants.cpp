@@ -50,7 +50,7 @@ struct AllTextures : TextureHost {
     }
 };
 
-/// The mean of what a small pixel covers of a picture, channel by channel, added up the slow way.
+/// The mean of the part of a picture that a small pixel covers, by channel, added up the slow way.
 double mean_of(const Image& image, double scale, int column, int row, int channel) {
     const auto covered = [](double from, double to, int cell) {
         return std::max(0.0, std::min(to, cell + 1.0) - std::max(from, cell + 0.0));
@@ -156,7 +156,7 @@ TEST_CASE("The small pictures are those of the runs and of their difference, mad
 }
 
 TEST_CASE("At rest no small picture is made again, whichever is shown large") {
-    Driver driver(lit_room_of({1100, 1000})); // larger than what is looked through
+    Driver driver(lit_room_of({1100, 1000})); // too large to look at every pixel
     driver.hand.click("switch.compare");
     for (const CompareViewInfo& info : compare_view_list()) {
         INFO(info.name);
@@ -172,7 +172,7 @@ TEST_CASE("At rest no small picture is made again, whichever is shown large") {
     }
 }
 
-TEST_CASE("Of a huge picture only some columns and rows are looked at, evenly") {
+TEST_CASE("Only some columns and rows of a huge picture are looked at, evenly spaced") {
     Image image{4096, 4096, {}};
     image.rgba.resize(4UL * 4096 * 4096);
     for (int y = 0; y < image.height; ++y) {
@@ -241,7 +241,7 @@ TEST_CASE("The lesson makes room for two pictures only where they would be made 
     CHECK(has_column());
 }
 
-TEST_CASE("Two pictures stand above each other where that leaves them larger") {
+TEST_CASE("Two pictures are one above the other where that leaves them larger") {
     Driver driver(lit_room_of({500, 500}), {1200, 1600});
     driver.hand.click("switch.compare");
     driver.ui.session.compare_view = CompareView::side_by_side;
@@ -302,7 +302,8 @@ TEST_CASE("In every window the row lies below the picture and inside the canvas"
     }
 }
 
-TEST_CASE("Where the small pictures have no room both runs are seen beside the divider") {
+TEST_CASE(
+    "Where the small pictures have no room both runs are seen on either side of the divider") {
     {
         Driver driver(lit_room_of({500, 500}), {1024, 640}, 1.5f);
         driver.hand.press('C');
@@ -321,7 +322,7 @@ TEST_CASE("Where the small pictures have no room both runs are seen beside the d
     CHECK(driver.ui.session.compare_view == CompareView::run_a);
 }
 
-TEST_CASE("In a small window both small pictures say what their runs have otherwise") {
+TEST_CASE("In a small window both small pictures say what is different in their runs") {
     Driver driver("lab-room.toml", {800, 600});
     open_lesson(driver.ui, "11-perspective", 0);
     driver.hand.press('C');

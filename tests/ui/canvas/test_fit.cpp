@@ -110,7 +110,7 @@ TEST_CASE("Where the pixels of a very small picture would be tiny its triangles 
     }
 }
 
-TEST_CASE("Zoomed to the triangle, all of it lies beside the row table, or there is no table") {
+TEST_CASE("Zoomed to the triangle, all of it is next to the row table, or there is no table") {
     for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1366, 768), ImVec2(1280, 800),
                                 ImVec2(1024, 640), ImVec2(800, 600)}) {
         for (const float text_scale : {1.0f, 1.5f}) {
@@ -149,7 +149,7 @@ TEST_CASE("Where the row table has no room the triangle is as large as without i
     CHECK(without > 0);
 }
 
-TEST_CASE("What fits of a small picture follows a vertex that is moved, and is looked for once") {
+TEST_CASE("The part that fits of a small picture follows a moved vertex, and is found once") {
     Driver driver("one-triangle.toml", {800, 600});
     const PicturePart before = driver.ui.canvas.drawn.part;
     REQUIRE(driver.ui.canvas.drawn.frame_number == driver.ui.results.a.frame_number);

@@ -49,7 +49,7 @@ TEST_CASE("A transparent model is drawn opaque at a click, and undo takes it bac
     CHECK(hint_of(driver) == transparent);
 }
 
-TEST_CASE("A hint is of the whole picture, and is hidden at a click") {
+TEST_CASE("A hint is about the whole picture, and a click hides it") {
     Driver driver(clear_sheet());
     driver.hand.frames(4);
     REQUIRE(hint_of(driver) == transparent);
@@ -74,7 +74,7 @@ TEST_CASE("A hint is of the whole picture, and is hidden at a click") {
     CHECK(hint_of(driver).empty());
 }
 
-TEST_CASE("A scene that is no model has no hint, whatever is seen of it") {
+TEST_CASE("A scene that is not a model has no hint, whatever is seen of it") {
     Scene scene = test::sheet_of("Kd 1 1 1\nd 0\n");
     scene.model_report.reset();
     Driver driver(session_of_model(std::move(scene)));

@@ -22,14 +22,14 @@ bool has(const Driver& driver, const char* name) {
 
 } // namespace
 
-TEST_CASE("Fragments beside the picture are reported, and clipped at a click") {
+TEST_CASE("Fragments outside the picture are reported, and a click clips them") {
     Driver driver;
     driver.hand.frames(2);
     CHECK(told_of(driver).empty());
     follow_link(driver.ui, "set:camera.position=0,0,-1.05");
     driver.hand.frames(2);
     CHECK(told_of(driver).starts_with("About 402 million fragments, 99.9 % outside the picture"));
-    // They are not drawn, so that there is nothing to wait for.
+    // They are not drawn, so there is nothing to wait for.
     CHECK(driver.ui.results.a.is_drawn());
     CHECK_FALSE(has(driver, "canvas.draw_it"));
     CHECK_FALSE(has(driver, "canvas.stop"));
@@ -66,7 +66,7 @@ TEST_CASE("A frame of very many fragments in the picture waits, is drawn in part
     CHECK(told_of(driver).find("stopped") != std::string::npos);
     CHECK_FALSE(is_animating(driver.ui));
 
-    // Another frame is asked for again.
+    // A different frame has to be requested again.
     driver.hand.click("canvas.draw_it");
     CHECK_FALSE(run.is_held);
     driver.ui.session.a.settings.camera.position.z = -0.001f;

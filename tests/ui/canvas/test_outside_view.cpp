@@ -44,8 +44,8 @@ void click_at(Driver& driver, const glm::dvec3& world) {
     driver.hand.rest();
 }
 
-/// What is written over the view from outside; a name with its halo, which is the same name a
-/// little aside, once.
+/// The texts over the view from outside; a name and its halo, which is the same name
+/// slightly offset, are one.
 std::vector<ScreenText> outside_texts(Driver& driver) {
     const WidgetPlace view = driver.hand.find("canvas.outside");
     std::vector<ScreenText> texts;
@@ -73,8 +73,7 @@ bool has_text(const std::vector<ScreenText>& texts, const std::string& words) {
                        [&](const ScreenText& text) { return text.words == words; });
 }
 
-/// Two texts one of which lies on the other, or one that is not seen whole; empty if there are
-/// none.
+/// Two texts that overlap, or one that is not seen whole; empty if there are none.
 std::string crowded_texts(const std::vector<ScreenText>& texts, const WidgetPlace& view) {
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const ScreenText& a = texts[i];
@@ -131,7 +130,7 @@ TEST_CASE("Keys show the scene from outside, and the picture again") {
     CHECK(driver.ui.session.a.settings.camera == driver.ui.session.scene->camera);
 }
 
-TEST_CASE("Names do not lie on each other from outside; camera and lamp are always named") {
+TEST_CASE("Names do not overlap from outside; camera and lamp are always named") {
     for (const SmallWindow& window : small_windows) {
         Driver driver("lab-room.toml", window.size, window.text_scale);
         driver.hand.press('9');
@@ -252,7 +251,7 @@ TEST_CASE("A drag with the right button turns the camera, from outside too") {
     CHECK(view(driver) == OutsideView());
 }
 
-TEST_CASE("One looks through the camera by its button or a double click, and back") {
+TEST_CASE("A button or a double click looks through the camera, and back") {
     Driver driver;
     driver.hand.click("canvas.shows.outside");
     driver.hand.click("outside.camera");
@@ -287,7 +286,7 @@ TEST_CASE("A click from outside selects the triangle, or the pixel of the pictur
     CHECK(std::abs(selection.pixel->x - 60) <= 4);
     CHECK(std::abs(selection.pixel->y - 250) <= 4);
     CHECK(part_name(scene, *selection.triangle) == "left wall");
-    // And the other way round: what is picked in the picture is lit outside.
+    // And the other way around: what is picked in the picture is lit outside.
     const std::uint64_t number = driver.ui.canvas.outside_drawing->number();
     driver.hand.click_picture(250, 30);
     CHECK(part_name(scene, *selection.triangle) == "ceiling");
@@ -347,7 +346,7 @@ TEST_CASE("Links and another scene set what the canvas shows") {
     CHECK(shown(driver) == CanvasShows::both);
 }
 
-TEST_CASE("The view from outside stands in windows of every size") {
+TEST_CASE("The view from outside has its place in windows of every size") {
     Driver driver;
     for (const CanvasShows shows : {CanvasShows::outside, CanvasShows::both}) {
         driver.ui.session.canvas.shows = shows;

@@ -37,7 +37,7 @@ TEST_CASE("Every overlay is switched on and off by its name, and undone") {
     }
 }
 
-TEST_CASE("Overlays are one texture beside that of the picture, remade only when they change") {
+TEST_CASE("Overlays are one texture besides the picture's, remade only when they change") {
     Driver driver;
     driver.ui.session.canvas.zoom = 1.0f; // shown as it is
     driver.hand.frames();
@@ -67,7 +67,7 @@ TEST_CASE("The list of overlays stays open while several are chosen, and all go 
     CHECK(driver.ui.session.overlays.empty());
 }
 
-TEST_CASE("The legends stand below the picture, however small the window and large the text") {
+TEST_CASE("The legends are below the picture, however small the window and large the text") {
     struct Case {
         ImVec2 window;
         float text_scale;
@@ -134,7 +134,7 @@ TEST_CASE("The legend folds up and unfolds") {
     CHECK(driver.ui.canvas.shows_legend);
 }
 
-TEST_CASE("A click on the legend picks no pixel under it, one beside it does") {
+TEST_CASE("A click on the legend picks no pixel under it, one next to it does") {
     Driver driver;
     switch_overlay(driver, "owner");
     driver.hand.click("legend.owner");

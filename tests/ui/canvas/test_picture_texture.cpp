@@ -78,7 +78,7 @@ TEST_CASE("After every moment the picture shown is that of the frame, resampled"
     }
 }
 
-TEST_CASE("Of a picture larger than the canvas the texture holds what is in view") {
+TEST_CASE("If the picture is larger than the canvas, the texture holds what is in view") {
     for (const float zoom : {1.0f, 1.3f, 6.0f}) {
         Driver driver;
         set_from_text(driver.ui.session.a.settings, "viewport.size=2400x2400");

@@ -137,7 +137,7 @@ bool stands_in(const std::vector<ScreenText>& texts, const WidgetPlace& place,
 
 } // namespace
 
-TEST_CASE("Every line of the table stands beside its row of pixels, at every zoom and place") {
+TEST_CASE("Every line of the table is next to its row of pixels, at every zoom and place") {
     for (const char* const scene : {"one-triangle.toml", "lab-room.toml"}) {
         Driver driver(scene);
         driver.ui.session.a.settings.stage = Stage::depth;
@@ -193,7 +193,7 @@ TEST_CASE("The table has the numbers of a table worked out by hand, and they can
     }
 }
 
-TEST_CASE("Numbers and texts of the table do not lie on each other") {
+TEST_CASE("Numbers and texts of the table do not overlap") {
     for (const ImVec2 window : {ImVec2{1600, 1000}, ImVec2{1024, 640}}) {
         for (const char* const moment : {"end", "t0/e1/s4"}) {
             Driver driver("one-triangle.toml", window);
@@ -224,7 +224,7 @@ TEST_CASE("Numbers and texts of the table do not lie on each other") {
     }
 }
 
-TEST_CASE("What no sample has reached is grey and says what the arrays begin with") {
+TEST_CASE("Ends that no sample has reached are grey and show the arrays' first values") {
     Driver driver("one-triangle.toml");
     driver.hand.click("walk.first");
     driver.hand.leave();
@@ -267,7 +267,7 @@ TEST_CASE("The moment's row has a white bar, and a box is around what the moment
 TEST_CASE("A click on a line selects its row, one on an end leads to the sample that wrote it") {
     Driver driver("one-triangle.toml");
     REQUIRE(is_shown(driver));
-    // Beside the numbers: on the entry.
+    // Next to the numbers, on the entry.
     const WidgetPlace line = driver.hand.find("canvas.rows.9");
     play_pointer({line.top_left.x + 12.0f, 0.5f * (line.top_left.y + line.bottom_right.y)});
     driver.hand.frames(2);
@@ -288,7 +288,7 @@ TEST_CASE("A click on a line selects its row, one on an end leads to the sample 
     CHECK(to_text(driver.ui.results.a.cursor) == "t0/e1/s5");
 }
 
-TEST_CASE("What is pointed at in the table lights up in the picture and in the tab, and back") {
+TEST_CASE("A row pointed at in the table, the tab or the picture lights up in the table") {
     Driver driver("one-triangle.toml");
     const ImU32 lit = packed(palette(Theme::dark).row_lit);
     driver.hand.hover("canvas.rows.9");
@@ -305,7 +305,7 @@ TEST_CASE("What is pointed at in the table lights up in the picture and in the t
     CHECK(shown_colours(driver.hand.find("canvas.rows.11")).count(lit) == 0);
 }
 
-TEST_CASE("A bench that fits lies beside the table, and all of it can be taken hold of") {
+TEST_CASE("A bench that fits is next to the table, and all of it can be grabbed") {
     Driver driver("one-triangle.toml");
     REQUIRE(driver.ui.canvas.row_table);
     const PicturePlace& place = driver.ui.canvas.place;
@@ -315,7 +315,7 @@ TEST_CASE("A bench that fits lies beside the table, and all of it can be taken h
     CHECK(driver.ui.session.scene->corner(0, 2).position.x == 19.0f);
 }
 
-TEST_CASE("The table takes the edge of the canvas at which the triangle is not") {
+TEST_CASE("The table takes the edge of the canvas where the triangle is not") {
     Driver driver("one-triangle.toml");
     // The triangle reaches from column 5 to 15.
     for (const float zoom : {24.0f, 30.0f}) {
@@ -349,7 +349,7 @@ TEST_CASE(
     CHECK(is_shown(driver));
 }
 
-TEST_CASE("There is no table where there are no rows: of points, of a triangle left out") {
+TEST_CASE("There is no table without rows: for points, and for a triangle left out") {
     Driver driver("one-triangle.toml");
     driver.ui.session.a.settings.stage = Stage::points;
     driver.hand.rest();
@@ -376,7 +376,7 @@ TEST_CASE("Small windows and large text show the table whole or not at all") {
     }
 }
 
-TEST_CASE("However the picture is zoomed and moved by hand, the table covers nothing of the rows") {
+TEST_CASE("However the picture is zoomed and moved by hand, the table covers none of the rows") {
     int shown = 0, left_out = 0;
     for (const SmallWindow& window :
          {SmallWindow{{1600, 1000}, 1.0f}, SmallWindow{{1024, 640}, 1.0f},
@@ -406,7 +406,7 @@ TEST_CASE("However the picture is zoomed and moved by hand, the table covers not
     CHECK(left_out > 5);
 }
 
-TEST_CASE("A table that has no room beside the triangle is left out, and stands in the Rows tab") {
+TEST_CASE("A table without room next to the triangle is left out, and is in the Rows tab") {
     Driver driver("one-triangle.toml");
     REQUIRE(is_shown(driver));
     driver.hand.wheel_picture(10, 10, 3.0f);
@@ -437,7 +437,7 @@ TEST_CASE("Turning the wheel over the table enlarges the picture, and its lines 
     CHECK(misplaced_lines(driver) == "");
 }
 
-TEST_CASE("1/z does not stand in the table where it is the same for all") {
+TEST_CASE("1/z is not in the table where it is the same for all") {
     Driver bench("one-triangle.toml");
     look_at(bench, 46.0f, {16.0f, 10.0f});
     const std::vector<ScreenText> texts = table_texts();
@@ -446,7 +446,7 @@ TEST_CASE("1/z does not stand in the table where it is the same for all") {
         CHECK(text.words.find("1/z") == text.words.npos);
 }
 
-TEST_CASE("1/z stands in the table of a triangle of the room") {
+TEST_CASE("1/z is in the table of a triangle of the room") {
     Driver room;
     room.hand.click("stage.depth");
     room.ui.session.selection.triangle = 22;
@@ -460,7 +460,7 @@ TEST_CASE("1/z stands in the table of a triangle of the room") {
     }));
 }
 
-TEST_CASE("1/z stands in the table too where no samples have written the ends") {
+TEST_CASE("1/z is also in the table where no samples have written the ends") {
     Driver room;
     room.hand.click("stage.depth");
     room.ui.session.a.settings.coverage = Coverage::scan_conversion;
@@ -522,14 +522,14 @@ TEST_CASE(
     CHECK(outside == 1);
 }
 
-TEST_CASE("In a lecture about rows the table stands in the inspector's place, large and once") {
+TEST_CASE("In a lecture about rows the table takes the inspector's place, large and only once") {
     struct Case {
         ImVec2 window;
         float text;
         bool is_beside;
-        bool is_low = false; ///< has its picture low rows, and the table small letters for them?
+        bool is_low = false; ///< are the picture's rows low, and the table's letters small?
     };
-    // Where the rows of the picture are too low for letters that are read from afar, the Rows tab
+    // Where the rows of the picture are too low for letters read from a distance, the Rows tab
     // has the table.
     for (const Case& c : {Case{{1600, 1000}, 1.0f, true}, Case{{1024, 640}, 1.0f, true},
                           Case{{1920, 1080}, 1.0f, true}, Case{{1024, 640}, 1.5f, true, true},
@@ -555,7 +555,7 @@ TEST_CASE("In a lecture about rows the table stands in the inspector's place, la
             REQUIRE(driver.ui.widgets.count(line_name(row)) == 1);
             CHECK(driver.ui.widgets.at(line_name(row)).is_whole);
         }
-        // As large as all that is written in numbers, on lines that keep it apart.
+        // The numbers are as large as others in a lecture, on lines high enough to separate them.
         const Fonts& fonts = driver.ui.fonts;
         const float letters = c.is_low ? fonts.mono_small->FontSize : fonts.mono->FontSize;
         int numbers = 0;
@@ -566,7 +566,7 @@ TEST_CASE("In a lecture about rows the table stands in the inspector's place, la
         }
         CHECK(numbers >= rows.size());
         CHECK(driver.ui.canvas.place.scale >= 1.1f * letters);
-        // All of the triangle is beside its table.
+        // All of the triangle is next to its table.
         const WidgetPlace& seen = driver.ui.widgets.at("canvas");
         CHECK(driver.ui.canvas.place.origin.y + driver.ui.canvas.place.scale * 5.0f >=
               seen.top_left.y - 0.01f);
@@ -587,7 +587,7 @@ TEST_CASE("In a lecture about rows the table stands in the inspector's place, la
     }
 }
 
-TEST_CASE("A lesson that points at what stands below the row table has the Rows tab in a lecture") {
+TEST_CASE("A lesson that points at something below the row table has the Rows tab in a lecture") {
     Driver driver("lab-room.toml", {1600, 1000});
     open_lesson(driver.ui, "05-row-table", 4);
     driver.hand.press(key::f5);

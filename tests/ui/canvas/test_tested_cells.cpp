@@ -52,7 +52,7 @@ void show_sketch(Driver& driver, const char* moment, FillRule rule = FillRule::t
     driver.hand.rest();
 }
 
-/// The words in each cell, one behind the other.
+/// The words in each cell, one after the other.
 std::map<std::pair<int, int>, std::string> words_of_cells(const Driver& driver) {
     const PicturePlace& place = driver.ui.canvas.place;
     std::map<std::pair<int, int>, std::string> words;
@@ -92,7 +92,7 @@ std::set<int> tinted(const Driver& driver, Meaning meaning, float opacity, int r
 
 } // namespace
 
-TEST_CASE("The pixels tested so far are tinted by what was found, and no others") {
+TEST_CASE("The pixels tested so far are tinted by their result, and no others are") {
     Driver driver("one-triangle.toml");
     show_sketch(driver, "t0/b4/c6"); // (7, 5) in column 6 - 1 of the box has just been tested
     for (int row = 0; row < 12; ++row) {
@@ -112,13 +112,13 @@ TEST_CASE("The pixels tested so far are tinted by what was found, and no others"
         }
     }
     CHECK(driver.hand.is_visible("canvas.cells"));
-    // Behind the tests the picture is seen unchanged.
+    // After the tests the picture is seen unchanged.
     driver.ui.session.cursor = cursor_end;
     driver.hand.leave();
     CHECK(tinted(driver, Meaning::pass, inside_tint, 3, 20).empty());
 }
 
-TEST_CASE("At 40x each tested cell holds its edge functions; outside those that keep it out") {
+TEST_CASE("At 40x each tested cell holds its edge functions; outside, those that keep it out") {
     Driver driver("one-triangle.toml");
     driver.ui.session.canvas.numbers = CellNumbers::edge_values;
     show_sketch(driver, "t0/b4/c6");

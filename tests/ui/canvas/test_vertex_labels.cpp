@@ -45,7 +45,7 @@ std::string pixel_under(const Driver& driver, const ScreenText& text) {
 
 } // namespace
 
-TEST_CASE("Names of vertices stand outside the triangle, and nothing cuts them off") {
+TEST_CASE("Names of vertices are outside the triangle, and nothing cuts them off") {
     for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1366, 768), ImVec2(1024, 640)}) {
         for (const float text_scale : {1.0f, 1.5f}) {
             for (const bool is_zoomed : {false, true}) {

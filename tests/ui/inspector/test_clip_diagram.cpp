@@ -175,7 +175,7 @@ TEST_CASE("A plane that is opened has the diagram") {
 }
 
 TEST_CASE(
-    "No name of a line in the diagram lies over an edge, also where near plane and eye meet") {
+    "No name of a line in the diagram lies over an edge, even where near plane and eye meet") {
     int named = 0;
     for (const int triangle : {0, 1, 5, 9}) {
         CutWall wall(triangle);
@@ -215,7 +215,7 @@ TEST_CASE(
     CHECK(named > 6);
 }
 
-TEST_CASE("No line of a table that has no room is left below the diagram") {
+TEST_CASE("A table without room leaves no line below the diagram") {
     Driver driver("corridor.toml");
     follow_link(driver.ui, "set:clip=near");
     follow_link(driver.ui, "tab:clip");

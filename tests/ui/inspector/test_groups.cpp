@@ -83,7 +83,7 @@ TEST_CASE("Every tab can be reached by its group") {
 }
 
 TEST_CASE(
-    "The stage chooses the tab until one is clicked; the link beside the tabs gives it back") {
+    "The stage chooses the tab until one is clicked; the link next to the tabs gives it back") {
     Driver driver;
     driver.hand.click("stage.points");
     CHECK(driver.ui.session.tab == "vertices");
@@ -98,7 +98,7 @@ TEST_CASE(
     CHECK(driver.ui.session.tab == "vertices");
 }
 
-TEST_CASE("A number's source is a tab of the student's own, which the next stage leaves alone") {
+TEST_CASE("The tab of a number's source counts as clicked, so the next stage leaves it alone") {
     Driver driver;
     driver.hand.click_picture(398, 121);
     follow_link(driver.ui, "tab:fragment");
@@ -155,7 +155,7 @@ TEST_CASE("A lesson that points at a panel of another group points at the group"
     CHECK(driver.ui.lesson.pointed_at == "tab.settings");
 }
 
-TEST_CASE("Where the lesson is a strip, its whole text stands instead of the tabs") {
+TEST_CASE("Where the lesson is a strip, its whole text takes the place of the tabs") {
     Driver driver("lab-room.toml", {1024, 640});
     open_lesson(driver.ui, "05-row-table", 2);
     driver.hand.leave();

@@ -57,7 +57,7 @@ TEST_CASE("A click on a line of the history goes to the moment just after that f
         CHECK(driver.ui.results.a.done == entries[line].cursor);
         CHECK(driver.ui.session.selection.triangle == entries[line].cursor.triangle);
         CHECK(picked_colour(driver) == entries[line].colour_after);
-        // What is yet to come keeps its line.
+        // Fragments still to come keep their lines.
         CHECK(driver.hand.is_visible("history.2"));
     }
     driver.hand.press(key::left, {.alt = true});
@@ -178,7 +178,7 @@ TEST_CASE("Before anything is drawn there is no pixel to begin with, and it says
                Catch::Matchers::ContainsSubstring("Nothing has been drawn"));
 }
 
-TEST_CASE("The place of a fragment stands below the names of what it counts") {
+TEST_CASE("The place of a fragment is below the names of what it counts") {
     struct Case {
         const char* stage;
         const char* piece;
@@ -207,7 +207,7 @@ TEST_CASE("The place of a fragment stands below the names of what it counts") {
     }
 }
 
-TEST_CASE("Every line names its triangle, however many there are and little room") {
+TEST_CASE("Every line names its triangle, however many there are and however little room") {
     std::vector<std::array<glm::vec3, 3>> triangles(110'000,
                                                     {{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}}});
     for (int i = 0; i < 4; ++i)

@@ -19,7 +19,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The triangle of the sketch, 13 by 10 pixels; in the moment behind the test of (7, 5).
+/// The triangle of the sketch, 13 by 10 pixels; in the moment after the test of (7, 5).
 void show_tested(Driver& driver) {
     Session& session = driver.ui.session;
     set_scene(session, test::pixel_scene({{{{2, 1, 1}, {14, 1, 1}, {5, 10, 1}}}}, {20, 16}));
@@ -84,7 +84,7 @@ TEST_CASE("The tab of the rows is called Inside where edge functions test pixels
     CHECK(shown_text(driver, "tab.rows") == "Rows");
 }
 
-TEST_CASE("Who wrote an end is not asked where no samples write them") {
+TEST_CASE("The table has no writers of ends where no samples write them") {
     Driver driver("one-triangle.toml");
     driver.open("rows");
     for (const Coverage coverage :
@@ -225,7 +225,7 @@ TEST_CASE("A polygon by row table, fan and active edges: what is wrong is counte
     CHECK(shown_text(driver, "inside.way.table") == "row table: 176 pixels, 40 wrong");
     CHECK(shown_text(driver, "inside.way.fan") == "fan: 192 pixels, 56 wrong");
     CHECK(shown_text(driver, "inside.way.active_edges") == "active edges: 136 pixels, 0 wrong");
-    // In the dent, as deep as both fill it: as the inside it is only to active edges.
+    // In the dent, as deep as both fill it: different from the inside only for active edges.
     const PixelOf dent{10, 5}, inside{10, 11};
     CHECK(colour_at(driver, 0, dent) == colour_at(driver, 1, dent));
     CHECK(colour_at(driver, 0, dent) != colour_at(driver, 0, inside));

@@ -34,7 +34,7 @@ TEST_CASE("A mistake is turned on and compared with the correct run at once, and
     CHECK(driver.ui.session.a.settings == before);
 }
 
-TEST_CASE("What the lab does by itself is said to be on already, and compared with the cure") {
+TEST_CASE("A mistake that the lab makes itself is said to be on, and compared with the cure") {
     Driver driver;
     driver.open("lab");
     for (const Bug& bug : lab_bugs(driver.ui)) {
@@ -66,7 +66,7 @@ TEST_CASE("What the lab does by itself is said to be on already, and compared wi
     CHECK_FALSE(driver.hand.is_visible("lab.made"));
 }
 
-TEST_CASE("Every mistake is described and shows on its own scene, from which one comes back") {
+TEST_CASE("Every mistake is described and shows on its own scene, with a way back") {
     Driver driver(lit_room(200));
     const std::shared_ptr<const Scene> room = driver.ui.session.scene;
     driver.open("lab");
@@ -83,7 +83,7 @@ TEST_CASE("Every mistake is described and shows on its own scene, from which one
     }
 }
 
-TEST_CASE("A round of the quiz is won: hint, wrong guess, right guess, and all is as before") {
+TEST_CASE("A quiz is won by hint, wrong guess and right guess, and all is as before") {
     Driver driver(lit_room(200));
     const Settings before = driver.ui.session.a.settings;
     driver.open("lab");
@@ -136,7 +136,7 @@ TEST_CASE("Each mistake names a lesson that there is") {
     }
 }
 
-TEST_CASE("All that can be chosen of a quiz stands before it is begun") {
+TEST_CASE("All choices of a quiz are shown before it begins") {
     Driver driver;
     driver.open("lab");
     driver.hand.click("lab.mode.quiz");
@@ -189,7 +189,7 @@ TEST_CASE("The key C ends a mistake as the button does") {
     CHECK_FALSE(is_on(driver.ui.session, "B5"));
 }
 
-TEST_CASE("The Scene menu survives that the scenes are gone") {
+TEST_CASE("The Scene menu survives the loss of the scenes") {
     const test::TemporaryFolder folder;
     Driver driver(lit_room(200));
     setenv("RASTERWALK_LESSONS", folder.file("nowhere").c_str(), 1);
@@ -218,7 +218,7 @@ TEST_CASE("In a small window the laboratory's buttons can be reached") {
     }
 }
 
-TEST_CASE("The mistake that is on when the laboratory opens is the one described") {
+TEST_CASE("The laboratory opens on the mistake that is on") {
     for (const char* id : {"B10", "B9", "B2"}) {
         INFO(id);
         ViewOptions options;

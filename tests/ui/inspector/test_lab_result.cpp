@@ -125,7 +125,7 @@ TEST_CASE("A picture is checked a part a frame, says how far it is, and is dropp
     }
 }
 
-TEST_CASE("A diagnosis shows the student's picture beside where it differs from the right one") {
+TEST_CASE("A diagnosis shows the student's picture next to its differences from the right one") {
     constexpr int side = 160;
     Driver driver;
     AllTextures textures;
@@ -178,7 +178,7 @@ TEST_CASE("A diagnosis shows the student's picture beside where it differs from 
     driver.ui.host.textures = &driver.textures;
 }
 
-TEST_CASE("One card names the mistake, its place, its cure and its lesson, to which it leads") {
+TEST_CASE("One card names the mistake, its place, its cure and its lesson, and leads there") {
     Driver driver;
     const Settings reference = pixel_light(driver);
     const Bug bug = find_bug(read_bugs(), "B9");
@@ -307,7 +307,7 @@ TEST_CASE(
     CHECK(driver.ui.session.scene != room);
 }
 
-TEST_CASE("What cannot be read is said in the laboratory, and rows of the lab are accepted") {
+TEST_CASE("An unreadable file is reported in the laboratory, and rows of the lab are accepted") {
     test::TemporaryFolder folder;
     Driver driver(lit_room(200));
     open_dropped(driver.ui, folder.file("nothing.png"));
@@ -323,7 +323,7 @@ TEST_CASE("What cannot be read is said in the laboratory, and rows of the lab ar
     CHECK(driver.hand.is_visible("lab.diagnosis"));
 }
 
-TEST_CASE("Of a row table it is said which row differs first, and nothing is offered for nothing") {
+TEST_CASE("The first row that differs is named, and no mistake is offered without reason") {
     test::TemporaryFolder folder;
     Driver driver;
     std::string text(test::handout_rows);
@@ -342,7 +342,7 @@ TEST_CASE("Of a row table it is said which row differs first, and nothing is off
     CHECK(shown_text(driver, "lab.diagnosis") == "No known mistake explains the difference.");
 }
 
-TEST_CASE("What stands below an answer does not jump from one frame to the next") {
+TEST_CASE("What is below an answer does not jump from one frame to the next") {
     Driver driver;
     Settings wrong = pixel_light(driver, small_side);
     wrong.interpolation = Interpolation::affine;
@@ -360,7 +360,7 @@ TEST_CASE("What stands below an answer does not jump from one frame to the next"
     }
 }
 
-TEST_CASE("Below what is said about a picture the controls for choosing another stay whole") {
+TEST_CASE("Below the answer about a picture the controls for choosing another stay whole") {
     for (const ImVec2 window : {ImVec2{1600, 1000}, ImVec2{1280, 800}}) {
         INFO(window.x << " x " << window.y);
         Driver driver("lab-room.toml", window);

@@ -21,7 +21,7 @@ std::string png_of(const Image& picture) {
     return test::bytes_of(path);
 }
 
-/// Puts these bytes in place of a file, as a program does that saves again.
+/// Replaces a file with these bytes, as a program does when it saves again.
 void save_again(Driver& driver, const test::TemporaryFolder& folder, const std::string& name,
                 const std::string& bytes) {
     std::filesystem::remove(folder.file(name));
@@ -139,7 +139,7 @@ TEST_CASE("A file that is half written, or gone for a moment, leaves the answer 
     CHECK(driver.ui.lab.answer->diagnosis.is_same());
 }
 
-TEST_CASE("Rows that are printed again are checked again, and row and end are said") {
+TEST_CASE("Rows that are printed again are checked again, and row and end are named") {
     const test::TemporaryFolder folder;
     Driver driver;
     const auto with = [&](const std::string& was, const std::string& is) {
@@ -196,7 +196,7 @@ TEST_CASE("A search that is stopped in the middle shows what it found, and says 
     CHECK_FALSE(driver.hand.is_visible("lab.incomplete"));
 }
 
-TEST_CASE("While a file is checked again, how far that is and Stop are seen whole") {
+TEST_CASE("While a file is checked again, the progress and Stop are seen whole") {
     for (const SmallWindow& window : test::some_of(all_windows(), 3)) {
         INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
         const test::TemporaryFolder folder;

@@ -37,7 +37,7 @@ using Lines = std::vector<std::string>;
 
 } // namespace
 
-TEST_CASE("Each name of each likely mistake stands on a line of its own, with how sure it is") {
+TEST_CASE("Each name of each likely mistake has a line of its own, with how sure it is") {
     const LabHeadline one = headline_of(answer_with(likely({{{"B9"}, {"Last"}}}, 0)));
     CHECK(one.names == Lines{"B9 “Last”"});
     CHECK(one.rest == "It explains your picture down to the last pixel.");
@@ -65,7 +65,7 @@ TEST_CASE("The nearest mistake is named apart from the verdict that none is like
           "The best match, B3 “As it is” (with “Lamp power: 14”), explains 87 % of it.");
 }
 
-TEST_CASE("Rules and numbers of a program are said in words, as right or as the nearest") {
+TEST_CASE("Rules and numbers of a program are given in words, as right or as the nearest") {
     Diagnosis found;
     CHECK(rules_words(found) == "");
     found.rules = "line_walk=exact, light.position=0.1,-0.53480123,-2 and light.power=9";
@@ -147,7 +147,7 @@ TEST_CASE("Of two mistakes at once both are named, described and mended on the c
     CHECK(driver.ui.session.a.settings == wrong);
 }
 
-TEST_CASE("Where no mistake is likely, it is said what the wrong pixels have in common") {
+TEST_CASE("Where no mistake is likely, the answer says what the wrong pixels have in common") {
     Driver driver;
     const Settings reference = pixel_light(driver, small_side);
     const Image right = drawn_by(driver, reference);

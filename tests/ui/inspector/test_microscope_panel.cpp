@@ -65,7 +65,7 @@ TEST_CASE("An edge that is picked stays under the microscope until the cursor mo
     CHECK(driver.ui.inspector.microscope.edge == 1);
 }
 
-TEST_CASE("The microscope opens on the coordinate that drifts, and shows the one that is asked") {
+TEST_CASE("The microscope opens on the coordinate that drifts, and shows the one chosen") {
     Driver driver("one-triangle.toml");
     open_outside_example(driver);
     CHECK_FALSE(driver.ui.inspector.microscope.shows_x); // (0,2) to (3,1): x steps by whole pixels
@@ -77,7 +77,7 @@ TEST_CASE("The microscope opens on the coordinate that drifts, and shows the one
     CHECK(driver.ui.inspector.microscope.shows_x);
 }
 
-TEST_CASE("What is chosen of a sample says what it decides, and which of both drifts") {
+TEST_CASE("A sample's coordinates say what they decide, and which of the two drifts") {
     Driver driver("one-triangle.toml");
     open_outside_example(driver);
     const auto says = [&](const std::string& words) {
@@ -182,7 +182,7 @@ TEST_CASE("The samples around the one at work begin with a whole line") {
         int first = current;
         while (is_seen(first - 1))
             --first;
-        // The lines reach into each other by a pixel or two.
+        // The lines overlap by a pixel or two.
         const auto height = [&](int i) {
             const WidgetPlace& place = widgets.at("microscope.sample." + std::to_string(i));
             return place.bottom_right.y - place.top_left.y;

@@ -97,7 +97,7 @@ TEST_CASE("The sides of a box are typed one by one, and set back all at once") {
     CHECK_FALSE(settings.view_box);
 }
 
-TEST_CASE("The sides of a box can be typed where the focal length shows more or less than it may") {
+TEST_CASE("A box's sides can be typed even if the focal length shows more or less than allowed") {
     const auto& kind = std::get<BoxSetting>(find_setting("view_box")->kind);
     struct Case {
         float focal_length, near;

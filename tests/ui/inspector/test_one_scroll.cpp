@@ -68,7 +68,7 @@ TEST_CASE("Nothing in the inspector that scrolls lies in something that scrolls"
     }
 }
 
-TEST_CASE("No number of a vertex or a fragment makes page and card scroll each by itself") {
+TEST_CASE("No number of a vertex or a fragment makes page and card scroll separately") {
     for (const SmallWindow& window : test::some_of(std::vector<SmallWindow>{{{1280, 720}, 1.0f},
                                                                             {{1366, 768}, 1.0f},
                                                                             {{1600, 1000}, 1.5f},
@@ -120,7 +120,7 @@ TEST_CASE("Where a page has no card of its own, a number that is clicked brings 
     CHECK(driver.ui.widgets.at("fragment.formula.expression").is_whole);
 }
 
-TEST_CASE("In a low panel the wheel goes from the samples on to what stands below them") {
+TEST_CASE("In a low panel the wheel goes from the samples on to what is below them") {
     Driver driver("lab-room.toml", {1024, 640}, 1.5f);
     driver.ui.session.tab = "microscope";
     driver.hand.rest();

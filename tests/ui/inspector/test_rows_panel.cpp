@@ -35,7 +35,7 @@ TEST_CASE("A click on a cell goes to the moment in which it was written") {
     CHECK(driver.ui.results.a.cursor == cursor_end);
 }
 
-TEST_CASE("A row that is pointed at lights up in the picture, and the other way round") {
+TEST_CASE("A row that is pointed at lights up in the picture, and vice versa") {
     Driver driver("one-triangle.toml");
     driver.hand.hover("rows.9");
     CHECK(driver.ui.inspector.hovered_row == 9);
@@ -45,8 +45,7 @@ TEST_CASE("A row that is pointed at lights up in the picture, and the other way 
     CHECK_FALSE(driver.ui.inspector.hovered_row);
 }
 
-TEST_CASE(
-    "On a projector the table scrolls together with what stands below it, under its headers") {
+TEST_CASE("On a projector the table scrolls together with what is below it, under its headers") {
     Driver driver("one-triangle.toml", {1024, 640}, 1.5f);
     driver.hand.press('3');
     driver.hand.press(key::end);
@@ -54,7 +53,7 @@ TEST_CASE(
     driver.hand.leave();
     const float right = driver.ui.widgets.at("rows.header.right").bottom_right.x;
     CHECK(driver.ui.widgets.at("rows.15.right").bottom_right.x == Approx(right).margin(2.0));
-    // Behind who wrote it there is room for the sign of what was replaced.
+    // After the writer's name there is room for the sign of what was replaced.
     CHECK(driver.hand.is_visible("rows.15.right_by"));
     CHECK(driver.ui.widgets.at("rows.15.right_by").bottom_right.x <
           driver.ui.widgets.at("rows.header.right by").bottom_right.x);

@@ -190,8 +190,7 @@ TEST_CASE("Escape ends the typing of a search before it closes the settings") {
     CHECK_FALSE(driver.hand.is_visible("settings.search"));
 }
 
-TEST_CASE(
-    "What differs from the handout stands first, and stays in its place while it is changed") {
+TEST_CASE("What differs from the handout comes first, and stays in its place while it is changed") {
     Driver driver;
     const auto top = [&](const std::string& name) {
         return driver.ui.widgets.at("setting." + name).top_left.y;
@@ -264,7 +263,7 @@ TEST_CASE("A setting that a lesson asks for stays where it is until its next ste
     CHECK(top("stage") < top("camera.yaw"));
 }
 
-TEST_CASE("Values are said in words, each another one, and how they are written stands beside") {
+TEST_CASE("Values are given in words, each in others, with their written form next to them") {
     for (const Setting& setting : setting_table()) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
         if (choice == nullptr) continue;
@@ -284,7 +283,7 @@ TEST_CASE("Values are said in words, each another one, and how they are written 
     CHECK(said_value(*find_setting("rotation"), settings) == "v R");
 }
 
-TEST_CASE("Name and value of every setting stand on one line, and nothing is cut off at the side") {
+TEST_CASE("Name and value of every setting are on one line, and nothing is cut off at the side") {
     for (const auto& [window, scale] : {std::pair{ImVec2{1600, 1000}, 1.0f},
                                         {ImVec2{1600, 1000}, 1.5f},
                                         {ImVec2{1024, 640}, 1.5f},
@@ -323,7 +322,7 @@ TEST_CASE("A preset's button sets what the preset names") {
     CHECK(driver.ui.session.a.settings.line_walk == LineWalk::accumulate);
 }
 
-TEST_CASE("What closes the settings and what sets one back have no sign of failure") {
+TEST_CASE("Closing the settings or resetting one has no sign of failure") {
     Driver driver;
     driver.hand.click("tab.settings");
     driver.hand.click("settings.preset.exact");
@@ -335,7 +334,7 @@ TEST_CASE("What closes the settings and what sets one back have no sign of failu
     CHECK(has_words(screen_text(), "The same lab done carefully"));
 }
 
-TEST_CASE("Where lines are few the presets share one, and what is changed is in sight") {
+TEST_CASE("Where there are few lines the presets share one, and what is changed is in sight") {
     for (const SmallWindow& small : small_windows) {
         INFO(small.size.x << " x " << small.size.y << ", text " << small.text_scale);
         Driver driver("lab-room.toml", small.size, small.text_scale);

@@ -57,7 +57,7 @@ TEST_CASE("The Texture tab shows as many texels as were taken, and a click asks 
     }
 }
 
-TEST_CASE("In a scene with textures their settings stand on the sheet") {
+TEST_CASE("In a scene with textures their settings are on the sheet") {
     Driver driver("receding-wall.toml");
     driver.hand.click("tab.settings");
     for (const char* setting : {"texture", "texture_filter", "texture_wrap"})

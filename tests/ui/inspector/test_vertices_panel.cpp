@@ -50,7 +50,7 @@ TEST_CASE("The vertex just projected is explained, until one is picked") {
     CHECK(explains("vertices[2]"));
 }
 
-TEST_CASE("How a vertex becomes a pixel is said as it is set") {
+TEST_CASE("The way a vertex becomes a pixel is described as it is set") {
     Driver driver;
     driver.open("vertices");
     const auto help = [&] {
@@ -94,7 +94,7 @@ TEST_CASE("Each number of the vertices is that of the report, and a click shows 
     }
 }
 
-TEST_CASE("The highlight at a vertex stands in the table, term by term, where the model has one") {
+TEST_CASE("The highlight at a vertex is in the table, term by term, where the model has one") {
     Driver driver("cylinder.toml");
     const char* const terms[] = {"light.n_dot_h", "light.power", "light.S.red", "light.S.blue"};
     driver.ui.session.selection.triangle = 22;
@@ -145,7 +145,7 @@ TEST_CASE("The vertices follow the camera, and say what the other rounding and o
     CHECK_FALSE(driver.hand.is_visible("vertices.other_roundings"));
 }
 
-TEST_CASE("R is not spoken of before the camera is turned") {
+TEST_CASE("R is not mentioned before the camera is turned") {
     Driver driver;
     driver.ui.session.selection.triangle = 7;
     driver.open("vertices");
@@ -157,7 +157,7 @@ TEST_CASE("R is not spoken of before the camera is turned") {
     CHECK(driver.hand.is_visible("vertices.other_convention"));
 }
 
-TEST_CASE("The first lessons show the numbers that they speak of, and all of them on request") {
+TEST_CASE("The first lessons show the numbers they are about, and all others on request") {
     Driver driver;
     open_lesson(driver.ui, "01-pinhole-camera", 3);
     driver.hand.rest();
@@ -238,7 +238,7 @@ TEST_CASE("A number that was clicked before another tab came does not scroll the
     CHECK(tops() == before);
 }
 
-TEST_CASE("The names of the vertices stand apart in every window, short where room is short") {
+TEST_CASE("The names of the vertices are apart in every window, short where there is little room") {
     for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1024, 640), ImVec2(800, 600)}) {
         INFO(window.x << " x " << window.y);
         Driver driver("lab-room.toml", window);
@@ -313,7 +313,7 @@ TEST_CASE("In a small window the names of the vertices stay while their numbers 
     }
 }
 
-TEST_CASE("Lesson 15 shows the matrix of which a step speaks, whole") {
+TEST_CASE("Lesson 15 shows the whole matrix that a step is about") {
     for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1366, 768)}) {
         Driver driver("lab-room.toml", window);
         for (const auto& [step, matrix] : {std::pair{4, "Tm"}, {6, "Tp"}, {8, "Tv"}}) {

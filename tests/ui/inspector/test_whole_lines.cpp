@@ -157,7 +157,7 @@ TEST_CASE("In a small window small pictures of coverage begin and end with whole
     }
 }
 
-TEST_CASE("A title of the Clip tab stands above a row of its table, or is not seen") {
+TEST_CASE("A title of the Clip tab is above a row of its table, or is not seen") {
     const std::vector<std::string> titles{"The corners", "Outcodes",  "near plane",
                                           "left plane",  "top plane", "The polygon that remains"};
     int looked = 0;
@@ -179,7 +179,7 @@ TEST_CASE("A title of the Clip tab stands above a row of its table, or is not se
             for (const ScreenText& title : seen) {
                 if (std::find(titles.begin(), titles.end(), title.words) == titles.end()) continue;
                 INFO(title.words);
-                // Below it the titles of the columns, and a row at least.
+                // Below it are the titles of the columns and at least one row.
                 const float lines_below = 2.0f * title.size;
                 CHECK(std::any_of(seen.begin(), seen.end(), [&](const ScreenText& line) {
                     return line.low.y > title.low.y + lines_below;

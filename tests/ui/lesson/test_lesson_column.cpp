@@ -183,7 +183,7 @@ TEST_CASE("A prediction is answered before the program shows, and the first answ
     }
 }
 
-TEST_CASE("What is searched for is found in lessons and glossary") {
+TEST_CASE("A search looks through lessons and glossary") {
     Classroom room;
     room.driver.hand.click("lesson.list");
     room.driver.hand.click("lesson.search");
@@ -248,14 +248,14 @@ TEST_CASE("Progress is kept in a file, taken up again, and forgotten on request"
     CHECK(room.driver.ui.lesson.progress == Progress{});
 }
 
-TEST_CASE("Progress that cannot be kept is said once, and nothing is lost") {
+TEST_CASE("Progress that cannot be kept is reported once, and nothing is lost") {
     Classroom room;
     keep_progress(room.driver.ui, "/proc/nowhere/progress.toml");
     room.open();
     room.driver.hand.rest();
     CHECK(room.driver.ui.session.notice.find("will not be kept") != std::string::npos);
     CHECK(room.driver.ui.lesson.progress.is_step_seen("01-tiny", 0));
-    // It is tried again, but not said again.
+    // It is tried again, but not reported again.
     room.driver.ui.session.notice.clear();
     room.driver.hand.frames(12, 1.0f);
     CHECK(room.driver.ui.session.notice.empty());
@@ -294,7 +294,7 @@ TEST_CASE("Every widget that a lesson points at is in the window at that step, o
         // A copy, because opening a lesson may read it again.
         std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
         REQUIRE(lessons.size() >= 13);
-        // At little effort each window takes other lessons, so that each is seen in one of them.
+        // At little effort each window takes different lessons, so each is seen in one of them.
         std::rotate(lessons.begin(), lessons.begin() + shift++, lessons.end());
         for (const Lesson& lesson : test::some_of(lessons, 7)) {
             for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
@@ -319,7 +319,7 @@ TEST_CASE("Every widget that a lesson points at is in the window at that step, o
     }
 }
 
-TEST_CASE("Answers that were given before are shown again with what the program said to them") {
+TEST_CASE("Answers that were given before are shown again with the program's replies") {
     const test::TemporaryFolder state;
     const std::string file = state.file("progress.toml");
     const char* const ids[] = {"how-many", "who", "black"};
@@ -336,7 +336,7 @@ TEST_CASE("Answers that were given before are shown again with what the program 
         hand.click("lesson.prediction.how-many.show");
         hand.click("lesson.prediction.who.choice.0");
         hand.click("lesson.prediction.who.show");
-        hand.press('R'); // what the reveal shows is another picture
+        hand.press('R'); // what the reveal shows is a different picture
         hand.click_picture(250, 250);
         hand.click("lesson.prediction.black.answer");
         hand.click("lesson.prediction.black.show");
@@ -408,7 +408,7 @@ TEST_CASE("The first page of a lesson says what the next one is about") {
         open_lesson(driver.ui, lesson.id, 0);
         driver.hand.rest();
         INFO(lesson.id);
-        // Beside two views it is a strip, whose last card says so.
+        // Next to two views it is a strip, whose last card says so.
         if (driver.ui.lesson.is_strip) continue;
         const std::vector<ScreenText> texts = screen_text();
         CHECK(std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
@@ -419,7 +419,7 @@ TEST_CASE("The first page of a lesson says what the next one is about") {
     }
 }
 
-TEST_CASE("Of the answers that were kept no frame judges more than one") {
+TEST_CASE("No frame judges more than one of the answers that were kept") {
     Classroom room;
     Ui& ui = room.driver.ui;
     for (const char* const id : {"how-many", "who", "black"}) {
@@ -450,7 +450,7 @@ TEST_CASE("Of the answers that were kept no frame judges more than one") {
     room.driver.hand.find("lesson.prediction.black.verdict");
 }
 
-TEST_CASE("The main button of the question whether to forget all is the one that keeps it") {
+TEST_CASE("When asked whether to forget all, the main button keeps it") {
     Classroom room;
     Hand& hand = room.driver.hand;
     hand.click("lesson.list");

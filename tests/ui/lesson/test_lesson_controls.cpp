@@ -183,7 +183,7 @@ TEST_CASE("A number typed into the slider of a lesson's card solves its task, wi
     }
 }
 
-TEST_CASE("In a strip the slider stands on the card of the text and on that of the task") {
+TEST_CASE("In a strip the slider is on the card of the text and on that of the task") {
     SliderRoom room({1024, 640});
     Driver& driver = room.driver;
     REQUIRE(driver.ui.lesson.is_strip);

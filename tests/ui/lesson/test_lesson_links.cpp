@@ -66,7 +66,7 @@ TEST_CASE("Each kind of link does what it says") {
     CHECK(ui.session.step == 0);
 }
 
-TEST_CASE("A moment that a link names is looked for in what another link of the frame has set") {
+TEST_CASE("A link's moment is looked for in the settings of another link in the same frame") {
     Driver driver;
     Ui& ui = driver.ui;
     const auto sets_then_goes = [&](const char* set, const char* moment) {
@@ -131,7 +131,7 @@ TEST_CASE("The pointer on a link points without opening the tab; away from it, i
     point_at_widget(ui, "graph.plot", false);
     ui.lesson.is_hovered = true;
     driver.hand.frames(1);
-    CHECK(ui.lesson.pointed_at == "group.pixel"); // behind which the tab is
+    CHECK(ui.lesson.pointed_at == "group.pixel"); // which has the tab
     CHECK(ui.session.tab == "rows");
     driver.hand.frames(1);
     CHECK(ui.lesson.pointed_at.empty());

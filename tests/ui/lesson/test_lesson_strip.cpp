@@ -439,7 +439,7 @@ TEST_CASE("A word leads to its part of the whole text, which opens at what the s
     CHECK_FALSE(driver.hand.is_visible(name + ".choice.0"));
 }
 
-TEST_CASE("Strip and whole text take each other on where the student reads") {
+TEST_CASE("Strip and whole text each go on where the other was read") {
     Driver driver("lab-room.toml", {1024, 640}, 1.5f);
     const LessonView& lesson = driver.ui.lesson;
     const auto press = [&](int what) {
@@ -477,7 +477,7 @@ TEST_CASE("Strip and whole text take each other on where the student reads") {
     press('L');
     CHECK_FALSE(lesson.has_more_above);
     press('L');
-    // So it is where another tab takes the text's place.
+    // The same holds where another tab takes the text's place.
     press('T');
     driver.hand.click("lesson.card.text");
     driver.hand.leave();
@@ -486,7 +486,7 @@ TEST_CASE("Strip and whole text take each other on where the student reads") {
     CHECK(lesson.strip.card == 0);
 }
 
-TEST_CASE("A window of another width leaves the strip where it was in its text") {
+TEST_CASE("A window of another width leaves the strip at its place in the text") {
     Driver driver("lab-room.toml", {1024, 640}, 1.5f);
     open_lesson(driver.ui, "05-row-table", 5);
     driver.hand.leave();
@@ -551,7 +551,7 @@ TEST_CASE("The strip has the way on at the same place in every step, 86 wide") {
     }
 }
 
-TEST_CASE("A task is said in the strip, ticked off there, and its hint can be asked for") {
+TEST_CASE("A task is shown in the strip, ticked off there, and its hint can be asked for") {
     Driver driver("lab-room.toml", {1024, 640}, 1.5f);
     const Lesson* const lesson = driver.ui.lesson.lessons.find("05-row-table");
     REQUIRE(lesson != nullptr);

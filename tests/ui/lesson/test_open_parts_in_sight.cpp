@@ -42,7 +42,7 @@ std::vector<std::string> open_parts(const Lesson& lesson, int step) {
     return names;
 }
 
-/// Is a question with all that it is answered by on the screen, or a task with its hint?
+/// Is a question with all it needs for an answer on the screen, or a task with its hint?
 bool is_whole(const Driver& driver, const std::string& name) {
     int parts = 0;
     for (const auto& [widget, place] : driver.ui.widgets) {
@@ -55,7 +55,7 @@ bool is_whole(const Driver& driver, const std::string& name) {
 
 } // namespace
 
-TEST_CASE("No step of a column is left before all that is open was in sight, by button or by key") {
+TEST_CASE("No step of a column is left until all that is open was in sight, by button or by key") {
     for (const ImVec2 window : {ImVec2(1366, 768), ImVec2(1280, 720)}) {
         Driver driver("lab-room.toml", window);
         const std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
@@ -121,7 +121,7 @@ TEST_CASE("A question that is answered is not led to") {
     CHECK(driver.ui.session.step == 2);
 }
 
-TEST_CASE("A task below the fold is led to, and no more once it is done") {
+TEST_CASE("A task below the fold is led to, and no longer once it is done") {
     Driver driver("lab-room.toml", {1280, 720});
     // A step whose task alone is open, and out of sight.
     const std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();

@@ -11,7 +11,7 @@
 
 namespace rasterwalk {
 
-TEST_CASE("A scene from the menu closes the lesson that speaks of another, and its tab") {
+TEST_CASE("A scene from the menu closes a lesson about another scene, and its tab") {
     Driver driver;
     open_lesson(driver.ui, "12-float-traps", 2);
     driver.hand.rest();

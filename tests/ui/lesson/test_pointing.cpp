@@ -95,7 +95,7 @@ TEST_CASE("What a step points at is outlined again when a link's pointing ends")
     CHECK(view.pointed_at == "setting.camera.position");
 }
 
-TEST_CASE("The outline of what stands in a corner of the window is whole") {
+TEST_CASE("An outline in a corner of the window is whole") {
     Driver driver;
     driver.hand.leave();
     follow_link(driver.ui, "show:tab.settings");
@@ -113,7 +113,7 @@ TEST_CASE("The outline of what stands in a corner of the window is whole") {
     }
 }
 
-TEST_CASE("Who scrolls away from what a step points at is not held back") {
+TEST_CASE("Nothing stops you from scrolling away from what a step points at") {
     Driver driver("lab-room.toml", {1024, 640}, 1.5f);
     open_lesson(driver.ui, "02-moving-the-camera", 4);
     driver.hand.leave();

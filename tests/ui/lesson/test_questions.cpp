@@ -141,7 +141,7 @@ TEST_CASE(
         q.answer("12");
         CHECK(q.said(name + ".verdict") ==
               "You said: 12 triangles. The program says: 30 triangles.");
-        // Kept is the second answer, too: it comes back with the step, and with its picture on
+        // The second answer is kept, too: it comes back with the step, and with its picture on
         // request.
         open_lesson(q.ui, "02-after", 0);
         q.driver.hand.rest();
@@ -256,7 +256,7 @@ TEST_CASE("A task is not solved by time that runs past its moment") {
     CHECK(q.is_done("later"));
 }
 
-TEST_CASE("The last step says what was done, where to go next, and on what the lesson rests") {
+TEST_CASE("The last step says what was done, where to go next, and what the lesson is based on") {
     Questions q(1);
     q.answer("30");
     q.driver.hand.click("lesson.prediction.colour.choice.0");

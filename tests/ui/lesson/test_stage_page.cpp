@@ -203,7 +203,7 @@ TEST_CASE(
     Driver driver(room_at({Stage::rows}));
     CHECK(driver.ui.lesson.pointed_at.empty());
     driver.hand.hover("lesson.link.0");
-    CHECK(driver.ui.lesson.pointed_at == "group.pixel"); // behind which the tab is
+    CHECK(driver.ui.lesson.pointed_at == "group.pixel"); // which has the tab
     driver.hand.leave();
     driver.hand.rest();
     CHECK(driver.ui.lesson.pointed_at.empty());

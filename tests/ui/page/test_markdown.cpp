@@ -296,7 +296,7 @@ TEST_CASE("Words wrap between styles, and a word in two styles stays together") 
     CHECK(page.pieces[2].at.x == Approx(page.pieces[1].at.x + page.pieces[1].width));
 }
 
-TEST_CASE("Lines of plain text stand 1.4 times the font's size apart") {
+TEST_CASE("Lines of plain text are 1.4 times the font's size apart") {
     Driver driver;
     const MarkdownDocument document = parse_markdown("one  \ntwo  \nthree");
     const PageLayout page = lay_out(document, driver.ui.fonts, 1.0f, 300.0f);

@@ -35,7 +35,7 @@ TEST_CASE("A text without notes stays as it is") {
     }
 }
 
-TEST_CASE("What stands in code is no reference") {
+TEST_CASE("Text in code is no reference") {
     const std::string text =
         taken("`[^a]` and [^a].\n\n```\n[^a]\n[^b]: not a note\n```\n\n[^a]: note\n");
     CHECK(text.find("`[^a]` and [¹](note:1).") == 0);
@@ -58,7 +58,7 @@ TEST_CASE("A note keeps to its end: an empty line, or a line that is not indente
     CHECK(notes == Notes{""});
 }
 
-TEST_CASE("There are at most so many notes, and numbers of two digits") {
+TEST_CASE("The number of notes is limited to two digits") {
     std::string text;
     for (int i = 0; i < 300; ++i)
         text.append("[^n").append(std::to_string(i)).append("] ");

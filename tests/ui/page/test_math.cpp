@@ -120,13 +120,13 @@ TEST_CASE("Letters are slanted, words and numbers are not, and signs have blanks
     CHECK(parse_math("a = -b").children[2].style == MathNode::Style::upright);
 }
 
-TEST_CASE("What cannot be read stands as it is written, and nothing gets lost") {
+TEST_CASE("What cannot be read is shown as written, and nothing gets lost") {
     CHECK(written("\\foo + 1") == "\\foo+1");
     CHECK(written("a } b") == "ab");
     CHECK(written("{a") == "a");
     CHECK(written("\\frac{a}") == "frac(a|)");
     CHECK(written("x^") == "x^{}_{}");
-    CHECK(written("^2") == "^2"); // a sign like another
+    CHECK(written("^2") == "^2"); // a sign like any other
     CHECK(written("\\") == "\\");
     CHECK(written("").empty());
     CHECK(written("   ").empty());
@@ -181,7 +181,7 @@ TEST_CASE("In a line of text a fraction has a slash, and brackets where they are
     CHECK(line_of("\\frac{\\frac{a}{b}}{c}").find("a/b") != std::string::npos);
 }
 
-TEST_CASE("A fraction stands over its line, and as wide as its wider half") {
+TEST_CASE("A fraction has its halves above and below a line that is as wide as the wider one") {
     const Driver driver;
     const Fonts& fonts = driver.ui.fonts;
     const Set set("\\frac{a}{bbbb}", fonts);
@@ -216,7 +216,7 @@ TEST_CASE("Scripts are smaller, one above and one below, in one place") {
     CHECK(above.at.y < below.at.y);
 }
 
-TEST_CASE("A root has its line over all that stands under it") {
+TEST_CASE("The line of a root covers all that is under it") {
     const Driver driver;
     const Set set("\\sqrt{a + b}", driver.ui.fonts);
     REQUIRE(set.box.shapes.size() == 1);

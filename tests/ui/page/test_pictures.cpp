@@ -96,7 +96,7 @@ TEST_CASE("One colour stays that colour at every size") {
     }
 }
 
-TEST_CASE("Pictures are found in the lessons' folder and beside it in screenshots") {
+TEST_CASE("Pictures are found in the lessons' folder and next to it in screenshots") {
     const OwnLessons lessons;
     write_png(numbered(20, 10), lessons.file("lessons/images/a.png"));
     write_png(numbered(30, 10), lessons.file("screenshots/b.png"));
@@ -147,7 +147,7 @@ TEST_CASE("A picture that is broken, too large or outside is not shown") {
     }
 }
 
-TEST_CASE("Not more pictures are kept than there is room for") {
+TEST_CASE("No more pictures are kept than there is room for") {
     const OwnLessons lessons;
     PictureShelf shelf;
     for (int i = 0; i < 200; ++i)
@@ -155,7 +155,7 @@ TEST_CASE("Not more pictures are kept than there is room for") {
     CHECK(shelf.pictures.size() == most_pictures);
 }
 
-TEST_CASE("A lesson of one's own shows the pictures beside it") {
+TEST_CASE("A lesson of one's own shows the pictures next to it") {
     const test::TemporaryFolder folder;
     std::filesystem::create_directory(folder.file("images"));
     write_png(numbered(33, 10), folder.file("images/own.png"));

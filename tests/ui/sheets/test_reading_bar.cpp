@@ -68,7 +68,7 @@ TEST_CASE("A model that is dropped opens when it is read; what is open stays unt
     CHECK_FALSE(driver.ui.widgets.contains("reading.stop"));
 }
 
-TEST_CASE("Scenes, lessons and saved views are read beside the window as models are") {
+TEST_CASE("Scenes, lessons and saved views are read in the background, like models") {
     const test::TemporaryFolder folder;
     const std::string scene =
         folder.write("s.toml", test::bytes_of(lessons_folder() + "/scenes/one-triangle.toml"));
@@ -159,7 +159,7 @@ TEST_CASE("Reading is stopped by a second file, and by what is opened meanwhile"
     CHECK(driver.ui.session.scene->path != path);
 }
 
-TEST_CASE("What is wrong with a file that was read beside the window stands on the sheet") {
+TEST_CASE("What is wrong with a file read in the background is shown on the sheet") {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("m.obj", model_of("f 1 2\n"));
     ImpatientDriver driver;

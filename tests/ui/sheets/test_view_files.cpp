@@ -58,7 +58,7 @@ void set_up_view(Driver& driver) {
 
 } // namespace
 
-TEST_CASE("What is saved by keys and opened again is the same view") {
+TEST_CASE("A view saved by keys and opened again is the same") {
     const TemporaryFolder folder;
     const std::string path = folder.file("mine.walk.toml");
     Driver driver;
@@ -109,7 +109,7 @@ TEST_CASE("A view with a lesson opens at its step") {
     CHECK(driver.ui.lesson.shown == "05-row-table/3");
 }
 
-TEST_CASE("A view remembers which page was read beside the picture") {
+TEST_CASE("A view remembers which page was read next to the picture") {
     const TemporaryFolder folder;
     const std::string path = folder.file("page.walk.toml");
     for (const char* page : {"stage", "list", "open"}) {
@@ -208,7 +208,7 @@ TEST_CASE("A file is not overwritten unasked") {
         CHECK_FALSE(is_up(driver));
         CHECK(bytes_of(path) != "old");
     }
-    SECTION("another name is another question") {
+    SECTION("a different name is saved at once") {
         driver.hand.enter("files.path", folder.file("other"));
         CHECK_FALSE(is_up(driver));
         CHECK(bytes_of(path) == "old");
@@ -216,7 +216,7 @@ TEST_CASE("A file is not overwritten unasked") {
     }
 }
 
-TEST_CASE("What cannot be written is said on the sheet") {
+TEST_CASE("What cannot be written is reported on the sheet") {
     Driver driver;
     save(driver, "/nowhere/at/all");
     CHECK(is_up(driver));
@@ -304,7 +304,7 @@ TEST_CASE("Files dropped on the window open by their kind") {
     write_view(driver.ui.session, view);
     drop(lessons_folder() + "/scenes/fence.toml");
     CHECK(driver.ui.session.scene->name != "The lab's room");
-    CHECK(driver.ui.session.lesson.empty()); // it speaks of another scene
+    CHECK(driver.ui.session.lesson.empty()); // it is about a different scene
     drop(view);
     CHECK(driver.ui.session.lesson == "04-edges");
     CHECK_FALSE(is_up(driver));
@@ -372,7 +372,7 @@ TEST_CASE("On the sheet folders are entered and files chosen") {
 TEST_CASE("Under the sheet nothing is reached by keys or clicks") {
     Driver driver;
     driver.hand.press('O', ctrl);
-    driver.hand.click("files.here"); // the field has the keyboard no more
+    driver.hand.click("files.here"); // the field no longer has the keyboard
     const Session before = driver.ui.session;
     for (const int code :
          {static_cast<int>(key::comma), static_cast<int>('1'), static_cast<int>('C'),
@@ -457,7 +457,7 @@ TEST_CASE("A result of one's own is chosen from a list of pictures and texts") {
     CHECK(driver.hand.is_visible("files.entry.mine.png"));
 }
 
-TEST_CASE("Of a very large folder the sheet lists a part, and says so") {
+TEST_CASE("The sheet lists a part of a very large folder, and says so") {
     const TemporaryFolder folder;
     for (int i = 0; i < 12; ++i)
         write_file(folder.file(std::to_string(i) + ".txt"), "");

@@ -71,7 +71,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("While nothing is answered the page does not count the lessons that are done again") {
+TEST_CASE("While nothing is answered the page does not recount the lessons that are done") {
     Driver driver;
     begin(driver);
     REQUIRE(is_open(driver));
@@ -207,7 +207,7 @@ TEST_CASE("Over the start page one Escape closes one thing") {
     CHECK_FALSE(is_open(driver));
 }
 
-TEST_CASE("Who goes another way than the lessons leaves the lesson that was open") {
+TEST_CASE("Choosing anything but the lessons leaves the lesson that was open") {
     for (const Way way : {Way::stages, Way::picture}) {
         Driver driver;
         open_lesson(driver.ui, "05-row-table", 0);
@@ -279,7 +279,7 @@ TEST_CASE("A later start goes on where the student stopped") {
         begin(driver);
         CHECK(driver.hand.is_visible("lab.path"));
     }
-    SECTION("a lesson that was opened from the list is what one goes on with") {
+    SECTION("with a lesson that was opened from the list") {
         Driver driver;
         driver.ui.options.way = Way::stages;
         open_lesson(driver.ui, "05-row-table", 0);
@@ -316,7 +316,7 @@ TEST_CASE("The start page is whole in every window and at every text size") {
     }
 }
 
-TEST_CASE("The stages are drawn once, and each is another picture") {
+TEST_CASE("The stages are drawn once, and each is a different picture") {
     Driver driver;
     const int before = driver.textures.uploads;
     begin(driver);
