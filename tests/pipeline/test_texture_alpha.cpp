@@ -219,9 +219,8 @@ TEST_CASE("Two runs diverge where one lets a fragment through, and the alpha is 
     const auto first = next_divergence(cut, opaque, cursor_begin);
     REQUIRE(first.has_value());
     // The corner of the picture is in the first texel, which is clear.
-    CHECK(
-        first->text.find("is cut out because the alpha of its texture is 0, below 1/2 in A") !=
-        std::string::npos);
+    CHECK(first->text.find("is cut out because the alpha of its texture is 0, below 1/2 in A") !=
+          std::string::npos);
 }
 
 TEST_CASE("The fact pixel.cut_out counts the fragments of a pixel that fall through a hole") {
