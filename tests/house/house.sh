@@ -79,12 +79,12 @@ faults=$(awk -v order="$order" '
             if (rank[to] > rank[from])
                 fault(from " includes \"" target "\" of " to ", which comes after it")
             else if (to != from && rank[to] == rank[from])
-                fault(from " includes \"" target "\" of " to ", which stands beside it")
+                fault(from " includes \"" target "\" of " to ", which is on the same level")
         } else if (quoted) {
             fault("\"" target "\" is not written from src/ or from the root")
         }
         if (FILENAME ~ /^src\// && (graphics || target ~ /imgui|imstb/ || target ~ /^GL/ || target ~ /^ui\//))
-            fault("src/ includes <" target ">: the core knows no window")
+            fault("src/ includes <" target ">: the core has no window")
         else if (FILENAME ~ /^ui\// && from != "hosts" && graphics)
             fault("ui/ includes <" target ">: only ui/hosts/ speaks to the graphics system")
     }
