@@ -83,7 +83,7 @@ TEST_CASE("Every number of a bent normal follows from its formula to the bit") {
     CHECK(in_space > 10);
 }
 
-TEST_CASE("Without a normal map in force there is no bent normal to tell of") {
+TEST_CASE("Without a normal map in force no bent normal is reported") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/studs.toml");
     for (const char* const text : {"normal_map=off", "shading=gouraud", "shading=flat"}) {
         Settings settings = default_settings(scene);
