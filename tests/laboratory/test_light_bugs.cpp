@@ -20,7 +20,7 @@ namespace light_bug_tests {
 
 constexpr double right_pi = 3.14159265358979;
 
-/// The light at a point, with what the mistakes change.
+/// The light at a point, with the mistakes' changes.
 struct LightOracle {
     double pi = right_pi;
     double w_squared = 0.0; ///< what is added to the square of the way to the lamp
@@ -39,7 +39,7 @@ struct LightOracle {
     }
 };
 
-/// Every pixel of a frame has the colour that the formula gives; how many that were.
+/// Checks that every pixel of a frame has the colour that the formula gives; returns how many.
 int check_colours(const Frame& frame, const LightOracle& light) {
     Recorder recorder;
     Framebuffer framebuffer;
