@@ -122,7 +122,7 @@ TEST_CASE("Reading a pipe stops if its writer stays silent") {
     const std::chrono::milliseconds silence(5);
     CHECK_THROWS_WITH(read_file(path, largest_text_file, silence),
                       "cannot read '" + path + "': nothing is being written into this pipe.");
-    // Its text so far is not all of it.
+    // The text so far is not complete.
     REQUIRE(::write(writer, "half", 4) == 4);
     CHECK_THROWS_AS(read_file(path, largest_text_file, silence), AccessError);
     ::close(writer);

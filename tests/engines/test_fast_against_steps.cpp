@@ -73,7 +73,7 @@ struct PoseFromOwn {
 /// pixels. The third and the fourth are among the surfaces, so that some are cut.
 constexpr PoseFromOwn poses[] = {
     {"its own", {0.0137f, 0.0071f, 0.0f}, 0.011f, 0.007f, 1.0f},
-    {"beside it", {0.4f, -0.3f, 0.2f}, -0.15f, -0.1f, 1.3f},
+    {"next to it", {0.4f, -0.3f, 0.2f}, -0.15f, -0.1f, 1.3f},
     {"inside", {0.2f, 0.1f, 2.3f}, 0.4f, 0.1f, 0.5f},
     {"inside, looking back", {-0.3f, -0.1f, 3.1f}, 2.5f, 0.3f, 0.4f},
 };
@@ -153,8 +153,7 @@ bool has_far_textures(const Frame& frame) {
 
 /// Draws at every level and by the steps, and compares the pictures.
 /// @return were they compared? Not if the steps leave out what is projected too far out: the fast
-/// engine
-///         cuts that off in a guard band
+///         engine cuts that off in a guard band
 bool check_against_steps(const Scene& scene, const Settings& settings) {
     const std::string refusal = fast_engine_refuses(scene, settings);
     REQUIRE(refusal.empty());

@@ -102,7 +102,7 @@ TEST_CASE("B71: moved after the turn, the camera circles about the world's origi
     CHECK(has_same_planes(wrong, draw_frame(bug.frame_of(straight))));
 }
 
-TEST_CASE("B72: a step along z moves the point straight ahead to the right") {
+TEST_CASE("B72: a step along z moves what is straight ahead to the right") {
     const DrawnBug bug("B72");
     const double yaw = bug.right.settings.camera.yaw;
     const Axes axes(yaw);

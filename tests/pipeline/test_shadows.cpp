@@ -270,7 +270,7 @@ TEST_CASE("Each texel of the map holds the depth that a ray from the lamp finds"
                 if (is_tie) {
                     ++ties;
                 } else if (depth == 100.0) {
-                    if (held != 0.0f) FAIL("face " << face << " is not empty where it should");
+                    if (held != 0.0f) FAIL("face " << face << " is not empty where it should be");
                 } else {
                     ++filled;
                     if (std::abs(held * depth - 1.0) > 2e-3)

@@ -194,8 +194,8 @@ int compare_with_rays(const Scene& scene, const Settings& settings, const std::s
         for (int column = 0; column < settings.viewport.width; ++column) {
             const std::size_t i = picture.at(column, row);
             const Rays::Seen seen = rays.at(column, row);
-            // Corners on 256ths of a pixel can give a pixel on an edge to another triangle; where n
-            // . l is 0 the highlight begins abruptly.
+            // Corners on 256ths of a pixel can give a pixel on an edge to another triangle, and the
+            // highlight begins abruptly where n . l is 0.
             if (seen.triangle != picture.owner[i] || std::abs(seen.slant) < 1e-3) {
                 ++ties;
                 continue;

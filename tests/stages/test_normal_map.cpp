@@ -121,7 +121,7 @@ glm::vec3 any_direction(test::Random& random) {
 
 } // namespace
 
-TEST_CASE("Tangent space has the arrow as stored, and light agrees with an inverse in double") {
+TEST_CASE("Tangent space has unit axes, and light in it agrees with double") {
     test::Random random(2329);
     const UvDirections uv = uv_directions(wall({0.1f, 0.2f}, {0.9f, 0.5f}, {-0.3f, 0.8f}));
     double worst_askew = 0.0;

@@ -77,7 +77,7 @@ Words link_arguments(const ViewField& field, const ViewState& state, const ViewC
     return argument.empty() ? Words{} : Words{argument};
 }
 
-/// By the links of a lesson; fields without a link are as in `session`.
+/// Opened by links of a lesson; fields without a link are as in `session`.
 Session from_links(const Session& session) {
     Session again = fresh_of(session);
     const ViewState state = state_of(session, scene_in_file(session));
