@@ -37,7 +37,7 @@ TEST_CASE("A child process answers line by line, and byte by byte") {
     CHECK(child.read_line() == "heard two words");
 }
 
-TEST_CASE("A long answer arrives whole") {
+TEST_CASE("A long answer arrives completely") {
     ChildProcess child = shell("head -c 3000000 /dev/zero; echo end");
     CHECK(child.read_bytes(3'000'000) == std::string(3'000'000, '\0'));
     CHECK(child.read_line() == "end");

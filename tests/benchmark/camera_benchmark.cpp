@@ -38,7 +38,7 @@ double processor_milliseconds(const std::function<void()>& work) {
     return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Takes the figures that are asked for and prints a line for each.
+/// Takes the requested figures and prints a line for each.
 class Figures {
   public:
     explicit Figures(const CameraBenchmark& options)
@@ -139,7 +139,7 @@ void take_frame_figures(const Figures& figures, const std::string& scene, Sessio
         ui.session.canvas.outside.yaw += turn;
         frame();
     });
-    // All the frames until the whole scene is seen after a turn.
+    // All the frames after a turn until the full scene is shown.
     figures.take(outside_whole, [&] {
         ui.session.canvas.outside.yaw += turn;
         settle();

@@ -28,7 +28,7 @@ namespace {
 
 constexpr int side = 20;
 
-/// While it lives, this script stands in for the peer's program.
+/// During its lifetime, this script stands in for the peer's program.
 class StandIn {
   public:
     explicit StandIn(const std::string& script) {

@@ -64,7 +64,7 @@ TEST_CASE("Every number of a bent normal follows from its formula to the bit") {
                             if (from == nullptr)
                                 FAIL(formula.id << " asks for " << input.source.name);
                             if (!test::same_bits(from->result.value, input.number.value))
-                                FAIL(formula.id << " has another " << input.source.name);
+                                FAIL(formula.id << " has a different " << input.source.name);
                         }
                     }
                     CHECK(ids.size() == report->formulas.size());

@@ -235,7 +235,7 @@ TEST_CASE("The test for culling is written as each projection has it") {
                 CHECK(formula->name == projection.name);
                 CHECK(formula->expression != "v");
                 CHECK(evaluate(*formula) == history.cull.values.front());
-                // The way to the corner turns into the way the camera looks.
+                // The direction to the corner becomes the direction of the camera.
                 const Varyings& at = history.polygon.front().varyings;
                 const double mix = projection.mix, yaw = 0.4, pitch = -0.2;
                 const glm::dvec3 forward(std::cos(pitch) * std::sin(yaw), -std::sin(pitch),

@@ -206,7 +206,7 @@ TEST_CASE("The light that a vertex reports is the light that it carries") {
             const glm::vec3& carried =
                 frame.triangle_vertices(t)[static_cast<std::size_t>(v)].varyings.illumination;
             if (!same_bits(report.light.reflected, carried)) {
-                FAIL("t" << t << "/v" << v << " reports another light than it carries");
+                FAIL("t" << t << "/v" << v << " reports different light from what it carries");
             }
             CHECK(find_formula(report.formulas, "light.R.green")->result.value == carried.g);
         }

@@ -162,7 +162,7 @@ void check_against_event(const FragmentReport& report, const FragmentEvent& even
     expect("depth", result(report, "depth"), event.depth);
     expect("margin", result(report, "margin"),
            is_ndc ? event.stored - event.depth : event.depth - event.stored);
-    if (report.fate != event.fate) FAIL(where << "has another fate");
+    if (report.fate != event.fate) FAIL(where << "has a different fate");
     const Varyings used = test::recover_varyings(event.fragment, report.interpolation);
     for (const Quantity q : places) {
         expect("place", result(report, formula_id(q, report.interpolation)), part_of(used, q));
@@ -320,7 +320,7 @@ TEST_CASE("The other interpolation is what drawing with that setting gives") {
                        event.fragment.varyings.position_world) ||
             !same_bits(report->under(Interpolation::affine).illumination,
                        event.fragment.varyings.illumination)) {
-            FAIL(to_text(event.cursor) << " has other affine values");
+            FAIL(to_text(event.cursor) << " has different affine values");
         }
     }
 }
@@ -342,7 +342,7 @@ TEST_CASE("The other lighting is what drawing with that stage gives") {
             const glm::vec3 colour =
                 per_vertex ? report->light_per_vertex : report->light.reflected;
             if (!same_bits(colour, event.after)) {
-                FAIL(to_text(event.cursor) << " has another light under the other stage");
+                FAIL(to_text(event.cursor) << " has different light under the other stage");
             }
             ++written;
         }

@@ -92,10 +92,10 @@ TEST_CASE("Every term of a shiny, bent, coloured surface is shown with its formu
                 for (int c = 0; c < 3; ++c) {
                     const float shown = shown_by(report->formulas, id_of_light(frame, *report, c));
                     if (!same_bits(shown, report->colour[c]))
-                        FAIL(where << "channel " << c << " tells " << shown << ", the shader gives "
+                        FAIL(where << "channel " << c << " shows " << shown << ", the shader gives "
                                    << report->colour[c]);
                     if (event.fate == Fate::written && !same_bits(shown, event.after[c]))
-                        FAIL(where << "channel " << c << " tells " << shown << ", drawn is "
+                        FAIL(where << "channel " << c << " shows " << shown << ", drawn is "
                                    << event.after[c]);
                 }
                 ++told;

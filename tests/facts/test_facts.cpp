@@ -312,7 +312,7 @@ TEST_CASE("The result of each fill rule on the shared edge nearest to the pixel 
     CHECK(hexagon.number("shared.edge") == 0);
     hexagon.session.selection.pixel = {16, 6};
     CHECK(hexagon.number("shared.edge") == 2);
-    CHECK(hexagon.number("shared.holes_exclusive") == 15); // of 17 pixels the ends are no holes
+    CHECK(hexagon.number("shared.holes_exclusive") == 15); // of 17 pixels; the ends are not holes
 }
 
 TEST_CASE("The cursor's facts say what comes next") {

@@ -50,7 +50,7 @@ double mixed(const glm::dvec3& shares, Value value) {
     return shares.x * value(0) + shares.y * value(1) + shares.z * value(2);
 }
 
-/// Are two numbers the same but for rounding?
+/// Are two numbers the same except for rounding?
 bool is_near(double a, double b, double size) {
     return std::abs(a - b) <= 5e-3 * (size + 1e-3);
 }

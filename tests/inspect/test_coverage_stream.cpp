@@ -111,7 +111,7 @@ std::map<int, std::set<int>> inside_rows(const Recorder& told, int triangle, con
     return rows;
 }
 
-/// A row table as far as the picture shows it.
+/// The part of a row table inside the picture.
 std::map<int, std::set<int>> table_rows_in_picture(const Frame& frame, const PolygonRows& table) {
     const Rectangle area = drawn_area(frame);
     std::map<int, std::set<int>> rows;
@@ -417,7 +417,7 @@ TEST_CASE("At any moment a pixel is known as the earlier tests found it") {
                                                         test->is_inside == expected->second;
                         if (!is_right) {
                             CAPTURE(to_text(to), column, row, std::string(word_of(rule)));
-                            FAIL("another answer than the tests before it gave");
+                            FAIL("a different answer from the earlier tests");
                         }
                     }
                 }

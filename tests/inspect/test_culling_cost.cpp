@@ -43,8 +43,8 @@ TEST_CASE("The time of a way of culling is the median of its draws, which take t
         if (i > 0) CHECK(costs.ways[i].milliseconds == costs.ways[i - 1].milliseconds + 0.5);
         CHECK(costs.ways[i].share == costs.ways[i].milliseconds / costs.ways.front().milliseconds);
     }
-    // The median is that of the draw in the middle: as many looks before it as after it, but for
-    // those that ask whether it is enough.
+    // The median is that of the draw in the middle: as many readings before it as after it, except
+    // for those that check whether it is enough.
     const double longest = clock.looks.back() - clock.looks[clock.looks.size() - 2];
     CHECK(costs.ways[2].milliseconds > 0.4 * longest);
     CHECK(costs.ways[2].milliseconds < 0.6 * longest);

@@ -314,7 +314,7 @@ TEST_CASE("The black pixel on the left of the room is explained by truncation to
           "goes from column 0 to 500");
 }
 
-TEST_CASE("Every rule that is said to cover an uncovered pixel of the room does") {
+TEST_CASE("Every rule reported to cover an uncovered pixel of the room does") {
     const Scene scene = test::lab_room();
     const Settings handout = default_settings(scene);
     const Frame frame = prepare_frame(scene, handout);

@@ -120,7 +120,7 @@ TEST_CASE("A table built with its history equals the one built at once") {
         const bool same = history.rows.first_row == direct.first_row &&
                           history.rows.left == direct.left && history.rows.right == direct.right &&
                           history.rows.outside == direct.outside;
-        if (!same) FAIL(describe(triangle, rule) << " gives another table");
+        if (!same) FAIL(describe(triangle, rule) << " gives a different table");
         if (history.samples != history.sample_count) {
             FAIL(describe(triangle, rule) << " counts " << history.sample_count << " samples and "
                                           << "enters " << history.samples);

@@ -302,7 +302,7 @@ TEST_CASE(
     behind_room.camera.yaw = 3.0f;
     struct Way {
         std::string setting;
-        std::string id; ///< the setting itself: it is no mistake
+        std::string id; ///< the setting itself; not a mistake
     };
     const std::vector<Way> ways = {{"clip=all", "clip=all"},
                                    {"clip=none", "B13"},

@@ -46,7 +46,7 @@ double coordinate_of(int pixel) {
     return -1.0 + 3.0 * pixel / (square_side - 1.0);
 }
 
-/// Calls f with each pixel but those of the borders, where u and v are whole numbers.
+/// Calls f with each pixel except those of the borders, where u and v are whole numbers.
 template <class F>
 void for_each_inner_pixel(const F& f) {
     for (int row = 1; row < square_side - 1; ++row) {
@@ -156,7 +156,7 @@ TEST_CASE("B67: the texel that a pixel took is reported as it was read") {
     const Frame frame = prepare_frame(*runs.session.scene, runs.session.a.settings);
     const auto report = texture_report(frame, Cursor{0, Phase::rows, 64, 20});
     REQUIRE(report);
-    // u is -1 + 3 * 20 / 127; of 16 columns that is -8.44, and lies in -9.
+    // u is -1 + 3 * 20 / 127; of 16 columns that is -8.44, in column -9.
     CHECK(report->heaviest().column == -9);
     CHECK(report->heaviest().row == 8);
     const TextureLevel& base = (*runs.session.scene->textures.front()).base();

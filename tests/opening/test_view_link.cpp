@@ -178,7 +178,7 @@ TEST_CASE("A link can contain everything that the options of a view can") {
         ++fields;
         const std::string name(field.option.name);
         INFO(name);
-        const std::vector<std::string> odd{"--stage"}; // is no option here
+        const std::vector<std::string> odd{"--stage"}; // not an option here
         CHECK(parse_view_link(name + "=--stage").given.at(std::string(field.key)) == odd);
         const std::string twice = name + "=a&" + name + "=b";
         if (field.option.is_repeatable) {

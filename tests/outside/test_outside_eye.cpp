@@ -193,7 +193,7 @@ TEST_CASE("Under every projection the rays of the drawing go through the pane") 
                 // Where the ray goes through the pane, the picture has that place too.
                 const glm::dvec3 crossing = plane.in_world(plane.on_ray(seen, plane.distance));
                 CHECK(glm::distance(plane.place_of(*pixel), crossing) < 1e-6);
-                // Orthographic rays are parallel to the way the camera looks.
+                // Orthographic rays are parallel to the camera's direction.
                 if (settings.projection_mix == 1.0f)
                     CHECK(is_near(glm::dvec2(plane.on_ray(seen, 0.0)), glm::dvec2(seen), 1e-9));
             }

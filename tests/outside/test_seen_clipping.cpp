@@ -60,7 +60,7 @@ void for_each_cut(Visit visit) {
 
 } // namespace
 
-TEST_CASE("The face of a plane lies in the plane and holds what the plane cuts") {
+TEST_CASE("The face of a plane is in the plane and contains what the plane cuts") {
     int count = 0;
     for_each_cut([&](const Frame& frame, const ClipHistory& history, const PicturePlane& plane) {
         for (const PlaneHistory& work : history.planes) {
@@ -83,7 +83,7 @@ TEST_CASE("The face of a plane lies in the plane and holds what the plane cuts")
     CHECK(count > 50);
 }
 
-TEST_CASE("Under every projection and depth format the faces of planes lie in the planes") {
+TEST_CASE("Under every projection and depth format the faces of planes are in the planes") {
     const Scene room = lab_room();
     Random random(42);
     for (const char* choice : {"projection=orthographic", "projection_mix=0.4",

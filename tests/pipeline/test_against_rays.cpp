@@ -1,4 +1,5 @@
 // The filled stages, compared with a ray caster.
+//
 // Which place in the picture does a pixel stand for? Not a single one. Vertices are cut to whole
 // pixels, which moves each by less than one pixel along either axis; the samples of an edge are cut
 // again, which moves them by less than another. Every number of a fragment is blended from its

@@ -53,7 +53,7 @@ Camera hostile_camera(const Scene& room, Random& random) {
     switch (random.integer(0, 3)) {
     case 0:
         break;
-    case 1: // exactly along an axis, as far as floats have it
+    case 1: // exactly along an axis, up to float precision
         camera.yaw = quarter_turn * static_cast<float>(random.integer(-4, 4));
         camera.pitch = quarter_turn * static_cast<float>(random.integer(-1, 1));
         break;

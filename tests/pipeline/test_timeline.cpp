@@ -176,7 +176,7 @@ TEST_CASE("Numbers and places of moments lead back to them, and grow with time")
     }
 }
 
-TEST_CASE("Places survive the way there and back in frames of many triangles") {
+TEST_CASE("Places survive a round trip in frames of many triangles") {
     // Floats of the scrub bar, for a hundred thousand triangles with a few moments each.
     Random random(23);
     std::vector<std::array<glm::vec3, 3>> triangles;

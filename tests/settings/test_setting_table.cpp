@@ -403,7 +403,7 @@ TEST_CASE("Settings within their ranges keep every bit") {
     CHECK(settings == before);
 }
 
-TEST_CASE("Each setting is compared and copied by itself") {
+TEST_CASE("Each setting is compared and copied separately") {
     for (const Setting& setting : setting_table()) {
         Settings from, to;
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);

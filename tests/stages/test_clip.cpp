@@ -96,7 +96,7 @@ double hull_area(std::vector<Place> points) {
     return area;
 }
 
-/// Twice the area of what all half planes have in common.
+/// Twice the area of the intersection of all half planes.
 double common_area(const std::vector<HalfPlane>& all) {
     std::vector<Place> points;
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -30,7 +30,7 @@ Settings by_matrices(Settings settings) {
     return settings;
 }
 
-/// A position on screen that is not yet cut to whole pixels, from the middle, in long double and
+/// A position on screen before truncation to whole pixels, from the middle, in long double and
 /// without a matrix: by the angles of the camera, turned one after the other.
 struct ExactPlace {
     long double x, y, z;

@@ -152,7 +152,7 @@ TEST_CASE("A tab that the student chose against the lesson is still theirs when 
     CHECK_FALSE(opened_file(path).tab_guide.is_own);
     choose_tab(session, "graph");
 
-    SECTION("and the way back leads to the lesson's") {
+    SECTION("and going back leads to the lesson's") {
         write_view(session, path);
         Session again = opened_file(path);
         CHECK(again.tab == "graph");
