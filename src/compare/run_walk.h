@@ -41,7 +41,7 @@ struct MomentEvents {
     const TestEvent* test = nullptr;
     std::span<const FragmentEvent> fragments; ///< and marks; both ends of a row are one moment
 
-    /// A triangle that is tested and shows its front goes on as if it had not been tested.
+    /// A triangle that is tested and faces the camera goes on as if it had not been tested.
     bool is_culled() const { return cull != nullptr && cull->test.is_back; }
     bool is_nothing() const {
         return vertex == nullptr && clip == nullptr && !is_culled() && sample == nullptr &&

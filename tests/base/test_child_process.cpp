@@ -37,13 +37,13 @@ TEST_CASE("A child process answers line by line, and byte by byte") {
     CHECK(child.read_line() == "heard two words");
 }
 
-TEST_CASE("A long answer arrives whole") {
+TEST_CASE("A long answer arrives completely") {
     ChildProcess child = shell("head -c 3000000 /dev/zero; echo end");
     CHECK(child.read_bytes(3'000'000) == std::string(3'000'000, '\0'));
     CHECK(child.read_line() == "end");
 }
 
-TEST_CASE("A program that is not there is an error that names it") {
+TEST_CASE("A missing program is an error that names it") {
     try {
         ChildProcess({"/nowhere/at-all"}, {});
         FAIL("it was started");
@@ -53,14 +53,14 @@ TEST_CASE("A program that is not there is an error that names it") {
     }
 }
 
-TEST_CASE("It is said how a program has ended that owes an answer") {
+TEST_CASE("If a program ends before it answers, the error says how it ended") {
     CHECK_THAT(complaint("exit 7"), ContainsSubstring("ended with exit code 7"));
     CHECK_THAT(complaint("kill -SEGV $$"), ContainsSubstring("signal: Segmentation fault"));
     CHECK_THAT(complaint("printf half; exit 0"), ContainsSubstring("ended with exit code 0"));
     CHECK_THAT(complaint("exec head -c 100000 /dev/zero"), ContainsSubstring("too long"));
 }
 
-TEST_CASE("To ask a program that has ended is an error, and no signal") {
+TEST_CASE("Asking a program that has ended is an error, not a signal") {
     ChildProcess child = shell("exit 3");
     const auto ask_on = [&] {
         for (int i = 0; i < 1000; ++i) {
@@ -71,12 +71,12 @@ TEST_CASE("To ask a program that has ended is an error, and no signal") {
     CHECK_THROWS_AS(ask_on(), AccessError);
 }
 
-TEST_CASE("A program that says nothing is waited for so long, and not longer") {
+TEST_CASE("A silent program is waited for up to the time limit, not longer") {
     CHECK_THAT(complaint("exec sleep 1000", 50ms),
                ContainsSubstring("has not answered for 0.05 s"));
 }
 
-TEST_CASE("Waiting is broken off when that is wished") {
+TEST_CASE("Waiting stops when asked to") {
     int asked = 0;
     ChildProcess child =
         shell("exec sleep 1000", {.longest = 1000s, .is_stopped = [&] { return ++asked > 1; }});

@@ -16,7 +16,7 @@ TEST_CASE("The pieces of a frame are named as a C++ program counts them, from 0"
     CHECK(short_vertex_name(0) == "v0");
 }
 
-TEST_CASE("How many there are is said only after brackets, where it cannot seem to count from 1") {
+TEST_CASE("The total is given only after brackets, where it cannot seem to count from 1") {
     CHECK(element_name_of(sample_form, 4, 11) == "line[4] of 11");
     CHECK(element_name_of(triangle_form, 29, 30) == "triangles[29] of 30");
     CHECK(element_name_of(edge_form, 1, 3) == "edge 1");

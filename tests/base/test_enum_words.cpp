@@ -36,7 +36,7 @@ static_assert(!words_match<Wordless>);
 
 using namespace rasterwalk;
 
-TEST_CASE("A value of an enum has the word that stands in its place") {
+TEST_CASE("A value of an enum has the word at its position in the list") {
     CHECK(word_of(Right::one) == "one");
     CHECK(word_of(Right::two) == "two");
 }

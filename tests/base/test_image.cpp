@@ -34,7 +34,7 @@ std::string complaint_about(const std::string& path) {
     return "";
 }
 
-/// The same by a process that may take only this much more memory, bytes.
+/// The same in a process that can take only this many more bytes of memory.
 std::string complaint_within(std::size_t memory, const std::string& path) {
     return test::said_within(memory, [&] { return complaint_about(path); });
 }
@@ -65,7 +65,7 @@ TEST_CASE("A picture cannot be written where there is no folder") {
     CHECK_THROWS_AS(write_png(pattern(2, 2), "/nowhere/x.png"), AccessError);
 }
 
-TEST_CASE("Files that are no pictures are refused as bad input") {
+TEST_CASE("Files that are not pictures are refused as bad input") {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("x.png", "not a picture at all");
     CHECK_THROWS_WITH(read_image(path),
@@ -110,7 +110,7 @@ TEST_CASE("A PNG that unpacks to more than its size is refused before memory is 
     const std::string path = folder.write("bomb.png", png(2, 2, 8, many_zeros(200 * megabyte)));
     CHECK(complaint_within(60 * megabyte, path) ==
           path + ": a picture of 2 x 2 pixels contains too much data.");
-    // As much as belongs to it: four pixels, and a filter for each row.
+    // The right amount: four pixels, and a filter for each row.
     CHECK(complaint_within(60 * megabyte, folder.write("x.png", png(2, 2, 8, many_zeros(1)))) ==
           folder.file("x.png") + ": the picture cannot be read: not enough pixels.");
 }
@@ -163,7 +163,8 @@ TEST_CASE("A picture without pixels is refused, and so is a block beyond the end
     CHECK(said(of_apple) == ": a picture of 9 x 7 pixels is a PNG in Apple's own variant.");
 }
 
-TEST_CASE("A picture whose data the decoder gives no reason for is refused in a sentence") {
+TEST_CASE(
+    "If the decoder gives no reason for refusing a picture, the message is still a sentence") {
     const test::TemporaryFolder folder;
     // A last block of deflate's kind 3, which does not exist.
     const std::string path = folder.write("x.png", png(2, 2, 8, "\x78\x01\x07"));
@@ -175,14 +176,14 @@ TEST_CASE("A picture whose data the decoder gives no reason for is refused in a 
     CHECK(complaint_about(path) == damaged);
 }
 
-TEST_CASE("A BMP that is cut off is refused, at whichever byte") {
+TEST_CASE("A BMP is refused wherever it is cut off") {
     const test::TemporaryFolder folder;
     for (const int height : {3, -3}) {
         const std::string whole = bmp(5, height);
         const Image image = read_image(folder.write("whole.bmp", whole));
         CHECK(image.width == 5);
         CHECK(image.height == 3);
-        // The filling of the last row may be missing.
+        // The padding of the last row may be missing.
         CHECK(read_image(folder.write("x.bmp", whole.substr(0, whole.size() - 1))) == image);
         for (std::size_t length = 0; length + 1 < whole.size(); ++length) {
             const std::string path = folder.write("cut.bmp", whole.substr(0, length));

@@ -131,7 +131,7 @@ TEST_CASE("A BMP that would be read wrongly is refused with the reason") {
     std::string other = test::bmp(4, 4);
     for (const char way : {'\1', '\2', '\4', '\6'}) { // 6: plain, with a mask for alpha
         other[30] = way;
-        // Packed pixels take fewer bytes than plain ones: that is not what is wrong.
+        // Packed pixels take fewer bytes than plain ones, so too few bytes is not the fault.
         for (const std::size_t length : {other.size(), std::size_t{60}}) {
             CHECK_THROWS_WITH(read_bytes(other.substr(0, length)),
                               "x: a picture of 4 x 4 pixels is a BMP of a kind that cannot be "
@@ -170,7 +170,7 @@ TEST_CASE("A TGA is read with a palette, in grey and with 16 bits a pixel") {
     CHECK(pixel_of(short_one, 0, 0) == Rgba{255, 0, 255 / 31, 255});
 }
 
-TEST_CASE("PPM and PGM are read, as text and as bytes, by their largest sample") {
+TEST_CASE("PPM and PGM are read, as text and as bytes, scaled by their largest sample") {
     const auto check = [](const std::string& bytes, bool is_grey, int largest) {
         INFO(bytes.substr(0, 2) << ", largest " << largest);
         const Image image = read_bytes(bytes);
@@ -198,16 +198,16 @@ TEST_CASE("PPM and PGM are read, as text and as bytes, by their largest sample")
     check(wide, true, 65535);
 }
 
-TEST_CASE("The samples of a PPM begin behind one blank, or behind the two bytes of a line's end") {
+TEST_CASE("The samples of a PPM begin after one blank, or after the two bytes of a line's end") {
     const Image expected{1, 2, {10, 13, 7, 255, 1, 2, 3, 255}};
     const std::string samples = "\n\r\7\1\2\3";
     CHECK(read_bytes("P6\r\n1 2\r\n255\r\n" + samples) == expected);
     CHECK(read_bytes("P6\n1 2\n255\n" + samples) == expected);
-    // Then the first sample is 10, which is a line's end, too.
+    // Here the first sample is 10, which is also a line's end.
     CHECK(read_bytes("P6\r1 2\r255\r" + samples) == expected);
 }
 
-TEST_CASE("A JPG is read as nearly as it keeps its colours") {
+TEST_CASE("A JPG is read as accurately as it keeps its colours") {
     const std::vector<std::uint8_t> rgb = ramp(40, 30);
     for (const int quality : {85, 100}) {
         const Image image = read_bytes(jpeg(40, 30, quality, rgb));
@@ -224,14 +224,14 @@ TEST_CASE("A JPG is read as nearly as it keeps its colours") {
     }
 }
 
-TEST_CASE("Where every pixel counts a JPG is refused, and a PPM is not") {
+TEST_CASE("Where every pixel counts, a JPG is refused and a PPM is not") {
     CHECK_THROWS_WITH(parse_exact_image(jpeg(8, 8, 100, ramp(8, 8)), "x"),
                       "x: a JPG does not keep the exact colour of each pixel; save the picture as "
                       "PNG, TGA, BMP, PPM or PGM.");
     CHECK(parse_exact_image("P3 1 1 255 1 2 3", "x") == Image{1, 1, {1, 2, 3, 255}});
 }
 
-TEST_CASE("Formats that are not read are refused by their names") {
+TEST_CASE("Unsupported formats are refused by name") {
     using namespace std::string_literals;
     const std::vector<std::array<std::string, 2>> cases{{"II*\0\10\0\0\0"s, "TIFF"},
                                                         {"MM\0*\0\0\0\10"s, "TIFF"},

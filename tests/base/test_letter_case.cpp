@@ -5,7 +5,7 @@
 
 using namespace rasterwalk;
 
-TEST_CASE("Capitals of ASCII become small letters, and every other byte stays") {
+TEST_CASE("ASCII capitals become small letters, and every other byte is kept") {
     CHECK(in_small_letters("AZ az [\\]^_` @ 09 \xC3\x84") == "az az [\\]^_` @ 09 \xC3\x84");
     CHECK(contains_in_any_case("A Row Table", "row t"));
     CHECK(contains_in_any_case("anything", ""));

@@ -12,7 +12,7 @@ namespace linear_system {
 
 constexpr std::size_t n = 4;
 
-TEST_CASE("A linear system is solved: the matrix takes the solution back to what was given") {
+TEST_CASE("The matrix takes a linear system's solution back to the right-hand side") {
     test::Random random(17);
     for (int round = 0; round < test::rounds(500, 20); ++round) {
         std::array<std::array<double, n>, n> a{};

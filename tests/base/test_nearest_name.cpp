@@ -15,7 +15,7 @@ TEST_CASE("The nearest name is the one with the fewest wrong letters") {
     CHECK(nearest_name("stats", names) == "stats");
 }
 
-TEST_CASE("Where no name comes close, none is guessed") {
+TEST_CASE("If no name comes close, none is guessed") {
     constexpr std::array<std::string_view, 2> names{"render", "rows"};
     CHECK(nearest_name("elephant", names).empty());
     CHECK(nearest_name("", names).empty());

@@ -24,7 +24,7 @@ TEST_CASE("The shortest text of a number is read as the same number") {
     }
 }
 
-TEST_CASE("The usual notation is kept where people read it") {
+TEST_CASE("Numbers that people read have the usual notation") {
     CHECK(number_text(0.0f) == "0");
     CHECK(number_text(100000.0f) == "100000");
     CHECK(number_text(9999999.0f) == "9999999");
@@ -34,7 +34,7 @@ TEST_CASE("The usual notation is kept where people read it") {
     CHECK(number_text(-2.5f) == "-2.5");
 }
 
-TEST_CASE("Digits are those of the C library, rounded to even where two are as near") {
+TEST_CASE("Digits are those of the C library, with ties rounded to even") {
     CHECK(significant(1.0 / 3.0, 6) == "0.333333");
     CHECK(significant(2.0, 6) == "2");
     CHECK(significant(1e-5, 6) == "1e-05");
@@ -67,7 +67,7 @@ TEST_CASE("Numbers are written as people write them") {
     CHECK(number_text(1e-10f) == "1e-10");
 }
 
-TEST_CASE("A count of one takes the singular") {
+TEST_CASE("A count of 1 takes the singular") {
     CHECK(counted(0, "sample", "samples") == "0 samples");
     CHECK(counted(1, "sample", "samples") == "1 sample");
     CHECK(counted(2, "vertex", "vertices") == "2 vertices");

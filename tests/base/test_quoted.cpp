@@ -4,7 +4,7 @@
 
 using namespace rasterwalk;
 
-TEST_CASE("What a terminal would obey is shown instead") {
+TEST_CASE("Bytes that a terminal would obey are shown as escapes") {
     CHECK(visible("\x1b[31mred\x1b]0;title\x07") == "\\u001b[31mred\\u001b]0;title\\u0007");
     CHECK(visible(std::string("\0\x01\x1f\x7f", 4)) == "\\u0000\\u0001\\u001f\\u007f");
     CHECK(visible("\r\b\v\f") == "\\u000d\\u0008\\u000b\\u000c");

@@ -50,7 +50,7 @@ class SlowPipe {
     std::thread writer_;
 };
 
-/// A process number that no process has any more.
+/// The number of a process that has ended.
 pid_t ended_process() {
     const pid_t child = ::fork();
     if (child == 0) ::_exit(0);
@@ -102,18 +102,18 @@ TEST_CASE("A file larger than the limit is refused as bad input") {
     CHECK_THROWS_AS(read_file("/dev/zero", 1 << 20), InputError);
 }
 
-TEST_CASE("A folder is no file to be read") {
+TEST_CASE("A folder is not read as a file") {
     const test::TemporaryFolder folder;
     CHECK_THROWS_WITH(read_file(folder.file("")),
                       "cannot read '" + folder.file("") + "': Is a directory.");
 }
 
-TEST_CASE("A pipe is read whole, however slowly it is written") {
+TEST_CASE("All of a pipe is read, however slowly it is written") {
     const SlowPipe pipe("a row\n", 5);
     CHECK(read_file(pipe.path()) == "a row\na row\na row\na row\na row\n");
 }
 
-TEST_CASE("A pipe whose writer stays silent is given up") {
+TEST_CASE("Reading a pipe stops if its writer stays silent") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("pipe");
     REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
@@ -122,7 +122,7 @@ TEST_CASE("A pipe whose writer stays silent is given up") {
     const std::chrono::milliseconds silence(5);
     CHECK_THROWS_WITH(read_file(path, largest_text_file, silence),
                       "cannot read '" + path + "': nothing is being written into this pipe.");
-    // What it has said is not the whole of it.
+    // The text so far is not complete.
     REQUIRE(::write(writer, "half", 4) == 4);
     CHECK_THROWS_AS(read_file(path, largest_text_file, silence), AccessError);
     ::close(writer);
@@ -160,7 +160,7 @@ TEST_CASE("A file that is overwritten keeps its mode") {
     }
 }
 
-TEST_CASE("A link to a file that is not there yet is followed") {
+TEST_CASE("A link to a file that does not exist yet is followed") {
     const test::TemporaryFolder folder;
     std::filesystem::create_symlink("second", folder.file("first"));
     std::filesystem::create_symlink("real", folder.file("second"));
@@ -173,7 +173,7 @@ TEST_CASE("A link to a file that is not there yet is followed") {
     CHECK_THROWS_AS(write_file(folder.file("round"), "x"), AccessError);
 }
 
-TEST_CASE("A file with two names stays one file") {
+TEST_CASE("A file with two names stays one file when written") {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("one", "a longer text");
     std::filesystem::create_hard_link(path, folder.file("other"));
@@ -185,7 +185,7 @@ TEST_CASE("A file with two names stays one file") {
     CHECK(folder.file_count() == 2);
 }
 
-TEST_CASE("What a killed process has left half written is removed, and nothing else") {
+TEST_CASE("Half-written files of killed processes are removed, and nothing else") {
     const test::TemporaryFolder folder;
     const std::string mine = ".part" + std::to_string(ended_process());
     const std::vector<std::string> others{
@@ -199,7 +199,7 @@ TEST_CASE("What a killed process has left half written is removed, and nothing e
         CHECK(std::filesystem::exists(other));
 }
 
-TEST_CASE("A file is locked for one at a time") {
+TEST_CASE("A file has only one lock at a time") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("x");
     {

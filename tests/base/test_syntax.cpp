@@ -71,7 +71,7 @@ TEST_CASE("Tokens add up to the whole expression, including blanks and unknown c
     CHECK(kinds == "n_yss_nss1_uu_ss");
 }
 
-TEST_CASE("Signs bind as in arithmetic, and logic binds weaker") {
+TEST_CASE("Signs bind as in arithmetic, and logic binds less tightly") {
     CHECK(same_tree("1 + 2 · 3", "1 + (2 · 3)"));
     CHECK(same_tree("8 - 4 - 2", "(8 - 4) - 2"));
     CHECK(same_tree("-3²", "-(3²)"));
@@ -82,7 +82,7 @@ TEST_CASE("Signs bind as in arithmetic, and logic binds weaker") {
     CHECK_FALSE(same_tree("(-3)²", "-3²"));
 }
 
-TEST_CASE("The tree knows its numbers, its symbols and what stood in parentheses") {
+TEST_CASE("The tree has its numbers, its symbols and what was in parentheses") {
     const SyntaxTree tree = parse_syntax("(a + 1/z) · 0.5", tried_language());
     const SyntaxNode& root = tree.node(tree.root);
     REQUIRE(root.kind == SyntaxNode::Kind::multiply);
@@ -95,7 +95,7 @@ TEST_CASE("The tree knows its numbers, its symbols and what stood in parentheses
     CHECK(tree.node(root.parts[1]).number == 0.5);
 }
 
-TEST_CASE("What is no expression is answered by a sentence") {
+TEST_CASE("A text that is not an expression is answered with a sentence") {
     CHECK(refusal("") == "the expression '' ends too early.");
     CHECK(refusal("a +") == "the expression 'a +' ends too early.");
     CHECK(refusal("a )") == "it is not clear what ')' means.");
@@ -106,7 +106,7 @@ TEST_CASE("What is no expression is answered by a sentence") {
     CHECK(refusal("a < b < c") == "write 'a < b and b < c' instead of 'a < b < c'.");
 }
 
-TEST_CASE("An expression is so long and so deep at most") {
+TEST_CASE("The length and the depth of an expression are limited") {
     CHECK(refusal(many("1", 1001)) == "an expression may have at most 1000 bytes.");
     const std::string too_deep = "the expression is nested deeper than 32 levels.";
     for (const char* opening : {"(", "-", "not ", "f("}) {

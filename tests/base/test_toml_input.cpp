@@ -50,14 +50,14 @@ TEST_CASE("Keys of 30000 parts are refused with their line wherever TOML is read
     CHECK_THROWS_WITH(read_presets(path), said);
     CHECK_THROWS_WITH(read_glossary(path), said);
     CHECK_THROWS_WITH(read_bugs(path), said);
-    // A line of a lesson is not as long as that.
+    // No line of a lesson can be as long as that.
     const std::string long_line = "\n" + repeated("a.", 1'900) + "a = 1\n";
     const Lesson lesson =
         read_lesson(folder.write("01-deep.md", "<!-- lesson" + long_line + "-->\n# Deep\n"));
     CHECK(std::count(lesson.faults.begin(), lesson.faults.end(), Fault{2, sentence}) == 1);
 }
 
-TEST_CASE("Whatever makes tables within tables is bounded") {
+TEST_CASE("Everything that nests tables is limited") {
     CHECK(fault_of("[" + repeated("a.", 30'000) + "a]") == "x.toml:1: " + sentence);
     CHECK(fault_of("[[" + repeated("a.", 30'000) + "a]]") == "x.toml:1: " + sentence);
     CHECK(fault_of("b = 1\n'x'=2\n" + repeated("\"q\" . ", 30'000) + "a = 1") ==
@@ -65,12 +65,12 @@ TEST_CASE("Whatever makes tables within tables is bounded") {
     CHECK(fault_of("a = " + repeated("[\n", 40)) == "x.toml:33: " + sentence);
     const std::string key = repeated("a.", 32) + "a";
     CHECK(fault_of(key + " = " + repeated("{ " + key + " = ", 40)) == "x.toml:1: " + sentence);
-    // As deep as it may be: this is read and freed.
+    // The greatest depth allowed: this is read and freed.
     CHECK(fault_of("[" + key + "]\n" + key + " = " + repeated("{ " + key + " = ", 32) + "1" +
                    repeated(" }", 32)) == "none");
 }
 
-TEST_CASE("Dots and brackets in strings, comments and numbers are no nesting") {
+TEST_CASE("Dots and brackets in strings, comments and numbers do not count as nesting") {
     const std::string dots(100, '.'), brackets(100, '[');
     for (const std::string& text : {
              "# " + dots + brackets + "\na = 1",

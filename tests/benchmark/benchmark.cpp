@@ -1,6 +1,6 @@
-// Prints how long things take. It asserts nothing: a machine may be slow.
+// Prints how long things take. Asserts nothing, because a machine can be slow.
 //
-// A further measurement is one function that takes the measurements and adds a line to them.
+// To add a measurement, write a function that takes the measurements and adds a line to them.
 
 #include <algorithm>
 #include <chrono>
@@ -116,7 +116,7 @@ void measure_pixel_history(Measurements& measurements, const Scene& scene,
     measure(measurements, "why uncovered, " + name, [&] { pixel_history(frame, uncovered); });
 }
 
-/// The room compared with itself under other rules, as a whole and by a jump of the cursor.
+/// The room compared with itself under other rules, all of it and by a jump of the cursor.
 void measure_comparison(Measurements& measurements, const std::string& scene_path) {
     Session session = open_session(scene_path);
     const Frame a = prepare_frame(*session.scene, session.a.settings);

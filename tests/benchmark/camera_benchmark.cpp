@@ -18,8 +18,8 @@
 #include "ui/app/app.h"
 #include "ui/ui.h"
 
-/// The work that is measured runs inside of this function and nothing else does, so that its
-/// instructions can be counted: valgrind --tool=callgrind --toggle-collect=measured_work.
+/// The measured work runs inside this function, and nothing else does, so that its instructions can
+/// be counted: valgrind --tool=callgrind --toggle-collect=measured_work.
 extern "C" [[gnu::noinline]] void measured_work(const std::function<void()>& work) {
     work();
     asm volatile(""); // keeps the call from becoming a jump
@@ -38,7 +38,7 @@ double processor_milliseconds(const std::function<void()>& work) {
     return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Takes the figures that are asked for and prints a line for each.
+/// Takes the requested figures and prints a line for each.
 class Figures {
   public:
     explicit Figures(const CameraBenchmark& options)
@@ -64,8 +64,8 @@ class Figures {
     KnownFigures other_;
 };
 
-/// The work for the session, without the window: a step of the camera, a moment of time. All
-/// of it, also what the window leaves for the next frames.
+/// The work for the session, without the window, of a camera step or a moment: all of it, including
+/// what the window leaves for later frames.
 void take_session_figures(const Figures& figures, const std::string& scene, Session (*open)()) {
     for (const bool is_comparing : {false, true}) {
         const std::string ending = is_comparing ? "-comparing" : "";
@@ -89,7 +89,7 @@ void take_session_figures(const Figures& figures, const std::string& scene, Sess
 }
 
 /// Whole frames of the window: at rest, while the camera turns, and one moment after another;
-/// beside it the scene from outside, at rest, while it is turned, and one moment after another.
+/// then the same of the scene from outside.
 void take_frame_figures(const Figures& figures, const std::string& scene, Session (*open)()) {
     const std::string rest = scene + "-frame-at-rest", turning = scene + "-frame-turning",
                       moment = scene + "-frame-moment", outside_rest = scene + "-outside-at-rest",
@@ -139,7 +139,7 @@ void take_frame_figures(const Figures& figures, const std::string& scene, Sessio
         ui.session.canvas.outside.yaw += turn;
         frame();
     });
-    // All the frames until the whole scene is seen after a turn.
+    // All the frames after a turn until the full scene is shown.
     figures.take(outside_whole, [&] {
         ui.session.canvas.outside.yaw += turn;
         settle();

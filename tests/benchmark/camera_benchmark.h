@@ -5,7 +5,7 @@
 
 namespace rasterwalk {
 
-/// What the camera benchmark is asked for on its command line.
+/// The camera benchmark's command line.
 struct CameraBenchmark {
     int steps = 7;                  ///< measured steps of each figure; the smallest counts
     std::vector<std::string> names; ///< of the figures to take; empty: all

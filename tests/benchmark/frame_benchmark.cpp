@@ -26,7 +26,7 @@ namespace {
 constexpr float frame_turn = 0.01f;
 constexpr int turns_one_way = 30;
 
-/// Turns that are measured. Some go before, so that memory is taken and tables are filled.
+/// Turns that are measured. Some come first, so that memory is taken and tables are filled.
 constexpr int turns = 60;
 constexpr int turns_before = 6;
 
@@ -75,14 +75,14 @@ Time median(const std::vector<Time>& frames) {
     return {middle(&Time::clock), middle(&Time::processor)};
 }
 
-/// What the last turn leaves to do.
+/// The work left after the last turn.
 struct Rest {
     Time longest; ///< frame
-    Time whole;   ///< until the picture is whole
+    Time whole;   ///< until the picture is complete
     Time all;     ///< until everything is worked out
 };
 
-/// Can time be walked through all of the picture that is asked for?
+/// Is the requested picture complete, so that the cursor can go to any of its moments?
 bool is_whole(const Results& results) {
     return !results.a.is_frame_late && results.a.is_drawn();
 }

@@ -36,7 +36,7 @@ double model_milliseconds(const std::function<void()>& work) {
     return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// A hilly ground of squares, without normals, as text: two triangles each.
+/// Hilly ground made of squares of two triangles each, without normals, as text.
 std::string hills(int triangles) {
     const int side = static_cast<int>(std::lround(std::sqrt(triangles / 2.0)));
     std::string text;
@@ -55,7 +55,7 @@ std::string hills(int triangles) {
     return text;
 }
 
-/// The longest frame of the window after something has changed, until it comes to rest.
+/// The longest frame of the window from a change until it comes to rest.
 double longest_frame(BareInterface& interface) {
     double longest = 0.0;
     do
@@ -64,7 +64,7 @@ double longest_frame(BareInterface& interface) {
     return longest;
 }
 
-/// A change of the session, each time another one.
+/// A change of the session, a different one each time.
 using Change = std::function<void(Ui&, int)>;
 
 /// The longest frame of a few such changes.
@@ -77,7 +77,7 @@ double longest_after(BareInterface& interface, const Change& change) {
     return longest;
 }
 
-/// The same of changes that do not wait for each other.
+/// The same for changes that do not wait for each other.
 double longest_while(BareInterface& interface, const Change& change) {
     double longest = 0.0;
     for (int i = 0; i < 120; ++i) {
@@ -91,12 +91,12 @@ void seek(Ui& ui, double place) {
     ui.session.cursor = Timeline(ui.results.a.frame).at_place(place);
 }
 
-/// To and fro, so that the model stays in sight.
+/// Back and forth, so that the model stays in sight.
 void turn_camera(Ui& ui, int i) {
     ui.session.a.settings.camera.yaw += (i + 15) / 30 % 2 == 0 ? 0.01f : -0.01f;
 }
 
-/// A model that is measured; the room is that of no triangles.
+/// A model that is measured; without triangles it is the room.
 struct MeasuredModel {
     std::string name;
     int triangles;

@@ -31,7 +31,7 @@ void print_one(const char* name, double time) {
     std::printf("  %-40s %9.3f\n", name, time);
 }
 
-/// What a change of the cursor costs: to find the moment, and to draw it.
+/// The cost of a change of the cursor: finding the moment, and drawing it.
 double seek_time(const Frame& frame, Replay& replay, double place) {
     return milliseconds([&] {
         const Timeline timeline(frame);

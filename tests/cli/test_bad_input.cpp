@@ -31,7 +31,7 @@ void expect(const std::vector<std::string>& arguments, int exit_code, const std:
     CHECK_FALSE(result.request.open_window);
 }
 
-/// The room_file's file with one piece of text replaced.
+/// The room's file with one piece of text replaced.
 std::string room_with(const test::TemporaryFolder& folder, const std::string& old,
                       const std::string& replacement) {
     std::string text = test::bytes_of(room_file);
@@ -48,7 +48,7 @@ int line_of(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("What begins with a minus is quoted as it was given") {
+TEST_CASE("An argument that begins with a minus is quoted as it was given") {
     const CliRun place = run({"--scene", "scenes/one-triangle.toml", "--vertices", "-1000000,0/1"});
     CHECK(place.exit_code == 2);
     CHECK(place.err.ends_with(", not '-1000000,0/1'.\n"));
@@ -57,7 +57,7 @@ TEST_CASE("What begins with a minus is quoted as it was given") {
     CHECK(run({"rows", "-5,3", "4,9", "7,-2"}).exit_code == 0);
 }
 
-TEST_CASE("A missing file ends with exit code 4, whichever way it is named") {
+TEST_CASE("A missing file ends with exit code 4, however it is named") {
     const std::string sentence = "cannot read 'none.toml': No such file or directory.";
     expect({"none.toml"}, 4, sentence);
     expect({"--scene", "none.toml"}, 4, sentence);
@@ -77,7 +77,7 @@ TEST_CASE("Malformed TOML ends with exit code 3 and names the line") {
     CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
 }
 
-TEST_CASE("A coordinate that is no number ends with exit code 3 and names point and line") {
+TEST_CASE("A coordinate that is not a number ends with exit code 3 and names point and line") {
     const test::TemporaryFolder folder;
     const std::string place = "A = [555, 0, 0]";
     const std::string path = room_with(folder, place, "A = [nan, 0, 0]");
@@ -94,7 +94,7 @@ TEST_CASE("A point that does not exist ends with exit code 3 and names point and
                ": there is no point 'Z' in the point set 'room'.");
 }
 
-TEST_CASE("A file that is no scene at all ends with exit code 3") {
+TEST_CASE("A file that is not a scene ends with exit code 3") {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("noise.toml", std::string("\x7f"
                                                                     "ELF\0\1",
@@ -210,7 +210,7 @@ TEST_CASE("A moment that does not exist ends with exit code 2 and says which one
     }
 }
 
-TEST_CASE("A point that is none, or lies too far out, ends with exit code 2") {
+TEST_CASE("A point that is malformed or too far out ends with exit code 2") {
     for (const std::string point : {"5", "5,", ",5", "5,nan", "1.5,2", "1,2,3", "16385,0",
                                     "0,-16385", "99999999999,0", "", "a,b"}) {
         expect({"rows", "1,1", point}, 2,
@@ -220,7 +220,7 @@ TEST_CASE("A point that is none, or lies too far out, ends with exit code 2") {
     CHECK(run({"rows", "16384,-16384"}).exit_code == 0);
 }
 
-TEST_CASE("rows refuses settings that rows do not depend on, and polygons without end") {
+TEST_CASE("rows refuses settings that rows do not depend on, and endless polygons") {
     expect({"rows", "1,1", "--set", "light.power=3"}, 2,
            "rows depend on rounding, line, bresenham_rule, line_walk, edge_samples, row_start, "
            "row_search and viewport.size, not on light.power.");
@@ -229,7 +229,7 @@ TEST_CASE("rows refuses settings that rows do not depend on, and polygons withou
     expect(arguments, 2, "a polygon may have at most 1000 points.");
 }
 
-TEST_CASE("Words that the command line does not know end with exit code 2") {
+TEST_CASE("Unknown words on the command line end with exit code 2") {
     expect({"rendr"}, 2,
            "there is neither a command nor a file named 'rendr'. Did you mean 'render'?");
     expect({"render"}, 2, "--output is required. See rasterwalk --help.");

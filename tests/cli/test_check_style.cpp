@@ -20,7 +20,7 @@ void write(const std::string& path, const std::string& text) {
 
 } // namespace
 
-TEST_CASE("A planted sentence fails the style check, with file, line and advice") {
+TEST_CASE("The style check finds a planted phrase, with file, line and advice") {
     const TemporaryFolder folder;
     // In two parts, or the check would find it here.
     const std::string planted = std::string("Tell") + " a triangle's vertices";
@@ -37,7 +37,7 @@ TEST_CASE("A planted sentence fails the style check, with file, line and advice"
     CHECK_THAT(faulty.err, ContainsSubstring("1 fault in 2 files"));
 }
 
-TEST_CASE("The style check reads folders below, and named files whatever their names") {
+TEST_CASE("The style check reads subfolders, and named files whatever their names") {
     const TemporaryFolder folder;
     const std::string planted = std::string("# Tell") + " a triangle's vertices\n";
     write(folder.file("a/b/CMakeLists.txt"), planted);

@@ -76,7 +76,8 @@ TEST_CASE("stats of the lab's room are the numbers that were found independently
     CHECK_THAT(run({"stats"}).out, ContainsSubstring("fragments               328789\n"));
 }
 
-TEST_CASE("The size of the picture keeps the field of view unless the focal length is set too") {
+TEST_CASE(
+    "Changing the picture's size keeps the field of view unless the focal length is set too") {
     const auto focal_length = [](std::vector<std::string> arguments) {
         return run(arguments).request.session.a.settings.camera.focal_length;
     };
@@ -87,7 +88,7 @@ TEST_CASE("The size of the picture keeps the field of view unless the focal leng
     CHECK(run({"--size", "640x480"}).request.session.a.settings.viewport == Viewport{640, 480});
 }
 
-TEST_CASE("The view options set the session, and the more exact one wins") {
+TEST_CASE("The view options set the session, and the more specific one wins") {
     const CliRun result = run({"--preset", "visible light", "--preset", "exact", "--set",
                                "rounding=round", "--stage", "depth", "--to", "t3/e1/s2"});
     REQUIRE(result.exit_code == 0);
@@ -100,7 +101,7 @@ TEST_CASE("The view options set the session, and the more exact one wins") {
     CHECK(result.request.session.cursor == Cursor{3, Phase::edges, 1, 2});
 }
 
-TEST_CASE("Without a command the window is asked for, on the lab's room or on the file named") {
+TEST_CASE("Without a command the window is opened, with the lab's room or the named file") {
     CHECK(run({}).request.open_window);
     CHECK(run({}).request.session.scene->triangle_count() == 30);
     CHECK(run({bench}).request.session.scene->triangle_count() == 1);
@@ -109,7 +110,7 @@ TEST_CASE("Without a command the window is asked for, on the lab's room or on th
     CHECK_FALSE(run({"--help"}).request.open_window);
 }
 
-TEST_CASE("render writes the picture in the size that was asked for") {
+TEST_CASE("render writes the picture in the requested size") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("x.png");
     REQUIRE(run({"render", "--size", "60x40", "-o", path}).exit_code == 0);
@@ -119,7 +120,7 @@ TEST_CASE("render writes the picture in the size that was asked for") {
     CHECK(folder.file_count() == 1);
 }
 
-TEST_CASE("render draws each plane, and draws only up to the moment that was asked for") {
+TEST_CASE("render draws each plane, and only up to the requested moment") {
     const test::TemporaryFolder folder;
     const auto render = [&](std::vector<std::string> arguments) {
         const std::string path = folder.file("x.png");
@@ -172,7 +173,7 @@ TEST_CASE("presets lists the presets with what they set") {
         ContainsSubstring("\"name\":\"exact\",\"set\":[\"rounding=floor\",\"line_walk=exact\"]"));
 }
 
-TEST_CASE("help and version go to standard output and end well") {
+TEST_CASE("help and version go to standard output and succeed") {
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"--help"}, {"-h"}, {"render", "--help"}, {"rows", "-h"}}) {
         const CliRun result = run(arguments);
@@ -186,7 +187,7 @@ TEST_CASE("help and version go to standard output and end well") {
     }
 }
 
-TEST_CASE("An output that cannot be written to is noticed") {
+TEST_CASE("An output that cannot be written is reported") {
     std::ostringstream err;
     std::ostringstream out;
     out.setstate(std::ios::badbit);

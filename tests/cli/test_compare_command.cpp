@@ -50,7 +50,7 @@ TEST_CASE("A difference is exit code 1, with its place, its cause and its size")
         ContainsSubstring("first_divergence    t0/v0\n    different value, floor: vertices[0]:"));
 }
 
-TEST_CASE("Of a run of the fast engine the picture is compared") {
+TEST_CASE("A run of the fast engine is compared by its picture") {
     const CliRun result = compare({"--b", "engine=fast"});
     CHECK(result.exit_code == 1);
     CHECK_THAT(result.out, StartsWith("A: engine=steps\nB: engine=fast\n"));
@@ -83,7 +83,7 @@ TEST_CASE("The difference is written as a picture") {
     CHECK(image.height == 50);
 }
 
-TEST_CASE("What cannot be compared is a sentence and exit code 2") {
+TEST_CASE("Runs that cannot be compared give a sentence and exit code 2") {
     const CliRun sizes = compare({"--b", "viewport.size=20x20"});
     CHECK(sizes.exit_code == 2);
     CHECK_THAT(sizes.err, ContainsSubstring("different sizes"));

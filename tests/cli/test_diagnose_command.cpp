@@ -46,7 +46,7 @@ TEST_CASE("diagnose names the mistake, exit code 1") {
     CHECK_THAT(json.out, ContainsSubstring("\"B3\""));
 }
 
-TEST_CASE("diagnose says by which rules a right picture is drawn") {
+TEST_CASE("diagnose names the rules that a correct picture is drawn by") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("mine.png");
     REQUIRE(render(path, {"--set", "vertex_rounding=truncate_sum", "--stage", "fill"}).exit_code ==
@@ -73,7 +73,7 @@ TEST_CASE("diagnose stops after its seconds and says so") {
                ContainsSubstring("\"complete\" : false"));
 }
 
-TEST_CASE("A picture given as a scene gets a message that says where it belongs, exit code 2") {
+TEST_CASE("A picture given as a scene gets a message that says where to give it, exit code 2") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("mine.png");
     REQUIRE(render(path, {}).exit_code == 0);
@@ -105,7 +105,7 @@ TEST_CASE("A picture that cannot be diagnosed is named, exit code 3, before it i
         CHECK(result.err.starts_with(begin));
         return result.err.substr(std::min(begin.size(), result.err.size()));
     };
-    // Nothing of these is there but their size.
+    // These have only a header with their size.
     CHECK(said(test::png(8192, 8192, 8, "")) ==
           "a picture of 8192 x 8192 pixels is too large: a side may have at most 4096.\n");
     CHECK(said(test::bmp(0, 2)) == "a picture of 0 x 2 pixels is empty.\n");
@@ -143,7 +143,7 @@ TEST_CASE("diagnose complains about files in a sentence") {
         CHECK(run({"diagnose", folder.file("none.png"), "--seconds", seconds}).exit_code == 2);
 }
 
-TEST_CASE("diagnose and check say on a terminal how far they are, and leave nothing there") {
+TEST_CASE("diagnose and check show their progress on a terminal, and leave nothing there") {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("mine.png");
     REQUIRE(render(path, {"--set", "interpolation=affine"}).exit_code == 0);

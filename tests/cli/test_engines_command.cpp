@@ -1,5 +1,5 @@
 // `rasterwalk engines` with stand-ins for llvmpipe's program: shell scripts with the same output.
-// Whether llvmpipe itself draws the same is asked by tests/pictures.
+// Whether llvmpipe itself draws the same is tested in tests/pictures.
 
 #include <csignal>
 #include <cstdlib>
@@ -28,7 +28,7 @@ namespace {
 
 constexpr int side = 20;
 
-/// While it lives, this script stands in for the peer's program.
+/// During its lifetime, this script stands in for the peer's program.
 class StandIn {
   public:
     explicit StandIn(const std::string& script) {
@@ -81,7 +81,7 @@ CliRun run_small(const std::string& more = {}) {
 
 } // namespace
 
-TEST_CASE("engines --json says on what was measured, how, and what came of it") {
+TEST_CASE("engines --json gives the machine, the method and the results") {
     const TemporaryFolder folder;
     const StandIn peer(answering_script(folder.write("picture", bytes_of_room())));
     const CliRun result = run_small("--json");
@@ -118,7 +118,7 @@ TEST_CASE("engines --json says on what was measured, how, and what came of it") 
     CHECK(last["ratio"].is_null());
 }
 
-TEST_CASE("A picture that differs is exit code 1, and instead of ratios it is said what differs") {
+TEST_CASE("A picture that differs is exit code 1, and the difference is shown in place of ratios") {
     const TemporaryFolder folder;
     std::string bytes = bytes_of_room();
     bytes.replace(4 * side, 40, std::string(40, '\0')); // ten pixels of row 1
@@ -129,7 +129,8 @@ TEST_CASE("A picture that differs is exit code 1, and instead of ratios it is sa
     CHECK_THAT(result.out, ContainsSubstring("the first at 0,1"));
 }
 
-TEST_CASE("A peer that is missing, breaks off or talks nonsense is a sentence and exit code 4") {
+TEST_CASE(
+    "A peer that is missing, stops early or talks nonsense gives a sentence and exit code 4") {
     const auto complaint = [] {
         const CliRun result = run_small();
         CHECK(result.exit_code == 4);
@@ -160,7 +161,7 @@ TEST_CASE("A peer that is missing, breaks off or talks nonsense is a sentence an
     }
 }
 
-TEST_CASE("Options of engines that mean nothing are wrong usage") {
+TEST_CASE("Meaningless options of engines are wrong usage") {
     const auto complaint = [](const std::string& option, const std::string& value) {
         const CliRun result = run({"engines", option, value});
         CHECK(result.exit_code == 2);
@@ -178,7 +179,7 @@ TEST_CASE("Options of engines that mean nothing are wrong usage") {
 }
 
 TEST_CASE("After Ctrl+C engines ends with 130 and prints what it has") {
-    // The peer presses it: the third time it is asked how long something took.
+    // The peer presses it the third time it is asked how long something took.
     const TemporaryFolder folder;
     std::string script = answering_script(folder.write("picture", bytes_of_room()));
     const std::string answer = "round) echo 2 3 ;;";
@@ -196,7 +197,7 @@ TEST_CASE("After Ctrl+C engines ends with 130 and prints what it has") {
     CHECK(rounds < 1000);
 }
 
-TEST_CASE("Ctrl+C is noted, however often, and what stood before stands again afterwards") {
+TEST_CASE("Ctrl+C is noted, however often, and the previous handler is restored afterwards") {
     std::signal(SIGINT, SIG_IGN);
     {
         const Interrupt interrupt;

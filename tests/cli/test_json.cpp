@@ -5,7 +5,7 @@
 using namespace rasterwalk;
 using namespace rasterwalk::test;
 
-TEST_CASE("JSON is laid out letter by letter as scripts have read it so far") {
+TEST_CASE("JSON is laid out exactly as existing scripts read it") {
     const std::string rows = run({"rows", "--json", "0,2", "3,1"}).out;
     const std::string begin = R"({
     "outside" : [
@@ -54,7 +54,7 @@ TEST_CASE("JSON is laid out letter by letter as scripts have read it so far") {
 )");
 }
 
-TEST_CASE("JSON escapes what is no plain letter, and nothing else") {
+TEST_CASE("JSON escapes every character that needs it, and no other") {
     const TemporaryFolder folder;
     const std::string path = folder.write("scene.toml", R"(
 name = "escapes"

@@ -13,7 +13,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// What is kept between runs is in this folder during the test.
+/// During the test, what is kept between runs goes to this folder.
 class OwnState {
   public:
     OwnState() {
@@ -40,7 +40,7 @@ class OwnState {
 
 } // namespace
 
-TEST_CASE("'rasterwalk lessons' lists the lessons and what is done of them") {
+TEST_CASE("'rasterwalk lessons' lists the lessons and their progress") {
     const OwnState state;
     const CliRun fresh = run({"lessons"});
     CHECK(fresh.exit_code == 0);

@@ -106,7 +106,7 @@ TEST_CASE("pixel follows the view: stage, settings, size and scene") {
     CHECK(run({"pixel", "640,3", "--size", "641x20"}).exit_code == 0);
 }
 
-TEST_CASE("pixel without a pixel of the picture is wrong usage, and says which there are") {
+TEST_CASE("pixel without a pixel of the picture is wrong usage, and says which pixels exist") {
     for (const char* outside : {"500,0", "0,500", "-1,3", "3,-1", "2147483647,0"}) {
         const CliRun result = run({"pixel", outside});
         INFO(outside);
@@ -190,7 +190,7 @@ TEST_CASE("A scene whose texture is missing ends with 3, file and line") {
                ContainsSubstring(path + ":10: the texture 'none.png' cannot be used: "));
 }
 
-TEST_CASE("pixel says whether the lamp's light arrives, and what stands between") {
+TEST_CASE("pixel says whether the lamp's light arrives, and what blocks it") {
     CHECK_THAT(
         run({"pixel", "400,450", "--set", "shadows=rays"}).out,
         ContainsSubstring("\nIn shadow: triangles[12] (short block) is in between, 0.20 of the way "

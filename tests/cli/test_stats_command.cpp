@@ -172,7 +172,7 @@ TEST_CASE("The help of stats says what each of its numbers counts") {
     CHECK_THAT(help, ContainsSubstring("--time"));
 }
 
-TEST_CASE("stats --time tells for each way of culling what it saves") {
+TEST_CASE("stats --time shows how much each way of culling saves") {
     const std::vector<std::string> arguments{
         "stats", "--time", "--set", "viewport.size=100x100", "--set", "camera.focal_length=100"};
     std::vector<std::string> as_json = arguments;

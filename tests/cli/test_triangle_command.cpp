@@ -86,7 +86,7 @@ TEST_CASE("triangle --json gives the vertices through the spaces") {
     CHECK_THAT(json, ContainsSubstring("\"pixel\":[160,218]"));
 }
 
-TEST_CASE("triangle shows every space with its matrix where matrices do the work") {
+TEST_CASE("triangle shows every space with its matrix if vertices go through matrices") {
     const CliRun rows = run({"triangle", "0", "--set", "transform=matrices"});
     INFO(rows.err);
     CHECK(rows.exit_code == 0);
@@ -149,7 +149,7 @@ TEST_CASE("triangle --to stops in the middle of the row table") {
     CHECK_THAT(nothing, !ContainsSubstring("\"wrote\""));
 }
 
-TEST_CASE("A triangle that is cut or culled tells of every plane and edge, and of the answer") {
+TEST_CASE("The report of a cut or culled triangle has every plane and edge, and the answer") {
     const std::vector<std::string> cut{"--set", "camera.position=0,0,-0.9", "--set", "clip=near"};
     // Corner 0 is at z = 1.9, the others 0.1 behind the camera: 1.8 of 2.0 up to the plane.
     const CliRun text = run({"triangle", "0", cut[0], cut[1], cut[2], cut[3]});
@@ -197,7 +197,7 @@ TEST_CASE("A triangle that is left out says why, and still has its vertices") {
     CHECK_THAT(json, ContainsSubstring("\"rows\":[]"));
 }
 
-TEST_CASE("A triangle that does not exist is wrong usage, told with those that do") {
+TEST_CASE("A triangle that does not exist is wrong usage, and the message says which do") {
     const auto complaint = [](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "triangle");
         const CliRun result = run(arguments);
@@ -221,7 +221,7 @@ TEST_CASE("A triangle that does not exist is wrong usage, told with those that d
     CHECK_THAT(complaint({}), ContainsSubstring("N is required"));
 }
 
-TEST_CASE("A triangle's report is the row table in one go, sample by sample") {
+TEST_CASE("A triangle's report is the row table built at once, sample by sample") {
     const Scene scene = small_scene();
     for (const Variant& variant : rule_variants()) {
         Settings settings = default_settings(scene);
@@ -230,7 +230,7 @@ TEST_CASE("A triangle's report is the row table in one go, sample by sample") {
         CAPTURE(variant.name);
         for (int t = 0; t < frame.triangle_count(); ++t) {
             CAPTURE(t);
-            // A new table: of rows that no sample reaches only the columns are emptied.
+            // A new table: rows that no sample reaches have only their columns emptied.
             PolygonRows direct;
             const TriangleReport report = triangle_report(frame, t);
             CHECK(report.rejection == frame.rejection(t));
@@ -246,7 +246,7 @@ TEST_CASE("A triangle's report is the row table in one go, sample by sample") {
             for (const EdgeReport& edge : report.edges) {
                 CHECK(static_cast<int>(edge.samples.size()) == edge.count);
                 for (const EdgeSample& step : edge.samples) {
-                    // The table that is made up to this sample has it as its last.
+                    // The table made up to this sample has it as its last.
                     const RowHistory until = row_history(
                         frame.triangle_vertices(t), edge_rules(settings), frame.stages, ++samples);
                     REQUIRE(until.last);
@@ -262,7 +262,7 @@ TEST_CASE("A triangle's report is the row table in one go, sample by sample") {
     }
 }
 
-TEST_CASE("A line that decides has its decisions in the JSON, another has none") {
+TEST_CASE("Lines that make decisions have them in the JSON, and others have none") {
     const std::string lab = json_of({"0", "--scene", bench_file});
     CHECK_THAT(lab, !ContainsSubstring("\"decision\""));
     // Edge 1, from (5,10) to (15,15): l = 10, s = 5, so that d begins at 0.
@@ -272,7 +272,7 @@ TEST_CASE("A line that decides has its decisions in the JSON, another has none")
                                         "\"step\":\"diagonal\""));
 }
 
-TEST_CASE("triangle shows what a row table and a fan make of the polygon it belongs to") {
+TEST_CASE("triangle shows its polygon as a row table and a fan cover it") {
     const std::string dented = lessons_folder() + "/scenes/dented.toml";
     const std::vector<std::string> rules{"--set", "coverage=edge_functions", "--set",
                                          "fill_rule=top_left"};
@@ -294,7 +294,7 @@ TEST_CASE("triangle shows what a row table and a fan make of the polygon it belo
     CHECK_THAT(run({"triangle", "0", "--scene", bench_file}).out, !ContainsSubstring("Polygon"));
 }
 
-TEST_CASE("triangle shows what each fill rule makes of the edges that a neighbour shares") {
+TEST_CASE("triangle shows the edges shared with a neighbour under each fill rule") {
     const std::string square = lessons_folder() + "/scenes/shared-edge.toml";
     CHECK_THAT(run({"triangle", "0", "--scene", square, "--set", "coverage=scan_conversion"}).out,
                ContainsSubstring("\nShared edges\n"
@@ -308,7 +308,7 @@ TEST_CASE("triangle shows what each fill rule makes of the edges that a neighbou
                           "\"rules\":[{\"holes\":0,\"rule\":\"inclusive\",\"twice\":9},"
                           "{\"holes\":7,\"rule\":\"exclusive\",\"twice\":0},"
                           "{\"holes\":0,\"rule\":\"top_left\",\"twice\":0}]}]"));
-    // The lab's rows ask for no rule.
+    // The lab's rows have no fill rule.
     CHECK_THAT(run({"triangle", "0", "--scene", square}).out, !ContainsSubstring("Shared"));
     CHECK_THAT(json_of({"0", "--scene", square}), !ContainsSubstring("shared_edges"));
 }

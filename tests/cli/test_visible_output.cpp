@@ -29,7 +29,7 @@ bool is_harmless(const std::string& text) {
            text.find("\xe2\x80\xae") == text.npos;
 }
 
-/// The lab's room with orders in its name and in the names of its parts.
+/// The lab's room with terminal commands in its name and in the names of its parts.
 std::string bad_room(const test::TemporaryFolder& folder) {
     std::string text = test::bytes_of(lessons_folder() + "/scenes/lab-room.toml");
     for (std::size_t at = 0; (at = text.find("name = \"", at)) != text.npos; at += 8)
@@ -37,7 +37,7 @@ std::string bad_room(const test::TemporaryFolder& folder) {
     return folder.write("room" + orders + ".toml", text);
 }
 
-/// Feeds a file to the standard input while it lives.
+/// Feeds a file to the standard input during its lifetime.
 class StandardInput {
   public:
     explicit StandardInput(const std::string& path) : kept_(::dup(STDIN_FILENO)) {
@@ -78,7 +78,7 @@ TEST_CASE("Text is passed on line by line, and a letter is never cut") {
     CHECK_FALSE(out);
 }
 
-TEST_CASE("What a scene is called gives no orders to the terminal") {
+TEST_CASE("A scene's name cannot send commands to the terminal") {
     const test::TemporaryFolder folder;
     const std::string room = bad_room(folder);
     for (const std::vector<std::string>& command : {std::vector<std::string>{"triangle", "3"},
@@ -100,7 +100,7 @@ TEST_CASE("What a scene is called gives no orders to the terminal") {
     }
 }
 
-TEST_CASE("Messages show what a terminal would obey, on one line") {
+TEST_CASE("Messages show control characters as escapes, on one line") {
     const test::TemporaryFolder folder;
     const std::string name = orders + "\nrasterwalk: all is well.toml";
     const CliRun result = run({"stats", "--scene", folder.file(name)});

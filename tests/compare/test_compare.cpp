@@ -40,7 +40,7 @@ TEST_CASE("Pixels that differ are counted, with the largest and the mean differe
     CHECK(values[3] == 0.5f);
 }
 
-TEST_CASE("Pixels counted some rows at a time come to the same bits") {
+TEST_CASE("Counting pixels a few rows at a time gives the same bits") {
     const Scene scene = test::lab_room();
     Settings settings = default_settings(scene);
     settings.viewport = {90, 70};
@@ -56,7 +56,7 @@ TEST_CASE("Pixels counted some rows at a time come to the same bits") {
     CHECK(count.found() == pixel_difference(a, b));
 }
 
-TEST_CASE("Colours that are no numbers are compared as they are shown") {
+TEST_CASE("Colours that are not numbers are compared as they are shown") {
     const Framebuffer a = picture({{NAN, 0, 0}, {INFINITY, 0, 0}, {NAN, 0, 0}});
     const Framebuffer b = picture({{NAN, 0, 0}, {-INFINITY, 0, 0}, {0.5f, 0, 0}});
     const PixelDifference difference = pixel_difference(a, b);
@@ -82,7 +82,7 @@ TEST_CASE("The colours of a difference are symmetric about black") {
     CHECK(difference_colour(1e-9f, 1.0f).r > 50);
 }
 
-TEST_CASE("Runs compared in parts come to the same as compared at once") {
+TEST_CASE("Comparing runs in parts gives the same result as comparing them at once") {
     const Scene scene = test::lab_room();
     Settings settings = default_settings(scene);
     set_from_text(settings, "viewport.size=120x100");
@@ -97,7 +97,7 @@ TEST_CASE("Runs compared in parts come to the same as compared at once") {
     work.begin(a, b);
     work.advance({0.0, 10'000.0});
     CHECK_FALSE(work.is_done());
-    work.begin(a, b); // another step of the camera: all over again
+    work.begin(a, b); // another step of the camera: the work starts again
     CHECK(work.triangles_done() == 0);
     int parts = 0;
     for (int done = 0; !work.is_done(); ++parts) {
@@ -176,7 +176,7 @@ TEST_CASE("A comparison in parts agrees with one done at once, and reuses the pr
         Settings changed = settings;
         set_from_text(changed, other);
         const Frame b = prepare_frame(scene, changed);
-        // One that is not taken to its end leaves nothing behind.
+        // An unfinished comparison leaves nothing behind.
         work.begin(b, a);
         for (int i = 0; i < 30; ++i)
             work.advance({0.0, 500.0});

@@ -22,7 +22,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// What is seen of a run at one moment, as bits.
+/// What a run shows at one moment, as bits.
 struct Seen {
     std::vector<std::uint32_t> work; ///< of the vertex or the edge sample
     std::vector<std::vector<std::uint32_t>> fragments;
@@ -41,7 +41,7 @@ void add(std::vector<std::uint32_t>& seen, const glm::vec3& v) {
     seen.insert(seen.end(), {bits(v.x), bits(v.y), bits(v.z)});
 }
 
-/// Everything that is seen of a run, by its moments: the plain walk.
+/// Everything that a run shows, by its moments: the plain walk.
 /// @param as_shown colours as the screen shows them
 /// @param with_ways edge samples and tested pixels too
 std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_shown = false,
@@ -74,7 +74,7 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
         for (int i = 0; i < 4; ++i)
             work.push_back(bits(event.step.cut.position_clip[i]));
     }
-    // A triangle that is tested and shows its front goes on as if it had not been tested.
+    // A tested triangle that faces the camera goes on as if it had not been tested.
     for (const CullEvent& event : recorder.culls) {
         if (event.test.is_back) all[event.cursor].work = {1U};
     }
@@ -153,7 +153,7 @@ std::vector<DivergenceGroup> groups_of(const Differences& differences) {
     return list;
 }
 
-/// Fails unless what is found is what the plain walk finds.
+/// Fails unless the divergences are those that the plain walk finds.
 void require_true_divergences(const Frame& a, const Frame& b) {
     const Differences expected = differences(a, b);
     const DivergenceList found = compare_runs(a, b).divergences;
@@ -167,10 +167,10 @@ void require_true_divergences(const Frame& a, const Frame& b) {
     REQUIRE(found.groups == groups_of(expected));
 }
 
-/// The settings with one word of a choice setting each.
-/// @param fewest pairs of each setting at each stage, at little effort
-/// @param apart at little effort a setting is tried at each of so many stages only, others for the
-/// next setting
+/// Calls `use` with pairs of values of each choice setting.
+/// @param fewest pairs of each setting at each stage, if effort is low
+/// @param apart if effort is low, a setting is tried only at every `apart`-th stage, starting one
+/// stage later for each setting
 void for_each_pair(const Scene& scene, std::size_t fewest, int apart,
                    const std::function<void(const Frame&, const Frame&)>& use) {
     int begin = 0;
@@ -188,7 +188,7 @@ void for_each_pair(const Scene& scene, std::size_t fewest, int apart,
                 set_value(settings, setting, word);
                 frames.push_back(prepare_frame(scene, settings));
             }
-            // Each stage begins with another pair, so that few tries reach many of them.
+            // Each stage begins with a different pair, so that a few tries reach many of them.
             const std::size_t pairs = frames.size() * frames.size();
             for (const std::size_t i : spread(pairs, fewest)) {
                 const std::size_t pair = (i + static_cast<std::size_t>(stage)) % pairs;
@@ -256,7 +256,7 @@ TEST_CASE("The first difference names plane and edge, or why a triangle is culle
     CHECK(back->text.ends_with("its corners go round counterclockwise on the screen."));
 }
 
-TEST_CASE("For cameras and lamps that differ the divergences are those of a plain walk") {
+TEST_CASE("For different cameras and lamps the divergences are those of a plain walk") {
     const Scene scene = small_room();
     for (const StripStep& stage :
          {StripStep{Stage::rows}, StripStep::vertex_light, StripStep::pixel_light}) {
@@ -272,7 +272,7 @@ TEST_CASE("For cameras and lamps that differ the divergences are those of a plai
     }
 }
 
-TEST_CASE("Triangles of more fragments than are kept at once") {
+TEST_CASE("Triangles with more fragments than are kept at once are compared") {
     Scene scene = pixel_scene({{{{-200, -90, 1}, {900, 40, 2}, {100, 800, 3}}},
                                {{{0, 0, 1}, {500, 0, 1}, {0, 600, 1.5f}}}},
                               {400, 300});
@@ -421,7 +421,7 @@ std::string cause(const Scene& scene, const StripStep& stage, const std::string&
     const Frame a = prepare_frame(scene, settings);
     set_from_text(settings, set_in_b);
     const Frame b = prepare_frame(scene, settings);
-    // It ends there; that it is the first of the whole list is tested above.
+    // The walk ends there; that this is the first of the whole list is tested above.
     const std::optional<Divergence> first = next_divergence(a, b, cursor_begin);
     return first ? to_text(first->cursor) + ": " + first->text : "";
 }
@@ -456,7 +456,7 @@ TEST_CASE("The cause is given in words and numbers") {
           "t0/v0: only A puts a mark on the picture; the stages are points and edges.");
     CHECK(cause(room, {Stage::edges}, "stage=fill") ==
           "t0/e0/s0: only A puts a mark on the picture; the stages are edges and fill.");
-    // The same pixels are found, whichever of the box are asked.
+    // The same pixels are found, whichever pixels of the box are tested.
     CHECK(cause(room, {Stage::depth}, "box_walk=interval", "coverage=edge_functions").empty());
     CHECK(cause(room, StripStep::vertex_light, "light.power=2.2") ==
           "t0/v0: vertices[0]: its light is (0.0762945, 0.381473, 0.0762945) in A, (0.0775891, "

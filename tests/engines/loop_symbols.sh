@@ -3,9 +3,8 @@
 #   loop_symbols.sh NM OBJECT...
 # Each level is compiled for different instructions. The linker keeps one copy of a weak symbol, such as an inline
 # function or a template, for the whole program: compiled for a newer processor it would end the program on an older
-# one. So an object of fast_loops_LEVEL.cpp has one global symbol, LEVEL_loops(), or none at all if its processor is not
-# built for. Other objects are not checked. Prints a sentence for each fault; exits 1 if there is one, 2 if there was
-# nothing to check.
+# one. So an object of fast_loops_LEVEL.cpp has one global symbol, LEVEL_loops(), or none if LEVEL is not built. Other
+# objects are not checked. Prints a sentence for each fault; exits 1 if there is one, 2 if there was nothing to check.
 set -u
 nm=${1:?NM is missing}
 shift

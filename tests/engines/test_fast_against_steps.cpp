@@ -1,5 +1,6 @@
 // The fast engine draws what the steps draw, and shows the triangles that rays meet: all scenes and
-// models of the project, from several places, under every kind of light and texture that it knows.
+// models of the project, from several places, under every kind of light and texture that it
+// supports.
 
 #include <algorithm>
 #include <array>
@@ -54,7 +55,7 @@ std::vector<Scene> project_scenes() {
     return scenes;
 }
 
-/// What the scenes of the project have and the fast engine does not.
+/// Features that scenes of the project use and the fast engine does not have.
 Settings without_what_it_lacks(Settings settings) {
     settings.normal_map = NormalMapUse::off;
     settings.blend = Blend::off;
@@ -68,16 +69,16 @@ struct PoseFromOwn {
     float yaw, pitch;
     float zoom; ///< of the focal length
 };
-/// Beside the scene's own place, from which borders of texels run exactly through centres of
-/// pixels. The third and the fourth stand among the surfaces, so that some are cut.
+/// None is the scene's own pose, from which borders of texels run exactly through centres of
+/// pixels. The third and the fourth are among the surfaces, so that some are cut.
 constexpr PoseFromOwn poses[] = {
     {"its own", {0.0137f, 0.0071f, 0.0f}, 0.011f, 0.007f, 1.0f},
-    {"beside it", {0.4f, -0.3f, 0.2f}, -0.15f, -0.1f, 1.3f},
+    {"next to it", {0.4f, -0.3f, 0.2f}, -0.15f, -0.1f, 1.3f},
     {"inside", {0.2f, 0.1f, 2.3f}, 0.4f, 0.1f, 0.5f},
     {"inside, looking back", {-0.3f, -0.1f, 3.1f}, 2.5f, 0.3f, 0.4f},
 };
 
-/// Settings by words that the fast engine draws.
+/// Settings that the fast engine draws.
 constexpr const char* looks[][4] = {
     {"shading=phong"},
     {"shading=gouraud"},
@@ -92,7 +93,7 @@ constexpr const char* looks[][4] = {
     {"shading=unlit", "texture_filter=bilinear", "texture_wrap=mirror"},
 };
 
-/// The camera that looks at a point, with the turn and tilt that this takes; it must stand upright.
+/// A camera that looks at a point, given by yaw and pitch instead; it must not be rolled.
 Camera aimed_by_angles(Camera camera) {
     if (camera.aim == CameraAim::angles) return camera;
     const glm::vec3 forward = glm::normalize(camera.target - camera.position);
@@ -128,8 +129,7 @@ std::string words_of(const char* const (&assignments)[4]) {
 }
 
 /// What rays meet, for pictures with cut triangles: where two of them meet in an edge, the steps
-/// cut both in float, and corners may come to stand a 256th of a pixel apart. None where nothing is
-/// cut.
+/// cut both in float, and corners can end up a 256th of a pixel apart. None if nothing is cut.
 std::vector<int> rays_for_cut(const Frame& frame) {
     if (count_clipping(frame).clipped == 0) return {};
     constexpr double margin = 1.0 / 64.0;
@@ -138,8 +138,8 @@ std::vector<int> rays_for_cut(const Frame& frame) {
                      margin);
 }
 
-/// Are textures shown on triangles with a corner far beside the picture? On the way from there the
-/// floats of the steps are off by some 1e-5, which is some texels of a texture that is repeated.
+/// Are textures shown on triangles with a corner far outside the picture? On the way from there the
+/// floats of the steps are off by about 1e-5, which is a few texels of a repeated texture.
 bool has_far_textures(const Frame& frame) {
     if (!is_textured(frame)) return false;
     constexpr float far = 2048.0f; // pixels
@@ -151,9 +151,9 @@ bool has_far_textures(const Frame& frame) {
     return false;
 }
 
-/// Draws at every level and by the steps, and holds one against the other.
-/// @return was it so? Not where the steps leave out what is projected too far out: the fast engine
-///         cuts that off in a guard band
+/// Draws at every level and by the steps, and compares the pictures.
+/// @return were they compared? Not if the steps leave out what is projected too far out: the fast
+///         engine cuts that off in a guard band
 bool check_against_steps(const Scene& scene, const Settings& settings) {
     const std::string refusal = fast_engine_refuses(scene, settings);
     REQUIRE(refusal.empty());
@@ -188,7 +188,7 @@ TEST_CASE("Scenes and models of the project are drawn as the steps draw them") {
         CAPTURE(scene.path);
         ++drawn;
         for (const std::size_t i : spread(std::size(poses) * std::size(looks), 4)) {
-            // Each scene begins with another look, so that all have their turn.
+            // Each scene begins with a different look, so that all are used.
             const std::size_t k = (i + turn++) % (std::size(poses) * std::size(looks));
             const PoseFromOwn& pose = poses[k % std::size(poses)];
             const auto& look = looks[k / std::size(poses)];
@@ -223,8 +223,7 @@ TEST_CASE("Pictures of odd sizes are drawn as the steps draw them") {
     }
 }
 
-TEST_CASE(
-    "Reflectances, normals and places in a texture of each corner are mixed as by the steps") {
+TEST_CASE("Reflectances, normals and texture coordinates of corners are mixed as by the steps") {
     Scene scene = lab_room();
     scene.textures.emplace_back(make_texture("colours.png", many_colours(13, 7)));
     scene.parts.clear();
@@ -252,7 +251,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Pixels beside the outlines show the triangle that their ray meets") {
+TEST_CASE("Pixels away from the outlines show the triangle that their ray meets") {
     constexpr double margin = 1.0 / 16.0;
     std::size_t compared = 0;
     for (const Scene& scene : some_of(project_scenes(), 12)) {

@@ -43,8 +43,8 @@ std::int64_t double_area_of(const Place& a, const Place& b, const Place& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Does a triangle own the centre of a pixel? What lies inside it it owns, and of its edges the
-/// level one above and those to the left.
+/// Does a triangle own the centre of a pixel? It owns what is inside it and what is on its left
+/// edges or its level top edge.
 bool owns_centre(Place a, Place b, Place c, int column, int row) {
     if (double_area_of(a, b, c) == 0) return false;
     if (double_area_of(a, b, c) < 0) std::swap(b, c);
@@ -63,7 +63,7 @@ struct Owners {
     std::vector<int> owner, count;
 };
 
-/// @param triangles numbers of those that are drawn
+/// @param triangles numbers of the triangles drawn
 Owners owners_of(const Tiling& tiling, const std::vector<int>& triangles) {
     const int width = tiling.size.width, height = tiling.size.height;
     const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -93,7 +93,7 @@ Owners owners_of(const Tiling& tiling, const std::vector<int>& triangles) {
 
 /// The borders of cells along one side of a picture: pixels at whole numbers or beyond both ends.
 std::vector<std::int64_t> cell_borders(int side, int smallest, int largest, Random& random) {
-    // Half a pixel off, borders run through centres.
+    // With a shift of half a pixel, borders run through centres.
     constexpr int shifts[] = {0, parts / 2, parts / 16, 1};
     std::int64_t at =
         -std::int64_t{parts} * random.integer(-5, 2 * largest) + shifts[random.integer(0, 3)];
@@ -165,7 +165,7 @@ enum class Depths { one, several };
 constexpr float focal_length = 256.0f;
 
 /// The scene that shows the tiling to a camera at the origin. All depths are powers of two, so that
-/// the way to the screen is without error.
+/// projection to the screen is exact.
 Scene scene_of(const Tiling& tiling, const std::vector<int>& triangles, Depths depths,
                Random& random) {
     Scene scene;
@@ -190,7 +190,7 @@ Scene scene_of(const Tiling& tiling, const std::vector<int>& triangles, Depths d
     return scene;
 }
 
-/// Where a picture of some triangles of a tiling is not what whole numbers say, in words.
+/// Where a picture of some triangles of a tiling differs from integer arithmetic, in words.
 std::string coverage_fault(const FastPicture& picture, const std::vector<int>& triangles,
                            const Owners& expected) {
     for (int row = 0; row < picture.size.height; ++row) {
@@ -215,7 +215,7 @@ void check_coverage(const Tiling& tiling, const std::vector<int>& triangles, con
     const Depths depths = random.integer(0, 1) == 0 ? Depths::one : Depths::several;
     const Scene scene = scene_of(tiling, triangles, depths, random);
     Settings settings = default_settings(scene);
-    // Light that has a closed form, and light that is put later.
+    // Light that has a closed form, and light that is applied later.
     set_step(settings, random.integer(0, 1) == 0 ? StripStep::pixel_light
                                                  : StripStep{Stage::shade, Shading::unlit});
     for (const SimdLevel level : simd_levels()) {
@@ -232,7 +232,7 @@ std::vector<int> all_of(const Tiling& tiling) {
     return all;
 }
 
-/// Tilings with cells of a size, until so many edges are shared.
+/// Tests tilings with cells of a given size until enough edges are shared.
 void check_tilings(int smallest, int largest, int edges, std::uint32_t seed) {
     Random random(seed);
     std::int64_t shared = 0, owned = 0;
@@ -252,19 +252,19 @@ void check_tilings(int smallest, int largest, int edges, std::uint32_t seed) {
 
 } // namespace
 
-TEST_CASE("Of tiny triangles each pixel is owned by the one that whole numbers name") {
+TEST_CASE("Each pixel of tiny triangles is owned by the right one") {
     check_tilings(1, 3, rounds(900000, 40000), 801);
 }
 
-TEST_CASE("Of small and medium triangles each pixel is owned by the right one") {
+TEST_CASE("Each pixel of small and medium triangles is owned by the right one") {
     check_tilings(5, 60, rounds(90000, 4000), 802);
 }
 
-TEST_CASE("Of large triangles each pixel is owned by the right one") {
+TEST_CASE("Each pixel of large triangles is owned by the right one") {
     check_tilings(70, 400, rounds(10000, 600), 803);
 }
 
-TEST_CASE("Of triangles of all sizes each pixel is owned by the right one") {
+TEST_CASE("Each pixel of triangles of all sizes is owned by the right one") {
     check_tilings(1, 150, rounds(20000, 1500), 804);
 }
 

@@ -29,7 +29,8 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// A floor of triangles that share their corners, some of them behind the camera or far beside it.
+/// A floor of triangles that share their corners, some of them behind the camera or far to its
+/// side.
 struct Floor {
     Scene scene;
     std::vector<TriangleIndices> triangles;
@@ -51,7 +52,7 @@ Scene scene_seen_from(const Camera& camera, Viewport size) {
 }
 
 /// A fan about a place in front of the camera: its rim lies all round, beyond the near plane or the
-/// guard band, so that the picture is full of it.
+/// guard band, so that it fills the picture.
 Floor fan_around(Viewport size, Random& random) {
     Floor floor;
     const float focal_length = random.number(20, 400);
@@ -79,8 +80,8 @@ Floor fan_around(Viewport size, Random& random) {
     return floor;
 }
 
-/// A bumpy ground that begins behind the camera, which stands above it, and is wider than the
-/// guard band; and a ceiling, so that nothing shows the background but what lies between them.
+/// Bumpy ground that begins behind the camera, below it, and is wider than the guard band; and a
+/// ceiling, so that the background shows only between the two.
 Floor ground(Viewport size, Random& random) {
     Floor floor;
     Camera camera{glm::vec3(0.0f), random.number(-3, 3), random.number(-0.2, 0.2),
@@ -176,7 +177,8 @@ std::string ray_fault(const Floor& floor, const Settings& settings, SimdLevel le
     return {};
 }
 
-/// Is a triangle cut: has it a corner behind the near plane, or beyond the guard band?
+/// Is a triangle cut, that is, does it have a corner behind the near plane or beyond the guard
+/// band?
 int count_cut(const Floor& floor, const Settings& settings) {
     const glm::mat3 axes = camera_rotation(settings.camera);
     const auto is_out = [&](int vertex) {
@@ -198,7 +200,7 @@ constexpr Viewport cut_picture{90, 70};
 
 } // namespace
 
-TEST_CASE("Triangles cut at the near plane and the guard band leave no hole and overlap nowhere") {
+TEST_CASE("Triangles cut at the near plane and the guard band leave no holes and do not overlap") {
     Random random(811);
     int cut = 0;
     const int floors = rounds(400, 20);
@@ -234,7 +236,7 @@ TEST_CASE("What is left of cut triangles is what rays meet") {
     CHECK(cut > 4 * floors);
 }
 
-TEST_CASE("A corner just within the guard band stays where it is for its cut neighbour, too") {
+TEST_CASE("A corner just within the guard band stays in place for its cut neighbour too") {
     // Its far corner is cut off; the edge that it shares with a whole triangle must not move.
     Random random(813);
     for (int i = 0; i < rounds(400, 60); ++i) {

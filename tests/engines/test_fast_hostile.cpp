@@ -1,5 +1,5 @@
-// Scenes and settings that are never chosen seriously: the fast engine finishes, stays within its
-// memory, and draws black or something sensible.
+// Scenes and settings of no practical use: the fast engine finishes, stays within its memory, and
+// draws black or something sensible.
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ namespace {
 constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-/// What is wrong with a picture by itself, in words: every pixel is black and empty, or shows a
+/// What is wrong with a picture on its own, in words: every pixel is black and empty, or shows a
 /// triangle of the scene at a depth in front of the camera.
 std::string insane(const FastPicture& picture, const Scene& scene) {
     for (int row = 0; row < picture.size.height; ++row) {
@@ -144,7 +144,7 @@ float& any_number(Vertex& vertex, Random& random) {
 
 } // namespace
 
-TEST_CASE("The fast engine draws scenes with numbers that are none, or as large as they can be") {
+TEST_CASE("The fast engine draws scenes with NaN, infinity or the largest numbers") {
     const Scene room = hostile_room();
     constexpr float numbers[] = {nan_value, infinite, -infinite, 1e30f, -1e30f, 1e-30f,
                                  3.4e38f,   1e15f,    -1e10f,    1e7f,  -0.0f,  1e-40f};
@@ -196,7 +196,7 @@ TEST_CASE("The fast engine draws triangles of any shape that floats can have") {
     CHECK(seen > scenes / 2);
 }
 
-TEST_CASE("The fast engine shows no triangle nearer or farther than its corners are") {
+TEST_CASE("The fast engine shows no triangle nearer or farther than its corners") {
     Random random(833);
     int compared = 0;
     for (int i = 0; i < rounds(4000, 200); ++i) {
@@ -284,7 +284,7 @@ TEST_CASE("The fast engine draws with any camera, lamp and exponent") {
     CHECK(seen > views / 3);
 }
 
-TEST_CASE("The fast engine draws scenes of nothing") {
+TEST_CASE("The fast engine draws empty scenes") {
     Scene empty;
     empty.viewport = {20, 10};
     CHECK_FALSE(check_sane(empty, default_settings(empty)));
@@ -299,7 +299,7 @@ TEST_CASE("The fast engine draws scenes of nothing") {
     CHECK_FALSE(check_sane(room, settings));
 }
 
-TEST_CASE("The fast engine draws textures of one texel and of odd sizes, wherever they are asked") {
+TEST_CASE("The fast engine draws textures of one texel and of odd sizes, at any coordinates") {
     Random random(835);
     constexpr std::array<int, 2> sizes[] = {{1, 1}, {1, 9}, {7, 1}, {5, 3}};
     for (const auto& [width, height] : sizes) {
@@ -337,7 +337,7 @@ TEST_CASE("The fast engine draws the largest picture") {
     CHECK(picture.owner[picture.at(largest_viewport - 2, largest_viewport - 2)] >= 0);
 }
 
-TEST_CASE("A level that the machine has not is refused with its name") {
+TEST_CASE("A level that the machine does not have is refused by name") {
     const std::vector<SimdLevel> levels = simd_levels();
     CHECK(best_simd_level() == levels.back());
     CHECK(std::is_sorted(levels.begin(), levels.end()));

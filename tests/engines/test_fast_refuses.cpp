@@ -1,6 +1,6 @@
 // Every word of every setting: the fast engine draws it as the steps do, or reports that it does
-// not know it, or it is one of the engine's own rules for pixels and edges. A new setting fails
-// this test until it is decided which.
+// not support it, or it is a rule for pixels and edges that the engine replaces by its own. A new
+// setting fails this test until one of these is chosen for it.
 
 #include <algorithm>
 #include <map>
@@ -26,7 +26,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// What the fast engine does by its own rules, whatever these settings say, and why.
+/// The settings that the fast engine replaces by its own rules, and why.
 const std::map<std::string_view, std::string_view> own_rules{
     {"rounding", "corners stand on 256ths of a pixel"},
     {"vertex_rounding", "corners stand on 256ths of a pixel"},
@@ -48,7 +48,7 @@ const std::map<std::string_view, std::string_view> own_rules{
     {"reject", "what lies outside is not drawn, however that is found"},
 };
 
-/// A value of each setting that is no choice among words, other than that of all scenes.
+/// Values of each setting that is not a choice of words, different from the default.
 const std::map<std::string_view, std::vector<std::string>> other_values{
     {"tessellation", {"1", "3"}},
     {"depth_clear", {"0", "0.34"}},
@@ -87,7 +87,7 @@ struct Ground {
     std::vector<std::string> assignments;
 };
 
-/// The room seen so that one of its ends lies beside the picture, with highlights and a camera that
+/// The room seen so that one of its ends is outside the picture, with highlights and a camera that
 /// can be aimed.
 std::vector<Ground> grounds() {
     Scene half_clear = lab_room();
@@ -128,7 +128,7 @@ Verdict verdict_on(const Scene& scene, const Settings& settings) {
 
 } // namespace
 
-TEST_CASE("Each word of each setting is drawn as by the steps, refused, or a rule of pixels") {
+TEST_CASE("Each word of each setting is drawn as by the steps, refused, or a replaced rule") {
     std::set<std::string> drawn, refused;
     for (const Ground& ground : grounds()) {
         const Settings usual = settings_of_ground(ground);
@@ -149,7 +149,7 @@ TEST_CASE("Each word of each setting is drawn as by the steps, refused, or a rul
     for (const Setting& setting : setting_table()) {
         if (own_rules.contains(setting.name)) continue;
         CAPTURE(setting.name);
-        // A setting that this test does not know yet.
+        // A setting that is new to this test.
         CHECK_FALSE(values_of(setting).empty());
     }
     for (const char* assignment :
@@ -173,7 +173,7 @@ TEST_CASE("Each word of each setting is drawn as by the steps, refused, or a rul
         CHECK(refused.contains(mistake));
 }
 
-TEST_CASE("A refusal says which setting is meant, and is no whole sentence") {
+TEST_CASE("A refusal names its setting, and is not a full sentence") {
     const Scene room = lab_room();
     const auto refusal = [&](const char* assignment) {
         Settings settings = settings_of_ground({room, {}});
@@ -192,7 +192,7 @@ TEST_CASE("A refusal says which setting is meant, and is no whole sentence") {
     CHECK(refusal("stage=fill") == "the fast engine does not support stages before depth");
 }
 
-TEST_CASE("The rules of pixels that the fast engine has of its own change no picture of it") {
+TEST_CASE("The rules that the fast engine replaces by its own do not change its picture") {
     const Scene room = lab_room();
     const Settings usual = settings_of_ground({room, {}});
     const FastPicture expected = fast_picture(room, usual);

@@ -41,7 +41,7 @@ Settings settings_at(const Scene& scene, const char* shading, Viewport size) {
     return settings;
 }
 
-/// Pictures that have little in common: of other sizes, with cut triangles, with other light.
+/// Pictures that have little in common: different sizes, cut triangles, different light.
 std::vector<FastShot> shots_of(const Scene& scene) {
     std::vector<FastShot> shots{
         {"own", settings_at(scene, "shading=phong", {203, 151})},
@@ -81,7 +81,7 @@ Scene pairs_of_triangles() {
         }
         scene.mesh.add_triangle({corners[0], corners[1], corners[2]});
         scene.mesh.add_triangle({corners[2], corners[1], corners[3]});
-        // Round the other way.
+        // In the other orientation.
         if (pair % 3 == 0) scene.mesh.add_triangle({corners[1], corners[2], corners[3]});
     }
     scene.parts.push_back({"pairs", 0, scene.mesh.triangle_count()});
@@ -112,7 +112,7 @@ TEST_CASE("The fast engine's picture is the same bits with one thread, two and t
         for (const SimdLevel level : simd_levels()) {
             FastEngine two(scene, {.level = level, .threads = 2});
             FastEngine three(scene, {.level = level, .threads = 3});
-            // From the second picture on, the previous picture decides how tall the bands are.
+            // For all but the first picture, the previous picture decides how tall the bands are.
             for (int round = 0; round < rounds(5, 2); ++round) {
                 for (const FastShot& shot : shots_of(scene)) {
                     CAPTURE(scene.name, word_of(level), shot.name, round);
@@ -145,7 +145,7 @@ int largest_difference(const std::vector<std::uint32_t>& a, const std::vector<st
     return largest;
 }
 
-TEST_CASE("Whether depth and owner are kept changes no colour by more than a rounding") {
+TEST_CASE("Keeping depth and owner changes no colour by more than rounding") {
     for (const Scene& scene : scenes_to_repeat()) {
         for (const SimdLevel level : simd_levels()) {
             FastEngine one(scene, {.level = level, .keeps_planes = false});
@@ -158,7 +158,7 @@ TEST_CASE("Whether depth and owner are kept changes no colour by more than a rou
                 CHECK((colours_of(of_one) == colours_of(of_two)));
                 const FastPicture kept = fast_picture(scene, shot.settings, {.level = level});
                 REQUIRE(kept.size == of_one.size);
-                // Without owners two triangles of one plane are drawn as one, by the numbers of
+                // Without owners two triangles in one plane are drawn as one, with the numbers of
                 // the first.
                 CHECK(largest_difference(colours_of(of_one), colours_of(kept)) <= 1);
                 CHECK(of_one.owner.empty());
@@ -168,7 +168,7 @@ TEST_CASE("Whether depth and owner are kept changes no colour by more than a rou
     }
 }
 
-TEST_CASE("What the fast engine has drawn before leaves nothing in its next picture") {
+TEST_CASE("Nothing drawn before is left in the fast engine's next picture") {
     Random random(821);
     for (const Scene& scene : scenes_to_repeat()) {
         for (const SimdLevel level : simd_levels()) {
@@ -191,7 +191,7 @@ TEST_CASE("What the fast engine has drawn before leaves nothing in its next pict
     }
 }
 
-TEST_CASE("A picture that kept depth and owner drops them when an engine does not keep them") {
+TEST_CASE("A picture with depth and owner drops them when an engine does not keep them") {
     const Scene room = lesson_scene("lab-room");
     const Settings large = settings_at(room, "shading=phong", {80, 60});
     FastPicture picture = fast_picture(room, large, {});

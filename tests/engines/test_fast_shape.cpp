@@ -31,7 +31,7 @@ FastEye shape_eye(const Camera& camera) {
             .middle = {100.0f, 80.0f}};
 }
 
-/// A camera in the room, that looks anywhere.
+/// A camera in the room, looking in any direction.
 Camera random_camera(test::Random& random) {
     Camera camera;
     camera.position = {random.number(-0.9, 0.9), random.number(-0.9, 0.9),
@@ -122,7 +122,7 @@ TEST_CASE("A part of an eye's picture is the same part of the whole") {
     CHECK(all > 1000);
 }
 
-TEST_CASE("A shape leaves out triangles whose corners are no places, and draws none of none") {
+TEST_CASE("A shape skips triangles with NaN or huge corners, and given none, it draws nothing") {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     Mesh mesh;
     const auto add = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {

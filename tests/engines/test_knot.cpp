@@ -31,7 +31,7 @@ TEST_CASE("The knot has 200,000 triangles that close a surface") {
     CHECK(static_cast<int>(knot.mesh.vertices().size()) - 300'000 + 200'000 == 0);
 }
 
-TEST_CASE("The knot's triangles look outwards, and its normals are those of its surface") {
+TEST_CASE("The knot's triangles face outward, and its normals are those of its surface") {
     const Scene knot = knot_scene();
     // The volume that the triangles enclose: positive if face_normal() points out of it.
     double volume = 0.0;
@@ -51,7 +51,7 @@ TEST_CASE("The knot's triangles look outwards, and its normals are those of its 
     CHECK(without_area == 0);
     CHECK(against == 0);
     CHECK(not_unit == 0);
-    // For a tube without bumps, pi r^2 times its length, which is the length of its middle curve.
+    // For a tube without bumps: pi r^2 times the length of its middle curve.
     double length = 0.0;
     const auto middle = [](double u) {
         const double r = 0.62 + 0.22 * std::cos(3 * u);

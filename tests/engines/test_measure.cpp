@@ -17,7 +17,7 @@ const Viewport small_size{60, 40};
 
 /// How a made peer draws wrongly.
 struct Fault {
-    int patch = 0;           ///< so many black pixels
+    int patch = 0;           ///< number of black pixels
     bool keeps_lamp = false; ///< the lamp is where it was in the first picture
 };
 
@@ -79,7 +79,7 @@ TEST_CASE("The median is the middle one, or the mean of the middle two") {
     CHECK(median({9.0, 1.0, 2.0, 4.0}) == 3.0);
 }
 
-TEST_CASE("Each engine has a median, and a ratio to the peer's where their pictures agree") {
+TEST_CASE("Each engine has a median, and a ratio to the peer's if their pictures agree") {
     const std::vector<Measurement> all = measure_engines(small_plan(), lab_room(), made_peer(), {});
     REQUIRE(all.size() == 1);
     const Measurement& measurement = all.front();
@@ -101,7 +101,7 @@ TEST_CASE("Each engine has a median, and a ratio to the peer's where their pictu
     CHECK(student.from_steps == student.from_peer);
 }
 
-TEST_CASE("A peer that draws a patch of something else has no ratio to anybody") {
+TEST_CASE("No engine has a ratio to a peer that draws a wrong patch") {
     const std::vector<Measurement> all =
         measure_engines(small_plan(), lab_room(), made_peer({.patch = 20}), {});
     REQUIRE(all.size() == 1);
@@ -114,7 +114,7 @@ TEST_CASE("A peer that draws a patch of something else has no ratio to anybody")
     CHECK(result_of(all.front(), "llvmpipe").from_steps == steps.from_peer);
 }
 
-TEST_CASE("A peer that does not look where the lamp stands has no ratio to anybody") {
+TEST_CASE("No engine has a ratio to a peer that ignores where the lamp is") {
     const std::vector<Measurement> all =
         measure_engines(small_plan(), lab_room(), made_peer({.keeps_lamp = true}), {});
     REQUIRE(all.size() == 1);
@@ -122,7 +122,7 @@ TEST_CASE("A peer that does not look where the lamp stands has no ratio to anybo
         CHECK_FALSE(result.ratio);
 }
 
-TEST_CASE("On two threads only those are measured that can use them") {
+TEST_CASE("On two threads only engines that can use them are measured") {
     MeasurePlan plan = small_plan();
     plan.threads = {2};
     const std::vector<Measurement> all = measure_engines(plan, lab_room(), made_peer(), {});
@@ -134,7 +134,7 @@ TEST_CASE("On two threads only those are measured that can use them") {
                                             "llvmpipe"});
 }
 
-TEST_CASE("What is stopped returns the rounds that all engines have come through") {
+TEST_CASE("A stopped measurement returns the rounds that all engines completed") {
     MeasurePlan plan = small_plan();
     plan.rounds = 50;
     plan.sizes = {small_size, small_size};
@@ -150,7 +150,7 @@ TEST_CASE("What is stopped returns the rounds that all engines have come through
     CHECK(measure_engines(plan, lab_room(), made_peer(), {[] { return true; }, {}}).empty());
 }
 
-TEST_CASE("What the peer complains of goes through") {
+TEST_CASE("The peer's complaint is passed on") {
     const StartPeer missing = [](const PeerTask&) -> Peer { throw AccessError("it is missing."); };
     CHECK_THROWS_AS(measure_engines(small_plan(), lab_room(), missing, {}), AccessError);
 }

@@ -24,7 +24,7 @@ EnginePicture with_patch(int pixels, std::uint32_t colour) {
 
 } // namespace
 
-TEST_CASE("A channel that differs by 1 is rounded otherwise, one that differs by 2 is another") {
+TEST_CASE("A channel that differs by 1 is rounded differently, one that differs by 2 is wrong") {
     const EnginePicture picture = grey_picture();
     for (const std::uint32_t close : {0x818080U, 0x807f80U, 0x80807fU, 0x7f817fU}) {
         const PictureDifference difference = difference_of(with_patch(50, close), picture);

@@ -31,8 +31,8 @@ Settings lab_rules(const Scene& scene, StripStep step, Viewport size) {
 
 struct Counts {
     int drawn = 0;              ///< pixels on which the student's loop has drawn
-    int other_depth = 0;        ///< pixels whose depth is another one, bit by bit
-    int other_colour = 0;       ///< pixels with another byte
+    int other_depth = 0;        ///< pixels whose depth has different bits
+    int other_colour = 0;       ///< pixels with a different byte
     int largest_difference = 0; ///< of a channel
 };
 
@@ -70,7 +70,7 @@ TEST_CASE("In the lit room the student's loop draws what the stages draw, pixel 
     }
 }
 
-TEST_CASE("So it does where the sides of the picture are odd and the room reaches out of it") {
+TEST_CASE("The same holds if the picture's sides are odd and the room extends beyond it") {
     Scene room = lit_room();
     room.camera.position.x = 0.4f;
     const Counts counts = compared(room, lab_rules(room, StripStep::pixel_light, {201, 123}));

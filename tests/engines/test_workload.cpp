@@ -10,7 +10,7 @@
 
 using namespace rasterwalk;
 
-TEST_CASE("The lamp stands elsewhere in every picture, and never far") {
+TEST_CASE("The lamp has a different place in every picture, and is never far away") {
     const glm::vec3 at(0.0f, -0.5f, -0.7f);
     CHECK(lamp_in_picture(at, 0) == at);
     std::set<float> places;
@@ -38,7 +38,7 @@ TEST_CASE(
     CHECK(workload_settings(Workload::w1, lit, {640, 360}).shading == Shading::phong);
 }
 
-TEST_CASE("The peer reads its task as it is written") {
+TEST_CASE("The peer reads its task just as it is written") {
     const PeerTask task{Workload::w2, {640, 360}, 2};
     const std::vector<std::string> words = peer_arguments(task);
     CHECK(words == std::vector<std::string>{"w2", "640x360", "2"});

@@ -49,7 +49,7 @@ TEST_CASE("The formula of a blended channel gives what the pixel shows, to the b
     CHECK(asked == 24);
 }
 
-TEST_CASE("Blending is not mentioned where nothing is blended") {
+TEST_CASE("Blending is not mentioned if nothing is blended") {
     using namespace blended;
     const Scene scene = panes();
     Settings settings = default_settings(scene);

@@ -64,7 +64,7 @@ TEST_CASE("Every number of a bent normal follows from its formula to the bit") {
                             if (from == nullptr)
                                 FAIL(formula.id << " asks for " << input.source.name);
                             if (!test::same_bits(from->result.value, input.number.value))
-                                FAIL(formula.id << " has another " << input.source.name);
+                                FAIL(formula.id << " has a different " << input.source.name);
                         }
                     }
                     CHECK(ids.size() == report->formulas.size());
@@ -83,7 +83,7 @@ TEST_CASE("Every number of a bent normal follows from its formula to the bit") {
     CHECK(in_space > 10);
 }
 
-TEST_CASE("Without a normal map in force there is no bent normal to tell of") {
+TEST_CASE("Without a normal map in force no bent normal is reported") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/studs.toml");
     for (const char* const text : {"normal_map=off", "shading=gouraud", "shading=flat"}) {
         Settings settings = default_settings(scene);

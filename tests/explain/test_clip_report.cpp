@@ -17,7 +17,7 @@
 using namespace rasterwalk;
 using namespace rasterwalk::test;
 
-TEST_CASE("Every number of clipping comes out of its formula bit by bit") {
+TEST_CASE("Every number of clipping follows from its formula, bit for bit") {
     const Scene room = lab_room();
     Random random(19);
     int count = 0;
@@ -86,7 +86,7 @@ TEST_CASE("Every number of clipping comes out of its formula bit by bit") {
     CHECK(count > 500);
 }
 
-TEST_CASE("What is divided before it is cut comes out of formulas that go back to the vertices") {
+TEST_CASE("If division comes before cutting, the formulas go back to the vertices") {
     const Scene room = lab_room();
     Random random(21);
     int count = 0, changed = 0, left = 0;
@@ -94,7 +94,7 @@ TEST_CASE("What is divided before it is cut comes out of formulas that go back t
         const Frame frame = room_frame(room, random, Clip::after_division);
         for (int t = 0; t < frame.triangle_count(); t += 3) {
             const ClipHistory history = clip_history(frame, t);
-            // Every number that a formula is made of is the result of the one it refers to.
+            // Each number in a formula is the result of the formula it refers to.
             const auto check = [&](const std::string& id, float value) {
                 const auto formula = clip_formula(frame, history, id);
                 CAPTURE(i, t, id);
@@ -143,7 +143,7 @@ TEST_CASE("What is divided before it is cut comes out of formulas that go back t
     CHECK(left > 20);
 }
 
-TEST_CASE("What is no number of the triangle has no formula") {
+TEST_CASE("Anything but a number of the triangle has no formula") {
     const Scene room = lab_room();
     const Frame frame = prepare_frame(room, near_clipped_room(room));
     const ClipHistory history = clip_history(frame, 1);
@@ -178,7 +178,7 @@ TEST_CASE("What is no number of the triangle has no formula") {
     }
 }
 
-TEST_CASE("By a box x and y of a corner are the vertex's, and no focal length is named") {
+TEST_CASE("With a box a corner's x and y are the vertex's, and no focal length is named") {
     const Scene room = lab_room();
     Settings settings = default_settings(room);
     // As large as what f = 500 shows, so that f times x would be the same number.
@@ -207,7 +207,7 @@ TEST_CASE("By a box x and y of a corner are the vertex's, and no focal length is
     }
 }
 
-TEST_CASE("What culling asks is written down as each projection has it") {
+TEST_CASE("The test for culling is written as each projection has it") {
     const Scene room = lab_room();
     struct {
         float mix;
@@ -235,7 +235,7 @@ TEST_CASE("What culling asks is written down as each projection has it") {
                 CHECK(formula->name == projection.name);
                 CHECK(formula->expression != "v");
                 CHECK(evaluate(*formula) == history.cull.values.front());
-                // The way to the corner turns into the way the camera looks.
+                // The direction to the corner becomes the direction of the camera.
                 const Varyings& at = history.polygon.front().varyings;
                 const double mix = projection.mix, yaw = 0.4, pitch = -0.2;
                 const glm::dvec3 forward(std::cos(pitch) * std::sin(yaw), -std::sin(pitch),
@@ -257,7 +257,7 @@ TEST_CASE("What culling asks is written down as each projection has it") {
     }
 }
 
-TEST_CASE("The ways of culling answer what they would do") {
+TEST_CASE("Each way of culling says what it would do") {
     const Scene room = lab_room();
     Random random(20);
     int backs = 0;

@@ -27,7 +27,7 @@ using test::Choice;
 
 constexpr std::array<const char*, 3> channels{"red", "green", "blue"};
 
-/// What is shown if this shading is in force.
+/// The stage's result if this shading is in force.
 const char* shown_id(Shading shading) {
     switch (shading) {
     case Shading::unlit:
@@ -74,7 +74,7 @@ void check_colour(const Frame& frame, const FragmentReport& report, const Fragme
     }
 }
 
-/// Some fragments of a frame, by chance, and the brightest.
+/// Some random fragments of a frame, and the brightest.
 std::vector<FragmentEvent> some_fragments(const Frame& frame, int count, test::Random& random) {
     test::Recorder recorder;
     Framebuffer framebuffer;
@@ -130,7 +130,7 @@ TEST_CASE("Under every setting each formula gives its number, and the last the d
     CHECK(looked_at > 400);
 }
 
-/// Where a number follows an unusual rule.
+/// A number that follows an unusual rule.
 struct Exception {
     const char* scene;
     std::vector<const char*> assignments;
@@ -138,7 +138,7 @@ struct Exception {
     const char* expression; ///< that it has at some fragment
 };
 
-TEST_CASE("A formula whose number follows another rule than usual says so") {
+TEST_CASE("A formula whose number follows an unusual rule says so") {
     const std::vector<const char*> flat_view{"near=1", "far=1", "projection_mix=0.5"};
     const std::vector<Exception> exceptions{
         {"six-sides", {"light.direction=from_light"}, "pixel_light.h.x", "0"},
@@ -180,7 +180,7 @@ TEST_CASE("A formula whose number follows another rule than usual says so") {
     }
 }
 
-TEST_CASE("Where there is no highlight its formulas say why, whatever function is in force") {
+TEST_CASE("If there is no highlight its formulas say why, whatever function is in force") {
     const Scene scene = test::lesson_scene("lab-room");
     Settings settings = default_settings(scene);
     settings.light.model = LightModel::blinn_phong;
@@ -196,7 +196,7 @@ TEST_CASE("Where there is no highlight its formulas say why, whatever function i
                                      "no highlight.";
     CHECK(reason(HighlightRule::right, 0) == no_direction);
     CHECK(reason(HighlightRule::unasked, 0) == no_direction);
-    // Along the wall the light does not fall on it.
+    // Light along the wall does not fall on it.
     CHECK(reason(HighlightRule::right, 1) ==
           "The lamp is behind the surface (n · l is not above 0), so there is no highlight.");
 }

@@ -40,7 +40,7 @@ TEST_CASE("An expression is read as C++ reads it") {
     CHECK(evaluate(formula("min(2, max(0, 1)) + abs(−4) + sqrt(9)")) == 8.0f);
 }
 
-TEST_CASE("A sum is made in float, in the order in which it stands there") {
+TEST_CASE("A sum is made in float, in the order in which it is written") {
     const std::vector<FormulaInput> inputs{input("big", 16777216.0f), input("one", 1.0f)};
     CHECK(evaluate(formula("big + one + one", inputs)) == 16777216.0f);
     CHECK(evaluate(formula("one + one + big", inputs)) == 16777218.0f);
@@ -61,7 +61,7 @@ TEST_CASE("Accumulate adds its step as often as it says, with every rounding err
     CHECK(evaluate(formula("accumulate(0, a, 1000)", {input("a", 0.1f)})) == sum);
 }
 
-TEST_CASE("What a function in a formula does is explained where it is used") {
+TEST_CASE("A formula's help explains the functions used in it") {
     using Catch::Matchers::ContainsSubstring;
     CHECK_THAT(
         function_help("accumulate(left, (right − left) / (n − 1), i)"),
@@ -73,12 +73,12 @@ TEST_CASE("What a function in a formula does is explained where it is used") {
     CHECK(function_help("f · x / z").empty());
 }
 
-TEST_CASE("Nothing at all is more than a number that is none, as in the light") {
+TEST_CASE("The maximum of 0 and NaN is 0, as in the light") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     CHECK(evaluate(formula("max(0, a)", {input("a", nan)})) == 0.0f);
 }
 
-TEST_CASE("A symbol may hold any signs, and the longest one counts") {
+TEST_CASE("A symbol can contain any characters, and the longest match counts") {
     const std::vector<FormulaInput> inputs{input("z", 4.0f),     input("1/z", 3.0f),
                                            input("(x/z)", 6.0f), input("W/2", 250.0f),
                                            input("r.x", 5.0f),   input("r²", 7.0f)};
@@ -105,7 +105,7 @@ TEST_CASE("A formula that is nested too deep or too long is refused") {
                       Catch::Matchers::ContainsSubstring("at most 1000 bytes"));
 }
 
-TEST_CASE("A sum in parentheses is one term, and a call in parentheses is worked out") {
+TEST_CASE("A sum in parentheses is one term, and a call in parentheses is evaluated") {
     const std::vector<FormulaInput> inputs{input("a", 1.5f), input("b", 2.0f)};
     CHECK(with_terms(formula("(a + b) + int(a)", inputs)) == "3.5 + int(1.5)");
     CHECK(with_terms(formula("a − (a + b)", inputs)) == "1.5 − 3.5");
@@ -113,7 +113,7 @@ TEST_CASE("A sum in parentheses is one term, and a call in parentheses is worked
     CHECK(with_terms(formula("a − int(a)² − −b", inputs)) == "1.5 − 1 − (−2)");
 }
 
-TEST_CASE("Numbers are put in where the symbols stood, negative ones in parentheses after a sign") {
+TEST_CASE("Numbers take the place of symbols, negative ones in parentheses after a sign") {
     const std::vector<FormulaInput> inputs{input("f", 500.0f), input("x", -1.0f),
                                            input("1/z", 0.4998f)};
     Formula pixel = formula("int(f · x · 1/z) + W/2", inputs);
@@ -137,7 +137,7 @@ TEST_CASE("The pieces of a formula say which number belongs to which input") {
     CHECK(linked == std::vector<std::string>{"L=0.5", "p=(−0.25)"});
 }
 
-TEST_CASE("Numbers are shown with four digits at least and a true minus sign") {
+TEST_CASE("Numbers are shown with at least four digits and a true minus sign") {
     CHECK(shown({0.0f}) == "0");
     CHECK(shown({-0.0f}) == "0");
     CHECK(shown({500.0f}) == "500");
@@ -168,7 +168,7 @@ TEST_CASE("Every number of every vertex of the room follows from what its formul
                                          variant.name + ", " + pose.name + ", t" +
                                              std::to_string(t) + "/v" + std::to_string(v));
                     if (report.shaded.rejection != Rejection::none) continue;
-                    // Where a plane cuts, different corners are drawn.
+                    // If a plane cuts, different corners are drawn.
                     const ScreenVertex& drawn =
                         frame.is_cut(t) ? frame.given_vertex(t, v).pixel
                                         : frame.triangle_vertices(t)[static_cast<std::size_t>(v)];
@@ -179,7 +179,8 @@ TEST_CASE("Every number of every vertex of the room follows from what its formul
                     const bool same = shows("pixel.column", static_cast<float>(drawn.column)) &&
                                       shows("pixel.row", static_cast<float>(drawn.row)) &&
                                       shows("zinv", drawn.inv_w);
-                    // Beyond perspective z is no coordinate of clip space, but worked out again.
+                    // Except in perspective z is not a coordinate of clip space, but computed
+                    // again.
                     const float z = report.shaded.in("rotated").z;
                     const bool same_z = settings.projection_mix == 0.0f
                                             ? shows("rotated.z", drawn.z)
@@ -205,14 +206,14 @@ TEST_CASE("The light that a vertex reports is the light that it carries") {
             const glm::vec3& carried =
                 frame.triangle_vertices(t)[static_cast<std::size_t>(v)].varyings.illumination;
             if (!same_bits(report.light.reflected, carried)) {
-                FAIL("t" << t << "/v" << v << " reports another light than it carries");
+                FAIL("t" << t << "/v" << v << " reports different light from what it carries");
             }
             CHECK(find_formula(report.formulas, "light.R.green")->result.value == carried.g);
         }
     }
 }
 
-TEST_CASE("Other roundings and the other convention are what drawing by them would give") {
+TEST_CASE("Other roundings and the other convention are reported as they would be drawn") {
     const Scene room = test::lab_room();
     Settings settings = default_settings(room);
     settings.camera.yaw = 0.3f;
@@ -230,7 +231,7 @@ TEST_CASE("Other roundings and the other convention are what drawing by them wou
             CHECK(shaded.pixel.column == pixel.column);
             CHECK(vertex_number(shaded, "pixel.row").value == static_cast<float>(pixel.row));
         }
-        // R v by hand: with R's rows as what were its columns.
+        // R v by hand, with R's columns taken as its rows.
         const glm::mat3 r = camera_rotation(settings.camera);
         const glm::vec3 d = report.shaded.in("minus_camera");
         const float x = r[0][0] * d.x + r[1][0] * d.y + r[2][0] * d.z;

@@ -29,7 +29,7 @@ constexpr Quantity colours[] = {quantity_of(&Varyings::illumination, 0),
                                 quantity_of(&Varyings::illumination, 1),
                                 quantity_of(&Varyings::illumination, 2)};
 
-/// Keeps so many of the fragments that are drawn, each with the same chance.
+/// Keeps a given number of the drawn fragments, each with the same chance.
 class Sampler : public Observer {
   public:
     explicit Sampler(int count) : count_(count) {}
@@ -62,7 +62,7 @@ float result(const FragmentReport& report, const std::string& id) {
     return formula->result.value;
 }
 
-/// Does the setting of this name have this number in it?
+/// Does the setting of this name contain this number?
 bool setting_has(const Settings& settings, const std::string& name, float value) {
     Settings copy = settings;
     const Setting* const setting = find_setting(name);
@@ -162,7 +162,7 @@ void check_against_event(const FragmentReport& report, const FragmentEvent& even
     expect("depth", result(report, "depth"), event.depth);
     expect("margin", result(report, "margin"),
            is_ndc ? event.stored - event.depth : event.depth - event.stored);
-    if (report.fate != event.fate) FAIL(where << "has another fate");
+    if (report.fate != event.fate) FAIL(where << "has a different fate");
     const Varyings used = test::recover_varyings(event.fragment, report.interpolation);
     for (const Quantity q : places) {
         expect("place", result(report, formula_id(q, report.interpolation)), part_of(used, q));
@@ -211,7 +211,7 @@ std::vector<Case> cases_of(const Scene& scene) {
 }
 
 /// A ray through the middle of a pixel against the plane of a triangle, in double, from the
-/// vertices as the scene has them: nothing of the pipeline takes part.
+/// vertices of the scene, without using the pipeline.
 class RayCaster {
   public:
     RayCaster(const Scene& scene, const Settings& settings) : scene_(scene), settings_(settings) {
@@ -244,8 +244,8 @@ class RayCaster {
         return {f * glm::dot(d, right_) / z, f * glm::dot(d, down_) / z};
     }
 
-    /// What affine interpolation makes of the place: the corners blended by the areas that they
-    /// span in the picture.
+    /// The place by affine interpolation: the corners blended by the areas that they span in the
+    /// picture.
     glm::dvec3 affine(int triangle, double x, double y) const {
         const glm::dvec2 a = seen_at(corner(triangle, 0)), b = seen_at(corner(triangle, 1)),
                          c = seen_at(corner(triangle, 2));
@@ -320,7 +320,7 @@ TEST_CASE("The other interpolation is what drawing with that setting gives") {
                        event.fragment.varyings.position_world) ||
             !same_bits(report->under(Interpolation::affine).illumination,
                        event.fragment.varyings.illumination)) {
-            FAIL(to_text(event.cursor) << " has other affine values");
+            FAIL(to_text(event.cursor) << " has different affine values");
         }
     }
 }
@@ -342,7 +342,7 @@ TEST_CASE("The other lighting is what drawing with that stage gives") {
             const glm::vec3 colour =
                 per_vertex ? report->light_per_vertex : report->light.reflected;
             if (!same_bits(colour, event.after)) {
-                FAIL(to_text(event.cursor) << " has another light under the other stage");
+                FAIL(to_text(event.cursor) << " has different light under the other stage");
             }
             ++written;
         }
@@ -393,7 +393,7 @@ TEST_CASE(
     CHECK(largest_disagreement < 0.01);
 }
 
-TEST_CASE("What values are divided by has the same name in each of a fragment's formulas") {
+TEST_CASE("The divisor of values has the same name in each of a fragment's formulas") {
     const Scene scene = test::lab_room();
     for (const float mix : {0.0f, 0.5f, 1.0f}) {
         Settings settings = default_settings(scene);
@@ -410,7 +410,7 @@ TEST_CASE("What values are divided by has the same name in each of a fragment's 
         CHECK(weight->name == word);
         CHECK(weight->help == quantity_in(frame, Quantity::zinv).words.help);
         for (const Formula& formula : report->formulas) {
-            if (formula.id.rfind("depth", 0) == 0) continue; // the depth buffer has its own words
+            if (formula.id.rfind("depth", 0) == 0) continue; // depth names it differently
             CAPTURE(formula.id, mix);
             CHECK(formula.name.find(other) == std::string::npos);
             CHECK(formula.expression.find(other) == std::string::npos);
@@ -419,7 +419,7 @@ TEST_CASE("What values are divided by has the same name in each of a fragment's 
     }
 }
 
-TEST_CASE("What is no fragment in the picture has no report") {
+TEST_CASE("Moments without a fragment in the picture have no report") {
     const Scene scene = test::small_scene();
     Settings settings = default_settings(scene);
     settings.stage = Stage::depth;
@@ -444,7 +444,7 @@ TEST_CASE("What is no fragment in the picture has no report") {
     CHECK_FALSE(fragment_report(prepare_frame(scene, settings), {0, Phase::rows, 0, 0}));
 }
 
-TEST_CASE("Every fragment of a small scene has a report, also where values are off the scale") {
+TEST_CASE("Every fragment of a small scene has a report, even with extreme values") {
     const Scene scene = test::small_scene();
     for (const test::Variant& variant : test::some_of(test::rule_variants(), 6)) {
         Settings settings = default_settings(scene);

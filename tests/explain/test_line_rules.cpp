@@ -46,7 +46,7 @@ TEST_CASE("The rule of a line has the numbers of its edge") {
     CHECK(rules_of(with_line(LineAlgorithm::interpolate)).empty());
 }
 
-TEST_CASE("A mistaken line has the rule that it follows") {
+TEST_CASE("A mistaken line shows the rule that it follows") {
     CHECK(rules_of(with_line(LineAlgorithm::bresenham, BresenhamRule::wrong_term)).back() ==
           "d ≥ 0: diagonal, d − 2 l = d − 10");
     CHECK(

@@ -31,7 +31,7 @@ Frame small_frame(std::initializer_list<const char*> assignments) {
     return prepare_frame(room(), settings);
 }
 
-/// Every formula gives its number once more, and inputs that come from formulas have their number.
+/// Checks that every formula gives its number, and that inputs that come from formulas have theirs.
 void check_again(const std::vector<Formula>& formulas, const std::string& where) {
     for (const Formula& formula : formulas) {
         const float again = evaluate(formula);
@@ -54,10 +54,10 @@ float shown_by(const FragmentReport& report, const std::string& id) {
     return formula->result.value;
 }
 
-TEST_CASE("Every number on the way to a shadow has a formula that gives it again") {
+TEST_CASE("Every number on the way to a shadow has a formula that gives it") {
     struct Case {
         std::initializer_list<const char*> settings;
-        const char* id; ///< of a formula that is there if the shadow is asked
+        const char* id; ///< of a formula that exists if the shadow is looked up
     };
     for (const Case& one :
          {Case{{"shadows=rays"}, "pixel_light.shadow.from.x"},
@@ -142,8 +142,7 @@ TEST_CASE("Without shadows nothing is said about them") {
         CHECK(formula.id.find("shadow") == std::string::npos);
 }
 
-TEST_CASE(
-    "What stands between is met on the way to the lamp, and what a map saw in its direction") {
+TEST_CASE("Where light is blocked, the blocker is on the way to the lamp, by rays and by map") {
     for (const char* way_of : {"shadows=rays", "shadows=map"}) {
         const Frame frame = small_frame({way_of});
         const glm::dvec3 lamp(frame.settings.light.position);

@@ -92,10 +92,10 @@ TEST_CASE("Every term of a shiny, bent, coloured surface is shown with its formu
                 for (int c = 0; c < 3; ++c) {
                     const float shown = shown_by(report->formulas, id_of_light(frame, *report, c));
                     if (!same_bits(shown, report->colour[c]))
-                        FAIL(where << "channel " << c << " tells " << shown << ", the shader gives "
+                        FAIL(where << "channel " << c << " shows " << shown << ", the shader gives "
                                    << report->colour[c]);
                     if (event.fate == Fate::written && !same_bits(shown, event.after[c]))
-                        FAIL(where << "channel " << c << " tells " << shown << ", drawn is "
+                        FAIL(where << "channel " << c << " shows " << shown << ", drawn is "
                                    << event.after[c]);
                 }
                 ++told;
@@ -129,7 +129,7 @@ TEST_CASE(
             for (int c = 0; c < 3; ++c) {
                 if (!same_bits(shown_by(report->formulas, id_of_light(frame, *report, c)),
                                report->colour[c]))
-                    FAIL(where << "channel " << c << " tells another colour than the shader gives");
+                    FAIL(where << "channel " << c << " shows a different colour from the shader's");
             }
             const glm::vec3 to_eye =
                 settings.camera.position - report->under(settings.interpolation).position_world;
@@ -141,7 +141,7 @@ TEST_CASE(
     CHECK(kept > 5);
 }
 
-TEST_CASE("A vertex shows its highlight, and light per vertex carries it along") {
+TEST_CASE("A vertex shows its highlight, and light per vertex includes it") {
     const Scene scene = coloured_cylinder();
     Settings settings = default_settings(scene);
     set_from_text(settings, "shading=gouraud");
@@ -155,7 +155,7 @@ TEST_CASE("A vertex shows its highlight, and light per vertex carries it along")
             test::check_formulas(frame, report.formulas, where);
             const glm::vec3 carried = frame.given_clip_vertex(t, v).varyings.illumination;
             if (!same_bits(shown_by(report.formulas, "light.R.green"), carried.g))
-                FAIL(where << "tells another light than it hands on, " << carried.g);
+                FAIL(where << "shows a different light from the one it carries, " << carried.g);
             brightest = std::max(brightest, shown_by(report.formulas, "light.S.green"));
         }
     }
@@ -163,7 +163,7 @@ TEST_CASE("A vertex shows its highlight, and light per vertex carries it along")
 }
 
 TEST_CASE(
-    "Halfway between normals 60 degrees apart 0.866 is left, and of that to the 50th 0.00075") {
+    "Halfway between normals 60 degrees apart the length is 0.866, whose 50th power is 0.00075") {
     // Two corners with normals 30 degrees to either side; lamp and eye straight in front.
     const Scene scene = parse_scene(R"(
 name = "Two normals"

@@ -29,7 +29,7 @@ const Formula& formula_of(const std::vector<Formula>& all, const std::string& id
 
 } // namespace
 
-TEST_CASE("The formulas of a tested pixel come to the numbers of the stage") {
+TEST_CASE("The formulas of a tested pixel give the numbers of the stage") {
     Random random(21);
     for (int i = 0; i < rounds(600, 100); ++i) {
         Settings settings;
@@ -53,7 +53,7 @@ TEST_CASE("The formulas of a tested pixel come to the numbers of the stage") {
         float sum = 0.0f;
         for (int e = 0; e < 3; ++e) {
             const Formula& formula = formula_of(formulas, "e." + std::to_string(e));
-            // For whole pixels floats hold every product; others are off in the last digits.
+            // On whole pixels floats hold every product; elsewhere the last digits are off.
             if (settings.snap == Snap::pixel)
                 CHECK(evaluate(formula) == formula.result.value);
             else
@@ -66,7 +66,7 @@ TEST_CASE("The formulas of a tested pixel come to the numbers of the stage") {
                                 65536.0;
             CHECK(std::abs(formula.result.value) == static_cast<float>(area));
             sum += formula.result.value;
-            // The names say from where to where, the way that the numbers go.
+            // The names give the two corners in the direction that the numbers go.
             const std::string way = formula.inputs[0].source.name;
             CHECK((formula.inputs[2].source.name.find("half a pixel") != std::string::npos) ==
                   (settings.pixel_sample == PixelSample::corner));

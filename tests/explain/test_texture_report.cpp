@@ -18,7 +18,7 @@ using namespace rasterwalk;
 
 namespace {
 
-/// One choice of the settings that a texture's formulas ask.
+/// One choice of the settings that a texture's formulas depend on.
 Settings settings_of_texture(const Scene& scene, std::string_view step,
                              std::string_view interpolation, std::string_view filter,
                              std::string_view wrap) {
@@ -30,7 +30,7 @@ Settings settings_of_texture(const Scene& scene, std::string_view step,
     return settings;
 }
 
-/// Fails unless every formula gives its number again, and names inputs that are there.
+/// Fails unless every formula gives its number again, and names inputs that exist.
 void check_formulas(const FragmentReport& report, const std::string& where) {
     std::set<std::string> ids;
     for (const Formula& formula : report.formulas)
@@ -176,7 +176,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("A fragment without a texture has no such story") {
+TEST_CASE("A fragment without a texture has no texture formulas") {
     Scene scene = test::receding_wall(test::many_colours(4, 4));
     Settings settings = default_settings(scene);
     const auto has_story = [&] {

@@ -56,7 +56,7 @@ std::vector<std::string> cancelling_words(const Camera& camera) {
 
 } // namespace
 
-TEST_CASE("Every vertex stands in each space where the drawing has it") {
+TEST_CASE("Every vertex has the place in each space that it is drawn with") {
     const Scene scene = turned_block();
     for (const char* projection :
          {"projection=perspective", "projection=orthographic", "projection_mix=0.5"}) {
@@ -98,7 +98,7 @@ TEST_CASE("Every vertex stands in each space where the drawing has it") {
     }
 }
 
-TEST_CASE("What clip space says about a box is what its matrix does, for every projection") {
+TEST_CASE("The text about a box in clip space agrees with its matrix, for every projection") {
     const Scene scene = turned_block();
     struct Case {
         const char *projection, *beginning, *end;
@@ -137,7 +137,7 @@ TEST_CASE("What clip space says about a box is what its matrix does, for every p
     }
 }
 
-TEST_CASE("A formula of a space is its matrix times the place before, in either order") {
+TEST_CASE("A formula of a space is its matrix times the previous place, in either order") {
     const Scene scene = turned_block();
     const Frame frame = prepare_frame(scene, turned_settings(scene, "projection=perspective"));
     const Part& turned = scene.parts[2];
@@ -153,7 +153,7 @@ TEST_CASE("A formula of a space is its matrix times the place before, in either 
     for (std::size_t i = 0; i < columns.places.size(); ++i) {
         CHECK(columns.places[i].place == rows.places[i].place);
         if (!columns.places[i].matrix) continue;
-        // Row times matrix by hand, with the entries as they are written in this order.
+        // Row times matrix by hand, with the entries as written in this order.
         const glm::dvec4 before = rows.places[i - 1].place;
         for (int column = 0; column < 4; ++column) {
             double sum = 0.0;
@@ -191,7 +191,7 @@ TEST_CASE("Clip space of the matrices is the Clip tab's in units of half a pictu
     }
 }
 
-TEST_CASE("Behind the camera a vertex has no ndc, and in pixels only a window") {
+TEST_CASE("Behind the camera a vertex has no NDC, and in pixels only a window") {
     const Scene room = lab_room();
     Settings settings = default_settings(room);
     settings.camera.position.z = 5.0f;
@@ -204,7 +204,7 @@ TEST_CASE("Behind the camera a vertex has no ndc, and in pixels only a window") 
     CHECK(spaces.places[0].space == "window");
 }
 
-TEST_CASE("Of the conventions those cancel that are known to") {
+TEST_CASE("The conventions known to cancel each other do") {
     Camera camera;
     camera.yaw = 0.3f;
     const std::vector<std::string> turned = cancelling_words(camera);
@@ -226,7 +226,7 @@ TEST_CASE("Of the conventions those cancel that are known to") {
               "transposed y_up rows_up", "y_up z_backward negative_f rows_up"});
 }
 
-TEST_CASE("A choice alone moves the point as it does on paper") {
+TEST_CASE("A single choice moves the point as it does on paper") {
     Camera camera;
     camera.position = glm::vec3(0.0f);
     camera.yaw = 0.3f;

@@ -64,7 +64,7 @@ const FragmentEvent* written_at(const test::Recorder& recorder, const Cursor& cu
     return found == recorder.fragments.end() ? nullptr : &*found;
 }
 
-/// The last fragment that was written on the pixel of one that is chosen by chance.
+/// The last fragment written on the pixel of a randomly chosen one.
 const FragmentEvent* some_winner(const test::Recorder& recorder, test::Random& random) {
     const std::vector<FragmentEvent>& all = recorder.fragments;
     if (all.empty()) return nullptr;
@@ -77,7 +77,7 @@ const FragmentEvent* some_winner(const test::Recorder& recorder, test::Random& r
     return found == all.rend() ? nullptr : &*found;
 }
 
-/// Fails unless the fact is there and is the number that was drawn.
+/// Fails unless the fact exists and is the number that was drawn.
 void expect(Asked& asked, const char* fact, float drawn, const std::string& where) {
     const std::optional<double> said = asked.number(fact);
     if (!said) FAIL(where << ": there is no " << fact << ", drawn is " << drawn);
@@ -86,8 +86,8 @@ void expect(Asked& asked, const char* fact, float drawn, const std::string& wher
         FAIL(where << ": " << fact << " is " << number << ", drawn is " << drawn);
 }
 
-/// How far apart the two pictures are, affine and perspective-correct, at a fragment that neither
-/// hides nor blends; none of others.
+/// How far apart the affine and the perspective-correct picture are at a fragment that neither
+/// hides nor blends; none for others.
 std::optional<float> drawn_apart(const Frame& frame, const Cursor& cursor) {
     if (frame.blends) return std::nullopt;
     glm::vec3 colours[2];
@@ -203,7 +203,7 @@ TEST_CASE("With the light reversed the light error is still that of the two pict
 }
 
 TEST_CASE("The pixels of a row are counted by the function that draws them") {
-    // Where the step along y is cut to 0, only the rows of the vertices get samples.
+    // If the step along y is cut to 0, only the rows of the vertices get samples.
     Asked asked("shallow");
     Settings settings = default_settings(*asked.session.scene);
     settings.stage = Stage::fill;
@@ -245,7 +245,7 @@ TEST_CASE("t at the near plane is where the function that clips puts the corner"
         const std::optional<double> t = asked.number("triangle.near_t");
         REQUIRE(t);
         const auto given = asked.frame().given_clip_vertices(0);
-        // The first edge that leaves or enters, from the corner in front.
+        // From the corner in front, along the first edge that crosses the plane.
         std::size_t first = 0;
         const auto is_in = [&](std::size_t i) {
             return given[i % given.size()].position_clip.w >= settings.near;

@@ -100,7 +100,7 @@ TEST_CASE("A condition compares numbers, words and moments") {
     }
 }
 
-TEST_CASE("What is not there makes a condition neither true nor false") {
+TEST_CASE("Missing values make a condition neither true nor false") {
     CHECK_FALSE(holds("vertex == 1"));
     CHECK_FALSE(holds("vertex != 1"));
     CHECK_FALSE(holds("not (vertex == 1)"));
@@ -110,7 +110,7 @@ TEST_CASE("What is not there makes a condition neither true nor false") {
     CHECK_FALSE(number_of(parse_expression("1 / (row - 9)"), look_up));
 }
 
-TEST_CASE("An expression that is not understood is answered by a sentence") {
+TEST_CASE("An expression that is not understood is answered with a sentence") {
     const std::pair<std::string, std::string> cases[] = {
         {"", "ends too early"},
         {"row >", "ends too early"},

@@ -94,7 +94,7 @@ TEST_CASE("Settings are facts under their own names") {
     CHECK_FALSE(room.is_there("camera.position"));
 }
 
-TEST_CASE("The sides of a box are facts while there is one") {
+TEST_CASE("The sides of a box are facts if there is one") {
     Asked room;
     CHECK_FALSE(room.is_there("view_box.left"));
     room.session.a.settings.view_box = ViewBox{-0.5f, 0.25f, 0.0f, 2.0f};
@@ -118,7 +118,7 @@ TEST_CASE("The weights of a pixel are given to the full precision of their float
     CHECK(decimals(sum, 9) == "1.000000030");
 }
 
-TEST_CASE("The frame's facts are the golden numbers of the room") {
+TEST_CASE("The facts of the room's frame are its known numbers") {
     Asked room;
     CHECK(room.number("frame.fragments") == 328'789);
     CHECK(room.number("frame.triangles") == 30);
@@ -142,7 +142,7 @@ TEST_CASE("Clipping and culling of the triangle shown are facts, and so are thei
     room.session.a.settings.clip = Clip::near;
     CHECK(room.number("polygon.planes") == 1);
     CHECK(room.number("polygon.cuts") == 2);
-    CHECK(room.number("polygon.corners") == 3); // of two corners behind the plane one is left
+    CHECK(room.number("polygon.corners") == 3); // with two of its corners behind the plane
     room.session.selection.triangle = 1;
     CHECK(room.number("polygon.corners") == 4);
     CHECK(room.number("polygon.triangles") == 2);
@@ -160,7 +160,7 @@ TEST_CASE("Clipping and culling of the triangle shown are facts, and so are thei
     CHECK(room.value("cursor") == Value(Cursor{1, Phase::cull, 0, 0}));
 }
 
-TEST_CASE("What is not selected is not there") {
+TEST_CASE("Without a selection there are no facts about it") {
     Asked room;
     for (const char* name :
          {"triangle", "row", "vertex", "pixel.column", "pixel.owner", "pixel.z",
@@ -189,7 +189,7 @@ TEST_CASE("A pixel's facts are those of the fragment that stays") {
     CHECK(room.number("pixel.z") == Approx(1.0 / 0.4170).margin(1e-3));
     CHECK(room.number("pixel.losers") >= 1);
     CHECK(room.number("pixel.red") == 0.75);
-    // The same as the report on that fragment has it.
+    // The same as in the report on that fragment.
     set_step(room.session.a.settings, StripStep::pixel_light);
     const double error = room.number("pixel.position_error");
     const auto at = fragment_on_pixel(room.results.a.frame, {250, 400}, cursor_end);
@@ -291,8 +291,7 @@ TEST_CASE("The table's facts are of the finished table of the triangle shown") {
     CHECK_FALSE(bench.is_there("table.count"));
 }
 
-TEST_CASE(
-    "What each fill rule makes of a shared edge are facts, of the edge nearest to the pixel") {
+TEST_CASE("The result of each fill rule on the shared edge nearest to the pixel is a fact") {
     Asked square;
     square.session = open_session(lessons_folder() + "/scenes/shared-edge.toml");
     square.session.selection.triangle = 0;
@@ -313,7 +312,7 @@ TEST_CASE(
     CHECK(hexagon.number("shared.edge") == 0);
     hexagon.session.selection.pixel = {16, 6};
     CHECK(hexagon.number("shared.edge") == 2);
-    CHECK(hexagon.number("shared.holes_exclusive") == 15); // of 17 pixels the ends are no holes
+    CHECK(hexagon.number("shared.holes_exclusive") == 15); // of 17 pixels; the ends are not holes
 }
 
 TEST_CASE("The cursor's facts say what comes next") {
@@ -350,7 +349,7 @@ TEST_CASE("Two runs have facts while they are compared") {
     CHECK_FALSE(room.is_there("compare.different_pixels"));
 }
 
-TEST_CASE("By matrices no vertex is elsewhere and no pixel differs; turned, they do") {
+TEST_CASE("With matrices no vertex or pixel differs; with a turned camera vertices do") {
     Asked room;
     Settings other = room.session.a.settings;
     other.transform = Transform::matrices;
@@ -384,7 +383,7 @@ TEST_CASE("The names of tabs and views are found") {
     CHECK(std::count(tab_names().begin(), tab_names().end(), "rows") == 1);
 }
 
-TEST_CASE("Facts of lines: ends that are missed, samples elsewhere in run B, decisions") {
+TEST_CASE("Facts of lines: missed ends, samples elsewhere in run B, decisions") {
     Asked room;
     CHECK(room.number("frame.edges") == 90);
     CHECK(room.number("frame.ends_missed") == 24);
@@ -411,7 +410,7 @@ TEST_CASE("Facts of lines: ends that are missed, samples elsewhere in run B, dec
     CHECK_FALSE(room.is_there("cursor.decision"));
 }
 
-TEST_CASE("Where a picked pixel lies in its texture, and which texels it takes, are facts") {
+TEST_CASE("A picked pixel's place in its texture and its texels are facts") {
     Asked wall;
     wall.session = open_session(lessons_folder() + "/scenes/receding-wall.toml");
     wall.session.selection.pixel = glm::ivec2(100, 70);
@@ -447,7 +446,7 @@ TEST_CASE("Where a picked pixel lies in its texture, and which texels it takes, 
     CHECK(wall.number("pixel.texel.level") >= 1);
 }
 
-TEST_CASE("Affine interpolation is off by whole texels, and the error of the light has them") {
+TEST_CASE("Affine interpolation is off by whole texels, which the light error includes") {
     Asked wall;
     wall.session = open_session(lessons_folder() + "/scenes/receding-wall.toml");
     Settings& settings = wall.session.a.settings;
@@ -474,7 +473,7 @@ TEST_CASE("Affine interpolation is off by whole texels, and the error of the lig
         settings.texture = TextureUse::on;
         const double painted = wall.number("pixel.light_error");
         INFO("column " << column << ": without a texture " << plain << ", with it " << painted);
-        // Texels are 0..1: where both ways take the same colour, the error cannot grow.
+        // Texels are 0..1, so the error cannot grow where both ways take the same colour.
         const bool is_other = is_white(u, v) != is_white(affine_u, affine_v);
         CHECK((painted > plain + 0.2) == is_other);
         ++asked;

@@ -24,7 +24,7 @@ namespace {
 
 using namespace rasterwalk::test;
 
-/// What is asked for, and where findings are kept.
+/// The requested run, and where findings are kept.
 struct Task {
     std::string folder;
     std::uint32_t files = 0, start = 0;
@@ -36,12 +36,12 @@ struct Progress {
     std::uint32_t file, read, findings;
 };
 
-/// Files of one start value are others than those of the next.
+/// Files of one start value are different from those of the next.
 std::uint32_t number_of(const Task& task, std::uint32_t file) {
     return task.start * 0x9e3779b9u + file;
 }
 
-/// Ends a process that is busy for longer than a file may take, by SIGPROF.
+/// Ends, by SIGPROF, a process that is busy for longer than a file may take.
 void set_timer() {
     constexpr long longest = static_cast<long>(2 * most_seconds);
     const itimerval timer{{0, 0}, {longest, 0}};
@@ -77,8 +77,8 @@ bool goes_on(const Task& task, const Progress& progress) {
     ::_exit(0);
 }
 
-/// Reads all files of a format in a process of its own; where that ends, in a further one from the
-/// next file on.
+/// Reads all files of a format in a separate process; if that ends, another one goes on with the
+/// next file.
 void fuzz(const Task& task, const ChangedFormat& format, Progress& progress) {
     const TemporaryFolder folder;
     lay_out(folder);

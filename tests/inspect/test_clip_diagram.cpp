@@ -44,7 +44,7 @@ double cross_of(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// The place as shares of what is shown: 0 to 1 in both directions.
+/// The place as a share of the diagram, 0 to 1 in both directions.
 glm::dvec2 share_of(const ClipDiagram& diagram, const glm::dvec2& place) {
     const auto share = [](double value, const Interval& range) {
         return (value - range.low) / (range.high - range.low);
@@ -94,7 +94,7 @@ ClipHistory before_all_planes() {
 
 } // namespace
 
-TEST_CASE("In the diagram of a plane a corner lies on the tinted side if it lies inside") {
+TEST_CASE("In the diagram of a plane a corner is on the tinted side if it is inside") {
     const Scene room = lab_room();
     Random random(31);
     int inside = 0, outside = 0, behind = 0;
@@ -130,7 +130,7 @@ TEST_CASE("In the diagram of a plane a corner lies on the tinted side if it lies
     CHECK(behind > 10);
 }
 
-TEST_CASE("In the diagram of a plane the new corners lie on its line and on the edges") {
+TEST_CASE("In the diagram of a plane the new corners are on its line and on the edges") {
     const Scene room = lab_room();
     Random random(32);
     int made = 0;
@@ -169,7 +169,7 @@ TEST_CASE("In the diagram of a plane the new corners lie on its line and on the 
     CHECK(made > 50);
 }
 
-TEST_CASE("A plane without work has a diagram too, with the steps that it would do") {
+TEST_CASE("A plane that cuts nothing has a diagram too, with the steps that it would do") {
     const Scene room = lab_room();
     const Frame frame = prepare_frame(room, near_clipped_room(room));
     for (int t = 0; t < frame.triangle_count(); ++t) {
@@ -189,25 +189,25 @@ TEST_CASE("A plane without work has a diagram too, with the steps that it would 
     }
 }
 
-TEST_CASE("The diagram says what holds on its inner side") {
+TEST_CASE("The diagram gives the condition for its inner side") {
     ClipHistory history = before_all_planes();
     const auto condition = [&](ClipPlane plane) {
         const auto diagram = clip_diagram(history, plane);
         return diagram ? inside_condition(history, *diagram) : "";
     };
-    // 500 x 500 pixels, and what is nearer than 0.1 is cut off.
+    // 500 x 500 pixels, near plane at 0.1.
     CHECK(condition(ClipPlane::left) == "x + 250 · w ≥ 0");
     CHECK(condition(ClipPlane::right) == "250 · w − x ≥ 0");
     CHECK(condition(ClipPlane::top) == "y + 250 · w ≥ 0");
     CHECK(condition(ClipPlane::bottom) == "250 · w − y ≥ 0");
     CHECK(condition(ClipPlane::near) == "w − 0.1 ≥ 0");
-    // A depth that is not constant is plotted to the side.
+    // A depth that varies is plotted to the side.
     history.corners[0].position_clip.z = 0.5f;
     CHECK(condition(ClipPlane::near) == "w − 0.1 · z ≥ 0");
     CHECK(clip_diagram(history, ClipPlane::near)->side == 2);
 }
 
-TEST_CASE("Corners at one place, and such as are far apart, have a diagram") {
+TEST_CASE("Coinciding corners and corners far apart have a diagram") {
     ClipHistory history = before_all_planes();
     const auto check_all = [&](const char* what) {
         INFO(what);
@@ -242,7 +242,7 @@ TEST_CASE("Corners at one place, and such as are far apart, have a diagram") {
     check_all("in the eye");
 }
 
-TEST_CASE("Of what is no number, or too far away, there is no diagram") {
+TEST_CASE("Corners that are not numbers or too far away have no diagram") {
     for (const float value :
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e31f,
           -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::max()}) {

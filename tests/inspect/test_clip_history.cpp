@@ -44,13 +44,13 @@ Scene pairs_of_triangles(Random& random, int pairs) {
     return scene;
 }
 
-/// The value that three corners' values have at a place of the triangle between them.
+/// The value at a place of the triangle, from the values at its three corners.
 template <class Value>
 double mixed(const glm::dvec3& shares, Value value) {
     return shares.x * value(0) + shares.y * value(1) + shares.z * value(2);
 }
 
-/// Are two numbers the same but for rounding?
+/// Are two numbers the same except for rounding?
 bool is_near(double a, double b, double size) {
     return std::abs(a - b) <= 5e-3 * (size + 1e-3);
 }
@@ -88,12 +88,12 @@ bool same_corner(const ClipVertex& a, const ClipVertex& b) {
     return same_bits(a.varyings, b.varyings);
 }
 
-/// As REQUIRE, which takes longer than the clipping of a triangle.
+/// Like REQUIRE, which takes longer than clipping a triangle.
 void require(bool holds, const char* what) {
     if (!holds) FAIL("wrong: " << what);
 }
 
-/// The steps of each plane pass on what comes out of it, and the planes follow each other.
+/// The steps of each plane give its output, and the planes follow each other.
 void check_steps(const ClipHistory& history) {
     std::vector<ClipVertex> polygon(history.corners.begin(), history.corners.end());
     int last_plane = -1;
@@ -146,14 +146,14 @@ std::vector<ClipVertex> on_shared_edge(const ClipHistory& history, const OracleC
     return corners;
 }
 
-/// What comes nearer to a plane than this, as a part of the size of the numbers, is not compared.
+/// Corners nearer to a plane than this, relative to the size of the numbers, are not compared.
 constexpr double least_clear = 1e-3;
 
 struct Tally {
     int compared = 0, cut = 0, gone = 0, unclear = 0, shared = 0;
 };
 
-/// Compares one triangle with the second way; false if rounding may decide differently.
+/// Compares one triangle with the second method; false if rounding might decide differently.
 bool check_triangle(const Frame& frame, const ClipHistory& history, const OracleClip& oracle,
                     Tally& tally) {
     if (oracle.least < least_clear) {
@@ -182,7 +182,7 @@ bool check_triangle(const Frame& frame, const ClipHistory& history, const Oracle
     const std::vector<OraclePlane> planes = oracle_planes(frame.settings, frame.scene->space);
     for (const ClipVertex& corner : history.polygon) {
         for (const OraclePlane& plane : planes) {
-            // The rounding is that of the numbers that were cut.
+            // Rounding is relative to the numbers that were cut.
             double size = 0.0;
             for (const ClipVertex& given : history.corners)
                 size = std::max(size, plane.size(given.position_clip));
@@ -246,12 +246,13 @@ void check_pairs(const Scene& scene, Clip clip, Tally& tally) {
 
 } // namespace
 
-TEST_CASE("The clip history of random triangles is what barycentric clipping in double says") {
+TEST_CASE("The clip history of random triangles agrees with barycentric clipping in double") {
     Random random(92);
     constexpr int pairs = 1000;
     constexpr Clip ways[] = {Clip::all, Clip::near, Clip::all, Clip::guard_band};
     Tally tally;
-    // 10^6 triangles at full effort; at less fewer still, since each is clipped twice in double.
+    // 10^6 triangles at full effort; disproportionately fewer at less, since each is clipped twice
+    // in double.
     const int scenes = rounds(effort() < 1.0 ? 200 : 500, 6);
     for (int i = 0; i < scenes; ++i)
         check_pairs(pairs_of_triangles(random, pairs), ways[i % 4], tally);
@@ -263,7 +264,7 @@ TEST_CASE("The clip history of random triangles is what barycentric clipping in 
     CHECK(tally.shared > all / 10);
 }
 
-TEST_CASE("The polygon of the history is what the frame draws, and culling what it says") {
+TEST_CASE("The history's polygon and culling are those of the frame") {
     const Scene scene = cut_scene();
     int culled = 0, cut = 0;
     for_each_cut_frame(scene, 5, [&](const Frame& frame) {
@@ -342,7 +343,7 @@ TEST_CASE("A plane, a step and outcodes in words") {
           "corner 1 is inside and kept, the edge leaves at t = 0.3000: (45, 0, 1, 0.1)");
 }
 
-TEST_CASE("The lines of clip and cull in the list of moments say what is done") {
+TEST_CASE("The lines of clip and cull in the list of moments say what each does") {
     const Scene scene = cut_scene();
     const Frame frame = cut_frame(scene, {Stage::fill}, cut_rules[0]);
     int steps = 0, culls = 0;

@@ -111,7 +111,7 @@ std::map<int, std::set<int>> inside_rows(const Recorder& told, int triangle, con
     return rows;
 }
 
-/// A row table as far as the picture shows it.
+/// The part of a row table inside the picture.
 std::map<int, std::set<int>> table_rows_in_picture(const Frame& frame, const PolygonRows& table) {
     const Rectangle area = drawn_area(frame);
     std::map<int, std::set<int>> rows;
@@ -189,8 +189,8 @@ void check_pixels(const Frame& frame, const Told& told) {
     }
 }
 
-/// A polygon of five corners, in clockwise order; of its fan the triangle in the middle has no edge
-/// of the polygon at (0, 8).
+/// A polygon of five corners, in clockwise order; the middle triangle of its fan has no edge of the
+/// polygon at (0, 8).
 std::vector<ScreenVertex> five_corners() {
     std::vector<ScreenVertex> corners;
     for (const glm::ivec2 at : {glm::ivec2(0, 8), {4, 0}, {12, 2}, {12, 14}, {4, 16}}) {
@@ -234,7 +234,7 @@ TEST_CASE("However the pixels are found, everything shown agrees") {
     });
 }
 
-TEST_CASE("Both ways in time the picture and the rows are those of the moment") {
+TEST_CASE("Forward and backward in time the picture and the rows are those of the moment") {
     Random random(1988);
     for_each_covered_frame([&](const Frame& frame) {
         const Told told = told_of(frame);
@@ -256,8 +256,8 @@ TEST_CASE("Both ways in time the picture and the rows are those of the moment") 
             CHECK(parse_cursor(to_text(cursor)) == cursor);
             if (!tests_pixels(frame.stages) || !frame.is_drawn(cursor.triangle)) continue;
             const RowHistory history = row_history(frame, cursor.triangle, cursor);
-            // Rows reach as far as the pixels show that have been asked; what lies beside the
-            // picture is asked without a moment of its own.
+            // Rows reach as far as the tested pixels; those outside the picture are tested without
+            // moments.
             const auto rows = table_rows_in_picture(frame, history.rows);
             for (const auto& [row, columns] : inside_rows(told.events, cursor.triangle, cursor)) {
                 REQUIRE(rows.contains(row));
@@ -268,7 +268,7 @@ TEST_CASE("Both ways in time the picture and the rows are those of the moment") 
     });
 }
 
-TEST_CASE("The lab's picture is untouched by the rules of other coverage") {
+TEST_CASE("The lab's picture does not depend on rules of other coverage") {
     const Scene scene = small_scene();
     for (const StageInfo& info : stage_list()) {
         Settings settings = default_settings(scene);
@@ -277,14 +277,14 @@ TEST_CASE("The lab's picture is untouched by the rules of other coverage") {
         settings.fill_rule = FillRule::top_left;
         settings.snap = Snap::subpixel;
         CHECK(draw_frame(prepare_frame(scene, settings)) == usual);
-        // Points and edges are drawn as ever, however pixels are found later.
+        // Points and edges are drawn as usual, however pixels are found later.
         settings.coverage = Coverage::edge_functions;
         if (settings.stage < Stage::rows)
             CHECK(draw_frame(prepare_frame(scene, settings)) == usual);
     }
 }
 
-TEST_CASE("A point given in pixels lies at its pixel's centre") {
+TEST_CASE("A point given in pixels is at its pixel's centre") {
     const Scene scene = pixel_scene({{{{2, 1, 1}, {14, 1, 1}, {5, 10, 1}}}}, {16, 12});
     for (const Snap snap : {Snap::pixel, Snap::sixteenth, Snap::subpixel}) {
         const Frame frame =
@@ -319,8 +319,7 @@ TEST_CASE("Before the rows of a triangle begin no row of its table is filled") {
     }
 }
 
-TEST_CASE("While its pixels are tested only the rows that were asked are filled, beside the "
-          "picture too") {
+TEST_CASE("While pixels are tested only the tested rows are filled, outside the picture too") {
     const Scene scene = pixel_scene({{{{-7, 10, 1}, {12, 3, 1}, {8, 17, 1}}}}, {24, 24});
     for (const BoxWalk walk : {BoxWalk::all, BoxWalk::interval}) {
         const Way way{Coverage::edge_functions, FillRule::top_left, Snap::subpixel, walk};
@@ -355,7 +354,7 @@ TEST_CASE("A vertex that is moved into the picture is moved under every snap") {
     }
 }
 
-TEST_CASE("What the fan's corner gives away is said to be given away") {
+TEST_CASE("A fan's corner that the fill rule leaves to others is reported as such") {
     const std::vector<ScreenVertex> corners = five_corners();
     const Scene scene = pixel_scene({{{{2, 1, 1}, {14, 1, 1}, {5, 10, 1}}}}, {16, 12});
     const Settings settings = settings_of(
@@ -371,7 +370,7 @@ TEST_CASE("What the fan's corner gives away is said to be given away") {
     CHECK_FALSE(test_pixel(polygon, 1, 8, 8, stages).is_given_corner);
 }
 
-TEST_CASE("What is known of each pixel at a moment is what the tests before it have found") {
+TEST_CASE("At any moment a pixel is known as the earlier tests found it") {
     // The second way: the tests that drawing reports, added up one by one.
     Scene cut = cut_scene();
     int in_fans = 0, moments = 0;
@@ -418,7 +417,7 @@ TEST_CASE("What is known of each pixel at a moment is what the tests before it h
                                                         test->is_inside == expected->second;
                         if (!is_right) {
                             CAPTURE(to_text(to), column, row, std::string(word_of(rule)));
-                            FAIL("another answer than the tests before it gave");
+                            FAIL("a different answer from the earlier tests");
                         }
                     }
                 }

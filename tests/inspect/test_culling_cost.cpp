@@ -43,14 +43,14 @@ TEST_CASE("The time of a way of culling is the median of its draws, which take t
         if (i > 0) CHECK(costs.ways[i].milliseconds == costs.ways[i - 1].milliseconds + 0.5);
         CHECK(costs.ways[i].share == costs.ways[i].milliseconds / costs.ways.front().milliseconds);
     }
-    // The median is that of the draw in the middle: as many looks before it as after it, but for
-    // those that ask whether it is enough.
+    // The median is that of the draw in the middle: as many readings before it as after it, except
+    // for those that check whether it is enough.
     const double longest = clock.looks.back() - clock.looks[clock.looks.size() - 2];
     CHECK(costs.ways[2].milliseconds > 0.4 * longest);
     CHECK(costs.ways[2].milliseconds < 0.6 * longest);
 }
 
-TEST_CASE("A slow machine draws three times, a quick one no more than is of use") {
+TEST_CASE("A slow machine draws three times, a fast one only as often as useful") {
     const Scene scene = small_scene();
     const auto draws_by = [&scene](double step) {
         double now = 0.0;
@@ -65,12 +65,12 @@ TEST_CASE("A slow machine draws three times, a quick one no more than is of use"
     CHECK(draws_by(10.0) < most_draws);
 }
 
-TEST_CASE("What each way of culling leaves is what the frame has under it") {
+TEST_CASE("The counts for each way of culling are those of its frame") {
     const Scene room = lab_room();
     Settings settings = default_settings(room);
     settings.viewport = {125, 125};
     settings.camera.focal_length = 125.0f;
-    settings.cull = Cull::view_axis; // is not asked
+    settings.cull = Cull::view_axis; // not used
     double now = 0.0;
     const CullingCosts costs =
         culling_costs(room, settings, cursor_end, [&now] { return now += 1000.0; });

@@ -27,7 +27,7 @@ glm::dvec3 world_place(const CutCorner& corner) {
 
 } // namespace
 
-TEST_CASE("The corners that are left are those that are drawn, each with where it comes from") {
+TEST_CASE("The corners that are left are those that are drawn, each with its origin") {
     const Scene room = lab_room();
     Random random(17);
     int cut = 0;
@@ -50,7 +50,7 @@ TEST_CASE("The corners that are left are those that are drawn, each with where i
                     const glm::vec3 given = room.corner(t, corner.vertex_index).position;
                     CHECK(corner.vertex.varyings.position_world == given);
                 }
-                // The way to the next is on the edge or in the plane that the corner names.
+                // The line to the next one is on the edge or in the plane that the corner names.
                 if (corner.edge >= 0) {
                     const glm::dvec3 a = room.corner(t, corner.edge).position;
                     const glm::dvec3 b = room.corner(t, (corner.edge + 1) % 3).position;
@@ -109,7 +109,7 @@ TEST_CASE("The moment just done shows how far clipping has come") {
     CHECK_FALSE(clip_progress(history, std::nullopt));
     CHECK_FALSE(clip_progress(history, Cursor{1, Phase::edges, 0, 2}));
     CHECK_FALSE(clip_progress(history, Cursor{0, Phase::clip, 0, 1}));
-    CHECK_FALSE(clip_progress(history, Cursor{1, Phase::clip, 3, 1})); // a plane without work
+    CHECK_FALSE(clip_progress(history, Cursor{1, Phase::clip, 3, 1})); // a plane that cuts nothing
     const auto progress = clip_progress(history, Cursor{1, Phase::clip, 0, 1});
     REQUIRE(progress);
     CHECK(progress->planes == 0);

@@ -1,5 +1,5 @@
-// Which edges of the room arrive, and which samples two lines put on different pixels, counted
-// another way: by fractions, from the vertices alone.
+// Which edges of the room reach their end, and which samples two lines put on different pixels,
+// counted a second way: by fractions, from the vertices alone.
 
 #include "inspect/edge_lines.h"
 
@@ -24,7 +24,7 @@ Frame room_with(LineAlgorithm line) {
 }
 
 /// Samples of an edge that land on a different pixel from the float walk's, if each takes its
-/// nearest pixel and at a tie the one further from the start.
+/// nearest pixel and at a tie the one farther from the start.
 int different_by_fractions(const ScreenVertex& a, const ScreenVertex& b) {
     const int dx = b.column - a.column, dy = b.row - a.row;
     const int n = std::max(std::abs(dx), std::abs(dy));

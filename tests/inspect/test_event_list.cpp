@@ -36,7 +36,7 @@ TEST_CASE("The list has every moment of a triangle once and in order") {
     CHECK(list_events(frame, frame.triangle_count()).count() == 0);
 }
 
-TEST_CASE("A line says where a moment is and what it does") {
+TEST_CASE("A line says which moment it is and what it does") {
     const Scene scene = pixel_scene({{{{10, 5, 1}, {5, 10, 1}, {15, 15, 1}}}}, {20, 20});
     const Frame rows = frame_of(scene, Stage::rows, rule_variants().front());
     const EventList list = list_events(rows, 0);
@@ -51,7 +51,7 @@ TEST_CASE("A line says where a moment is and what it does") {
     CHECK(event_text(filled, 3 + 6 + 11 + 11) == "t0/r0/c0  fragment: column 10, row 5");
 }
 
-TEST_CASE("The lines are searched whatever the capitals, and only where it is asked") {
+TEST_CASE("The search of lines ignores case, and stays in the requested range") {
     const Scene scene = pixel_scene({{{{10, 5, 1}, {5, 10, 1}, {15, 15, 1}}}}, {20, 20});
     const EventList list = list_events(frame_of(scene, Stage::rows, rule_variants().front()), 0);
     CHECK(find_events(list, "EDGE 0", 0, list.count()) == std::vector<int>{3, 4, 5, 6, 7, 8});

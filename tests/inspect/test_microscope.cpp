@@ -82,7 +82,7 @@ TEST_CASE("The smallest edge that leaves its rows shows where its last row was l
     CHECK(edge.summary.largest_drift_x == 0.0);
 }
 
-TEST_CASE("Every number under the microscope is the one found another way") {
+TEST_CASE("Every number under the microscope equals the one found a second way") {
     Random random(50);
     for (const WalkRules& rules : all_rules()) {
         for (int round = 0; round < 120; ++round) {
@@ -142,7 +142,7 @@ TEST_CASE("An edge walked by fractions is the same there and back, and meets its
     }
 }
 
-TEST_CASE("The next difference is found from any sample on, and after the last comes the first") {
+TEST_CASE("The next difference is found from any sample, and after the last comes the first") {
     // The float nearest to 1/10 is a little too large: walked down, whole rows are passed too
     // early.
     const EdgeMicroscope edge = microscope(at(0, 300), at(300, 270), {});
@@ -173,7 +173,7 @@ TEST_CASE("An edge of one sample is its start, and a level edge sampled by rows 
     CHECK(level.differing.empty());
 }
 
-TEST_CASE("The longest edge there can be is put under the microscope whole") {
+TEST_CASE("All of the longest possible edge is put under the microscope") {
     const EdgeMicroscope edge = microscope(at(-16384, -16384), at(16384, 16383), {});
     REQUIRE(edge.count == 32769);
     const MicroscopeSample last = edge.at(32768);
@@ -182,7 +182,7 @@ TEST_CASE("The longest edge there can be is put under the microscope whole") {
     CHECK(last.y.drift == static_cast<double>(last.y.walked) - 16383.0);
 }
 
-TEST_CASE("A microscope knows the edge it shows by its ends and rules") {
+TEST_CASE("A microscope recognizes its edge by ends and rules") {
     const ScreenVertex a = at(1, 2), b = at(8, 5);
     const EdgeMicroscope edge = microscope(a, b, {});
     CHECK(shows(edge, a, b, {}));
@@ -224,7 +224,7 @@ TEST_CASE("The microscope keeps what a line decides, and takes either of two nea
     CHECK_FALSE(microscope(at(1, 2), at(9, 6), WalkRules{}).decides());
 }
 
-TEST_CASE("The microscope marks the samples that a mistaken line puts beside it") {
+TEST_CASE("The microscope marks the samples that a mistaken line puts on wrong pixels") {
     Settings settings;
     settings.line = LineAlgorithm::bresenham;
     settings.bresenham_rule = BresenhamRule::wrong_term;

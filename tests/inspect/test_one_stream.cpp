@@ -1,4 +1,4 @@
-// Each slot of the table gets another function, one slot after the other: the picture, the row
+// Each slot of the table gets a different function, one slot at a time: the picture, the row
 // tables, the histories, the microscope, the statistics, the timeline and what an observer gets
 // must all agree, and differ from what they said before.
 
@@ -32,7 +32,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-// --- a function for each slot that does something else
+// --- for each slot a function that does something different
 
 ClipVertex shader_to_the_right(const Vertex& vertex, const glm::mat3& rotation,
                                const VertexRules& rules, const Stages& stages,
@@ -199,7 +199,7 @@ float negative_channel(float channel) {
 struct Replacement {
     const char* slot;
     ReplaceStages replace;
-    bool needs_camera = false; ///< a scene in pixel space does not come by the slot
+    bool needs_camera = false; ///< a scene in pixel space does not use the slot
 };
 
 const std::vector<Replacement>& replacements() {
@@ -345,7 +345,7 @@ void check_microscope(const Frame& frame, const Story& story, int triangle) {
             if (edge.decides()) CHECK(edge.decisions[i] == sample.decision);
             ++i;
         }
-        // Samples that are left out of the table are looked at all the same.
+        // Samples that are left out of the table are still looked at.
         const bool are_all_entered = frame.stages.entered_samples == entered_samples;
         CHECK((are_all_entered ? i == edge.forward.size() : i <= edge.forward.size()));
         CHECK(edge.decides() == (frame.stages.line != line_by_interpolate));
@@ -459,7 +459,7 @@ Scene small_world() {
                                      (p.y - middle.y) * p.z / scene.camera.focal_length, p.z});
         }
     }
-    // Of these the corners go round the other way.
+    // The corners of these go the other way round.
     for (const int turned : {1, 7}) {
         const glm::vec3 second = scene.corner(turned, 1).position;
         scene.mesh.place_corner(turned, 1, scene.corner(turned, 2).position);
@@ -476,7 +476,8 @@ Settings settings_of_story(const Scene& scene) {
 
 } // namespace
 
-TEST_CASE("With another function in any slot everything shown agrees, and is new") {
+TEST_CASE(
+    "With a different function in any slot everything shown agrees, and differs from before") {
     const Scene pixels = small_scene(), world = small_world();
     for (const Replacement& replacement : replacements()) {
         CAPTURE(replacement.slot);
@@ -503,7 +504,7 @@ TEST_CASE("With another function in any slot everything shown agrees, and is new
     }
 }
 
-TEST_CASE("Clipping and culling show in polygons, reports, counts and the comparison") {
+TEST_CASE("Clipping and culling show in polygons, reports, counts and comparisons") {
     const Scene scene = small_world();
     const Settings settings = settings_of_story(scene);
     const Frame usual = prepare_frame(scene, settings);
@@ -530,7 +531,7 @@ TEST_CASE("Clipping and culling show in polygons, reports, counts and the compar
             CHECK(triangle_report(frame, t).edges.size() == corners.size());
             quadrilaterals += corners.size() == 4 ? 1 : 0;
         }
-        // What is clipped away is shown as the scene has it.
+        // A triangle that is clipped away is shown as in the scene.
         if (rejection == Rejection::clipped_away) {
             CHECK_FALSE(frame.is_cut(t));
             const PolygonCorners as_given = usual.triangle_vertices(t);
@@ -543,7 +544,7 @@ TEST_CASE("Clipping and culling show in polygons, reports, counts and the compar
     CHECK(expected.of(Rejection::clipped_away) > 0);
     CHECK(expected.of(Rejection::back_facing) > 0);
     CHECK(quadrilaterals > 0);
-    // The comparison says so too, of the first triangle that is drawn in one run only.
+    // The comparison agrees, for each triangle that is drawn in one run only.
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!usual.is_drawn(t) || frame.is_drawn(t)) continue;
         const std::optional<Divergence> divergence =
@@ -558,7 +559,7 @@ TEST_CASE("Clipping and culling show in polygons, reports, counts and the compar
             CHECK(divergence->cursor == Cursor{t, Phase::cull, 0, 0});
             CHECK(divergence->text.find("B culls: area = -") != std::string::npos);
         }
-        // Behind it, what the other run draws is missing.
+        // After it, what the other run draws is missing.
         const std::optional<Divergence> edge =
             next_divergence(usual, frame, {t, Phase::edges, 0, 0});
         REQUIRE(edge);
@@ -568,12 +569,12 @@ TEST_CASE("Clipping and culling show in polygons, reports, counts and the compar
         CHECK(edge->text.find(reason) != std::string::npos);
     }
     CHECK_FALSE(next_divergence(frame, frame, cursor_begin));
-    // A triangle that reaches behind the camera is left out whole where nothing is clipped.
+    // Without clipping, all of a triangle that reaches behind the camera is left out.
     CHECK(count_left_out(usual).of(Rejection::behind_camera) == 1);
     CHECK(count_left_out(frame).of(Rejection::behind_camera) == 0);
 }
 
-TEST_CASE("What is said to be another setting's keeps the functions that were put in") {
+TEST_CASE("Choosing functions for other settings keeps those that were put in") {
     const Scene scene = small_scene();
     Settings settings = settings_of_story(scene);
     const ReplaceStages replace = [](Stages& s) { s.drawn_pixels = no_more_than_three; };

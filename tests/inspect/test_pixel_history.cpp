@@ -20,7 +20,7 @@ using test::same_bits;
 
 namespace {
 
-/// What does not fit between a pixel's history and the whole picture; empty if all fits.
+/// How a pixel's history disagrees with the whole picture; empty if it agrees.
 std::string first_fault(const Frame& frame, const Framebuffer& picture, const glm::ivec2& pixel) {
     const PixelHistory history = pixel_history(frame, pixel);
     const std::size_t at = picture.at(pixel.x, pixel.y);
@@ -52,7 +52,7 @@ std::string first_fault(const Frame& frame, const Framebuffer& picture, const gl
         const float ahead =
             kind == ClipDepth::ndc ? entry.stored - entry.depth : entry.depth - entry.stored;
         if (!same_bits(entry.margin, ahead)) return fault(name + " margin");
-        // Each rounded sum as in the test, so that a value on the limit is judged alike.
+        // Sums are rounded as in the test, so that a value on the limit is judged the same way.
         const float limit =
             kind == ClipDepth::ndc ? entry.stored - epsilon : entry.stored + epsilon;
         const bool is_ahead =
@@ -107,7 +107,7 @@ TEST_CASE("Every pixel of a small scene, in every stage and under every rule, ha
     for (const test::Variant& variant : test::rule_variants()) {
         int turn = begin++;
         for (const StageInfo& stage : stage_list()) {
-            // At little effort each rule at every third stage, the next one at others.
+            // If effort is low, each rule at every third stage, and the next rule at others.
             if (turn++ % 3 != 0 && test::effort() < 0.5) continue;
             Settings settings = with_step(default_settings(scene), stage.step);
             variant.apply(settings);
@@ -147,7 +147,7 @@ TEST_CASE("Pixels of the room have histories that lead to their colours, from ev
     }
 }
 
-TEST_CASE("The cursor of an entry is the moment in which the pixel changes") {
+TEST_CASE("The cursor of an entry is the moment at which the pixel changes") {
     const Scene scene = test::lab_room();
     const Frame frame = prepare_frame(scene, default_settings(scene));
     const glm::ivec2 pixel(240, 300);
@@ -229,9 +229,10 @@ TEST_CASE("A window of the picture is drawn with the bits that the whole picture
     }
 }
 
-TEST_CASE("A triangle is not skipped whose long edge strays into the window") {
-    // Edges come from far off and end just below the window; where the sum of the steps is a little
-    // too small at the end, a sample falls into it. Mirrored in the diagonal, columns are meant.
+TEST_CASE("A triangle whose long edge strays into the window is not skipped") {
+    // Edges come from far off and end just below the window; if the sum of the steps is a little
+    // too small at the end, a sample falls into it. Mirrored in the diagonal, the same holds for
+    // columns.
     test::Random random(31);
     constexpr Viewport size{24, 24};
     constexpr float below = 12.0f;
@@ -266,7 +267,7 @@ TEST_CASE("A triangle is not skipped whose long edge strays into the window") {
     CHECK(strayed > edges / 40);
 }
 
-TEST_CASE("Samples outside their row tables are counted alike with and without a picture") {
+TEST_CASE("Samples outside their row tables are counted the same with and without a picture") {
     const Scene room = test::lab_room();
     const Scene small = test::small_scene();
     int found = 0;
@@ -285,7 +286,7 @@ TEST_CASE("Samples outside their row tables are counted alike with and without a
     CHECK(found > 0);
 }
 
-TEST_CASE("The black pixel at the left of the room is explained by the cut toward zero") {
+TEST_CASE("The black pixel on the left of the room is explained by truncation toward zero") {
     const Scene scene = test::lab_room();
     const Frame frame = prepare_frame(scene, default_settings(scene));
     const glm::ivec2 pixel(0, 250);
@@ -300,7 +301,7 @@ TEST_CASE("The black pixel at the left of the room is explained by the cut towar
     CHECK(rules_text(nearest, pixel) ==
           "with rounding=floor or rounding=round it begins at column 0");
     CHECK(uncovered_text(frame, {1, 1}) == "No row of any triangle reaches this pixel.");
-    // Another triangle is 84 columns away: it explains nothing, and stays away.
+    // Another triangle is 84 columns away: it explains nothing and is not listed.
     const std::vector<NearTriangle> more = nearest_triangles(frame, pixel);
     REQUIRE(more.size() == 3);
     CHECK(more[1].columns_away == 84);
@@ -313,7 +314,7 @@ TEST_CASE("The black pixel at the left of the room is explained by the cut towar
           "goes from column 0 to 500");
 }
 
-TEST_CASE("Every rule that is said to cover an uncovered pixel of the room does") {
+TEST_CASE("Every rule reported to cover an uncovered pixel of the room does") {
     const Scene scene = test::lab_room();
     const Settings handout = default_settings(scene);
     const Frame frame = prepare_frame(scene, handout);
@@ -337,7 +338,7 @@ TEST_CASE("Every rule that is said to cover an uncovered pixel of the room does"
             INFO("pixel " << column << "," << row);
             const std::vector<NearTriangle> nearest = nearest_triangles(frame, pixel);
             REQUIRE_FALSE(nearest.empty());
-            // The whole border is black for one reason, so floor helps everywhere.
+            // All of the border is black for one reason, so floor helps everywhere.
             REQUIRE_FALSE(nearest[0].rules.empty());
             REQUIRE(nearest[0].rules[0].rule == "rounding=floor");
             for (const NearTriangle& near : nearest) {
@@ -371,7 +372,7 @@ TEST_CASE("The gaps of an edge sampled once a row are explained by the count of 
           "with edge_samples=longest_axis it ends at column 7");
 }
 
-TEST_CASE("The nearest triangles are nearer than all others, and stand in order") {
+TEST_CASE("The nearest triangles are nearer than all others, and in order") {
     test::Random random(5);
     constexpr Viewport size{64, 48};
     int asked = 0;
@@ -413,7 +414,7 @@ TEST_CASE("The nearest triangles are nearer than all others, and stand in order"
     CHECK(asked > 20);
 }
 
-TEST_CASE("Where a stage has no fragments, or the scene no triangles, nothing comes near") {
+TEST_CASE("If a stage has no fragments or the scene no triangles, no triangle is near") {
     const Scene room = test::lab_room();
     for (const Stage stage : {Stage::points, Stage::edges, Stage::rows}) {
         const Frame frame = prepare_frame(room, with_step(default_settings(room), {stage}));
@@ -432,7 +433,7 @@ TEST_CASE("Where a stage has no fragments, or the scene no triangles, nothing co
     CHECK(uncovered_text(frame, {1, 1}) == "No triangle of the scene is drawn.");
 }
 
-TEST_CASE("What shows through half-transparent surfaces has its share of the colour") {
+TEST_CASE("Surfaces seen through half-transparent ones have their share of the colour") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/two-panes.toml");
     // The wall, red glass, blue glass: each pane takes a quarter and leaves three.
     const std::vector<double> all{0.75 * 0.75, 0.25 * 0.75, 0.25};
@@ -508,7 +509,7 @@ void require_same_history(const PixelHistory& history, const PixelHistory& expec
 
 } // namespace
 
-TEST_CASE("A pixel's history comes to the same, in whatever parts it is made") {
+TEST_CASE("A pixel's history is the same in whatever parts it is made") {
     test::Random random(17);
     const Scene scene = test::made_scene(3'000);
     int entries = 0, uncovered = 0;
@@ -517,7 +518,7 @@ TEST_CASE("A pixel's history comes to the same, in whatever parts it is made") {
         set_from_text(settings, change);
         const Frame frame = prepare_frame(scene, settings);
         for (int i = 0; i < 12; ++i) {
-            // The made scene leaves the outermost pixels free.
+            // The made scene leaves the outermost pixels empty.
             const glm::ivec2 pixel =
                 i < 3 ? glm::ivec2(i, 0)
                       : glm::ivec2(random.integer(100, 400), random.integer(100, 400));

@@ -1,5 +1,5 @@
-// A polygon of a scene, covered by its row table, by its fan and by active edges: every number
-// against counting pixel by pixel.
+// A polygon of a scene, covered by its row table, by its fan and by active edges: every number is
+// compared with counts pixel by pixel.
 
 #include "inspect/polygon_ways.h"
 
@@ -99,7 +99,7 @@ PolygonWays counted_by_hand(const std::vector<glm::ivec2>& corners, FillRule rul
     return ways;
 }
 
-/// Whole corners around the middle of the field, in the order of their angle.
+/// Corners on whole numbers around the middle of the field, sorted by angle.
 std::vector<glm::ivec2> any_star(Random& random) {
     constexpr int middle = polygon_field / 2;
     while (true) {
@@ -149,7 +149,7 @@ TEST_CASE("Row table, fan and active edges of random polygons against counting p
         require_same(*ways, counted_by_hand(corners, rule));
         CHECK(ways->fan_area >= ways->area);
         dented += ways->fan_area > ways->area ? 1 : 0;
-        // The fan has the polygon's area where it covers what the polygon covers, each pixel once.
+        // The fan has the polygon's area if it covers the polygon's pixels, each once.
         if (rule == FillRule::top_left && ways->fan_area == ways->area) {
             CHECK(ways->fan == ways->inside);
             CHECK(ways->fan_laid == ways->inside);
@@ -218,7 +218,7 @@ TEST_CASE("The pictures of random polygons, by each way, against counting pixel 
     }
 }
 
-TEST_CASE("Of a large polygon the picture has its middle, and the numbers are of all of it") {
+TEST_CASE("The picture has the middle of a large polygon, and the numbers are for all of it") {
     Scene scene = polygon_scene({{0, 0}, {300, 0}, {300, 20}, {0, 20}});
     const Frame frame = ruled_frame(scene, FillRule::top_left);
     const std::optional<PolygonPicture> picture = polygon_picture(frame, 1);
@@ -250,7 +250,7 @@ TEST_CASE("The dented pentagon has one outline, whatever corner its list begins 
     }
 }
 
-TEST_CASE("A triangle of no polygon, or of one that was moved apart, has no outline") {
+TEST_CASE("A triangle without a polygon, or whose polygon was pulled apart, has no outline") {
     const Scene triangle = read_scene(lessons_folder() + "/scenes/one-triangle.toml");
     CHECK_FALSE(polygon_ways(ruled_frame(triangle, FillRule::top_left), 0));
     CHECK_FALSE(polygon_picture(ruled_frame(triangle, FillRule::top_left), 0));

@@ -14,7 +14,7 @@
 using namespace rasterwalk;
 using rasterwalk::test::same_bits;
 
-TEST_CASE("Along a row the graph has the numbers that are drawn, under either interpolation") {
+TEST_CASE("A row's graph has the numbers that are drawn, under either interpolation") {
     const Scene room = test::lab_room();
     int fragments = 0, empty_pictures = 0;
     for (const test::Variant& variant : test::rule_variants()) {
@@ -57,7 +57,7 @@ TEST_CASE("Along a row the graph has the numbers that are drawn, under either in
     CHECK(empty_pictures < 5);
 }
 
-TEST_CASE("What a row carries are straight lines, and the truth is their quotient") {
+TEST_CASE("The values carried along a row are straight lines, and the truth is their quotient") {
     const Scene room = test::lab_room();
     const Frame frame = prepare_frame(room, default_settings(room));
     const std::optional<RowGraph> graph = row_graph(frame, 6, *widest_row(frame, 6));
@@ -79,8 +79,8 @@ TEST_CASE("What a row carries are straight lines, and the truth is their quotien
         CHECK(affine_value(*graph, q, 0) == Approx(true_value(*graph, q, 0)).margin(0.01));
         CHECK(affine_value(*graph, q, last) == Approx(true_value(*graph, q, last)).margin(0.01));
     }
-    // The floor's nearest row lies at one depth: nothing there is wrong. The side wall's rows run
-    // into the depth.
+    // The floor's nearest row is at a single depth, so nothing there is wrong. The side wall's rows
+    // run into the depth.
     const std::optional<RowGraph> wall = row_graph(frame, 2, *widest_row(frame, 2));
     REQUIRE(wall);
     const int worst = worst_index(*wall, quantity_of(&Varyings::position_world, 2));
@@ -116,7 +116,7 @@ TEST_CASE("The widest row is the one with the most pixels in the picture") {
     }
 }
 
-TEST_CASE("A row that is empty or not there has no graph") {
+TEST_CASE("A row that is empty or does not exist has no graph") {
     const Scene scene = test::small_scene();
     const Frame frame = prepare_frame(scene, default_settings(scene));
     CHECK_FALSE(row_graph(frame, 0, -1));
@@ -161,7 +161,7 @@ TEST_CASE("Ticks are round, evenly spaced, in the range, and no more than asked 
     CHECK(nice_ticks({1e20, 1.0000000000000001e20}, 5).places.empty());
 }
 
-TEST_CASE("An axis gets a margin, and a line without change lies in its middle") {
+TEST_CASE("An axis gets a margin, and a constant line is in its middle") {
     const Interval wide = with_margin({0.0, 10.0}, 0.1);
     CHECK(wide.low == Approx(-1.0));
     CHECK(wide.high == Approx(11.0));

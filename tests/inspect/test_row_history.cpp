@@ -55,7 +55,7 @@ std::string describe(const Triangle3& t, const WalkRules& rules) {
     return text.str();
 }
 
-/// What the sample that a writer names leaves, found by walking to it again.
+/// The sample named by a writer, found by walking to it again.
 RowEnd end_of(const Triangle3& t, const WalkRules& rules, const EndWriter& by) {
     const auto edge = static_cast<std::size_t>(by.edge);
     LineWalker walker = walk_edge(t[edge], t[(edge + 1) % t.size()], rules);
@@ -70,11 +70,11 @@ TEST_CASE("The row table of the lab's triangle is printed in the lab's words") {
     CHECK(rows_text(row_history(triangle, {}).rows) == handout_rows);
 }
 
-TEST_CASE("The row table of (10,20) (30,10) (20,40) that is built with its history has 31 rows") {
+TEST_CASE("The row table of (10,20) (30,10) (20,40) built with its history has 31 rows") {
     CHECK(row_history(Triangle3{at(10, 20), at(30, 10), at(20, 40)}, {}).rows.size() == 31);
 }
 
-TEST_CASE("Of a polygon with a dent all stretches of a row are known, and the table joins them") {
+TEST_CASE("All stretches of a row in a dented polygon are known, and the table joins them") {
     // A V: corners in the middle of their pixels, the dent at (8, 6).
     std::vector<ScreenVertex> corners;
     for (const glm::ivec2 place : {glm::ivec2(0, 0), {8, 6}, {16, 0}, {16, 12}, {0, 12}}) {
@@ -108,7 +108,7 @@ TEST_CASE("Of a polygon with a dent all stretches of a row are known, and the ta
     CHECK(row_history(corners, edge_rules(settings), choose_stages(settings)).spans.empty());
 }
 
-TEST_CASE("The table that is built with its history equals the one built in one go") {
+TEST_CASE("A table built with its history equals the one built at once") {
     std::mt19937 random(1);
     const std::vector<WalkRules> rules = all_rules();
     PolygonRows direct;
@@ -120,7 +120,7 @@ TEST_CASE("The table that is built with its history equals the one built in one 
         const bool same = history.rows.first_row == direct.first_row &&
                           history.rows.left == direct.left && history.rows.right == direct.right &&
                           history.rows.outside == direct.outside;
-        if (!same) FAIL(describe(triangle, rule) << " gives another table");
+        if (!same) FAIL(describe(triangle, rule) << " gives a different table");
         if (history.samples != history.sample_count) {
             FAIL(describe(triangle, rule) << " counts " << history.sample_count << " samples and "
                                           << "enters " << history.samples);
@@ -128,7 +128,7 @@ TEST_CASE("The table that is built with its history equals the one built in one 
     }
 }
 
-TEST_CASE("The sample that is said to have written an end is the one stored there") {
+TEST_CASE("The sample reported as the writer of an end is the one stored there") {
     std::mt19937 random(2);
     const std::vector<WalkRules> rules = all_rules();
     for (int i = 0; i < 2000; ++i) {
@@ -155,7 +155,7 @@ TEST_CASE("The sample that is said to have written an end is the one stored ther
     }
 }
 
-TEST_CASE("The first samples of a table, one more at a time, lead to the whole table") {
+TEST_CASE("Adding a table's samples one at a time leads to the whole table") {
     const Triangle3 triangle{at(10, 5), at(5, 10), at(15, 15)};
     const RowHistory whole = row_history(triangle, {});
     REQUIRE(whole.sample_count == 6 + 11 + 11);
@@ -213,7 +213,7 @@ TEST_CASE("The smallest edge that leaves its own rows is caught with the value t
     CHECK(row_history(Triangle3{at(0, 2), at(3, 1)}, exact).outside.empty());
 }
 
-TEST_CASE("A row that no sample reaches stays at its starting values") {
+TEST_CASE("A row that no sample reaches keeps its starting values") {
     const RowHistory none = row_history(Triangle3{at(0, 0), at(4, 3), at(1, 6)}, {}, 1);
     CHECK(none.rows.is_empty_row(1));
     CHECK_FALSE(none.left_by[1].is_set());

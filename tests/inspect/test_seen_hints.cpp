@@ -47,7 +47,7 @@ SeenPixels counted_otherwise(const Scene& scene, const Settings& settings) {
         const glm::dvec3 across = glm::cross(place(2) - place(0), place(1) - place(0));
         ++seen.surface;
         seen.backs += glm::dot(across, place(0) - glm::dvec3(settings.camera.position)) > 0.0;
-        // A byte that is rounded, not cut, shows it.
+        // Bytes are rounded here, not truncated.
         const glm::vec3& c = picture.colour[i];
         const long byte = std::lround(255.0f * std::min(std::max({c.r, c.g, c.b}), 1.0f));
         seen.lit += byte > 0;
@@ -59,7 +59,7 @@ SeenPixels counted_otherwise(const Scene& scene, const Settings& settings) {
 } // namespace seen_hints_of_models
 } // namespace
 
-TEST_CASE("Backs and black pixels are counted over the picture") {
+TEST_CASE("Back faces and black pixels are counted over the picture") {
     using namespace seen_hints_of_models;
     for (const Scene& scene : {box(true), box(false), sheet(true), sheet(false)}) {
         for (const char* light : {"light.indirect=0", "light.indirect=0.2"}) {
@@ -80,7 +80,7 @@ TEST_CASE("A box whose fronts point inward is reported as seen from behind, and 
     CHECK(hints[0].settings == std::vector<std::string>{"cull=face_normal"});
     CHECK(hints[1].seen == hints[0].seen);
     CHECK(hints[1].settings == std::vector<std::string>{"light.sides=two"});
-    // When one of them is done, neither is left.
+    // After either of them, neither is left.
     CHECK(hints_of(box(true), {"light.sides=two"}).empty());
     CHECK(hints_of(box(true), {"cull=face_normal"}).empty());
     CHECK(hints_of(box(true), {"stage=rows"}).empty());
@@ -91,11 +91,11 @@ TEST_CASE("A box whose fronts point inward is reported as seen from behind, and 
     CHECK(back[0].settings == std::vector<std::string>{"light.sides=two"});
     CHECK(hints_of(sheet(true), {"shading=unlit"}).empty());
     CHECK(hints_of(sheet(false), {}).empty());
-    // What the lab shows is meant.
+    // The lab's picture is taken as intended.
     CHECK(hints_of(test::lesson_scene("lab-room"), {"light.indirect=0", "light.power=0"}).empty());
 }
 
-TEST_CASE("For what is black all over the hint names the setting that lights most of it, or none") {
+TEST_CASE("If all is black the hint names the setting that lights most of it, or none") {
     using namespace seen_hints_of_models;
     const std::vector<SeenHint> back = hints_of(sheet(true), {"light.indirect=0"});
     REQUIRE(back.size() == 1);
@@ -110,14 +110,14 @@ TEST_CASE("For what is black all over the hint names the setting that lights mos
     CHECK(hints_of(sheet(true), {"light.indirect=0", "light.power=0"}).empty());
     CHECK(hints_of(sheet(false), {"light.indirect=0"}).empty());
     CHECK(hints_of(sheet(true), {"light.indirect=0", "light.sides=two"}).empty());
-    // An image may be what is black.
+    // An image can be the reason for black.
     const std::vector<SeenHint> image = hints_of(sheet_of("Kd 1 1 1\nmap_Kd black.png\n"), {});
     REQUIRE(image.size() == 1);
     CHECK(image[0].seen == "Everything you see is black");
     CHECK(image[0].settings == std::vector<std::string>{"texture=off"});
 }
 
-TEST_CASE("For what is wholly transparent the hint names the settings that draw it opaque") {
+TEST_CASE("If all is transparent the hint names the settings that draw it opaque") {
     using namespace seen_hints_of_models;
     const std::vector<std::string> no_blending{"blend=off"}, no_alpha{"texture_alpha=off"};
     for (const char* const d : {"d 0\n", "d 0.001\n", "Tr 0.9999\n"}) {
@@ -128,7 +128,7 @@ TEST_CASE("For what is wholly transparent the hint names the settings that draw 
         CHECK(hints[0].seen == "The model is transparent, so you cannot see it");
         CHECK(hints[0].settings == no_blending);
         CHECK(hints_of(scene, no_blending).empty());
-        // Nor would light show it.
+        // Light would not show it either.
         CHECK(hints_of(scene, {"light.indirect=0", "light.position=0,0,3"}).empty());
     }
     const Scene cut_out = sheet_of("Kd 1 1 1\nmap_Kd clear.png\n");
@@ -138,7 +138,7 @@ TEST_CASE("For what is wholly transparent the hint names the settings that draw 
     CHECK(hints_of(cut_out, no_alpha).empty());
     CHECK(hints_of(cut_out, {"texture_alpha=blend"}).empty()); // faint, but seen
     CHECK(hints_of(sheet_of("Kd 1 1 1\nd 0.5\n"), {}).empty());
-    // What is black stays black.
+    // The black part stays black.
     const std::vector<SeenHint> part =
         hints_of(two_sheets("Kd 0 0 0\n", "Kd 1 1 1\nd 0\n"), {"light.indirect=0.5"});
     REQUIRE(part.size() == 1);
@@ -153,7 +153,7 @@ TEST_CASE("For what is wholly transparent the hint names the settings that draw 
                                  "setting) show "));
 }
 
-TEST_CASE("Hints are the same when they are looked for in parts, and stop at too much work") {
+TEST_CASE("Hints found in parts are the same, and too much work has none") {
     using namespace seen_hints_of_models;
     const Scene scene = box(true);
     const Frame frame = prepare_frame(scene, settings_of(scene, {}));

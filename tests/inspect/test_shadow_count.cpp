@@ -23,7 +23,7 @@ Settings small_room(const Scene& room, std::initializer_list<const char*> assign
     return settings;
 }
 
-TEST_CASE("What is counted in shadow is what is darker in the picture, part by part") {
+TEST_CASE("The pixels counted as shadow are those darker in the picture, part by part") {
     std::int64_t dark = 0;
     struct Case {
         const char* scene;
@@ -50,7 +50,7 @@ TEST_CASE("What is counted in shadow is what is darker in the picture, part by p
                           by_rays = draw_frame(prepare_frame(room, truth));
         FrameShadows seen;
         seen.parts.resize(room.parts.size());
-        // A channel that the surface gives back at all.
+        // A channel that the surface reflects.
         const auto brightness = [](const glm::vec3& c) { return c.r + c.g + c.b; };
         for (std::size_t i = 0; i < with.colour.size(); ++i) {
             if (with.owner[i] < 0) continue;
@@ -84,7 +84,7 @@ TEST_CASE("What is counted in shadow is what is darker in the picture, part by p
     CHECK(dark > 400);
 }
 
-TEST_CASE("Facts of shadows are those of the picked pixel, of the part shown and of the picture") {
+TEST_CASE("There are facts of shadows for the picked pixel, the shown part and the picture") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     session.a.settings = small_room(*session.scene, {"shadows=rays"});
     session.selection.pixel = glm::ivec2(64, 72); // on the floor, next to the red block

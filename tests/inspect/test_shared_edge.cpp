@@ -65,7 +65,7 @@ EdgePixel found_again(const std::array<glm::ivec2, 3>& first,
     return is_on_edge ? EdgePixel::hole : EdgePixel::nobody;
 }
 
-/// Fails with the first pixel of the window that is not as the second implementation has it.
+/// Fails at the first pixel of the window that differs from the second implementation.
 void require_same_pixels(const EdgePicture& picture, const std::array<glm::ivec2, 3>& first,
                          const std::array<glm::ivec2, 3>& second) {
     for (std::size_t i = 0; i < compared_fill_rules.size(); ++i) {
@@ -150,7 +150,7 @@ TEST_CASE("The diagonal of the square: nine pixels twice, seven holes, or each p
     CHECK(edge_window(frame, shared[0], std::nullopt) == Rectangle{2, 0, 13, 11});
 }
 
-TEST_CASE("The shared edge that is looked at is the nearest to the pixel, or that of most pixels") {
+TEST_CASE("The chosen shared edge is the nearest to the pixel, or the one with most pixels") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/hexagon.toml");
     const Frame frame = frame_covered(scene, Coverage::edge_functions);
     // A C D, whose edges from A to C and from D to A are shared; D A is level, 17 pixels long.
@@ -160,13 +160,13 @@ TEST_CASE("The shared edge that is looked at is the nearest to the pixel, or tha
     CHECK(shared_edge_at(frame, 1, glm::ivec2(16, 6))->edge == 2);
 }
 
-TEST_CASE("Of a long edge the part at a pixel is shown, but all of it is counted") {
+TEST_CASE("A long edge is shown around a pixel, but all of it is counted") {
     const std::array<glm::ivec2, 3> first{{{3, 150}, {120, 5}, {2, 8}}},
         second{{{120, 5}, {3, 150}, {119, 149}}};
     const Scene scene = pixel_scene({corners_at(first), corners_at(second)}, {128, 160});
     const Frame frame = frame_covered(scene, Coverage::edge_functions);
     const SharedEdge shared = shared_edges(frame, 0).at(0);
-    // No centre but those of its ends: 117 and 145 have no divisor in common.
+    // Only the centres at its ends: 117 and 145 have no common divisor.
     CHECK(count_by_rules(frame, shared)[0].twice == 2);
     CHECK(count_by_rules(frame, shared)[1].holes == 0);
     std::vector<Rectangle> windows;
@@ -180,11 +180,11 @@ TEST_CASE("Of a long edge the part at a pixel is shown, but all of it is counted
         CHECK((window.top <= row && row < window.bottom));
         if (windows.empty() || windows.back() != window) windows.push_back(window);
     }
-    // It does not move with every pixel.
+    // The window does not move with every pixel.
     CHECK(windows.size() <= 144 / edge_window_side + 2);
 }
 
-TEST_CASE("No edge is shared where coverage walks edges, nor by a triangle alone") {
+TEST_CASE("No edge is shared if coverage walks edges, nor by a single triangle") {
     const Scene square = read_scene(lessons_folder() + "/scenes/shared-edge.toml");
     CHECK(shared_edges(frame_covered(square, Coverage::rows), 0).empty());
     const Scene alone = read_scene(lessons_folder() + "/scenes/one-triangle.toml");

@@ -15,7 +15,7 @@ Scene room() {
 
 } // namespace
 
-TEST_CASE("The lab's room comes to the numbers that were found independently of this program") {
+TEST_CASE("The lab's room has the numbers that were found independently of this program") {
     const Scene scene = room();
     const FrameStats stats = frame_stats(prepare_frame(scene, default_settings(scene)));
     CHECK(stats.triangles == 30);
@@ -27,7 +27,7 @@ TEST_CASE("The lab's room comes to the numbers that were found independently of 
     CHECK(stats.left_out == LeftOut{});
 }
 
-TEST_CASE("Done exactly, no sample of the room leaves its table and no pixel stays uncovered") {
+TEST_CASE("With exact lines no sample of the room leaves its table and no pixel stays uncovered") {
     const Scene scene = room();
     Settings settings = default_settings(scene);
     set_rounding(settings, Rounding::floor);

@@ -47,7 +47,7 @@ std::string first_fault(const Frame& frame, int triangle, const Rectangle& part,
 
 } // namespace
 
-TEST_CASE("The fates of a triangle are those that the histories of its pixels tell") {
+TEST_CASE("The fates of a triangle agree with the histories of its pixels") {
     const Scene scene = test::lab_room();
     const Frame frame = depth_frame(scene);
     test::Random random(11);
@@ -72,7 +72,7 @@ TEST_CASE("The fates of a triangle are those that the histories of its pixels te
     CHECK(failed > 0);
 }
 
-TEST_CASE("Another frame has other fates, whatever was found before") {
+TEST_CASE("A different frame has different fates, whatever was found before") {
     const Scene scene = test::lab_room();
     const Frame frame = depth_frame(scene);
     Settings settings = frame.settings;
@@ -88,7 +88,7 @@ TEST_CASE("Another frame has other fates, whatever was found before") {
     }
 }
 
-TEST_CASE("Without a depth test, without fragments and for what is too much work there are none") {
+TEST_CASE("Without a depth test or fragments, or with too much work, there are no fates") {
     const Scene scene = test::lab_room();
     Settings settings = default_settings(scene);
     FateFinder finder;

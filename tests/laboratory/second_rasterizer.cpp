@@ -11,7 +11,7 @@ namespace rasterwalk::test {
 
 namespace {
 
-/// What the lab calls a Pixel: a place in the picture, and what is interpolated with it.
+/// The lab's Pixel: a place in the picture, and what is interpolated with it.
 struct Sample {
     float x = 0.0f, y = 0.0f;
     float zinv = 0.0f;

@@ -36,7 +36,7 @@ enum class VertexProduct { by_zinv, zinv_first, by_z, z_first };
 /// right only where samples are rounded.
 enum class Walk { add_steps, multiply_step, blend_ends };
 
-/// The mistakes of a program; by default it has none.
+/// The mistakes of a program; none by default.
 struct StudentMistakes {
     // Vertices and camera
     bool camera_added = false;           ///< v + C

@@ -75,7 +75,7 @@ constexpr Word words[] = {
      [](P& p) {
          p.camera = {0.2f, -0.3f, 0.9f};
      }},
-    {"camera_beside",
+    {"camera_aside",
      [](P& p) {
          p.camera = {1.6f, 0.0f, -3.001f};
      }},
@@ -155,7 +155,7 @@ constexpr Line single_ones[] = {
     {"B5", "fill"},
     {"B5", "fill sum_cut"},
     {"B5", "pixel 500x500"},
-    {"B6", "fill camera_beside yaw_0.2 zoom_1.25", true},
+    {"B6", "fill camera_aside yaw_0.2 zoom_1.25", true},
     {"B8", "fill"},
     {"B9", "fill"},
     {"B9", "depth sum_cut"},

@@ -39,7 +39,7 @@ struct BroughtPicture {
     bool is_camera_told = false; ///< does the laboratory know where the student's camera is?
 };
 
-/// The list. Its order mixes the kinds, so that a part of it has some of each.
+/// The list. Its order mixes the kinds, so that any part of it has some of each.
 std::vector<BroughtPicture> student_pictures();
 
 /// Those of unknown mistakes (unknown_mistakes.cpp).

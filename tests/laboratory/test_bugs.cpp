@@ -1,5 +1,5 @@
-// The bug laboratory: every mistake shows the symptom described for it, on the scene that comes
-// with it, and nothing else.
+// The bug laboratory: every mistake shows its described symptom, on its own scene, and nothing
+// else.
 
 #include "laboratory/bug.h"
 
@@ -74,12 +74,12 @@ bool same_planes(const Framebuffer& a, const Framebuffer& b) {
            a.overdraw == b.overdraw;
 }
 
-/// The same fragments with the same fate fall in both; only colours may differ.
+/// Both have the same fragments with the same fate; only colours can differ.
 bool same_but_for_colour(const Framebuffer& a, const Framebuffer& b) {
     return a.depth == b.depth && a.owner == b.owner && a.overdraw == b.overdraw;
 }
 
-/// All work of a frame, in the order of time.
+/// All work of a frame, in chronological order.
 std::vector<FragmentEvent> fragments_of(const Frame& frame) {
     Recorder recorder;
     Framebuffer framebuffer;
@@ -144,7 +144,7 @@ std::string with(const std::string& from, const std::string& to) {
 
 } // namespace
 
-TEST_CASE("The laboratory has the mistakes that are promised, each with all that is to be said") {
+TEST_CASE("The laboratory has the promised mistakes, each with its complete description") {
     const std::set<std::string> promised{
         "B1",   "B2",   "B3",   "B4",   "B5",  "B6",   "B7",   "B8",   "B9",   "B10",  "B11",
         "B12",  "B13",  "B14",  "B15",  "B16", "B17a", "B17b", "B17c", "B17d", "B18",  "B19",
@@ -178,7 +178,7 @@ TEST_CASE("The laboratory has the mistakes that are promised, each with all that
     CHECK(names.size() == ids.size());
 }
 
-TEST_CASE("Both runs of a bug differ in what it sets and in nothing else") {
+TEST_CASE("Both runs of a bug differ in its settings and in nothing else") {
     for (const Bug& bug : bugs()) {
         INFO(bug.id);
         Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
@@ -203,7 +203,7 @@ TEST_CASE("Both runs of a bug differ in what it sets and in nothing else") {
     }
 }
 
-TEST_CASE("A bug is found by its id in any letters, and a wrong id is answered with the nearest") {
+TEST_CASE("A bug is found by its id in upper or lower case, and a wrong id gets the nearest") {
     CHECK(find_bug(bugs(), "b20A").id == "B20a");
     CHECK_THROWS_AS(find_bug(bugs(), ""), UsageError);
     CHECK_THROWS_WITH(find_bug(bugs(), "B28"), ContainsSubstring("there is no bug 'B28'"));
@@ -267,7 +267,7 @@ TEST_CASE("B3: affine interpolation changes colours alone, most along the walls"
     CHECK(*std::max_element(facts.affine_error.begin(), facts.affine_error.end()) > 0.45f);
 }
 
-TEST_CASE("B4: a second 1/z draws every place toward the origin, and leaves coverage alone") {
+TEST_CASE("B4: a second 1/z pulls every place toward the origin, and leaves coverage alone") {
     const Runs runs("B4");
     CHECK(same_but_for_colour(runs.wrong_picture, runs.correct_picture));
     CHECK(runs.different_pixels() == 247928);
@@ -277,7 +277,7 @@ TEST_CASE("B4: a second 1/z draws every place toward the origin, and leaves cove
         const Cursor& cursor = event.cursor;
         if (cursor.step != 0) continue; // the left end: there it is exactly one 1/z too many
         const FragmentEvent* found = fragment_at(correct, cursor);
-        if (!found) FAIL(to_text(cursor) << " is drawn by the mistake only");
+        if (!found) FAIL(to_text(cursor) << " is drawn only by the mistake");
         const FragmentEvent& right = *found;
         const glm::vec3 place =
             recover_varyings(event.fragment, runs.wrong.settings.interpolation).position_world;
@@ -321,7 +321,7 @@ TEST_CASE("B6: a triangle left of the picture leaves a line of pixels in column 
     CHECK(phantoms == 13); // twelve rows of the left triangle, one of that half in the picture
 }
 
-TEST_CASE("B7: rows that were never set are counted, and nothing of them is drawn") {
+TEST_CASE("B7: rows that were never set are counted, and none of them is drawn") {
     const Runs runs("B7");
     CHECK(runs.wrong_stats.unset_rows == 5);
     CHECK(runs.correct_stats.unset_rows == 0);
@@ -352,7 +352,7 @@ TEST_CASE("B8: rows of one pixel vanish, and only they") {
     CHECK(std::count(runs.wrong_picture.owner.begin(), runs.wrong_picture.owner.end(), 1) == 13);
 }
 
-TEST_CASE("B9: every row of every triangle lacks its last fragment, and no other is changed") {
+TEST_CASE("B9: every row of every triangle lacks its last fragment, and no other changes") {
     const Runs runs("B9");
     const auto wrong = fragments_of(runs.wrong), correct = fragments_of(runs.correct);
     std::size_t last = 0;
@@ -386,7 +386,7 @@ TEST_CASE("B10: the first row and the first column are black, and nothing else")
     }
 }
 
-TEST_CASE("B11: an int step runs level, upright or at 45 degrees") {
+TEST_CASE("B11: with an int step lines are level, upright or at 45 degrees") {
     const Runs runs("B11");
     const PolygonCorners v = runs.wrong.triangle_vertices(0);
     for (int e = 0; e < 3; ++e) {
@@ -417,7 +417,7 @@ TEST_CASE("B12: edges to the right or down lack two samples, the others none") {
     CHECK(runs.different_pixels() == 10);
 }
 
-TEST_CASE("B38: only lines to the right and gently down are right") {
+TEST_CASE("B38: only lines going right and gently down are correct") {
     const Runs runs("B38");
     CHECK(count_edge_ends(runs.correct) == EdgeEnds{3, 0});
     CHECK(count_edge_ends(runs.wrong) == EdgeEnds{3, 3});
@@ -433,7 +433,7 @@ TEST_CASE("B39: lines fall short along their shorter axis, and keep their number
     CHECK(runs.different_pixels() == 14);
 }
 
-TEST_CASE("B13: what reaches behind the camera is drawn, mirrored, and within bounds") {
+TEST_CASE("B13: triangles that reach behind the camera are drawn mirrored, and within bounds") {
     const Runs runs("B13");
     CHECK(runs.correct_stats.left_out.of(Rejection::behind_camera) == 6);
     CHECK(runs.wrong_stats.left_out.total() == 0);
@@ -494,7 +494,7 @@ TEST_CASE("B17a and B17b: nothing passes the depth test, and as much is tested")
     }
 }
 
-TEST_CASE("B17b: what is nearer than one unit passes a buffer that starts at 1") {
+TEST_CASE("B17b: fragments nearer than one unit pass a buffer that starts at 1") {
     Runs runs("B17b");
     runs.session.a.settings.camera.position.z = runs.session.b->settings.camera.position.z = -1.2f;
     runs.draw_again();
@@ -584,7 +584,7 @@ TEST_CASE("B19: with a power of 1.1 the direct light is a tenth of the indirect"
     CHECK(sum / 250000.0 == Approx(0.046).margin(0.002));
 }
 
-TEST_CASE("B20a: only what faces away from the lamp has direct light") {
+TEST_CASE("B20a: only surfaces facing away from the lamp have direct light") {
     const Runs runs("B20a");
     CHECK(same_but_for_colour(runs.wrong_picture, runs.correct_picture));
     const std::vector<LightTerms> right = lights_of(runs.correct, {});
@@ -632,7 +632,7 @@ TEST_CASE("B21: the colour is the direct light plus the reflectance") {
     }
 }
 
-TEST_CASE("B22: what is shown differs exactly where a channel does not fit 8 bits") {
+TEST_CASE("B22: the shown bytes differ exactly where a channel does not fit 8 bits") {
     const Runs runs("B22");
     CHECK(same_planes(runs.wrong_picture, runs.correct_picture));
     const Image wrong = view_image(runs.wrong_picture, View::colour);
@@ -651,7 +651,7 @@ TEST_CASE("B22: what is shown differs exactly where a channel does not fit 8 bit
     CHECK(pixel_difference(runs.wrong_picture, runs.correct_picture).shown > 1000);
 }
 
-TEST_CASE("B24: the camera turns by as much to the other side") {
+TEST_CASE("B24: the camera turns to the other side by the same angle") {
     const Runs runs("B24");
     Settings other_side = runs.session.b->settings;
     other_side.camera.yaw = -other_side.camera.yaw;
@@ -675,7 +675,7 @@ TEST_CASE("B25: every vertex is turned about the middle of the picture") {
     }
 }
 
-TEST_CASE("B27: the same picture to the last bit, and rows times samples looked at") {
+TEST_CASE("B27: the same picture to the last bit, with every sample looked at for every row") {
     const Runs runs("B27");
     CHECK(same_planes(runs.wrong_picture, runs.correct_picture));
     std::int64_t samples = 0, comparisons = 0;
@@ -726,8 +726,8 @@ TEST_CASE("B16: at z = -2.5 twelve of the room's thirty triangles are dropped") 
 
 namespace {
 
-/// The corners of what is drawn of a triangle, back in camera space; the camera stands at the
-/// origin and looks along z.
+/// The drawn corners of a triangle, back in camera space; the camera is at the origin and looks
+/// along z.
 std::vector<glm::dvec3> places_before_camera(const Frame& frame, int triangle) {
     const glm::dvec2 middle(frame.settings.viewport.width / 2, frame.settings.viewport.height / 2);
     const double f = frame.settings.camera.focal_length;
@@ -742,7 +742,7 @@ std::vector<glm::dvec3> places_before_camera(const Frame& frame, int triangle) {
 
 } // namespace
 
-TEST_CASE("B31: cut corners stand where the wrong t puts them, and not at the near plane") {
+TEST_CASE("B31: cut corners are where the wrong t puts them, not at the near plane") {
     const Runs runs("B31");
     // From z = -2 to z = 3: t = 2.1 / 3, where 2.1 / 5 is right.
     const double wrong_z = -2.0 + 2.1 / 3.0 * 5.0;
@@ -758,7 +758,7 @@ TEST_CASE("B31: cut corners stand where the wrong t puts them, and not at the ne
     CHECK(runs.wrong_stats.uncovered > runs.correct_stats.uncovered);
 }
 
-TEST_CASE("B32: what is cut after the division is mirrored, and stays in the picture") {
+TEST_CASE("B32: triangles cut after the division are mirrored, and stay in the picture") {
     const Runs runs("B32");
     int mirrored = 0;
     for (int t = 0; t < runs.wrong.triangle_count(); ++t) {
@@ -776,7 +776,7 @@ TEST_CASE("B32: what is cut after the division is mirrored, and stays in the pic
     CHECK(runs.different_pixels() > 1000);
 }
 
-TEST_CASE("B33: corners behind the near plane keep x and y, and stand on it") {
+TEST_CASE("B33: corners behind the near plane keep x and y, and are put on it") {
     const Runs runs("B33");
     const double c = std::cos(0.4), s = std::sin(0.4); // of the camera's yaw
     int moved = 0;
@@ -812,7 +812,7 @@ TEST_CASE("B34: the left wall is culled as soon as the camera turns away from it
     CHECK(runs.wrong_stats.uncovered > runs.correct_stats.uncovered);
 }
 
-TEST_CASE("B35: the camera stands at the origin, wherever it is put") {
+TEST_CASE("B35: the camera is at the origin, wherever it is put") {
     const Runs runs("B35");
     Settings at_origin = runs.session.b->settings;
     at_origin.camera.position = glm::vec3(0.0f);
@@ -841,7 +841,7 @@ TEST_CASE("B35: the camera stands at the origin, wherever it is put") {
     CHECK(lab_picture.colour == runs.correct_picture.colour);
 }
 
-TEST_CASE("B36: light falls as on normals that were moved by minus the camera's place") {
+TEST_CASE("B36: light falls as if normals were moved by minus the camera's position") {
     const Runs runs("B36");
     CHECK(same_but_for_colour(runs.wrong_picture, runs.correct_picture));
     CHECK(runs.different_pixels() > 100000);
@@ -858,7 +858,7 @@ TEST_CASE("B36: light falls as on normals that were moved by minus the camera's 
         const double light = 14.0 * cosine / (4.0 * 3.14159265358979 * glm::dot(r, r)) + 0.5;
         const glm::dvec3 expected = light * glm::dvec3(corner.reflectance);
         if (glm::distance(glm::dvec3(event.after), expected) > 1e-4)
-            FAIL(to_text(event.cursor) << " has not the light of the moved normal");
+            FAIL(to_text(event.cursor) << " does not have the light of the moved normal");
         lit += cosine > 0.0 ? 1 : 0;
     }
     CHECK(lit > 1000);
@@ -916,7 +916,7 @@ int covering(const Frame& frame, int column, int row, FillRule rule) {
     return count;
 }
 
-/// Is every pixel covered as often as the second implementation has it?
+/// Is every pixel covered as often as the second implementation says?
 void require_rule(const Frame& frame, const Framebuffer& picture, FillRule rule) {
     for (int row = 0; row < picture.size.height; ++row) {
         for (int column = 0; column < picture.size.width; ++column) {
@@ -930,8 +930,7 @@ void require_rule(const Frame& frame, const Framebuffer& picture, FillRule rule)
 
 } // namespace
 
-TEST_CASE(
-    "B23: the light falls on normals that are shorter the farther they are from the corners") {
+TEST_CASE("B23: light falls on normals that get shorter away from the corners") {
     const Runs runs("B23");
     CHECK(same_but_for_colour(runs.wrong_picture, runs.correct_picture));
     int dimmer = 0, bent = 0;
@@ -942,7 +941,8 @@ TEST_CASE(
         if (!is_bent && wrong != right) FAIL("pixel " << lit.pixel << " of a flat end differs");
         if (!is_bent) continue;
         ++bent;
-        // Direct light goes with the length, the highlight with its 50th power; neither is more.
+        // Direct light is proportional to the length, the highlight to its 50th power; neither
+        // grows.
         if (wrong.r > right.r + 1e-6f) FAIL("pixel " << lit.pixel << " is brighter");
         dimmer += wrong.r < right.r - 1e-4f ? 1 : 0;
     }
@@ -950,7 +950,7 @@ TEST_CASE(
     CHECK(dimmer > bent / 4);
 }
 
-TEST_CASE("B50: what is too much is the highlight of places that do not see the lamp") {
+TEST_CASE("B50: the only extra light is highlights on places that do not see the lamp") {
     const Runs runs("B50");
     CHECK(same_but_for_colour(runs.wrong_picture, runs.correct_picture));
     int shining = 0;
@@ -1039,7 +1039,7 @@ TEST_CASE("B40c: without top edges a level crack is left, and slanted edges are 
     CHECK_FALSE(owns_left_only(bottom_side));
 }
 
-TEST_CASE("B41: pixels asked at their corner are those of a polygon half a pixel further on") {
+TEST_CASE("B41: pixels tested at their corner are those of a polygon half a pixel further on") {
     for (const Coverage coverage :
          {Coverage::edge_functions, Coverage::scan_conversion, Coverage::active_edges}) {
         Runs runs("B41");
@@ -1070,7 +1070,7 @@ TEST_CASE("B41: pixels asked at their corner are those of a polygon half a pixel
     }
 }
 
-TEST_CASE("B42: depth has moved from each corner to the next, and the outline stays") {
+TEST_CASE("B42: depth is moved from each corner to the next, and the outline stays") {
     const Runs runs("B42");
     const auto wrong = fragments_of(runs.wrong), correct = fragments_of(runs.correct);
     CHECK(wrong.size() == correct.size());
@@ -1088,22 +1088,22 @@ TEST_CASE("B42: depth has moved from each corner to the next, and the outline st
         for (std::size_t i = 0; i < 3; ++i)
             depth += area(p, i) / whole * static_cast<double>(v[i].depth);
         if (std::abs(depth - static_cast<double>(event.fragment.depth)) > 1e-6)
-            FAIL(to_text(event.cursor) << " has not the depth of the edges at its corners");
+            FAIL(to_text(event.cursor) << " does not have the depth of the edges at its corners");
     }
     const Weights weights = weights_of_own_edges({65536, 2 * 65536, 5 * 65536}, 8 * 65536);
     CHECK(weights == Weights{0.125f, 0.25f, 0.625f});
 }
 
-TEST_CASE("B43: z mixed by the weights lies behind the truth, and what is behind shows through") {
+TEST_CASE("B43: z mixed by the weights is too far, and surfaces behind show through") {
     const Runs runs("B43");
     int farther = 0, of_other = 0;
     for (const FragmentEvent& event : fragments_of(runs.wrong)) {
         if (event.cursor.step % 5 != 0) continue;
         const Fragment& f = event.fragment;
         const double truth = 1.0 / static_cast<double>(f.inv_w);
-        // The mean of numbers is never less than one over the mean of what they are one over.
+        // The arithmetic mean is never less than the harmonic mean.
         if (static_cast<double>(f.z) < truth * (1.0 - 1e-5))
-            FAIL(to_text(event.cursor) << " lies nearer than it is");
+            FAIL(to_text(event.cursor) << " is nearer than it should be");
         farther += static_cast<double>(f.z) > 1.5 * truth ? 1 : 0;
     }
     for (std::size_t at = 0; at < runs.pixel_count(); ++at) {

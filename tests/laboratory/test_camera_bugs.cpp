@@ -1,5 +1,5 @@
-// The mistakes on the way from the world to the pixel: the statements about each are computed here
-// from the vertices of the scene, in double.
+// The mistakes on the way from the world to the pixel, each checked against the vertices of the
+// scene, in double.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ struct Axes {
     }
 };
 
-/// Where a place in camera space falls, if it is divided by this number.
+/// Where a place in camera space is drawn if it is divided by this number.
 glm::dvec2 in_picture(const glm::dvec3& place, double divisor, const Settings& settings) {
     const double f = settings.camera.focal_length;
     return {f * place.x / divisor + settings.viewport.width / 2,
@@ -61,7 +61,7 @@ TEST_CASE("B70: with the position added, the room is behind the camera") {
         CHECK(bug.wrong.rejection(t) == Rejection::behind_camera);
     CHECK(is_black(bug.wrong_picture));
     CHECK_FALSE(is_black(bug.right_picture));
-    // From the other side of the origin it shows what it should show from here.
+    // From the opposite side of the origin it shows what it should show from here.
     Settings opposite = bug.wrong.settings;
     opposite.camera.position = -opposite.camera.position;
     CHECK(has_same_planes(draw_frame(bug.frame_of(opposite)), bug.right_picture));
@@ -102,7 +102,7 @@ TEST_CASE("B71: moved after the turn, the camera circles about the world's origi
     CHECK(has_same_planes(wrong, draw_frame(bug.frame_of(straight))));
 }
 
-TEST_CASE("B72: a step along z moves what was straight ahead to the right") {
+TEST_CASE("B72: a step along z moves what is straight ahead to the right") {
     const DrawnBug bug("B72");
     const double yaw = bug.right.settings.camera.yaw;
     const Axes axes(yaw);
@@ -124,12 +124,13 @@ TEST_CASE("B72: a step along z moves what was straight ahead to the right") {
     CHECK(column_of_middle(bug.wrong) ==
           Approx(in_picture(seen, seen.z, bug.wrong.settings).x).margin(0.1));
     CHECK(column_of_middle(bug.wrong) > 290.0);
-    // No rule of the program: neither a quiz nor a diagnosis can know where the camera should be.
+    // Not a rule of the program: neither a quiz nor a diagnosis can know where the camera should
+    // be.
     for (const Bug& one : read_bugs())
         CHECK(changes_rule(one) == (one.id != "B72"));
 }
 
-TEST_CASE("B73: columns and rows have changed places") {
+TEST_CASE("B73: columns and rows are swapped") {
     const DrawnBug bug("B73");
     for (const Viewport& size : {Viewport{500, 500}, Viewport{300, 200}}) {
         Settings settings = bug.wrong.settings;
@@ -201,7 +202,7 @@ TEST_CASE("B75: vertices are divided by their distance, and the room no longer f
              {glm::ivec2(i, 2), glm::ivec2(i, 497), glm::ivec2(2, i), glm::ivec2(497, i)})
             CHECK(bug.wrong_picture.owner[bug.wrong_picture.at(pixel.x, pixel.y)] == -1);
     }
-    // What is behind the camera is left out all the same.
+    // Triangles behind the camera are still left out.
     Settings inside = settings;
     inside.camera.position = glm::vec3(0.0f);
     const Frame wrong = bug.frame_of(inside);
@@ -215,7 +216,7 @@ TEST_CASE("B75: vertices are divided by their distance, and the room no longer f
     CHECK(behind > 0);
 }
 
-TEST_CASE("B79: red and blue change places on the screen, and nowhere before it") {
+TEST_CASE("B79: red and blue are swapped on the screen only") {
     const DrawnBug bug("B79");
     CHECK(has_same_planes(bug.wrong_picture, bug.right_picture));
     const Image wrong = view_image(bug.wrong_picture, View::colour);

@@ -8,7 +8,7 @@
 
 namespace rasterwalk {
 
-TEST_CASE("What is explained in part is never said to be explained in full") {
+TEST_CASE("A partial explanation is never reported as a full one") {
     CHECK(explained_text(1.0, 0) == "100 %");
     CHECK(explained_text(1.0, 1) == "100.0 %");
     CHECK(explained_text(0.874, 0) == "87 %");
@@ -64,7 +64,7 @@ TEST_CASE("A verdict does not say that all is explained where pixels still diffe
     CHECK(verdict({made_by({"B9"}, 400, 1)}) == "No known mistake explains the difference.");
 }
 
-TEST_CASE("Mistakes of the same result are one candidate, under all their names") {
+TEST_CASE("Mistakes with the same result are one candidate, under all their names") {
     CHECK(verdict({made_by({"B9"}, 0, 1), made_by({"B8"}, 0, 1)}) ==
           "B9 “Name of B9” or B8 “Name of B8” exactly matches this picture.");
     CHECK(verdict({made_by({"B9", "B3"}, 0, 1), made_by({"B9", "B4"}, 0, 1)}) ==
@@ -73,14 +73,15 @@ TEST_CASE("Mistakes of the same result are one candidate, under all their names"
 }
 
 TEST_CASE("A candidate that adds nothing to a better one is not listed") {
-    // With a second mistake that leaves more, the same mistake alone, and what is no better.
+    // A second mistake that leaves more differences, the same mistake alone, and one that is no
+    // better.
     const std::vector<Candidate> listed =
         ranked({made_by({"B3"}, 50, 1), made_by({"B3", "B9"}, 60, 2), made_by({"B5"}, 90, 3),
                 made_by({"B5"}, 95, 4), made_by({"B8"}, 500, 5)});
     REQUIRE(listed.size() == 2);
     CHECK(listed[0].ids() == std::vector<std::string>{"B3"});
     CHECK(listed[1].ids() == std::vector<std::string>{"B5"});
-    // Beside what makes the very same nothing explains anything more.
+    // Next to a candidate that makes exactly the same picture, no other explains more.
     CHECK(ranked({made_by({"B3", "B9"}, 0, 1), made_by({"B5"}, 90, 3)}).size() == 1);
 }
 

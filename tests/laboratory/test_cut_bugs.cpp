@@ -14,7 +14,7 @@ using namespace rasterwalk::test;
 namespace {
 namespace cut_bug_tests {
 
-/// dot(n, p - from), with the normal across the corners as they go round in the world.
+/// dot(n, p - from), with n from the order of the corners in the world.
 double away_from(const Frame& frame, int triangle, const glm::dvec3& from) {
     const auto corner = [&](int v) {
         return glm::dvec3(frame.scene->corner(triangle, v).position);
@@ -30,7 +30,7 @@ int culled_count(const Frame& frame) {
     return count;
 }
 
-TEST_CASE("B81: what faces away from the lamp is missing, whichever side the camera sees") {
+TEST_CASE("B81: triangles facing away from the lamp are missing, whichever side the camera sees") {
     const DrawnBug bug("B81");
     const glm::dvec3 lamp(bug.wrong.settings.light.position),
         camera(bug.wrong.settings.camera.position);
@@ -47,7 +47,7 @@ TEST_CASE("B81: what faces away from the lamp is missing, whichever side the cam
     CHECK(missing > 0);
     CHECK(drawn_backs > 0);
     CHECK(pixel_difference(bug.wrong_picture, bug.right_picture).different > 1000);
-    // As the lamp moves their number changes, by mistake alone.
+    // As the lamp moves their number changes, only because of the mistake.
     const auto culled_with_lamp_at = [&](Settings settings, const glm::vec3& place) {
         settings.light.position = place;
         return culled_count(bug.frame_of(settings));
@@ -57,7 +57,7 @@ TEST_CASE("B81: what faces away from the lamp is missing, whichever side the cam
     CHECK(culled_with_lamp_at(bug.right.settings, elsewhere) == culled_count(bug.right));
 }
 
-TEST_CASE("B82: a cut corner stands in the right place, with what the one cut off had") {
+TEST_CASE("B82: a cut corner is in the right place, with the values of the one cut off") {
     const DrawnBug bug("B82");
     const float near = bug.wrong.settings.near;
     const float camera_z = bug.wrong.settings.camera.position.z;
@@ -94,7 +94,7 @@ TEST_CASE("B82: a cut corner stands in the right place, with what the one cut of
     CHECK(bug.wrong_picture.owner == bug.right_picture.owner);
     CHECK(bug.wrong_picture.depth == bug.right_picture.depth);
     CHECK(pixel_difference(bug.wrong_picture, bug.right_picture).different > 3000);
-    // What is not cut is unchanged.
+    // Uncut triangles are unchanged.
     Settings far_back = bug.wrong.settings;
     far_back.camera.position.z = 0.0f;
     const Framebuffer wrong = draw_frame(bug.frame_of(far_back));

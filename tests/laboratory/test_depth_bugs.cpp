@@ -16,8 +16,8 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// Who owns each pixel if a fragment passes where `passes(its depth, the stored one)`, as a buffer
-/// that begins at 0 has it.
+/// Who owns each pixel if a fragment passes where `passes(its depth, the stored one)`, in a buffer
+/// that begins at 0.
 template <class Passes>
 std::vector<std::int32_t> owners(const DrawnRun& run, const Passes& passes) {
     std::vector<std::int32_t> owner(run.picture.owner.size(), -1);
@@ -35,7 +35,7 @@ std::string part_of(const DrawnRun& run, int triangle) {
     return part_name(*run.frame.scene, triangle);
 }
 
-/// Calls f with the fragments of both runs that are at one place in time and in the picture.
+/// Calls f with the two runs' fragments of the same moment and pixel.
 template <class F>
 void for_each_pair(const BugRuns& runs, const F& f) {
     REQUIRE(runs.wrong.told.fragments.size() == runs.right.told.fragments.size());
@@ -76,7 +76,7 @@ std::array<int, 2> require_places(const BugRuns& runs, const Moved& moved) {
             (glm::dvec3(light.power) * cosine / (4.0 * 3.14159265358979 * distance2) +
              glm::dvec3(light.indirect));
         if (glm::distance(glm::dvec3(wrong.after), lit) > 1e-3 * (1.0 + glm::length(lit)))
-            FAIL(to_text(wrong.cursor) << " is lit otherwise");
+            FAIL(to_text(wrong.cursor) << " is lit differently");
         const float change = glm::length(wrong.after) - glm::length(right.after);
         weaker += change < -0.01f ? 1 : 0;
         stronger += change > 0.01f ? 1 : 0;
@@ -86,7 +86,7 @@ std::array<int, 2> require_places(const BugRuns& runs, const Moved& moved) {
 
 } // namespace
 
-TEST_CASE("B17e: the picture is the same to the last bit, and only empty cells are not") {
+TEST_CASE("B17e: the picture is the same to the last bit, and only empty cells differ") {
     const BugRuns runs("B17e");
     CHECK(runs.wrong.picture.colour == runs.right.picture.colour);
     CHECK(runs.wrong.picture.owner == runs.right.picture.owner);
@@ -104,7 +104,7 @@ TEST_CASE("B17e: the picture is the same to the last bit, and only empty cells a
         REQUIRE_FALSE(event.fragment.z < -static_cast<float>(INT_MAX));
 }
 
-TEST_CASE("B88a: of two that are equally near the later one stays, on shared edges alone") {
+TEST_CASE("B88a: the later of two equally near fragments stays, on shared edges only") {
     const BugRuns runs("B88a");
     CHECK(runs.wrong.picture.owner ==
           owners(runs.right, [](float depth, float stored) { return depth >= stored; }));
@@ -131,7 +131,7 @@ TEST_CASE("B88a: of two that are equally near the later one stays, on shared edg
     CHECK(shared == 484);
 }
 
-TEST_CASE("B88b: the poster is not nearer by 0.0001 of 1/z, and is lost whole") {
+TEST_CASE("B88b: the poster is not nearer by 0.0001 of 1/z, and all of it is lost") {
     const BugRuns runs("B88b");
     CHECK(runs.wrong.picture.owner ==
           owners(runs.right, [](float depth, float stored) { return depth > stored + 0.0001f; }));
@@ -155,7 +155,7 @@ TEST_CASE("B88b: the poster is not nearer by 0.0001 of 1/z, and is lost whole") 
     }
 }
 
-TEST_CASE("B89: 1/z changes by as much as it should, the other way, and blocks lose their feet") {
+TEST_CASE("B89: 1/z changes by the right amount with the wrong sign, and blocks lose their feet") {
     const BugRuns runs("B89");
     float begun = 0.0f, most = 0.0f, block = 0.0f;
     for_each_pair(runs, [&](const FragmentEvent& wrong, const FragmentEvent& right) {
@@ -164,7 +164,7 @@ TEST_CASE("B89: 1/z changes by as much as it should, the other way, and blocks l
         if (right.cursor.step == 0) begun = right.fragment.depth;
         const float wanted = begun - (right.fragment.depth - begun);
         if (right.cursor.step > 0 && std::abs(wrong.fragment.depth - wanted) > 1e-4f)
-            FAIL(to_text(wrong.cursor) << " has another 1/z");
+            FAIL(to_text(wrong.cursor) << " has a different 1/z");
         CHECK(same_bits(wrong.fragment.inv_w, wrong.fragment.depth));
         const std::string part = part_of(runs.right, right.cursor.triangle);
         if (part == "floor" || part == "ceiling" || part == "back wall")

@@ -22,7 +22,7 @@ Image picture_of(const Scene& scene, const Settings& settings) {
     return view_image(draw_frame(prepare_frame(scene, settings)), View::colour);
 }
 
-/// The room, seen small, and smaller where little effort is asked for.
+/// The room in a small picture, smaller if effort is low.
 Settings small(const Scene& scene) {
     const int side = effort() < 1.0 ? 100 : 200;
     Settings settings = default_settings(scene);
@@ -94,7 +94,7 @@ TEST_CASE("The picture of every single bug is recognized, from three camera posi
         if (picture == right) continue;
         const Diagnosis diagnosis = diagnose_picture(picture, scene, view, bugs);
         if (is_made_by(bug, view) || !changes_rule(bug)) {
-            // The reference makes it too, or it is only another place of the camera.
+            // The reference makes it too, or only the camera's position differs.
             CHECK(diagnosis.is_same());
             continue;
         }
@@ -175,7 +175,7 @@ TEST_CASE("What is not a bug is named too") {
     CHECK(verdict(noise) == "No known mistake explains the difference.");
 }
 
-TEST_CASE("What a program draws with is found and is no mistake") {
+TEST_CASE("A program's choices for drawing are found, and are not mistakes") {
     const Scene scene = lab_room();
     const std::vector<Bug> bugs = read_bugs();
     const Settings reference = small(scene);
@@ -207,7 +207,7 @@ TEST_CASE("What a program draws with is found and is no mistake") {
     }
 }
 
-TEST_CASE("A step of 255 is no difference") {
+TEST_CASE("A difference of one step of 255 does not count") {
     const Scene scene = lab_room();
     const Settings reference = small(scene);
     Image rounded = picture_of(scene, reference), two = rounded;
@@ -228,14 +228,14 @@ TEST_CASE("A step of 255 is no difference") {
           "They are in columns 0 to " + std::to_string(two.width - 1) + " and row 50.");
 }
 
-TEST_CASE("Beside the true cause nothing is named that explains nothing more") {
+TEST_CASE("No cause is named that explains nothing beyond the true one") {
     const Scene scene = lab_room();
     const std::vector<Bug> bugs = read_bugs();
     const Settings reference = small(scene);
     const auto diagnose = [&](const Settings& wrong) {
         return diagnose_picture(picture_of(scene, wrong), scene, reference, bugs);
     };
-    // What the lab itself does is not a cause.
+    // The lab's own rules are not a cause.
     for (const StageInfo& stage : stage_list()) {
         Settings other = reference;
         set_step(other, stage.step);
@@ -243,7 +243,7 @@ TEST_CASE("Beside the true cause nothing is named that explains nothing more") {
         INFO(stage.name << ": " << diagnosis.verdict);
         CHECK(diagnosis.is_same());
     }
-    // One that makes exactly the same picture is alone.
+    // A mistake that makes exactly the same picture is the only candidate.
     for (const char* id : {"B3", "B9", "B24"}) {
         const Diagnosis diagnosis = diagnose(wrong_run(find_bug(bugs, id), reference));
         INFO(diagnosis.verdict);
@@ -256,7 +256,7 @@ TEST_CASE("Mistakes of matrices are recognized, and no other mistake is taken fo
     const Scene scene = lab_room();
     const std::vector<Bug> bugs = read_bugs();
     Settings reference = small(scene);
-    // A right picture by matrices is right.
+    // A correct picture by matrices counts as correct.
     Settings matrices = reference;
     matrices.transform = Transform::matrices;
     CHECK(diagnose_picture(picture_of(scene, matrices), scene, reference, bugs).is_same());
@@ -277,7 +277,7 @@ TEST_CASE("Mistakes of matrices are recognized, and no other mistake is taken fo
         CHECK(place_of(diagnosis, "B35") == -1);
         CHECK(place_of(diagnosis, "B36") == -1);
     }
-    // At the world's origin a translation is nothing, wherever it is.
+    // At the world's origin the translation is 0, wherever it is in the matrix.
     matrices.camera.position = glm::vec3(0.0f);
     matrices.clip = Clip::all;
     Settings wrong = matrices;
@@ -287,7 +287,8 @@ TEST_CASE("Mistakes of matrices are recognized, and no other mistake is taken fo
 
 TEST_CASE(
     "A picture that was clipped or culled differently is recognized as such, mistaken or not") {
-    // In the corridor triangles reach behind the camera; behind the room all its walls show backs.
+    // In the corridor triangles reach behind the camera; from behind the room all its walls face
+    // away.
     const Scene corridor = read_scene(lessons_folder() + "/scenes/corridor.toml");
     const Scene room = lab_room();
     const std::vector<Bug> bugs = read_bugs();
@@ -301,7 +302,7 @@ TEST_CASE(
     behind_room.camera.yaw = 3.0f;
     struct Way {
         std::string setting;
-        std::string id; ///< the setting itself: it is no mistake
+        std::string id; ///< the setting itself; not a mistake
     };
     const std::vector<Way> ways = {{"clip=all", "clip=all"},
                                    {"clip=none", "B13"},
@@ -327,7 +328,7 @@ TEST_CASE(
         INFO(way.setting << ": " << diagnosis.verdict);
         if (way.id == way.setting) {
             CHECK(diagnosis.is_same());
-            // Other planes, and other ways to cull, may give the same picture.
+            // Other planes, and other ways to cull, can give the same picture.
             CHECK_THAT(diagnosis.rules, StartsWith(is_clip ? "clip=" : "cull="));
             continue;
         }
@@ -337,7 +338,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("The picture of a bug with some noise is still told") {
+TEST_CASE("The picture of a bug with some noise is still recognized") {
     const Scene scene = lab_room();
     const std::vector<Bug> bugs = read_bugs();
     const Settings reference = small(scene);
@@ -363,7 +364,7 @@ TEST_CASE("The reference takes the picture's size and keeps the field of view") 
     CHECK(fitted_to(settings, picture, SceneSpace::pixels).camera.focal_length == 500.0f);
 }
 
-TEST_CASE("The power of a lamp is also found from bytes that hold encoded light") {
+TEST_CASE("The power of a lamp is also found from bytes of encoded light") {
     const Scene scene = lab_room();
     Settings reference = small(scene);
     reference.encoding = Encoding::srgb;
@@ -376,7 +377,8 @@ TEST_CASE("The power of a lamp is also found from bytes that hold encoded light"
     CHECK(diagnosis.rules == "light.power=6.5");
 }
 
-TEST_CASE("A diagnosis in parts comes to the same as at once, and no part is a whole picture") {
+TEST_CASE(
+    "A diagnosis in parts gives the same result as one at once, and no part is a full picture") {
     const Scene scene = lab_room();
     const std::vector<Bug> bugs = read_bugs();
     Settings reference = small(scene);
@@ -412,7 +414,7 @@ TEST_CASE("A diagnosis in parts comes to the same as at once, and no part is a w
     CHECK(work.right_picture().rgba.size() == picture.rgba.size());
 }
 
-TEST_CASE("A scene of too many triangles for all the pictures is refused after the first") {
+TEST_CASE("A scene with too many triangles for all the pictures is refused after the first") {
     Scene scene;
     scene.mesh.add_triangle_of({});
     for (int i = 1; i < 1'500'000; ++i)
@@ -427,7 +429,7 @@ TEST_CASE("A scene of too many triangles for all the pictures is refused after t
                       StartsWith("mine.png: ") && ContainsSubstring("1500000 triangles"));
     CHECK(work.pictures().all == 1);
 
-    // Whether it is right is known by then.
+    // By then it is known whether the picture is correct.
     DiagnosisWork right(picture_of(scene, reference), "mine.png", scene, reference, bugs);
     right.advance();
     CHECK(right.found().is_same());

@@ -61,7 +61,7 @@ TEST_CASE("What is not a row is reported with its line") {
     CHECK_THROWS_AS(parse_printed_rows("", "rows.txt"), InputError);
 }
 
-TEST_CASE("The right table has no difference, and its polygon is found") {
+TEST_CASE("The correct table has no difference, and its polygon is found") {
     const Settings handout;
     std::string about;
     CHECK(diagnose(table_text(lab, handout), {}, &about).verdict == "no difference");
@@ -93,7 +93,7 @@ TEST_CASE("The table of every bug is recognized if the bug changes it") {
     CHECK(changed >= 3);
 }
 
-TEST_CASE("What is wrong with a table is named even without a bug") {
+TEST_CASE("Faults in a table are named even if no bug makes them") {
     const Diagnosis diagnosis = diagnose("Start: (10,5). End: (9,5).\n"
                                          "Start: (9,6). End: (9,6).\n"
                                          "Start: (8,7). End: (10,7).\n"

@@ -1,5 +1,5 @@
-// Most programs of the lab cut the sum, int(f x/z + W/2), which is just as right. Every mistake
-// must be found even then.
+// Most lab programs cut the sum, int(f x/z + W/2), which is just as correct. Every mistake must be
+// found even then.
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ Image picture_of(const Scene& scene, const Settings& settings) {
     return view_image(draw_frame(prepare_frame(scene, settings)), View::colour);
 }
 
-TEST_CASE("Every mistake is named that is made beside vertices whose sum is cut") {
+TEST_CASE("Every mistake is named even if vertices are cut after adding the middle") {
     const Scene room = lab_room();
     const std::vector<Bug> bugs = read_bugs();
     constexpr int side = 200;

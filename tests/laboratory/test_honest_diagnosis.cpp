@@ -35,7 +35,7 @@ bool is_named(const KnownMistake& mistake, const std::vector<std::string>& ids) 
     });
 }
 
-/// Does the id only say how the picture was drawn? That is no accusation.
+/// Does the id only say how the picture was drawn? That is not an accusation.
 bool is_choice_of_drawing(const std::string& id) {
     constexpr std::array<std::string_view, 10> choices{
         "stage",     "light_power",      "light.position", "light.indirect",     "camera",
@@ -44,8 +44,8 @@ bool is_choice_of_drawing(const std::string& id) {
                        [&](std::string_view choice) { return id.starts_with(choice); });
 }
 
-/// Is the picture made by all that the candidate names? Of names for the very same one must be
-/// true.
+/// Does the picture have every mistake that the candidate names? If a mistake has several names,
+/// one of them must be true.
 bool is_true(const Candidate& candidate, const BroughtPicture& picture) {
     return std::all_of(
         candidate.mistakes.begin(), candidate.mistakes.end(), [&](const Suspect& suspect) {
@@ -77,7 +77,7 @@ Outcome outcome(const BroughtPicture& picture, const Diagnosis& diagnosis) {
     return is_all_named ? Outcome::ok : Outcome::missed;
 }
 
-/// The settings that the laboratory compares with: its own, with the camera if that is given.
+/// The settings that the laboratory compares with: its own, with the student's camera if given.
 Settings reference_of(const BroughtPicture& picture, const Scene& scene, const Image& image) {
     Settings reference = fitted_to(default_settings(scene), image, SceneSpace::world);
     if (picture.is_camera_told) {
@@ -116,7 +116,7 @@ TEST_CASE("A student's picture is never accused falsely, and most of its mistake
         share.missed += found == Outcome::ok ? 0 : 1;
         ++share.all;
     }
-    // One in ten and one in five; of a small part, one.
+    // One in ten and one in five; in a small part, one.
     const Share single = shares[StudentKind::single], pair = shares[StudentKind::pair];
     CHECK(single.all > 0);
     CHECK(pair.all > 0);

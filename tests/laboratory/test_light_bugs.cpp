@@ -1,5 +1,5 @@
-// The mistakes in the formula of light and on the way to a byte: the wrong colour of every pixel,
-// computed in double from the fragment's place in the room.
+// The mistakes in the formula of light and in the conversion to bytes: the wrong colour of every
+// pixel, computed in double from the fragment's place in the room.
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +20,10 @@ namespace light_bug_tests {
 
 constexpr double right_pi = 3.14159265358979;
 
-/// The light at a point, with what the mistakes change.
+/// The light at a point, with the mistakes' changes.
 struct LightOracle {
     double pi = right_pi;
-    double w_squared = 0.0; ///< what is added to the square of the way to the lamp
+    double w_squared = 0.0; ///< added to the squared distance to the lamp
     int reflectances = 1;   ///< how often the reflectance is multiplied
 
     glm::dvec3 operator()(const glm::dvec3& place, const Vertex& corner, const Light& lamp) const {
@@ -39,7 +39,7 @@ struct LightOracle {
     }
 };
 
-/// Every pixel of a frame has the colour that the formula gives; how many that were.
+/// Checks that every pixel of a frame has the colour that the formula gives; returns how many.
 int check_colours(const Frame& frame, const LightOracle& light) {
     Recorder recorder;
     Framebuffer framebuffer;
@@ -73,7 +73,7 @@ double direct_light(const Frame& frame, float distance) {
             .direct.r};
 }
 
-TEST_CASE("B76: w = 1 makes the square of the way one too large, and the light too dark") {
+TEST_CASE("B76: w = 1 makes the squared distance one too large, and the light too dark") {
     const DrawnBug bug("B76");
     CHECK(check_colours(bug.right, {}) > 200000);
     CHECK(check_colours(bug.wrong, {.w_squared = 1.0}) > 200000);

@@ -17,8 +17,8 @@ int part_seen(const RayCaster& rays, const Scene& scene, double column, double r
     return hits.empty() ? -1 : part_of(scene, hits[0].triangle);
 }
 
-/// Is the part seen anywhere in the square of two pixels around? So far off its true place may a
-/// fragment be; see test_against_rays.cpp.
+/// Is the part seen anywhere in the square of two pixels around? A fragment can be that far off its
+/// true place; see test_against_rays.cpp.
 bool is_seen_near(const RayCaster& rays, const Scene& scene, int column, int row, int part) {
     for (int dy = -2; dy <= 2; ++dy) {
         for (int dx = -2; dx <= 2; ++dx) {
@@ -60,7 +60,7 @@ TEST_CASE("In the scene made for it linear z picks the wrong surface, and 1/z th
         }
     }
     // Two fifths of the picture. Of these 105 427 are what the ray through the pixel's own place
-    // meets; the others lie at the border of two surfaces, less than two pixels off.
+    // meets; the others are at the border of two surfaces, less than two pixels off.
     CHECK(differ == 105'686);
     CHECK(right_at_pixel >= 0.99 * differ);
     CHECK(wrong_at_pixel <= 0.01 * differ);

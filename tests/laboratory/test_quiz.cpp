@@ -30,7 +30,7 @@ Image picture_of(const Session& session, const Settings& settings) {
 
 } // namespace
 
-TEST_CASE("A quiz asks only for what can be seen, and the same seed asks the same") {
+TEST_CASE("A quiz asks only about visible mistakes, and the same seed asks the same") {
     const std::vector<Bug> bugs = read_bugs();
     std::set<std::string> asked;
     const auto seeds = static_cast<std::uint32_t>(test::rounds(24, 10));
@@ -61,7 +61,7 @@ TEST_CASE("A quiz asks only for what can be seen, and the same seed asks the sam
     CHECK(asked.count("B27") == 0);
 }
 
-TEST_CASE("A right guess wins, hints and wrong guesses cost, the settings come back") {
+TEST_CASE("A correct guess wins, hints and wrong guesses cost points, the settings are restored") {
     const std::vector<Bug> bugs = read_bugs();
     Session session = small_room();
     const Settings before = session.a.settings;
@@ -112,7 +112,7 @@ TEST_CASE("Two mistakes are found one after the other") {
     CHECK(score(quiz) == 100 - 4 * cost_of_hint);
 }
 
-TEST_CASE("A scene in which nothing shows has no quiz") {
+TEST_CASE("A scene where no mistake is visible has no quiz") {
     Session session = small_room();
     Scene empty = *session.scene;
     empty.mesh = {};
@@ -124,7 +124,7 @@ TEST_CASE("A scene in which nothing shows has no quiz") {
     CHECK_FALSE(session.quiz);
 }
 
-TEST_CASE("Another scene ends the quiz and keeps its own view") {
+TEST_CASE("Opening another scene ends the quiz and keeps that scene's view") {
     Session session = small_room();
     const Settings before = session.a.settings;
     REQUIRE(start_quiz(session, read_bugs(), 3));
@@ -135,7 +135,7 @@ TEST_CASE("Another scene ends the quiz and keeps its own view") {
     CHECK_FALSE(session.b);
 }
 
-TEST_CASE("While a quiz goes on the settings are refused, with a reason") {
+TEST_CASE("During a quiz changes of settings are refused, with a reason") {
     Session session = small_room();
     CHECK_FALSE(refuses_settings(session));
     REQUIRE(start_quiz(session, read_bugs(), 3));

@@ -14,10 +14,10 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// The row that a sample should be entered in; none: it should not.
+/// The row that a sample should be entered in; none if it should not.
 using RowOf = std::function<std::optional<int>(const SampleEvent&)>;
 
-/// Every table of the wrong run is made of these samples of the right one.
+/// Checks that every table of the wrong run is made of these samples of the right one.
 void require_tables(const BugRuns& runs, const RowOf& row_of) {
     std::map<int, RowsOfTriangle> wanted;
     for (const SampleEvent& event : runs.right.told.samples) {
@@ -49,7 +49,7 @@ ScreenVertex vertex_at(int column, int row) {
 
 } // namespace
 
-TEST_CASE("B91: every edge lacks its last sample, and with it what float sums made of it") {
+TEST_CASE("B91: every edge lacks its last sample, and the pixel where float sums put it") {
     const BugRuns runs("B91");
     const Frame& frame = runs.right.frame;
     int left_out = 0;
@@ -86,7 +86,7 @@ TEST_CASE("B91: a triangle of a single pixel vanishes, and no other") {
     }
 }
 
-TEST_CASE("B92: sample i of N stands at i N-ths of its edge, and no edge arrives") {
+TEST_CASE("B92: sample i of N is at i N-ths of its edge, and no edge reaches its end") {
     const BugRuns runs("B92");
     const Frame& frame = runs.wrong.frame;
     int behind = 0, borders = 0;
@@ -139,7 +139,7 @@ TEST_CASE("B92: values along a row fall short of its right end") {
     }
 }
 
-TEST_CASE("B94: tables of all edges but the last, and triangles that dissolve into a line") {
+TEST_CASE("B94: tables have all edges but the last, and triangles dissolve into a line") {
     const BugRuns runs("B94");
     const Frame& frame = runs.right.frame;
     require_tables(runs, [&](const SampleEvent& event) -> std::optional<int> {
@@ -192,7 +192,7 @@ TEST_CASE("B95: every triangle lacks its lowest row, and its samples fall outsid
     CHECK(rows.size() == 1);
 }
 
-TEST_CASE("B93: what lies outside the table widens its nearest row, and is no longer reported") {
+TEST_CASE("B93: samples outside the table widen its nearest row, and are no longer reported") {
     const BugRuns runs("B93");
     const Frame& frame = runs.right.frame;
     require_tables(runs, [&](const SampleEvent& event) -> std::optional<int> {

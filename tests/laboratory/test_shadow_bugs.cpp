@@ -69,7 +69,8 @@ TEST_CASE("B59: with far too much bias shadows begin away from what casts them")
     CHECK(wrong.leaks > right.in_shadow / 20);
     CHECK(right.leaks < right.in_shadow / 50);
     CHECK(wrong.in_shadow < right.in_shadow);
-    // What is lit by mistake is within half a unit of what shades it, seen from the lamp.
+    // Places lit by mistake are within half a unit of the surface that shades them, seen from the
+    // lamp.
     const Framebuffer dark = draw_frame(runs.right), lit = draw_frame(runs.wrong);
     int seen = 0;
     for (int row = 0; row < 120; ++row) {
@@ -105,7 +106,8 @@ TEST_CASE(
                 continue;
             }
             ++lit;
-            // Extended, it leaves the room by the open side, z = −1, within x and y from −1 to 1.
+            // Extended, the ray leaves the room by the open side, z = −1, within x and y from −1 to
+            // 1.
             const glm::dvec3 from(shadow->ray.from), way(shadow->ray.way);
             CHECK(way.z < 0.0);
             const glm::dvec3 out = from + way * ((-1.0 - from.z) / way.z);

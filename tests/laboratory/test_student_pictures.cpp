@@ -1,4 +1,4 @@
-// Are the pictures of the second rasterizer what the list says they are?
+// Checks that the pictures of the second rasterizer are what the list says.
 
 #include <algorithm>
 #include <cstdlib>
@@ -66,7 +66,7 @@ Settings settings_of(const StudentProgram& program, const Scene& scene) {
     return settings;
 }
 
-TEST_CASE("The second rasterizer draws what the stages draw, right or with a known mistake") {
+TEST_CASE("The second rasterizer draws what the stages draw, correctly or with a known mistake") {
     const Scene scene = lab_room();
     const std::vector<Bug> bugs = read_bugs();
     int compared = 0;

@@ -46,7 +46,7 @@ double coordinate_of(int pixel) {
     return -1.0 + 3.0 * pixel / (square_side - 1.0);
 }
 
-/// Calls f with each pixel but those of the borders, where u and v are whole numbers.
+/// Calls f with each pixel except those of the borders, where u and v are whole numbers.
 template <class F>
 void for_each_inner_pixel(const F& f) {
     for (int row = 1; row < square_side - 1; ++row) {
@@ -77,7 +77,7 @@ int differing_pixels(const TexturedRuns& runs) {
 
 } // namespace
 
-TEST_CASE("B65: the texture stands on its head, and left is still left") {
+TEST_CASE("B65: the texture is upside down, and left is still left") {
     const TexturedRuns runs("B65");
     for_each_inner_pixel([&](int column, int row) {
         const double x = coordinate_of(column) * runs.texels.width;
@@ -95,7 +95,7 @@ TEST_CASE("B65: the texture stands on its head, and left is still left") {
     CHECK(texel_place_upside_down(0.25f, TextureDirection::u, 8) == 2.0f);
 }
 
-TEST_CASE("B66: each pixel has the colour that belongs half a texel further right and down") {
+TEST_CASE("B66: each pixel has the colour that belongs half a texel farther right and down") {
     for (const TextureFilter filter : {TextureFilter::bilinear, TextureFilter::nearest}) {
         TexturedRuns runs("B66");
         runs.session.a.settings.texture_filter = filter;
@@ -115,7 +115,7 @@ TEST_CASE("B67: below 0 a texel is read from the row above, and before the first
     const TexturedRuns runs("B67");
     int moved = 0, outside = 0;
     for_each_inner_pixel([&](int column, int row) {
-        // The remainder of a number by counting on from it, with its sign.
+        // The remainder of a number by counting, with its sign.
         const auto rest = [](double coordinate, int count) {
             int texel = static_cast<int>(std::floor(coordinate * count));
             while (texel <= -count)
@@ -142,7 +142,7 @@ TEST_CASE("B67: below 0 a texel is read from the row above, and before the first
     CHECK(wrap_by_remainder(-9, 16) == -9);
     CHECK(wrap_by_remainder(-16, 16) == 0);
     CHECK(wrap_by_remainder(25, 16) == 9);
-    // Nothing is divided where the texture is not repeated.
+    // Without repetition nothing is divided.
     for (const TextureWrap wrap : {TextureWrap::clamp, TextureWrap::mirror}) {
         Settings wrong = runs.session.a.settings, right = runs.session.b->settings;
         wrong.texture_wrap = right.texture_wrap = wrap;
@@ -156,14 +156,14 @@ TEST_CASE("B67: the texel that a pixel took is reported as it was read") {
     const Frame frame = prepare_frame(*runs.session.scene, runs.session.a.settings);
     const auto report = texture_report(frame, Cursor{0, Phase::rows, 64, 20});
     REQUIRE(report);
-    // u is -1 + 3 * 20 / 127; of 16 columns that is -8.44, and lies in -9.
+    // u is -1 + 3 * 20 / 127; of 16 columns that is -8.44, in column -9.
     CHECK(report->heaviest().column == -9);
     CHECK(report->heaviest().row == 8);
     const TextureLevel& base = (*runs.session.scene->textures.front()).base();
     CHECK(report->heaviest().colour == base.at(7, 7));
 }
 
-TEST_CASE("B97: each pixel has the level of what it reaches along x, and far ones are too fine") {
+TEST_CASE("B97: each pixel has the level for its width along x, and far ones are too fine") {
     const test::BugRuns runs("B97");
     std::vector<test::OracleLevel> chain;
     for (const TextureLevel& level : (*runs.session.scene->textures.front()).levels) {
@@ -180,7 +180,7 @@ TEST_CASE("B97: each pixel has the level of what it reaches along x, and far one
         };
         const Cursor &before = told[i - 1].cursor, &behind = told[i + 1].cursor;
         const bool is_one_row = before.triangle == behind.triangle && before.index == behind.index;
-        // The last one drawn stays.
+        // The last fragment drawn stays.
         const std::size_t pixel =
             runs.wrong.picture.at(told[i].fragment.column, told[i].fragment.row);
         if (!is_one_row || runs.wrong.picture.owner[pixel] != told[i].cursor.triangle) continue;
@@ -194,7 +194,7 @@ TEST_CASE("B97: each pixel has the level of what it reaches along x, and far one
         const glm::dvec3 off =
             glm::abs(glm::dvec3(runs.wrong.picture.colour[pixel]) - wanted.colour);
         if (std::max({off.x, off.y, off.z}) > 2.0 / 255.0)
-            FAIL(to_text(told[i].cursor) << " is of another level");
+            FAIL(to_text(told[i].cursor) << " has a different level");
         finer += runs.wrong.picture.colour[pixel] != runs.right.picture.colour[pixel] ? 1 : 0;
     }
     CHECK(held > 10000);

@@ -46,7 +46,7 @@ ToLamp to_lamp(const Program& program, const StudentPoint& point) {
     return {r / length, length, glm::dot(r / length, point.normal)};
 }
 
-/// A number that looks random, the same for the same pixel.
+/// A pseudo-random number for each pixel.
 std::uint_fast32_t scattered(int x, int y) {
     return std::mt19937(static_cast<std::uint32_t>(x + 4096 * y))();
 }

@@ -36,7 +36,7 @@ std::string own_scene(const char* name) {
     return lessons_folder() + "/scenes/" + name;
 }
 
-/// The words that a real shell makes of a line, a line each.
+/// The words that a real shell splits a line into, one per line.
 std::string words_of_shell(const std::string& line) {
     const std::string command = "printf '%s\\n' " + line;
     FILE* const pipe = popen(command.c_str(), "r");
@@ -60,7 +60,7 @@ TEST_CASE("A copied command line opens the same view, for many sessions") {
     }
 }
 
-TEST_CASE("A command line says only what differs") {
+TEST_CASE("A command line contains only what differs") {
     Session session = open_session(own_scene("lab-room.toml"));
     CHECK(command_line_text(session) == "rasterwalk");
     session.a.settings.stage = Stage::depth;
@@ -82,7 +82,7 @@ TEST_CASE("A command line says only what differs") {
           "rasterwalk --lesson 05-row-table --step 3 --set rounding=floor");
 }
 
-TEST_CASE("A mistake beside the correct run is copied with both runs") {
+TEST_CASE("A mistake compared with the correct run is copied with both runs") {
     Session session = open_session(own_scene("lab-room.toml"));
     for (const Bug& bug : read_bugs()) {
         INFO(bug.id);

@@ -1,4 +1,4 @@
-// --texture: an image that is laid on a model, and everything that keeps it.
+// --texture: an image that is laid on a model, and where it is kept.
 
 #include <string>
 #include <vector>
@@ -50,7 +50,7 @@ TEST_CASE("--texture lays an image on the parts that have texture coordinates") 
     CHECK(open_view({.scene = of.options.scene}).scene->textures.empty());
 }
 
-TEST_CASE("A further image takes the place of the one that was laid on a model") {
+TEST_CASE("Another image replaces the one laid on a model") {
     const ModelWithImage of;
     const Image other = many_colours(2, 2);
     write_png(other, of.folder.file("y.png"));
@@ -75,7 +75,7 @@ TEST_CASE("A part that has an image keeps it") {
     CHECK(scene.parts.back().texture == 1);
 }
 
-TEST_CASE("What cannot be laid on a model is refused with the documented exit code") {
+TEST_CASE("An image that cannot be laid on a model is refused with the documented exit code") {
     const ModelWithImage of;
     const auto code = [&](const std::string& model, const std::string& texture) {
         return run({"stats", model, "--texture", texture}).exit_code;

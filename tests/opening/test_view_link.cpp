@@ -35,7 +35,7 @@ Session session_on(const std::string& scene) {
     return open_session(lessons_folder() + "/" + scene);
 }
 
-/// Checks that the link shows what it was made from.
+/// Checks that the link opens the session it was made from.
 void check_round_trip(const Session& session) {
     const std::string link = view_link(session);
     INFO(link);
@@ -116,7 +116,7 @@ TEST_CASE("A link opens the same view, for many sessions") {
     }
 }
 
-TEST_CASE("A link leads to the first and the last step of every lesson") {
+TEST_CASE("A link can lead to the first and the last step of every lesson") {
     LessonList list;
     REQUIRE(list.all().size() > 20);
     for (const Lesson& lesson : list.all()) {
@@ -130,7 +130,7 @@ TEST_CASE("A link leads to the first and the last step of every lesson") {
     }
 }
 
-TEST_CASE("A link shows every mistake beside the correct run") {
+TEST_CASE("A link shows every mistake next to the correct run") {
     for (const Bug& bug : read_bugs()) {
         INFO(bug.id);
         Session session = session_on("scenes/lab-room.toml");
@@ -141,7 +141,7 @@ TEST_CASE("A link shows every mistake beside the correct run") {
     }
 }
 
-TEST_CASE("A link is short and can be read") {
+TEST_CASE("A link is short and readable") {
     Session session = session_on("scenes/lab-room.toml");
     CHECK(view_link(session) == "#");
     check_round_trip(session);
@@ -159,7 +159,7 @@ TEST_CASE("A link is short and can be read") {
     check_round_trip(session);
 }
 
-TEST_CASE("A link may say whatever the options of a view say") {
+TEST_CASE("A link can contain everything that the options of a view can") {
     CHECK(parse_view_link("") == ViewOptions{});
     CHECK(parse_view_link("#") == ViewOptions{});
     const ViewOptions said = parse_view_link(
@@ -178,7 +178,7 @@ TEST_CASE("A link may say whatever the options of a view say") {
         ++fields;
         const std::string name(field.option.name);
         INFO(name);
-        const std::vector<std::string> odd{"--stage"}; // is no option here
+        const std::vector<std::string> odd{"--stage"}; // not an option here
         CHECK(parse_view_link(name + "=--stage").given.at(std::string(field.key)) == odd);
         const std::string twice = name + "=a&" + name + "=b";
         if (field.option.is_repeatable) {
@@ -205,7 +205,7 @@ TEST_CASE("A link may say whatever the options of a view say") {
     CHECK_FALSE(session.selection.row);
 }
 
-TEST_CASE("What is no link is refused with a sentence") {
+TEST_CASE("Text that is not a link is refused with a sentence") {
     CHECK(refusal("lessn=04-edges") == "a link cannot set 'lessn'. Did you mean 'lesson'?");
     CHECK(refusal("=3") == "a link cannot set ''.");
     CHECK(refusal("--lesson=04-edges") == "a link cannot set '--lesson'. Did you mean 'lesson'?");
@@ -247,7 +247,7 @@ TEST_CASE("What is no link is refused with a sentence") {
           "the link has 'a\\u0000b', which is not plain UTF-8 text on one line.");
 }
 
-TEST_CASE("A link has a longest length") {
+TEST_CASE("The length of a link is limited") {
     const std::string name = "preset=";
     const std::string longest = name + std::string(longest_view_link - name.size(), 'x');
     CHECK(parse_view_link(longest).presets.front().size() == longest_view_link - name.size());
@@ -256,7 +256,7 @@ TEST_CASE("A link has a longest length") {
     CHECK(refusal(std::string(1 << 20, '%')) == "the link is longer than 8192 bytes.");
 }
 
-TEST_CASE("Values that no view has are refused where the view is opened") {
+TEST_CASE("Values that no view can have are refused when the view is opened") {
     for (const char* bad :
          {"stage=dept", "bug=B999", "preset=/etc/passwd", "set=rounding", "set=/etc/passwd=1",
           "tab=../rows", "b=/etc/passwd", "size=9999999x1", "lesson=05-row-table&step=99",
@@ -299,7 +299,7 @@ TEST_CASE("A link opens nothing but the page's own files") {
     CHECK(refusal("lesson=away/93-out") == "there is no file 'away/93-out.md'" + absent);
     CHECK(refusal("lesson=own/94-none") == "there is no file 'own/94-none.md'" + absent);
 
-    // The same without a way out is opened.
+    // The same without a path out is opened.
     CHECK(parse_view_link("scene=scenes/fence.toml").scene == lessons.path("scenes/fence.toml"));
     CHECK(parse_view_link("lesson=05-row-table.md").lesson == "05-row-table");
     for (const char* lesson : {"own/91-my-lesson", "own/91-my-lesson.md", "./own/91-my-lesson"}) {
@@ -313,7 +313,7 @@ TEST_CASE("A link opens nothing but the page's own files") {
     CHECK_THROWS_AS(open_view(parse_view_link("lesson=README")), UsageError);
 }
 
-TEST_CASE("A file of the same name where the program was started is not the one that is meant") {
+TEST_CASE("A file of the same name in the current folder is not used") {
     const TemporaryFolder folder;
     fs::create_directories(folder.file("scenes"));
     folder.write("scenes/fence.toml", "no scene");
@@ -334,7 +334,7 @@ TEST_CASE("A file of the same name where the program was started is not the one 
     CHECK(link == "#scene=scenes/fence.toml");
 }
 
-TEST_CASE("Files with awkward names stand in a link, and can be read again") {
+TEST_CASE("Files with awkward names can be in a link, and are read again") {
     const LinkedLessons lessons;
     for (const char* name : {"ü & = #%.toml", "it's \"q\" <b> `ls` $HOME.toml", "a+b@c:d,e~f!.toml",
                              "%41%.toml", "--set=rounding=floor.toml", " .toml", "..x.toml"}) {
@@ -354,7 +354,7 @@ TEST_CASE("Files with awkward names stand in a link, and can be read again") {
           "'a b.toml' cannot be written in a link; save the view instead.");
 }
 
-TEST_CASE("A lesson in a folder below is named from the folder of the lessons") {
+TEST_CASE("A lesson in a subfolder is named from the folder of the lessons") {
     const LinkedLessons lessons;
     const auto session_in = [&](const std::string& file, int step) {
         Session session = session_on("scenes/fence.toml");
@@ -369,7 +369,7 @@ TEST_CASE("A lesson in a folder below is named from the folder of the lessons") 
     check_round_trip(deep);
 }
 
-TEST_CASE("What is not the page's own has no link") {
+TEST_CASE("Files that are not the page's own have no link") {
     const LinkedLessons lessons;
     const std::string rest =
         " is not one of the page's own files, so a link cannot name it; save the view instead.";
@@ -386,7 +386,7 @@ TEST_CASE("What is not the page's own has no link") {
     CHECK(refusal_of(open_view(options)) == "the scene 'out.toml'" + rest);
 }
 
-TEST_CASE("A view that is too long for a link, or hidden by a quiz, has none") {
+TEST_CASE("A view that is too long for a link or hidden by a quiz has no link") {
     Session session = session_on("scenes/lab-room.toml");
     REQUIRE(start_quiz(session, read_bugs(), 1));
     CHECK(refusal_of(session) == "the view cannot be copied while a quiz is hiding its settings.");
@@ -409,7 +409,7 @@ TEST_CASE("A view that is too long for a link, or hidden by a quiz, has none") {
           "the link would be longer than 8192 bytes; save the view instead.");
 }
 
-TEST_CASE("Whatever a link holds, it is read or refused, and opens only what it may") {
+TEST_CASE("Any text of a link is read or refused, and opens only permitted files") {
     const LinkedLessons lessons;
     std::vector<std::string> names{"scene", "lesson", "step", "stage", "bug", "preset", "set"};
     for (const ViewField& field : view_table()) {
@@ -505,7 +505,7 @@ TEST_CASE("Whatever a link holds, it is read or refused, and opens only what it 
             ++opened;
             CHECK(is_below(session.scene->path, lessons.path("")));
             if (opened % 10 == 0) check_round_trip(session);
-        } catch (const UsageError&) { // a value that no view has
+        } catch (const UsageError&) { // a value that no view can have
         } catch (const InputError&) {
         }
     }

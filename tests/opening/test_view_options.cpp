@@ -1,4 +1,4 @@
-// What the view options make of a session.
+// The session that the view options give.
 
 #include <string>
 #include <vector>
@@ -42,7 +42,7 @@ std::string lesson_path(const std::string& id) {
 
 } // namespace
 
-TEST_CASE("A lesson on the command line is at the step as the lesson itself puts it") {
+TEST_CASE("A lesson's step opened from the command line is the same as in the lesson") {
     for (const char* id : {"05-row-table", "11-perspective", "13-reading-a-bug"}) {
         const Lesson lesson = read_lesson(lesson_path(id));
         for (int step = 0; step < static_cast<int>(lesson.steps.size()); ++step) {
@@ -75,7 +75,7 @@ TEST_CASE("A lesson's file can be named by its path, and as FILE") {
     }
 }
 
-TEST_CASE("A lesson of another folder keeps its folder in mind") {
+TEST_CASE("A lesson from another folder remembers its folder") {
     const TemporaryFolder folder;
     const std::string path = folder.write("03-mine.md", bytes_of(lesson_path("03-points")));
     const Session session = opened({path, "--step", "1"});
@@ -83,7 +83,7 @@ TEST_CASE("A lesson of another folder keeps its folder in mind") {
     CHECK(session.lesson_folder == std::filesystem::path(path).parent_path().string());
 }
 
-TEST_CASE("What is said beside a lesson wins") {
+TEST_CASE("Options given with a lesson override it") {
     const std::vector<std::string> lesson{"--lesson", "05-row-table", "--step", "3"};
     const auto with = [&](std::vector<std::string> more) {
         more.insert(more.begin(), lesson.begin(), lesson.end());
@@ -102,7 +102,7 @@ TEST_CASE("What is said beside a lesson wins") {
     CHECK(elsewhere.lesson == "05-row-table");
 }
 
-TEST_CASE("What stands after an option of the view is the file") {
+TEST_CASE("The argument after a view option's value is the file") {
     const std::string room = lessons_folder() + "/scenes/lab-room.toml";
     CHECK(opened({"--tab", "rows", room}).tab == "rows");
     CHECK(opened({"--view", "depth", room}).view == View::depth);
@@ -176,7 +176,7 @@ TEST_CASE("Selection, canvas, overlays and comparison on the command line") {
     CHECK(s.depth_range == DepthInterval{0.2f, 0.8f});
 }
 
-TEST_CASE("A second run is what the command line says, or the lesson, or the bug") {
+TEST_CASE("A second run comes from the command line, the lesson or the bug") {
     const Session bug = opened({"--bug", "B9"});
     REQUIRE(bug.b);
     CHECK(bug.b->settings.spans == Spans::inclusive);
@@ -187,7 +187,7 @@ TEST_CASE("A second run is what the command line says, or the lesson, or the bug
     CHECK(other.b->settings.spans == other.a.settings.spans);
 }
 
-TEST_CASE("The vertices of a bench can be said") {
+TEST_CASE("The vertices of a bench can be given") {
     const std::vector<std::string> bench{"--scene", "scenes/one-triangle.toml"};
     const auto placed = [&](const std::string& text) {
         const Session session = opened({"--scene", "scenes/one-triangle.toml", "--vertices", text});
@@ -251,7 +251,7 @@ TEST_CASE("Values that a view cannot have are refused with a sentence") {
         "'0.8,0.2'.");
 }
 
-TEST_CASE("A saved view is opened, and what is said beside it wins") {
+TEST_CASE("A saved view is opened, and options given with it override it") {
     const TemporaryFolder folder;
     const std::string path = folder.write("v.walk.toml", "scene = \"scenes/one-triangle.toml\"\n"
                                                          "set = [\"rounding=floor\"]\n"
@@ -279,7 +279,7 @@ TEST_CASE("A saved view is opened, and what is said beside it wins") {
     CHECK(run({"check", bad}).exit_code == 1);
 }
 
-TEST_CASE("A fault of the lesson itself is bad input, with its line") {
+TEST_CASE("A fault in the lesson itself is bad input, with its line") {
     const TemporaryFolder folder;
     const std::string path = folder.write("20-broken.md", "<!-- lesson\n"
                                                           "title = \"T\"\n"

@@ -80,7 +80,7 @@ TEST_CASE("The world's axes are plain, and the camera's are the rows of its matr
                                   std::cos(pitch) * std::cos(yaw));
         const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), forward));
         check_axes(*camera, eye, right, glm::cross(forward, right), forward);
-        // What Tv makes of the tips: one unit along each axis of camera space.
+        // Tv takes the tips to one unit along each axis of camera space.
         const glm::dmat4 view = view_matrix(eye, glm::dmat3(camera_rotation(settings.camera)));
         for (int i = 0; i < 3; ++i) {
             const glm::dvec3& axis = camera->axes[static_cast<std::size_t>(i)];
@@ -113,7 +113,7 @@ TEST_CASE("A model's axes are the first columns of Tm, and its origin is the las
     CHECK(bases_of(frame, first_of_part(scene, "floor")).size() == 2);
 }
 
-TEST_CASE("There are axes only where matrices do the work, in a world") {
+TEST_CASE("Axes exist only with matrices, and not in scenes in pixels") {
     const Scene room = lab_room();
     CHECK(bases_of(prepare_frame(room, default_settings(room)), 3).empty());
     CHECK(bases_of(prepare_frame(room, by_matrices(room)), std::nullopt).size() == 2);
@@ -123,7 +123,7 @@ TEST_CASE("There are axes only where matrices do the work, in a world") {
     CHECK(bases_of(prepare_frame(pixels, by_matrices(pixels)), 0).empty());
 }
 
-TEST_CASE("An arrow goes from the origin of a space to the end of its axis, and is named there") {
+TEST_CASE("An arrow goes from the origin of a space to its axis's tip, and is named there") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/turned-block.toml");
     const int triangle = first_of_part(scene, "turned and scaled");
     const Frame frame = prepare_frame(scene, by_matrices(scene));
@@ -182,7 +182,7 @@ TEST_CASE("A surface with a normal map shows tangent, bitangent and normal, in a
         const Basis* const found = find_basis(bases, BasisOf::surface);
         return found != nullptr ? std::optional<Basis>(*found) : std::nullopt;
     };
-    // Sides of 0.9 and 0.9, and a third of their mean.
+    // The arrows are a third of the mean of the sides, 0.9 and 0.9.
     const auto left = surface_of_triangle(0), mirrored = surface_of_triangle(3);
     REQUIRE(left);
     REQUIRE(mirrored);

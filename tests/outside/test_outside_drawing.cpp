@@ -68,8 +68,8 @@ bool is_wall_between(const Scene& scene, int triangle, const glm::dvec3& eye) {
            glm::dot(front, glm::normalize(camera - place)) > 0.0;
 }
 
-/// What the ray through a place of the view meets first. None if it is a near thing: along an edge
-/// or between two surfaces that lie as far away.
+/// The triangle that the ray through a place of the view meets first. None if it is too close to
+/// call: along an edge, or between two surfaces that are equally far away.
 std::optional<int> met_by_one_ray(const Scene& scene, const OutsideDrawing& drawing,
                                   glm::vec2 place) {
     const OutsideEye& eye = drawing.eye();
@@ -93,8 +93,8 @@ std::optional<int> met_by_one_ray(const Scene& scene, const OutsideDrawing& draw
     return met;
 }
 
-/// The same, and none where a ray through the same pixel or one beside it meets something else: a
-/// hair of a triangle that is seen from its edge, or is far away, is less than a pixel.
+/// The same, and none if a ray through the same pixel or a neighbour meets something else: a
+/// triangle seen edge-on or from afar can be narrower than a pixel.
 std::optional<int> met_by_ray(const Scene& scene, const OutsideDrawing& drawing, glm::vec2 place) {
     const std::optional<int> met = met_by_one_ray(scene, drawing, place);
     for (const glm::vec2 aside :
@@ -109,7 +109,7 @@ glm::vec3 pixel_of(const Image& image, int column, int row) {
     return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2]};
 }
 
-/// Are all channels within so many of 255?
+/// Do all channels differ by at most this many of 255?
 bool is_near(const glm::vec3& a, const glm::vec3& b, float distance) {
     return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)}) <= distance;
 }
@@ -124,7 +124,7 @@ int count_of(const Image& image, const glm::vec3& colour) {
     return count;
 }
 
-/// The colour of a triangle that is lit: its own.
+/// The colour of a lit triangle, which is its own.
 glm::vec3 lit_colour(const Scene& scene, int triangle) {
     return 255.0f * scene.corner(triangle, 0).reflectance;
 }
@@ -169,7 +169,7 @@ TEST_CASE("Through the camera no wall is culled, and the picture lies exactly ov
         const glm::vec2 place = eye.middle + scale * (glm::dvec2(pixel) + 0.5 - 250.0);
         INFO("pixel " << pixel.x << ", " << pixel.y);
         REQUIRE(drawing.at(place).pixel == pixel);
-        // Where nothing is drawn one looks through.
+        // Where nothing is drawn the picture is transparent.
         if (pixel_of(moment.picture(), pixel.x, pixel.y) == glm::vec3(0.0f)) continue;
         REQUIRE(
             is_near(pixel_of(drawing.image(), static_cast<int>(place.x), static_cast<int>(place.y)),
@@ -229,7 +229,7 @@ TEST_CASE("The triangle at work is filled as far as the cursor is") {
     CHECK(lit_at(cursor_end) == whole);
 }
 
-TEST_CASE("What is filled of the triangle at work are the rows above the cursor") {
+TEST_CASE("The filled part of the triangle at work is the rows above the cursor") {
     Random random(63);
     const Scene room = lab_room();
     constexpr int triangle = 1;
@@ -250,7 +250,7 @@ TEST_CASE("What is filled of the triangle at work are the rows above the cursor"
             for (const glm::vec2 aside : {glm::vec2(-2, 0), {2, 0}, {0, -2}, {0, 2}})
                 is_inside &= drawing.at(glm::vec2(place) + 0.5f + aside).triangle == triangle;
             if (!is_inside) continue;
-            // Along the ray to the floor, which lies at y = 1, and from there to the camera.
+            // Along the ray to the floor, which is at y = 1, and from there to the camera.
             const glm::dvec2 across = (glm::dvec2(place) + 0.5 - eye.middle) / eye.focal_length;
             const glm::dvec3 direction = eye.rotation * glm::dvec3(across, 1.0);
             const glm::dvec3 floor =
@@ -269,7 +269,7 @@ TEST_CASE("What is filled of the triangle at work are the rows above the cursor"
     }
 }
 
-TEST_CASE("Where nothing is drawn yet the picture is a pane of glass") {
+TEST_CASE("Where nothing is drawn yet the picture is like a pane of glass") {
     Moment moment(lab_room(), cursor_begin);
     OutsideDrawing drawing;
     const OutsideLook look = look_at(-0.75f, -0.4f, {900, 700});
@@ -286,7 +286,7 @@ TEST_CASE("Where nothing is drawn yet the picture is a pane of glass") {
     CHECK(std::max({through.x, through.y, through.z}) < 80.0f);
 }
 
-TEST_CASE("Nothing is drawn again where nothing has changed") {
+TEST_CASE("Nothing is drawn again if nothing has changed") {
     Moment moment(lab_room());
     OutsideDrawing drawing;
     OutsideLook look = look_at(0.3f, -0.2f, {300, 300});
@@ -383,7 +383,7 @@ TEST_CASE("After any walk the view from outside is, bit for bit, as if drawn fro
                                  : timeline.next(moment.subject().cursor, Granularity::moment));
                 if (random.integer(0, 1) == 0) moment.triangle = moment.subject().cursor.triangle;
             }
-            // Sometimes it is still being drawn when the next moment comes.
+            // Sometimes the view is still being drawn when the next moment comes.
             drawing.update(moment.subject(), look, way == 5 ? 20'000 : 2'500'000);
             if (drawing.is_working()) continue;
             INFO("side " << side << ", round " << i << ", way " << way);
@@ -394,7 +394,7 @@ TEST_CASE("After any walk the view from outside is, bit for bit, as if drawn fro
     }
 }
 
-TEST_CASE("A triangle that is begun later does not restart the view") {
+TEST_CASE("Moving on to a later triangle does not restart the view") {
     Moment moment(lab_room(), cursor_begin);
     OutsideDrawing drawing;
     const OutsideLook look = look_at(-0.75f, -0.4f, {320, 240});
@@ -431,7 +431,7 @@ TEST_CASE("A large scene is drawn in parts, the first of which shows all of it")
     CHECK(updates < 20);
     CHECK(4 * first > seen());
     CHECK_FALSE(drawing.update(moment.subject(), look));
-    // The order of drawing does not show.
+    // The order of drawing is not visible.
     Random random(64);
     int compared = 0;
     for (int i = 0; i < rounds(40, 15); ++i) {
@@ -495,7 +495,7 @@ TEST_CASE("No camera, view, scene or size is too much for the view from outside"
     }
 }
 
-TEST_CASE("A view of a very large window has larger pixels, and is picked at the same places") {
+TEST_CASE("The view in a very large window has larger pixels, and is picked at the same places") {
     const Moment moment(lab_room());
     OutsideDrawing small, large;
     draw_all(small, moment, look_at(-0.75f, -0.4f, {700, 500}));

@@ -90,7 +90,7 @@ TEST_CASE("Through the camera, every vertex falls on the same pixel as in the pi
     }
 }
 
-TEST_CASE("Through the camera, what a box shows is as large as fits, whatever its shape") {
+TEST_CASE("Through the camera, the view of a box is as large as fits, whatever its shape") {
     Random random(55);
     const Scene room = lab_room();
     int compared = 0;
@@ -162,7 +162,7 @@ TEST_CASE("The corners of the picture lie on the rays through its corners") {
     }
 }
 
-TEST_CASE("Under every projection the pane stands where the rays of the drawing go through it") {
+TEST_CASE("Under every projection the rays of the drawing go through the pane") {
     Random random(54);
     const Scene room = lab_room();
     for (int i = 0; i < rounds(60, 20); ++i) {
@@ -193,7 +193,7 @@ TEST_CASE("Under every projection the pane stands where the rays of the drawing 
                 // Where the ray goes through the pane, the picture has that place too.
                 const glm::dvec3 crossing = plane.in_world(plane.on_ray(seen, plane.distance));
                 CHECK(glm::distance(plane.place_of(*pixel), crossing) < 1e-6);
-                // Orthographic rays are parallel to the way the camera looks.
+                // Orthographic rays are parallel to the camera's direction.
                 if (settings.projection_mix == 1.0f)
                     CHECK(is_near(glm::dvec2(plane.on_ray(seen, 0.0)), glm::dvec2(seen), 1e-9));
             }
@@ -201,7 +201,7 @@ TEST_CASE("Under every projection the pane stands where the rays of the drawing 
     }
 }
 
-TEST_CASE("A view that has no distance yet shows everything, and as large as it can") {
+TEST_CASE("A view that has no distance yet shows everything as large as possible") {
     Random random(53);
     const Scene room = lab_room();
     for (int i = 0; i < rounds(400, 60); ++i) {
@@ -219,7 +219,7 @@ TEST_CASE("A view that has no distance yet shows everything, and as large as it 
             places.push_back(corner);
         places.push_back(things.plane.eye);
         places.push_back(things.lamp);
-        // How much nearer the border the outermost place is than the margin.
+        // The distance of the outermost place from the border.
         double nearest = std::numeric_limits<double>::infinity();
         for (const glm::dvec3& place : places) {
             const std::optional<glm::dvec2> at = eye.pixel_of(place);
@@ -228,13 +228,13 @@ TEST_CASE("A view that has no distance yet shows everything, and as large as it 
         }
         CHECK(nearest > margin - 0.5);
         CHECK(nearest < margin + 1.0);
-        // The same, said with its numbers.
+        // The same view with all its numbers set.
         const OutsideEye again = eye_of(settled(view, things, size, margin), things, size, margin);
         CHECK(glm::length(again.position - eye.position) < 1e-5);
     }
 }
 
-TEST_CASE("Outside of the camera's view one looks the way that it looks") {
+TEST_CASE("After leaving the camera's view the eye outside looks the same way") {
     Random random(54);
     const Scene room = lab_room();
     for (int i = 0; i < 50; ++i) {
@@ -250,7 +250,7 @@ TEST_CASE("Outside of the camera's view one looks the way that it looks") {
     }
 }
 
-TEST_CASE("A drag across the view takes what is in its middle along") {
+TEST_CASE("A drag across the view moves the target along") {
     const Scene room = lab_room();
     const glm::ivec2 size(800, 600);
     const OutsideThings things = things_of(room, room.camera, room.viewport);

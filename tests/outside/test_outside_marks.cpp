@@ -49,7 +49,7 @@ std::vector<OutsideLine> lines_of(const OutsideMarks& marks, OutsideLineKind kin
     return lines;
 }
 
-/// From a line through both ends, pixels.
+/// Distance from a line through both ends, pixels.
 float distance_to(const OutsideLine& line, const glm::vec2& point) {
     const glm::vec2 way = glm::normalize(line.to - line.from);
     const glm::vec2 from = point - line.from;
@@ -157,7 +157,7 @@ TEST_CASE("Marks end where the view ends") {
     }
 }
 
-TEST_CASE("Names stand inside, beside their points, and over nothing") {
+TEST_CASE("Names are inside the view, next to their points, and cover nothing") {
     Random random(72);
     const glm::vec2 size(500.0f, 300.0f);
     int placed = 0;
@@ -212,7 +212,7 @@ TEST_CASE("A name that keeps off lines touches none of them") {
     name.line_distance = 3.0f;
     CHECK(left_of() + name.size.x < 250.0f);
     CHECK(label_places(std::array{name}, {}, {}, size).at(0)->x == 258.0f);
-    // If everything else is taken it may be on the line, unless it needs its distance.
+    // If everything else is taken it can be on the line, unless it must keep its distance.
     const std::vector<OutsideBox> taken{{{0.0f, 0.0f}, {257.0f, 300.0f}},
                                         {{0.0f, 0.0f}, {500.0f, 141.0f}},
                                         {{0.0f, 159.0f}, {500.0f, 300.0f}}};
@@ -256,10 +256,10 @@ TEST_CASE("A name that keeps off lines touches none of them") {
     CHECK(left_out > 0);
 }
 
-TEST_CASE("Names that matter most are placed first, and moved along where the border is near") {
+TEST_CASE("The most important names are placed first, and shifted if near the border") {
     const OutsideLabel first{{3.0f, 50.0f}, {40.0f, 16.0f}, 8.0f, LabelSide::below};
     const OutsideLabel second{{5.0f, 52.0f}, {40.0f, 16.0f}, 8.0f, LabelSide::below};
-    // Beside and above both points all is taken.
+    // Everything next to and above both points is taken.
     const std::vector<OutsideBox> taken{{{0.0f, 0.0f}, {100.0f, 56.0f}}};
     const glm::vec2 size(44.0f, 80.0f);
     for (const bool is_swapped : {false, true}) {
@@ -308,8 +308,7 @@ TEST_CASE("A line is cut at the near plane and at the border") {
     CHECK(part.inv_z_from == Approx(0.5));
 }
 
-TEST_CASE("The way to the lamp is seen: light as far as it comes, and dashes behind what stands "
-          "between") {
+TEST_CASE("The way to the lamp is light up to the blocker, and dashed beyond it") {
     const Scene scene = test::lab_room();
     const Seen seen(scene, {});
     const glm::dvec3 from(0.5, 1.0, 0.2), lamp(seen.things.lamp);

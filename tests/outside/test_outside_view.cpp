@@ -29,7 +29,7 @@ TEST_CASE("A view from outside is read as it was written") {
     CHECK(to_text(OutsideView()) == "-0.75,-0.4");
 }
 
-TEST_CASE("What is no view from outside is refused") {
+TEST_CASE("Text that is not a view from outside is refused") {
     for (const char* text :
          {"", ",", "1", "1,", "1,0.5,", "1,0.5,2", "1,0.5,2,0,0", "1,0.5,2,0,0,0,0", "1,2,2,0,0,0",
           "nan,0", "0,nan", "101,0", "1,0.5,0,0,0,0", "1,0.5,-1,0,0,0", "1,0.5,1e9,0,0,0",
@@ -41,7 +41,7 @@ TEST_CASE("What is no view from outside is refused") {
     }
 }
 
-TEST_CASE("Turned, or moved, a view stays within its ranges") {
+TEST_CASE("When turned or moved, a view stays within its ranges") {
     Random random(42);
     OutsideView view;
     view.distance = 3.0f;

@@ -21,8 +21,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// The place in the lab's clip space, worked out once more: x and y times the focal length, 1,
-/// depth.
+/// The place in the lab's clip space, computed again: x and y times the focal length, 1, depth.
 glm::dvec4 in_clip_space(const glm::dvec3& world, const PicturePlane& plane) {
     const glm::dvec3 p = plane.in_camera(world);
     return {plane.focal_length.x * p.x, plane.focal_length.y * p.y, 1.0, p.z};
@@ -61,7 +60,7 @@ void for_each_cut(Visit visit) {
 
 } // namespace
 
-TEST_CASE("The face of a plane lies in the plane and holds what the plane cuts") {
+TEST_CASE("The face of a plane is in the plane and contains what the plane cuts") {
     int count = 0;
     for_each_cut([&](const Frame& frame, const ClipHistory& history, const PicturePlane& plane) {
         for (const PlaneHistory& work : history.planes) {
@@ -84,7 +83,7 @@ TEST_CASE("The face of a plane lies in the plane and holds what the plane cuts")
     CHECK(count > 50);
 }
 
-TEST_CASE("Under every projection and depth format the faces of planes lie in the planes") {
+TEST_CASE("Under every projection and depth format the faces of planes are in the planes") {
     const Scene room = lab_room();
     Random random(42);
     for (const char* choice : {"projection=orthographic", "projection_mix=0.4",
@@ -109,8 +108,8 @@ TEST_CASE("Under every projection and depth format the faces of planes lie in th
                     REQUIRE(seen.plane);
                     const std::vector<glm::dvec3> face = plane_face(seen, plane);
                     REQUIRE(face.size() >= 3);
-                    // What the projection makes of the corners is on the plane: at the depth of
-                    // near or far, or on a border of the picture.
+                    // The projected corners are on the plane: at the depth of near or far, or on a
+                    // border of the picture.
                     for (const glm::dvec3& corner : face) {
                         const glm::vec3 place(plane.in_camera(corner));
                         const glm::vec4 clip = to_clip_space_mixed(place, rules);
@@ -137,7 +136,7 @@ TEST_CASE("Under every projection and depth format the faces of planes lie in th
     }
 }
 
-TEST_CASE("The planes of a box off-centre are seen where it has its sides") {
+TEST_CASE("The planes of an off-centre box are seen at its sides") {
     const Scene room = lab_room();
     Random random(43);
     for (const char* choice : {"projection=perspective", "projection=orthographic",
@@ -166,7 +165,7 @@ TEST_CASE("The planes of a box off-centre are seen where it has its sides") {
                     seen_planes.insert(work.plane);
                     CAPTURE(choice, i, t, std::string(word_of(work.plane)));
                     for (const glm::dvec3& corner : face) {
-                        // Where the way to the eye meets the near plane, with y up.
+                        // Where the line to the eye meets the near plane, with y up.
                         const glm::dvec3 p = plane.in_camera(corner);
                         const double w = (1.0 - mix) * p.z + mix;
                         const double w_near = (1.0 - mix) * settings.near + mix;
@@ -264,7 +263,7 @@ TEST_CASE("Near and far plane are seen and named where the depth goes from one t
         for (const OutsidePoint& point : marks.points) {
             if (point.kind != OutsidePointKind::end) continue;
             named.push_back(point.number);
-            // By the inverse way: how far in front of the camera the named place is.
+            // Computed back: how far in front of the camera the named place is.
             const double z = point.number == static_cast<int>(ClipPlane::near) ? 1.0 : 7.0;
             bool is_at_corner = false;
             for (const glm::dvec2 corner :
@@ -283,12 +282,12 @@ TEST_CASE("Near and far plane are seen and named where the depth goes from one t
     const std::vector<int> both{near, near, near, near, far, far, far, far};
     CHECK(ends_of("projection=orthographic", "far=7") == both);
     CHECK(ends_of("depth_format=ndc_32", "far=7") == both);
-    // Far beyond the room; and where neither plane's distance matters.
+    // Far beyond the room, and where neither plane's distance matters.
     CHECK(ends_of("depth_format=reversed_16", "far=100") == std::vector<int>(4, near));
     CHECK(ends_of("depth_format=inv_z", "far=7").empty());
 }
 
-TEST_CASE("From outside a cut triangle has what is left of it, and dashed what is taken") {
+TEST_CASE("From outside a cut triangle shows what is left, and dashed what was cut off") {
     int count = 0;
     for_each_cut([&](const Frame& frame, const ClipHistory& history, const PicturePlane& plane) {
         OutsideThings things;
@@ -318,7 +317,7 @@ TEST_CASE("From outside a cut triangle has what is left of it, and dashed what i
     CHECK(count > 30);
 }
 
-TEST_CASE("While clipping is at work only what is done is seen") {
+TEST_CASE("During clipping only the finished work is seen") {
     const Scene room = lab_room();
     const Frame frame = prepare_frame(room, near_clipped_room(room));
     const ClipHistory history = clip_history(frame, 1);
@@ -339,7 +338,8 @@ TEST_CASE("While clipping is at work only what is done is seen") {
     CHECK_FALSE(clipping_outside(frame, of_back_wall, {}, {}).is_cut);
 }
 
-TEST_CASE("What clipping takes of the triangle at work has another colour from outside") {
+TEST_CASE(
+    "The part that clipping cuts off the triangle at work has a different colour from outside") {
     const Scene room = lab_room();
     const Settings settings = near_clipped_room(room);
     const Moment moment(room, settings, cursor_end);

@@ -37,7 +37,7 @@ Met met_texture(const Scene& scene, int triangle, const glm::dvec3& from,
 
 } // namespace
 
-TEST_CASE("From outside every place of a surface has the texel that a ray meets there") {
+TEST_CASE("From outside every place of a surface shows the texel that a ray meets there") {
     constexpr int columns = 6, rows = 5;
     const Image image = test::many_colours(columns, rows);
     test::Moment moment(test::receding_wall(image), cursor_begin);
@@ -51,7 +51,7 @@ TEST_CASE("From outside every place of a surface has the texel that a ray meets 
         OutsideDrawing drawing;
         drawing.update(moment.subject(), look);
         const OutsideEye& eye = drawing.eye();
-        // All places of one texel have one colour, and those of other texels another one.
+        // All places of one texel have the same colour, and those of other texels a different one.
         std::map<std::tuple<int, int, int>, std::tuple<int, int, int>> colours;
         int places = 0, wrong = 0;
         for (int y = 0; y < look.size.y; ++y) {

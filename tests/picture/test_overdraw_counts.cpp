@@ -8,7 +8,7 @@
 
 using namespace rasterwalk;
 
-TEST_CASE("The overdraw view has the colours of its legend, and counts as many pixels of each") {
+TEST_CASE("The overdraw view has the colours of its legend, which counts the pixels of each") {
     const Scene scene = test::lab_room();
     Settings settings = default_settings(scene);
     settings.stage = Stage::depth;
@@ -33,7 +33,7 @@ TEST_CASE("The overdraw view has the colours of its legend, and counts as many p
         CHECK(overdraw_colour(n, counts.most) != overdraw_colour(n + 1, counts.most));
 }
 
-TEST_CASE("Of fragment counts beyond the list only the largest is named") {
+TEST_CASE("If counts go beyond the list only the largest is named") {
     Framebuffer picture;
     clear(picture, {3, 2});
     CHECK(overdraw_counts(picture).most == 0);

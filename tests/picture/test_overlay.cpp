@@ -42,7 +42,7 @@ std::string value(Overlay overlay, const Results& results, int column, int row) 
 
 } // namespace
 
-TEST_CASE("The table of overlays stands in the order of the enumerators, and finds each by name") {
+TEST_CASE("The table of overlays is in the order of the enumerators, and finds each by name") {
     int number = 0;
     for (const OverlayInfo& info : overlay_list()) {
         CHECK(static_cast<int>(info.overlay) == number++);
@@ -67,7 +67,7 @@ TEST_CASE("An overlay is switched on and off without touching the others") {
     CHECK(set == OverlaySet{});
 }
 
-TEST_CASE("The totals of the room are its golden numbers") {
+TEST_CASE("The totals of the room are its known numbers") {
     Session session = room_session();
     session.a.settings.stage = Stage::depth;
     session.overlays = all_overlays();
@@ -90,8 +90,8 @@ TEST_CASE("The totals of the room are its golden numbers") {
     CHECK(totals.drawn_twice > 3288);
     CHECK(totals.drawn_twice < 6576);
     CHECK(totals.largest_error == Approx(0.5).margin(0.1));
-    // 18 edges of the box and its four walls' and floor's diagonals, less what the front is open;
-    // and each block's edges with a diagonal on every side.
+    // The edges of the room with a diagonal on each of its five sides, and each block's edges with
+    // a diagonal on every side.
     CHECK(totals.wires == static_cast<int>(results.overlay.wires.size()));
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("Every pixel of the overlays' picture is the tint of that overlay, and
     }
 }
 
-TEST_CASE("Overlays that lie on each other mix as two sheets of coloured glass") {
+TEST_CASE("Overlays on top of each other mix like two sheets of coloured glass") {
     Session session = room_session();
     Results results;
     session.overlays.set(Overlay::owner, true);
@@ -220,7 +220,7 @@ TEST_CASE("Facts are worked out once per moment, and again when the moment chang
     CHECK(results.overlay_number == number + 3);
 }
 
-TEST_CASE("What each overlay says about a pixel is true") {
+TEST_CASE("Each overlay's text about a pixel is true") {
     Session session = room_session();
     session.a.settings.light.power = glm::vec3(60.0f);
     session.overlays = all_overlays();
@@ -252,7 +252,7 @@ TEST_CASE("What each overlay says about a pixel is true") {
     CHECK(value(Overlay::affine_error, results, 700, 700).empty());
 }
 
-TEST_CASE("A carpet of edges is cut off, and said to be") {
+TEST_CASE("Too many edges are cut off, and this is reported") {
     std::vector<std::array<glm::vec3, 3>> many;
     for (int i = 0; i < 2000; ++i) {
         const float x = static_cast<float>(i % 50), y = static_cast<float>(i / 50);
@@ -280,8 +280,7 @@ TEST_CASE("An edge that two triangles have in common is one edge") {
     CHECK(value(Overlay::wireframe, results, 6, 5) == "edge 1 of triangles[0]");
 }
 
-TEST_CASE(
-    "A triangle alone has the pixels of its rows up to the cursor, and hides behind nothing") {
+TEST_CASE("A triangle alone has the pixels of its rows up to the cursor, and is not hidden") {
     Session session = room_session();
     session.overlays.set(Overlay::alone, true);
     Results results;
@@ -326,7 +325,7 @@ TEST_CASE(
     }
     CHECK(results.overlay.totals.wires == static_cast<int>(results.overlay.wires.size()));
     CHECK(results.overlay.wires.size() > 40);
-    // Another triangle, and another view.
+    // A different triangle, and a different view.
     session.selection.triangle = 3;
     update(session, results);
     CHECK(total(Overlay::alone, results).starts_with("triangles[3], "));
@@ -356,7 +355,7 @@ TEST_CASE(
     CHECK(results.ground.rgba.empty());
 }
 
-TEST_CASE("A triangle alone is drawn in parts, forwards from where it stands") {
+TEST_CASE("A triangle alone is drawn in parts, forward from the last moment") {
     constexpr WorkLimit little{2'000.0, 3'000.0};
     Session session = room_session();
     session.overlays.set(Overlay::alone, true);
@@ -423,7 +422,7 @@ TEST_CASE("Undo takes back overlays and the range of the depth view") {
     CHECK(session.depth_range == DepthInterval{0.3f, 0.4f});
 }
 
-TEST_CASE("Below overlays the picture is grey, keeps its order of brightness, and is darker") {
+TEST_CASE("Under overlays the picture is grey and darker, and keeps its order of brightness") {
     Session session = room_session();
     session.a.settings.light.power = glm::vec3(14.0f);
     Results results;
@@ -444,7 +443,7 @@ TEST_CASE("Below overlays the picture is grey, keeps its order of brightness, an
             g[0] == g[1] && g[1] == g[2] && g[3] == p[3] && std::abs(g[0] - 0.625 * light) < 3.0;
         if (!is_right) FAIL("byte " << at);
     }
-    // Another moment has another ground, and no overlay has none.
+    // A different moment has a different ground, and without overlays there is none.
     const std::uint64_t number = results.ground_number;
     session.cursor = {5, Phase::rows, 3, 0};
     update(session, results);

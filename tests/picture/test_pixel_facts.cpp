@@ -22,7 +22,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// The room, half as large where little effort is asked for.
+/// The room, half as large if effort is low.
 Scene seen_room() {
     Scene room = lab_room();
     if (effort() >= 1.0) return room;
@@ -81,7 +81,7 @@ bool are_neighbours(const Frame& frame, int s, int t) {
     return false;
 }
 
-/// The first pixel on which the plane says something else than the fragments themselves.
+/// The first pixel on which the plane differs from the fragments themselves.
 std::string first_wrong_pair(const Frame& frame, const Cursor& to) {
     const PixelFacts facts = pixel_facts(frame, to, {.drawn_twice = true});
     std::map<std::size_t, std::set<int>> by_pixel;
@@ -108,7 +108,7 @@ std::string first_wrong_pair(const Frame& frame, const Cursor& to) {
 
 } // namespace
 
-TEST_CASE("Neighbours that both drew on a pixel are those that the fragments show") {
+TEST_CASE("Pixels drawn by two neighbours are those that the fragments show") {
     const Scene room = seen_room();
     for (const Variant& variant : some_of(rule_variants(), 3)) {
         INFO(variant.name);
@@ -164,7 +164,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("A triangle folded over its neighbour covers it rightly") {
+TEST_CASE("A triangle folded over its neighbour is not counted as drawing the edge twice") {
     const Scene scene = pixel_scene(
         {{{{2, 2, 1}, {9, 2, 1}, {2, 9, 1}}}, {{{9, 2, 1}, {4, 2, 1}, {2, 9, 1}}}}, {12, 12});
     const Frame frame = frame_of(scene, Stage::fill, rule_variants().front());
@@ -172,7 +172,8 @@ TEST_CASE("A triangle folded over its neighbour covers it rightly") {
     CHECK(std::count(facts.drawn_twice.begin(), facts.drawn_twice.end(), DrawnTwice{}) == 144);
 }
 
-TEST_CASE("Passed and failed fragments are those of the drawing, light or not, at any moment") {
+TEST_CASE(
+    "Passed and failed fragments are those of the drawing, with light or without, at any moment") {
     const Scene room = seen_room();
     const std::vector<StripStep> stages{StripStep{Stage::depth}, StripStep::vertex_light,
                                         StripStep::pixel_light};
@@ -204,7 +205,7 @@ TEST_CASE("Passed and failed fragments are those of the drawing, light or not, a
     }
 }
 
-TEST_CASE("Without a depth test there is nothing to tell of it") {
+TEST_CASE("Without a depth test nothing is reported about it") {
     const Scene room = seen_room();
     Settings settings = default_settings(room);
     settings.stage = Stage::fill;
@@ -252,7 +253,7 @@ TEST_CASE("The affine error is the distance between the two places the visible p
     CHECK(largest == Approx(0.5f).margin(0.1f));
 }
 
-TEST_CASE("Only what is asked for is worked out") {
+TEST_CASE("Only the requested facts are computed") {
     const Scene room = seen_room();
     const Frame frame = prepare_frame(room, default_settings(room));
     const PixelFacts none = pixel_facts(frame, cursor_end, {});
@@ -263,7 +264,7 @@ TEST_CASE("Only what is asked for is worked out") {
     CHECK_FALSE(depth.known.includes({.depth = true, .affine_error = true}));
 }
 
-TEST_CASE("Before stage fill there are no fragments to tell of") {
+TEST_CASE("Before the fill stage there are no fragments to report") {
     const Scene room = seen_room();
     for (const Stage stage : {Stage::points, Stage::edges, Stage::rows}) {
         const Frame frame = frame_of(room, stage, rule_variants().front());

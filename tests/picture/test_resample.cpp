@@ -39,7 +39,7 @@ int opacity(const Image& image, int column, int row) {
 
 } // namespace
 
-TEST_CASE("Resampled by a whole number a picture has larger pixels, and nothing else") {
+TEST_CASE("Resampled by a whole number a picture only has larger pixels") {
     const Image image = stripes(4, 3);
     CHECK(resampled(image, 1.0f) == image);
     const Image twice = resampled(image, 2.0f);
@@ -56,7 +56,7 @@ TEST_CASE("Resampled by a fraction every line keeps its share of the light") {
         const Image larger = resampled(image, scale);
         REQUIRE(larger.width == resampled_side(40, scale));
         for (int line = 1; line < 39; line += 2) {
-            // What of the white line arrives between the middles of its dark neighbours.
+            // The light of the white line between the middles of its dark neighbours.
             double light = 0.0;
             for (int column = 0; column < larger.width; ++column) {
                 const double middle = (column + 0.5) / static_cast<double>(scale);
@@ -68,7 +68,7 @@ TEST_CASE("Resampled by a fraction every line keeps its share of the light") {
     }
 }
 
-TEST_CASE("Made smaller a picture is averaged, so that no line is lost") {
+TEST_CASE("When made smaller a picture is averaged, so that no line is lost") {
     const Image half = resampled(stripes(40, 40), 0.5f);
     REQUIRE(half.width == 20);
     for (int column = 0; column < 20; ++column)
@@ -76,7 +76,7 @@ TEST_CASE("Made smaller a picture is averaged, so that no line is lost") {
     CHECK(resampled(stripes(3, 3), 0.01f).width == 1);
 }
 
-TEST_CASE("What a picture does not reach is transparent, and tints keep their colour") {
+TEST_CASE("Outside a picture the result is transparent, and tints keep their colour") {
     Image image{1, 1, {200, 100, 50, 128}};
     const Image larger = resampled(image, 1.5f);
     REQUIRE(larger.width == 2);
@@ -96,7 +96,7 @@ TEST_CASE("A scene in pixels is drawn small, and shows the same") {
     const Image small = thumbnail(scene, settings, 160);
     CHECK(small.width == 160);
     CHECK(small.height == 100);
-    // Only along the edges it is another one than the whole picture made small.
+    // Only along the edges it differs from the full picture made small.
     const Image reference = resampled(whole, 0.25f);
     REQUIRE(reference.rgba.size() == small.rgba.size());
     int different = 0;
@@ -146,13 +146,13 @@ TEST_CASE("A part that is resampled again is the same as in the whole") {
     }
 }
 
-TEST_CASE("An opaque picture comes to the same bytes as one that has to look at every opacity") {
+TEST_CASE("An opaque picture gives the same bytes whether or not opacities are checked") {
     std::mt19937 random(8);
     for (const float scale : {0.13f, 0.5f, 0.77f, 1.0f, 1.3f, 1.77f, 2.6f}) {
         CAPTURE(scale);
         constexpr int width = 61, height = 47;
         Image opaque{width, height, {}};
-        // The same with a column of glass behind it: no row of it is opaque.
+        // The same with a column of glass after it, so no row is opaque.
         Image bordered{width + 1, height, {}};
         for (int row = 0; row < height; ++row) {
             for (int column = 0; column < width; ++column) {

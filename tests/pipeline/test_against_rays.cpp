@@ -1,6 +1,6 @@
 // The filled stages, compared with a ray caster.
 //
-// Which place in the picture does a pixel stand for? Not a single one: vertices are cut to whole
+// Which place in the picture does a pixel stand for? Not a single one. Vertices are cut to whole
 // pixels, which moves each by less than one pixel along either axis; the samples of an edge are cut
 // again, which moves them by less than another. Every number of a fragment is blended from its
 // samples, like its place, so it is the number at some place of the true triangle less than two
@@ -27,14 +27,14 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// The most that a fragment's numbers may be away from their place, pixels along either axis.
+/// The farthest that a fragment's numbers can be from their place, pixels along either axis.
 constexpr double reach = 2.0;
 
-/// What accumulated float steps may add, as a part of the number itself. Measured: 1e-5 at worst.
+/// The error that accumulated float steps can add, relative to the number. Measured: 1e-5 at worst.
 constexpr double float_error = 3e-5;
 
 /// Pixels nearer than this to an edge of any triangle are left out: there two pixels along both
-/// axes may lead into another triangle.
+/// axes can lead into another triangle.
 constexpr double edge_margin = 3.0;
 
 struct Interval {
@@ -127,7 +127,7 @@ void compare_light(Verdict& verdict, const RayPicture& picture, const StripStep&
             return at_vertices ? rays.light_from_vertices(hit)[c] : rays.light_at_point(hit)[c];
         };
         Interval interval = around(rays, triangle, place, at_vertices ? 1 : 4, light);
-        // Close to the lamp the brightest point may be between the samples.
+        // Close to the lamp the brightest point can be between the samples.
         const double strain = interval.strain(colour[c]);
         if (!at_vertices && strain > 1.0 && strain < 1.5)
             interval = around(rays, triangle, place, 24, light);
@@ -181,13 +181,13 @@ void require_agreement(const Scene& scene, const Settings& settings, const RayPi
     CAPTURE(strip_place(step_of(settings)), static_cast<int>(settings.line_walk), verdict.pixels,
             verdict.worst, verdict.wrong);
     if (verdict.wrong > 0) FAIL(verdict.text);
-    // Most of the picture is compared, or the test would say little.
+    // Most of the picture must be compared, or the test would say little.
     CHECK(verdict.pixels > settings.viewport.width * settings.viewport.height * 6 / 10);
 }
 
 } // namespace
 
-TEST_CASE("Coverage, 1/z and light of the handout's picture are those that rays find") {
+TEST_CASE("Coverage, 1/z and light of the handout's picture are what rays find") {
     const Scene room = lab_room();
     for (const float power : some_of(std::vector{1.1f, 14.0f}, 1)) {
         Settings settings = pose_settings(room, room_poses().front());
@@ -238,7 +238,7 @@ TEST_CASE("Affine interpolation does not agree with rays") {
     CHECK(compare(prepare_frame(room, settings), picture).wrong == 0);
 }
 
-TEST_CASE("Rays notice a camera, a lamp or a depth test that is a little off") {
+TEST_CASE("Rays notice a camera, lamp or depth test that is slightly off") {
     const Scene room = lab_room();
     Settings settings = pose_settings(room, room_poses()[1]);
     settings.light.power = glm::vec3(14.0f);

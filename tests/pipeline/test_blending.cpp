@@ -31,7 +31,7 @@ Framebuffer drawn(const Scene& scene, const std::string& more) {
     return draw_frame(prepare_frame(scene, settings));
 }
 
-/// A pane with its upper left corner and the one behind its last, as top-left covers it.
+/// A pane covered by the top-left rule, from its upper left corner to just past its last pixel.
 struct Pane {
     int left, top, right, bottom;
     double z, alpha;
@@ -39,7 +39,7 @@ struct Pane {
     bool holds(int x, int y) const { return x >= left && x < right && y >= top && y < bottom; }
 };
 
-/// Blends in drawing order, on black; each that is drawn writes its depth.
+/// Blends in drawing order, on black; each drawn pane writes its depth.
 glm::dvec3 composed(const std::vector<Pane>& panes, int x, int y, bool tests_depth) {
     glm::dvec3 colour(0.0);
     double nearest = 1e30;
@@ -76,7 +76,7 @@ std::vector<Pane> pane_pairs(double alpha) {
 } // namespace blending
 } // namespace
 
-TEST_CASE("A pane lets through what its alpha leaves: all pixels of two halves") {
+TEST_CASE("A pane lets light through by its alpha: all pixels of two halves") {
     using namespace blending;
     const std::vector<Pane> pane{{0, 0, 16, 12, 4, 1, white}, {3, 1, 11, 9, 2, 0.5, black}};
     require_same(drawn(scene_of("glass-halves.toml"), ""), pane, false);
@@ -106,7 +106,7 @@ TEST_CASE("Order matters: all pixels of two pairs of panes, with and without the
     require_same(drawn(scene, "blend=swapped"), pane_pairs(0.75), true);
 }
 
-TEST_CASE("Mistake B63 is not seen at one half") {
+TEST_CASE("Mistake B63 is not visible at one half") {
     const glm::vec3 glass(0.2f, 0.4f, 0.6f), wall(1.0f, 0.5f, 0.0f);
     CHECK(blend_swapped(glass, 0.5f, wall) == blend_over(glass, 0.5f, wall));
     CHECK(blend_swapped(glass, 0.25f, wall) == blend_over(glass, 0.75f, wall));
@@ -128,7 +128,7 @@ TEST_CASE("Half-transparent pictures are the same forward, backward and by leaps
     CHECK(replay.at(middle) == right);
 }
 
-TEST_CASE("The room has no use for blend, and a scene with a pane has") {
+TEST_CASE("The room does not use blend, and a scene with a pane does") {
     using namespace blending;
     const Setting& blend = *find_setting("blend");
     CHECK_FALSE(is_of_use(blend, scene_of("lab-room.toml")));

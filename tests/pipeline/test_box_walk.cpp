@@ -57,14 +57,13 @@ TestedPolygon polygon_of(const Points& points, const Stages& stages) {
     return polygon;
 }
 
-/// Must the pixel be tested? Where a triangle has an area, inside of it and on its outline.
+/// Must the pixel be tested? Yes, inside a triangle with an area and on its outline.
 bool must_be_tested(const Points& triangle, int column, int row) {
     return side(triangle[0], triangle[1], triangle[2]) != 0 &&
            is_covered(triangle, {pixel_centre(column), pixel_centre(row)}, FillRule::inclusive);
 }
 
-/// A triangle in so many pixels: often with corners on centres, often as thin as a hair or without
-/// area.
+/// A triangle in this many pixels, often with corners on centres, thin as a hair or without area.
 Points any_triangle(Random& random, int pixels) {
     const int end = static_cast<int>(grid_parts) * pixels - 1;
     const auto any = [&]() -> std::int64_t {
@@ -164,7 +163,7 @@ std::array<std::int64_t, 2> check_scene(const Scene& scene, Settings settings) {
 
 } // namespace
 
-TEST_CASE("Between the places where edges cross a row lie exactly the pixels of the triangle") {
+TEST_CASE("The pixels between the crossings of edges with a row are exactly the triangle's") {
     Random random(2321);
     constexpr int pixels = 11;
     std::int64_t tested = 0, boxes = 0;
@@ -181,7 +180,7 @@ TEST_CASE("Between the places where edges cross a row lie exactly the pixels of 
                 if (is_tested == must_be_tested(triangle, column, row.row)) continue;
                 CAPTURE(triangle[0].x, triangle[0].y, triangle[1].x, triangle[1].y, triangle[2].x,
                         triangle[2].y, column, row.row, std::string(word_of(rule)));
-                FAIL((is_tested ? "tested, and lies outside" : "not tested, and lies inside"));
+                FAIL((is_tested ? "tested, and is outside" : "not tested, and is inside"));
             }
             boxes += row.right - row.left;
         }
@@ -205,7 +204,7 @@ TEST_CASE("The interval of a row of a huge triangle ends where the triangle does
                            (triangle[0].y + triangle[1].y) / 2};
         const Stages stages = choose_stages(interval_settings(FillRule::top_left));
         const TestedPolygon polygon = polygon_of(triangle, stages);
-        // The corners themselves are floats: what is asked for is what they are rounded to.
+        // The corners themselves are floats; they are compared as rounded.
         for (std::size_t v = 0; v < 3; ++v)
             triangle[v] = polygon.triangles.front().edges[v].from;
         const int count = tested_row_count(polygon);
@@ -226,7 +225,7 @@ TEST_CASE("The interval of a row of a huge triangle ends where the triangle does
     CHECK(rows > 1'000);
 }
 
-TEST_CASE("With the interval every picture has the same bits, by every fill rule and sampling") {
+TEST_CASE("With the interval every picture has the same bits, for every fill rule and sampling") {
     Random random(2323);
     std::array<std::int64_t, 2> tested{};
     const Scene cut = cut_scene(), small = small_scene();
@@ -258,7 +257,7 @@ TEST_CASE("With the interval every picture has the same bits, by every fill rule
     CHECK(tested[1] < tested[0] * 2 / 3);
 }
 
-TEST_CASE("What the interval leaves out of a triangle that is counted by hand") {
+TEST_CASE("The tests that the interval saves on a triangle, counted by hand") {
     const Scene scene = pixel_scene({{{{2, 1, 1}, {14, 1, 1}, {5, 10, 1}}}}, {16, 12});
     Settings settings = default_settings(scene);
     settings.stage = Stage::fill;

@@ -1,5 +1,5 @@
-// Pictures of clipped scenes against a ray caster: with the view volume clipped, no camera makes a
-// hole, however many triangles it cuts, and nothing is drawn that a ray does not find.
+// Pictures of clipped scenes compared with a ray caster: with the view volume clipped, no camera
+// makes a hole, however many triangles it cuts, and nothing is drawn that a ray does not find.
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ struct Walk {
     std::uint32_t seed;
 };
 
-/// A camera anywhere on the walk that looks anywhere, through any lens.
+/// A camera anywhere on the walk, in any direction, through any lens.
 Settings somewhere_on(const Walk& walk, Random& random) {
     Settings settings = default_settings(walk.scene);
     set_step(settings, {Stage::depth, Shading::unlit});
@@ -55,8 +55,8 @@ struct PixelCount {
     std::string first_wrong;
 };
 
-/// Holds a picture against what rays meet.
-/// @param border so many pixels at each side are left out
+/// Compares a picture with what rays meet.
+/// @param border pixels left out on each side
 PixelCount compare_pixels(const Framebuffer& drawn, const std::vector<int>& met, int border) {
     PixelCount count;
     for (int row = border; row < drawn.size.height - border; ++row) {
@@ -81,7 +81,7 @@ PixelCount compare_with_rays(const Frame& frame, double margin, int border) {
     return compare_pixels(draw_frame(frame), met, border);
 }
 
-/// From where the picture is not what rays find, and where first.
+/// The camera whose picture differs from the rays, and the first wrong pixel.
 std::string fault_words(const Settings& settings, const PixelCount& count) {
     const Camera& camera = settings.camera;
     char text[200];
@@ -95,7 +95,7 @@ std::string fault_words(const Settings& settings, const PixelCount& count) {
 }
 
 /// The walk with the lab's rows, and every way to clip that leaves no hole. Corners are whole
-/// pixels there, and so are the samples of edges: outlines may lie two pixels beside the true ones.
+/// pixels there, and so are the samples of edges, so outlines can be two pixels off the true ones.
 void check_walk_by_rows(const Walk& walk) {
     constexpr double margin = 3.0;
     Random random(walk.seed);
@@ -132,8 +132,8 @@ void check_walk_by_rows(const Walk& walk) {
     CHECK(told <= 1 + cameras / 20);
 }
 
-/// Where coverage asks the centres of pixels, and corners are snapped to 256ths of one, an outline
-/// is drawn where it is: whatever is farther from all outlines than this shows what its ray meets.
+/// If coverage tests the centres of pixels and corners are snapped to 256ths of one, outlines are
+/// drawn in place: pixels farther from all outlines than this show what their rays meet.
 constexpr double centre_margin = 1.0 / 16.0;
 
 void ask_centres(Settings& settings) {
@@ -141,7 +141,7 @@ void ask_centres(Settings& settings) {
     settings.snap = Snap::subpixel;
 }
 
-/// The walk with every pixel compared, but those that an outline runs through.
+/// The walk with every pixel compared, except those that an outline runs through.
 void check_walk_by_centres(const Walk& walk) {
     Random random(walk.seed + 100);
     std::int64_t compared = 0, pixels = 0;
@@ -177,8 +177,8 @@ Walk walk_in_corridor() {
     return {scene_of_lessons("corridor"), {-0.8f, -0.8f, -1.8f}, {0.8f, 0.8f, 7.0f}, 78};
 }
 
-/// Is a triangle drawn that the view volume does not reach: all of it nearer than the near plane,
-/// or farther than the far one? Only where nothing is cut.
+/// Is a triangle drawn that is completely nearer than the near plane or farther than the far one?
+/// Only possible if nothing is cut.
 bool draws_beyond_ends(const Frame& frame) {
     for (int t = 0; t < frame.triangle_count(); ++t) {
         if (!frame.is_drawn(t)) continue;
@@ -192,7 +192,7 @@ bool draws_beyond_ends(const Frame& frame) {
     return false;
 }
 
-/// A camera somewhere about the scene's own, which looks somewhere.
+/// A camera near the scene's own, in any direction.
 Camera camera_about(const Camera& own, Random& random) {
     Camera camera = own;
     for (int axis = 0; axis < 3; ++axis)
@@ -210,20 +210,20 @@ TEST_CASE("From any camera in the room the clipped picture is what rays find") {
     check_walk_by_rows(walk_in_room());
 }
 
-TEST_CASE("From any camera in the corridor, which runs on behind it, the picture has no hole") {
+TEST_CASE("From any camera in the corridor, which continues behind it, the picture has no hole") {
     check_walk_by_rows(walk_in_corridor());
 }
 
-TEST_CASE("In the room all pixels beside the outlines are what their ray meets, without a hole") {
+TEST_CASE("In the room all pixels away from outlines show what their ray meets, without a hole") {
     check_walk_by_centres(walk_in_room());
 }
 
 TEST_CASE(
-    "In the corridor all pixels beside the outlines are what their ray meets, without a hole") {
+    "In the corridor all pixels away from outlines show what their ray meets, without a hole") {
     check_walk_by_centres(walk_in_corridor());
 }
 
-TEST_CASE("Rays see the holes that are left where nothing is clipped, or clipped wrongly") {
+TEST_CASE("Rays see the holes left by clipping nothing or clipping wrongly") {
     const Walk walk = walk_in_corridor();
     for (const Clip clip : {Clip::none, Clip::leave_out, Clip::whole_only, Clip::wrong_t,
                             Clip::after_division, Clip::clamped}) {
@@ -242,7 +242,7 @@ TEST_CASE("Rays see the holes that are left where nothing is clipped, or clipped
     }
 }
 
-TEST_CASE("Cheap clipping gives the same picture, and walks nothing beside it") {
+TEST_CASE("Cheap clipping gives the same picture, and walks nothing outside it") {
     const Scene scenes[] = {lab_room(), scene_of_lessons("corridor"), scene_of_lessons("outcodes"),
                             scene_of_lessons("turned-block")};
     constexpr Clip ways[] = {Clip::leave_out, Clip::leave_out, Clip::near, Clip::all,
@@ -260,7 +260,7 @@ TEST_CASE("Cheap clipping gives the same picture, and walks nothing beside it") 
         settings.clip = ways[i % std::ssize(ways)];
         CAPTURE(i, scene.name, word_of(settings.clip));
         const Frame all = prepare_frame(scene, settings);
-        // Their ends reject where the lab has none.
+        // Cheap rejection has near and far planes, which the lab does not have.
         if (draws_beyond_ends(all)) continue;
         settings.reject = Reject::cheap;
         const Frame cheap = prepare_frame(scene, settings);
@@ -278,7 +278,7 @@ TEST_CASE("Cheap clipping gives the same picture, and walks nothing beside it") 
     CHECK(spared > 1000 * cameras);
 }
 
-TEST_CASE("What lies outside by its outcodes is not missed") {
+TEST_CASE("Triangles outside by their outcodes are not missed") {
     const Scene room = lab_room();
     Random random(77);
     std::int64_t spared = 0;
@@ -304,7 +304,7 @@ TEST_CASE("What lies outside by its outcodes is not missed") {
     CHECK(spared > 0);
 }
 
-TEST_CASE("Fragments outside are those of the rows that the picture does not hold") {
+TEST_CASE("Fragments outside are those of rows outside the picture") {
     const Scene room = lab_room();
     for (const float z : {-1.5f, -1.2f, -1.05f}) {
         Settings settings = default_settings(room);

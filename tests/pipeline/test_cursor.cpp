@@ -33,7 +33,7 @@ TEST_CASE("Moments have the text form of the command line") {
     CHECK(to_text(cursor_end) == "end");
 }
 
-TEST_CASE("What is left away in the text of a moment is 0") {
+TEST_CASE("Parts omitted from the text of a moment are 0") {
     CHECK(parse_cursor("t12") == Cursor{12, Phase::vertices, 0, 0});
     CHECK(parse_cursor("t12/v2") == Cursor{12, Phase::vertices, 2, 0});
     CHECK(parse_cursor("t12/e2") == Cursor{12, Phase::edges, 2, 0});
@@ -58,14 +58,14 @@ TEST_CASE("Every moment is read back from its text") {
     }
 }
 
-TEST_CASE("Where room is short a place cannot be mistaken for a decimal") {
+TEST_CASE("In tight spaces a place cannot be mistaken for a decimal") {
     CHECK(short_place({12, Phase::vertices, 1, 0}) == "v1");
     CHECK(short_place({12, Phase::edges, 2, 14}) == "e2 [14]");
     CHECK(short_place({12, Phase::rows, 37, 5}) == "r37 [5]");
     CHECK(short_place({12, Phase::cull, 0, 0}) == "k");
 }
 
-TEST_CASE("Text that is no moment is refused") {
+TEST_CASE("Text that is not a moment is refused") {
     for (const char* text : {"",
                              " ",
                              "t",
@@ -152,7 +152,7 @@ TEST_CASE("A text cut short or garbled is refused or read as some moment, never 
     }
 }
 
-TEST_CASE("Moments are ordered as a triangle is drawn") {
+TEST_CASE("Moments are ordered as triangles are drawn") {
     const Cursor order[] = {cursor_begin,
                             {0, Phase::vertices, 2, 0},
                             {0, Phase::clip, 0, 0},

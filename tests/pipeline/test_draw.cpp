@@ -24,7 +24,7 @@ TEST_CASE("A frame drawn in random slices is the same bits as the frame drawn at
             const int count = random.integer(1, round < 20 ? 4 : 60);
             for (int c = 0; c < count; ++c) {
                 const int pick = random.integer(0, static_cast<int>(moments.size()) - 1);
-                // Every second round is cut at cursors that need not be moments.
+                // Every other round is cut at cursors that need not be moments.
                 cuts.push_back(round % 2 == 0 ? moments[static_cast<std::size_t>(pick)]
                                               : any_cursor(random, frame.triangle_count()));
             }
@@ -46,7 +46,7 @@ TEST_CASE("A frame drawn in random slices is the same bits as the frame drawn at
     });
 }
 
-TEST_CASE("Each single moment drawn by itself adds up to the frame") {
+TEST_CASE("Moments drawn one by one add up to the frame") {
     const Scene scene = small_scene();
     for_each_frame(scene, [&](const Frame& frame) {
         std::vector<Cursor> moments = all_moments(frame);
@@ -81,7 +81,7 @@ TEST_CASE("An empty or reversed window draws nothing") {
     });
 }
 
-TEST_CASE("A scissor of one pixel tells of that pixel what the whole frame does") {
+TEST_CASE("A scissor of one pixel reports the same about it as the full frame") {
     const Scene scene = small_scene();
     for_each_frame(scene, [&](const Frame& frame) {
         Recorder everything;

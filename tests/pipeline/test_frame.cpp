@@ -9,7 +9,7 @@
 using namespace rasterwalk;
 using namespace rasterwalk::test;
 
-TEST_CASE("A frame holds what the vertex shader returns for each vertex, three for each triangle") {
+TEST_CASE("A frame has the vertex shader's result for each vertex, three for each triangle") {
     const Scene room = lab_room();
     Settings settings = default_settings(room);
     set_step(settings, StripStep::vertex_light);
@@ -29,7 +29,7 @@ TEST_CASE("A frame holds what the vertex shader returns for each vertex, three f
     }
 }
 
-TEST_CASE("A frame in place of another has nothing of the other") {
+TEST_CASE("A frame prepared in place of another keeps nothing of it") {
     const Scene room = lab_room(), small = small_scene();
     const Settings of_room = default_settings(room);
     const auto is_same = [](const Frame& a, const Frame& b) {
@@ -56,7 +56,7 @@ TEST_CASE("A frame in place of another has nothing of the other") {
     CHECK_FALSE(frame.replace);
 }
 
-TEST_CASE("A triangle with one faulty vertex is left out whole, for its first fault") {
+TEST_CASE("All of a triangle with one faulty vertex is left out, for its first fault") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const Scene scene = pixel_scene({{{{1, 1, 1}, {5, 1, 1}, {3, 6, 1}}},
                                      {{{1, 1, -1}, {5, 1, 1}, {3, 6, 1}}},
@@ -96,7 +96,7 @@ TEST_CASE("The default settings are the handout's, with the scene's own view and
     CHECK(settings.interpolation == Interpolation::perspective);
 }
 
-TEST_CASE("There is no depth test before stage depth, and light only in its two stages") {
+TEST_CASE("There is no depth test before the depth stage, and light only in its two stages") {
     Settings settings;
     for (const StageInfo& info : stage_list()) {
         set_step(settings, info.step);

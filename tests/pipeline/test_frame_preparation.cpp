@@ -31,7 +31,7 @@ void require_same_frame(const Frame& frame, const Frame& expected) {
 
 } // namespace
 
-TEST_CASE("A frame and its work come to the same, in whatever parts they are prepared") {
+TEST_CASE("A frame and its work are the same in whatever parts they are prepared") {
     Random random(131);
     const Scene room = lab_room(), made = made_scene(700), other = made_scene(10);
     int parts = 0;

@@ -52,7 +52,7 @@ TEST_CASE("A cleared framebuffer is black, infinitely far, owned by none and nev
     CHECK(framebuffer.bytes() == 20 * 24);
 }
 
-TEST_CASE("Pixels stand row by row from the top left, and the picture ends before its size") {
+TEST_CASE("Pixels are stored row by row from the top left, up to the picture's size") {
     const Framebuffer framebuffer = of_size(7, 5);
     CHECK(framebuffer.at(0, 0) == 0);
     CHECK(framebuffer.at(6, 0) == 6);
@@ -78,7 +78,7 @@ double light_of_srgb(double e) {
 
 } // namespace
 
-TEST_CASE("Encoded by sRGB each channel is the byte of the curve in double precision") {
+TEST_CASE("With sRGB encoding each channel is the byte of the curve in double precision") {
     ScreenRules screen;
     screen.encode = encode_srgb;
     constexpr int steps = 200000;
@@ -142,7 +142,7 @@ TEST_CASE("Depth is shown from the farthest, dark, to the nearest, bright; nothi
     CHECK(pixel_of(image, 3) == viridis_rgba(0.5f));
 }
 
-TEST_CASE("Depths that are no numbers are shown without harm") {
+TEST_CASE("Depths that are not numbers are shown safely") {
     Framebuffer framebuffer = of_size(5, 1);
     framebuffer.depth = {not_a_number, infinity, 0.5f, -1.0f, -infinity};
     const Image image = view_image(framebuffer, View::depth);
@@ -154,7 +154,7 @@ TEST_CASE("Depths that are no numbers are shown without harm") {
     CHECK(view_image(framebuffer, View::depth).rgba.size() == 20);
 }
 
-TEST_CASE("The setting encoding changes the bytes of a picture and nothing else") {
+TEST_CASE("The encoding setting changes the bytes of a picture and nothing else") {
     const Scene room = test::lab_room();
     Settings settings = default_settings(room);
     settings.viewport = {80, 60};
@@ -182,7 +182,7 @@ TEST_CASE("The setting encoding changes the bytes of a picture and nothing else"
     CHECK(view_image(encoded, View::depth).rgba == view_image(linear, View::depth).rgba);
 }
 
-TEST_CASE("Triangles are shown in colours that differ from those of the next ones") {
+TEST_CASE("Consecutive triangles are shown in different colours") {
     Framebuffer framebuffer = of_size(31, 1);
     for (int i = 0; i < 30; ++i)
         framebuffer.owner[static_cast<std::size_t>(i)] = i;
@@ -200,7 +200,7 @@ TEST_CASE("Triangles are shown in colours that differ from those of the next one
     CHECK(pixel_of(image, 30) == Rgba{0, 0, 0, 255});
 }
 
-TEST_CASE("Overdraw is shown from none, black, to the most there is, bright") {
+TEST_CASE("Overdraw is shown from none, black, to the most, bright") {
     Framebuffer framebuffer = of_size(3, 1);
     framebuffer.overdraw = {0, 2, 8};
     const Image image = view_image(framebuffer, View::overdraw);

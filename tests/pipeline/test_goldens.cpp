@@ -62,8 +62,8 @@ struct Picture {
     Frame frame;
 };
 
-/// A picture for every stage under the handout's rules, under the exact ones and in a light that is
-/// seen; for every other rule; and for every other camera.
+/// A picture for every stage under the handout's rules, the exact rules and visible light; for
+/// every other rule; and for every other camera.
 std::vector<Picture> golden_pictures(const Scene& room) {
     const std::vector<Variant> presets{
         {"handout", [](Settings&) {}},
@@ -116,7 +116,7 @@ TEST_CASE("The room has the handout's numbers at every stage that fills") {
     }
 }
 
-TEST_CASE("The handout's picture leaves row 0 black, and nearly all of column 0") {
+TEST_CASE("In the handout's picture row 0 is black, and so is nearly all of column 0") {
     const Scene room = lab_room();
     const Framebuffer picture = draw_frame(frame_of(room, Stage::fill, rule_variants().front()));
     int row_0 = 0, column_0 = 0, elsewhere = 0;
@@ -131,7 +131,7 @@ TEST_CASE("The handout's picture leaves row 0 black, and nearly all of column 0"
     CHECK(elsewhere == 0);
 }
 
-TEST_CASE("The room's pictures are their goldens, bit by bit") {
+TEST_CASE("The room's pictures match their goldens, bit for bit") {
     const std::string path = project_root() + "/tests/golden/room.txt";
     const Scene room = lab_room();
     const std::vector<Picture> pictures = golden_pictures(room);

@@ -1,5 +1,5 @@
 // The room from everywhere: inside walls, on vertices, in planes, through lenses of every length.
-// Nothing may crash, hang or be left out for any reason but its place.
+// Nothing may crash or hang, and a triangle may be left out only because of its place.
 
 #include <cmath>
 #include <string>
@@ -53,7 +53,7 @@ Camera hostile_camera(const Scene& room, Random& random) {
     switch (random.integer(0, 3)) {
     case 0:
         break;
-    case 1: // exactly along an axis, as far as floats have it
+    case 1: // exactly along an axis, up to float precision
         camera.yaw = quarter_turn * static_cast<float>(random.integer(-4, 4));
         camera.pitch = quarter_turn * static_cast<float>(random.integer(-1, 1));
         break;
@@ -72,7 +72,7 @@ Settings hostile_settings(const Scene& room, int stage, Random& random) {
     set_step(settings, stage_list()[static_cast<std::size_t>(stage)].step);
     settings.camera = hostile_camera(room, random);
     settings.viewport = {random.integer(1, 24), random.integer(1, 18)};
-    // A few rules and mistakes at once, now and then all of them.
+    // A few rules and mistakes at once, sometimes all of them.
     const int most = random.integer(0, 9) == 0 ? 1 : 3;
     for (const Setting& setting : setting_table()) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
@@ -97,10 +97,10 @@ std::string describe(const Settings& s) {
     return text;
 }
 
-/// Nothing may grow with how near a vertex is to the camera beyond the limit on its pixel.
+/// However near a vertex is to the camera, no number may grow beyond the limit on its pixel.
 void check_bounds(const Frame& frame) {
     constexpr int limit = 16384 + 4096 + 2;
-    // The ways that divide without asking.
+    // The ways that divide without a check.
     const bool may_be_behind =
         frame.settings.clip == Clip::none || frame.settings.clip == Clip::after_division;
     for (int t = 0; t < frame.triangle_count(); ++t) {
@@ -157,7 +157,7 @@ TEST_CASE("From thousands of hostile cameras every stage is drawn, watched and r
         difference = first_difference(whole, replay.at(cursor_end));
         if (!difference.empty()) FAIL("replayed: " << difference);
     }
-    // Both kinds are met often, or the sweep has missed the room.
+    // Both kinds must occur often, or the sweep has missed the room.
     CHECK(with_fragments > cameras / 7);
     CHECK(without > cameras / 7);
 }
@@ -183,7 +183,7 @@ TEST_CASE("Triangles are left out for the reasons that double precision finds, a
                 const double x = moved.x * cy - moved.z * sy;
                 const double y = moved.y * cp + depth * sp;
                 const double z = -moved.y * sp + depth * cp;
-                // Floats lose so much of the place; within it either answer is right.
+                // Floats lose this much of the place; within it either answer is right.
                 const double doubt = 1e-5 * (1.0 + std::abs(moved.x) + std::abs(moved.y) +
                                              std::abs(moved.z) + 3.0 * std::abs(camera.yaw));
                 const double reach = camera.focal_length * std::max(std::abs(x), std::abs(y));
@@ -203,7 +203,7 @@ TEST_CASE("Triangles are left out for the reasons that double precision finds, a
             const Rejection fault = frame.rejection(t);
             if (fault == expected) continue;
             CAPTURE(describe(settings), t, static_cast<int>(fault), static_cast<int>(expected));
-            FAIL("left out for another reason, or not at all");
+            FAIL("left out for a different reason, or not at all");
         }
     }
     CHECK(decided > 15 * cameras);

@@ -54,7 +54,7 @@ Cursor step_of_moment(const std::vector<Cursor>& steps, const Cursor& moment) {
     return *(std::upper_bound(steps.begin(), steps.end(), moment) - 1);
 }
 
-/// As many triangles of a few pixels, every third of them behind the eye.
+/// This many triangles of a few pixels, every third of them behind the eye.
 Scene many_triangles(int count) {
     Random random(31);
     std::vector<std::array<glm::vec3, 3>> triangles;
@@ -69,7 +69,7 @@ Scene many_triangles(int count) {
 
 int tables_begun = 0;
 
-/// Begins a row table as always, and counts how often.
+/// Begins a row table as usual, and counts how often.
 void count_tables(PolygonCorners vertices, const EdgeRules& rules, PolygonRows& rows) {
     ++tables_begun;
     begin_polygon_rows(vertices, rules, rows);
@@ -77,7 +77,7 @@ void count_tables(PolygonCorners vertices, const EdgeRules& rules, PolygonRows& 
 
 } // namespace
 
-TEST_CASE("A leap of many steps leads where as many single steps do") {
+TEST_CASE("A leap of many steps leads to the same place as that many single steps") {
     const Scene scene = small_scene();
     Random random(32);
     for (const StageInfo& info : stage_list()) {
@@ -98,7 +98,7 @@ TEST_CASE("A leap of many steps leads where as many single steps do") {
     }
 }
 
-TEST_CASE("A leap from the middle of a step, or from no moment at all, counts as steps do") {
+TEST_CASE("A leap from the middle of a step, or from no moment, counts like single steps") {
     const Scene scene = small_scene();
     Random random(33);
     const auto check = [&](const Frame& frame) {
@@ -118,7 +118,7 @@ TEST_CASE("A leap from the middle of a step, or from no moment at all, counts as
     for_each_cut_frame(cut_scene(), 2, check);
 }
 
-TEST_CASE("Time gives every drawn triangle as long, and every moment of a triangle") {
+TEST_CASE("Time is divided equally among drawn triangles, and among a triangle's moments") {
     const Scene scene = small_scene();
     Random random(34);
     for (const StageInfo& info : stage_list()) {
@@ -137,7 +137,7 @@ TEST_CASE("Time gives every drawn triangle as long, and every moment of a triang
     }
 }
 
-TEST_CASE("Time that runs on in many small parts comes as far as in one") {
+TEST_CASE("Time that advances in many small parts gets as far as in one") {
     const Scene scene = small_scene();
     const Frame frame = frame_of(scene, Stage::depth, rule_variants().front());
     const Timeline timeline(frame);
@@ -201,7 +201,7 @@ TEST_CASE("The steps of a frame of few triangles are counted, those of many esti
     CHECK(length.of(Granularity::triangle) == 2000.0);
 }
 
-TEST_CASE("In a frame of nothing there is nothing to count, and time is at its end") {
+TEST_CASE("In an empty frame there is nothing to count, and time is at its end") {
     const Scene scene = pixel_scene({}, {8, 8});
     const Frame frame = frame_of(scene, Stage::fill, rule_variants().front());
     const Timeline timeline(frame);
@@ -211,7 +211,7 @@ TEST_CASE("In a frame of nothing there is nothing to count, and time is at its e
     CHECK(run_on(timeline, {cursor_begin, 0.5}, 0.0, Granularity::line).cursor == cursor_end);
 }
 
-TEST_CASE("However far time runs, no more row tables are made than of the triangles at its ends") {
+TEST_CASE("However far time runs, row tables are made only for the triangles at both ends") {
     const Scene scene = many_triangles(200'000);
     Frame frame = frame_of(scene, Stage::fill, rule_variants().front());
     frame.stages.begin_polygon_rows = count_tables;

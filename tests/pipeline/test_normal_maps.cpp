@@ -24,8 +24,8 @@ Scene relief(const std::string& name) {
     return read_scene(lessons_folder() + "/scenes/" + name + ".toml");
 }
 
-/// A sheet whose corners have normals of their own, seen askew, with a map that is mirrored along v
-/// on its second triangle, and no texture.
+/// A sheet whose corners have different normals, seen at an angle, with a map that is mirrored
+/// along v on its second triangle, and no texture.
 Scene bent_sheet() {
     Scene scene = textured_scene(many_colours(9, 7), {48, 40});
     scene.space = SceneSpace::world;
@@ -64,8 +64,8 @@ struct BumpCounts {
     int compared = 0, ties = 0;
 };
 
-/// Every pixel that is drawn, against the oracle. Where the light is worked out in tangent space
-/// the oracle takes it there by the inverse of a matrix.
+/// Compares every drawn pixel with the oracle. If light is computed in tangent space, the oracle
+/// takes it there by an inverse matrix.
 BumpCounts check_picture(const Scene& scene, const Settings& settings, const std::string& name) {
     const Frame frame = prepare_frame(scene, settings);
     const NormalMapRule rule = settings.normal_map_rule;
@@ -136,7 +136,7 @@ BumpCounts check_picture(const Scene& scene, const Settings& settings, const std
 
 } // namespace
 
-TEST_CASE("Every pixel with a bent normal has the light that a second way in double gives it") {
+TEST_CASE("Every pixel with a bent normal has the light computed a second way in double") {
     const Scene sheet = bent_sheet();
     for (const std::string_view rule : enum_words<NormalMapRule>) {
         for (const std::string_view filter : enum_words<TextureFilter>) {
@@ -149,7 +149,7 @@ TEST_CASE("Every pixel with a bent normal has the light that a second way in dou
             CHECK(counts.ties * 20 < counts.compared);
         }
     }
-    // The scenes of the lessons: each with what it is to show.
+    // The scenes of the lessons, each with the settings it is meant to show.
     const std::pair<const char*, const char*> shown[] = {{"studs", "right"},
                                                          {"studs", "green_turned"},
                                                          {"studs", "mirror_missed"},
@@ -176,7 +176,7 @@ struct ColourDifference {
     int pixels = 0;
 };
 
-/// Fails where anything but the colours differs.
+/// Fails if anything but the colours differs.
 ColourDifference colour_difference(const Framebuffer& a, const Framebuffer& b) {
     ColourDifference found;
     REQUIRE(a.colour.size() == b.colour.size());
@@ -196,7 +196,7 @@ ColourDifference colour_difference(const Framebuffer& a, const Framebuffer& b) {
 
 } // namespace
 
-TEST_CASE("Light in tangent space: every pixel as an inverse matrix in double has it") {
+TEST_CASE("Light in tangent space: every pixel agrees with an inverse matrix in double") {
     Scene sheet = bent_sheet(), shining = bent_sheet();
     shining.mesh = {};
     for (int t = 0; t < sheet.triangle_count(); ++t) {
@@ -219,7 +219,7 @@ TEST_CASE("Light in tangent space: every pixel as an inverse matrix in double ha
     }
 }
 
-TEST_CASE("The light in tangent space is the light in the world, by every rule of the light") {
+TEST_CASE("Light in tangent space equals light in the world, under every rule of light") {
     const char* const rules[] = {
         "normal_map_rule=right", "normal_map_rule=green_turned", "normal_map_rule=mirror_missed",
         "normal_map_rule=undecoded", "light.model=blinn_phong", "light.sides=two",
@@ -253,7 +253,7 @@ TEST_CASE("The light in tangent space is the light in the world, by every rule o
     CHECK(differing > 1'000);
 }
 
-TEST_CASE("A normal map that is not asked costs nothing and changes nothing") {
+TEST_CASE("An unused normal map costs nothing and changes nothing") {
     Scene bumpy = bent_sheet(), plain = bumpy;
     plain.parts.front().normal_map = -1;
     plain.textures.clear();
@@ -271,7 +271,7 @@ TEST_CASE("A normal map that is not asked costs nothing and changes nothing") {
         CHECK_FALSE(with.bends);
         CHECK(with.stages == without.stages);
     }
-    // The room's own table and varyings are what they were.
+    // The room's own table and varyings are unchanged.
     const Scene room = lab_room();
     Settings settings = default_settings(room);
     set_from_text(settings, "stage=pixel_light");

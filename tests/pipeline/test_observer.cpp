@@ -34,8 +34,8 @@ TEST_CASE("An observer gets every moment in order, and changes no bit") {
             CHECK(std::is_sorted(recorder.fragments.begin(), recorder.fragments.end(), is_earlier));
         }
         CHECK(std::is_sorted(recorder.samples.begin(), recorder.samples.end(), is_earlier));
-        // Vertices, clip steps, culling, samples, tests and fragments together are the moments;
-        // from stage `edges` on.
+        // Vertices, clip steps, culling, samples, tests and fragments together are the moments, if
+        // the stage is `edges` or later.
         const std::vector<Cursor> told = told_moments(recorder, stage);
         std::vector<Cursor> expected = all_moments(frame);
         if (stage == Stage::rows) {
@@ -50,7 +50,7 @@ TEST_CASE("An observer gets every moment in order, and changes no bit") {
     for_each_cut_frame(cut_scene(), 5, check);
 }
 
-TEST_CASE("A window tells of its own clip steps and culls only") {
+TEST_CASE("A window reports only its own clip steps and culls") {
     const Scene scene = cut_scene();
     Random random(35);
     for_each_cut_frame(scene, 2, [&](const Frame& frame) {
@@ -107,7 +107,7 @@ TEST_CASE("The vertices of a cut triangle are its own three, and its edges join 
         cut += frame.is_cut(t) && frame.is_drawn(t) ? 1 : 0;
     CHECK(behind > 3);
     CHECK(cut > 2);
-    // A scissor shows the same marks as the whole picture does there.
+    // A scissor shows the same marks as the whole picture has there.
     for (int column = 0; column < 24; column += 3) {
         Framebuffer part;
         clear(part, frame);
@@ -148,7 +148,7 @@ TEST_CASE("The planes follow from the fragments that an observer gets") {
     });
 }
 
-TEST_CASE("A window reports its own samples only, with what each does to the table") {
+TEST_CASE("A window reports only its own samples, with the effect of each on the table") {
     const Scene scene = small_scene();
     Random random(31);
     for_each_frame(scene, [&](const Frame& frame) {
@@ -214,7 +214,7 @@ struct ReplayedRows {
         return write;
     }
 
-    /// The first row, from the top, that is not as in the table; -1 if none.
+    /// The first row, from the top, that differs from the table; -1 if none.
     int first_difference(const PolygonRows& table) const {
         for (int r = 0; r < table.size(); ++r) {
             const auto found = rows.find(r);
@@ -231,7 +231,7 @@ struct ReplayedRows {
 
 } // namespace
 
-TEST_CASE("10,000 random row tables replayed sample by sample are the ones made in one go") {
+TEST_CASE("10,000 random row tables replayed sample by sample equal those made at once") {
     Random random(32);
     constexpr Viewport viewport{48, 36};
     std::vector<std::array<glm::vec3, 3>> triangles;
@@ -245,7 +245,7 @@ TEST_CASE("10,000 random row tables replayed sample by sample are the ones made 
         Recorder recorder(true);
         Framebuffer framebuffer;
         clear(framebuffer, frame);
-        // Up to the last rows of the last of them: the next one would be counted too.
+        // Only up to the last rows of the last triangle, because the next one would be counted too.
         const DrawWindow window{cursor_begin, {count - 1, Phase::rows, 2 * viewport.height, 0}, {}};
         const DrawTally tally = draw(frame, window, framebuffer, &recorder);
         CAPTURE(variant.name);

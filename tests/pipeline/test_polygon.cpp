@@ -20,8 +20,7 @@ namespace {
 
 constexpr int corner_count = 5;
 
-/// A polygon of five corner_count in the place of the scene's only triangle, as clipping would
-/// leave it.
+/// A polygon of five corners in the place of the scene's only triangle, as clipping would leave it.
 Frame pentagon(const Scene& scene, const StripStep& step) {
     Settings settings = default_settings(scene);
     set_step(settings, step);
@@ -45,7 +44,7 @@ Scene one_triangle() {
 
 } // namespace
 
-TEST_CASE("A polygon of five corner_count has the rows that its five edges make") {
+TEST_CASE("A polygon of five corners has the rows that its five edges make") {
     const Scene scene = one_triangle();
     const Frame frame = pentagon(scene, {Stage::depth});
     int outside = 0;
@@ -70,8 +69,7 @@ TEST_CASE("A polygon of five corner_count has the rows that its five edges make"
     CHECK(std::count(picture.owner.begin(), picture.owner.end(), 0) == pixels);
 }
 
-TEST_CASE(
-    "The moments of a polygon of five corner_count are all there, in order, and each is drawn") {
+TEST_CASE("All moments of a polygon of five corners exist, in order, and each is drawn") {
     const Scene scene = one_triangle();
     for (const StageInfo& info : stage_list()) {
         const Frame frame = pentagon(scene, info.step);
@@ -93,7 +91,7 @@ TEST_CASE(
         CHECK(after_vertices ==
               (info.step.stage == Stage::points ? cursor_end : Cursor{0, Phase::edges, 0, 0}));
 
-        // Replay forwards and backwards shows what drawing up to there shows.
+        // Replay forward and backward shows the same as drawing up to there.
         Replay replay;
         replay.begin(frame);
         for (std::size_t i = 0; i < moments.size(); i += 7) {
@@ -106,7 +104,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Observer, report and wires tell of all five corner_count and edges") {
+TEST_CASE("Observer, report and wires have all five corners and edges") {
     const Scene scene = one_triangle();
     const Frame frame = pentagon(scene, {Stage::fill});
     Framebuffer picture;
@@ -144,7 +142,8 @@ TEST_CASE("A rejected triangle keeps its entry, even without any corner") {
         CHECK(frame.triangle_count() == 1);
         CHECK_FALSE(frame.is_drawn(0));
         const Timeline timeline(frame);
-        // The cursor can be at what clip or cull have taken away, with the vertices of the scene.
+        // The cursor can be at a triangle that clip or cull removed, with the vertices of the
+        // scene.
         CHECK(timeline.first() == (reason == Rejection::outside ? cursor_end : cursor_begin));
         CHECK_FALSE(timeline.exists({0, Phase::edges, 0, 0}));
         const Framebuffer picture = draw_frame(frame);
@@ -154,7 +153,7 @@ TEST_CASE("A rejected triangle keeps its entry, even without any corner") {
     }
 }
 
-TEST_CASE("Each rejection has a name of its own and all its words") {
+TEST_CASE("Each rejection has a unique name and all its words") {
     for (int i = 1; i < rejection_count; ++i) {
         const RejectionWords& of = words(static_cast<Rejection>(i));
         CHECK_FALSE(of.name.empty());

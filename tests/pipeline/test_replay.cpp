@@ -66,7 +66,7 @@ Scene crowded_scene(int triangles) {
 
 } // namespace
 
-TEST_CASE("Every moment reached forwards, backwards or at random is as if drawn from the start") {
+TEST_CASE("Every moment reached forward, backward or at random is as if drawn from the start") {
     Random random(41);
     with_all_moments([&](const Frame& frame, const std::vector<Cursor>& moments) {
         std::vector<Framebuffer> expected;
@@ -87,7 +87,7 @@ TEST_CASE("Every moment reached forwards, backwards or at random is as if drawn 
     });
 }
 
-TEST_CASE("Outside of the rectangle that a call is said to have changed no pixel is another") {
+TEST_CASE("No pixel changes outside the rectangle that a call reports as changed") {
     Random random(44);
     with_all_moments([&](const Frame& frame, const std::vector<Cursor>& moments) {
         Replay replay;
@@ -182,7 +182,7 @@ TEST_CASE("Keyframes never take more than their budget, and never change a pictu
     }
 }
 
-TEST_CASE("A replay begun on another frame has forgotten the first") {
+TEST_CASE("A replay begun on a different frame has forgotten the first") {
     const Scene crowd = crowded_scene(3000), small = small_scene();
     const Frame first = prepare_frame(crowd, default_settings(crowd));
     const Frame second = prepare_frame(small, default_settings(small));
@@ -212,7 +212,7 @@ TEST_CASE("A frame without triangles is black at every moment") {
         require_at(replay, cursor, black);
 }
 
-TEST_CASE("A frame drawn in parts comes to the same picture, and no part is much work") {
+TEST_CASE("A frame drawn in parts gives the same picture, and no part is much work") {
     const Scene scene = crowded_scene(1500);
     for (const StripStep& stage :
          {StripStep{Stage::edges}, StripStep{Stage::rows}, StripStep::pixel_light}) {
@@ -228,7 +228,7 @@ TEST_CASE("A frame drawn in parts comes to the same picture, and no part is much
             const double before = replay.work().before(replay.drawn());
             replay.toward(cursor_end, limit);
             const double part = replay.work().before(replay.drawn()) - before;
-            // A triangle more: at most 64 x 48 fragments and its edges.
+            // One more triangle is at most 64 x 48 fragments and its edges.
             REQUIRE(part <= limit.at_once + 64 * 48 + 500);
             REQUIRE(part > 0.0);
         }
@@ -267,7 +267,7 @@ TEST_CASE("A frame is drawn to its end however small the parts, even from the mi
     }
 }
 
-TEST_CASE("The tally has every fragment and every row table once, whichever way one goes") {
+TEST_CASE("The tally has every fragment and every row table once, in whichever direction") {
     const Scene scene = crowded_scene(300);
     for (const StripStep& stage :
          {StripStep{Stage::edges}, StripStep{Stage::rows}, StripStep::pixel_light}) {

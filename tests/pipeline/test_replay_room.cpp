@@ -60,7 +60,8 @@ TEST_CASE("The room after any walk through time is as if drawn from the start") 
     }
 }
 
-TEST_CASE("A frame of much work lays copies on the first way, and none of them changes a picture") {
+TEST_CASE(
+    "A frame with much work makes copies on the first pass, and none of them changes a picture") {
     const Scene scene = made_scene(8'000);
     const Frame frame = prepare_frame(scene, default_settings(scene));
     Replay replay;
@@ -71,7 +72,7 @@ TEST_CASE("A frame of much work lays copies on the first way, and none of them c
     walk_at_random(frame, replay, 4);
 }
 
-TEST_CASE("A frame of little work makes no copies as long as you do not go back") {
+TEST_CASE("A frame with little work makes no copies as long as you do not go back") {
     const Scene scene = lab_room();
     const Frame frame = prepare_frame(scene, default_settings(scene));
     Replay replay;
@@ -81,7 +82,7 @@ TEST_CASE("A frame of little work makes no copies as long as you do not go back"
     CHECK(replay.keyframe_count() == 0);
 }
 
-TEST_CASE("Cursors beyond every row, column and triangle are followed without harm") {
+TEST_CASE("Cursors beyond every row, column and triangle are followed safely") {
     const Scene scene = small_scene();
     const Frame frame = prepare_frame(scene, default_settings(scene));
     Replay replay;

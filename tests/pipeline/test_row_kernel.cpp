@@ -17,7 +17,7 @@ namespace {
 using test::Choice;
 using test::Random;
 
-/// Watches, and does nothing.
+/// An observer that does nothing.
 class Onlooker : public Observer {};
 
 Rectangle random_rectangle(Random& random, Viewport size) {
@@ -52,7 +52,7 @@ bool has_kernel(const Scene& scene, const ReplaceStages& replace) {
 
 } // namespace
 
-TEST_CASE("A row at a time is the same bits as each fragment by itself, under any settings") {
+TEST_CASE("Drawing a row at a time gives the same bits as single fragments, under any settings") {
     Random random(4711);
     int by_kernel = 0, by_fragment = 0;
     for (const char* const name : {"lab-room", "cylinder", "receding-wall", "checkered-room",
@@ -83,7 +83,7 @@ TEST_CASE("A row at a time is the same bits as each fragment by itself, under an
     CHECK(by_fragment > 0);
 }
 
-TEST_CASE("No row is drawn at once where another function stands in a slot of the row") {
+TEST_CASE("No row is drawn at once if a different function is in a slot of the row") {
     const Scene room = test::lesson_scene("lab-room");
     CHECK(has_kernel(room, nullptr));
     const std::vector<ReplaceStages> replacements{

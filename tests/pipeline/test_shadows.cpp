@@ -1,5 +1,5 @@
-// Shadows, compared with a second way in double precision: a ray from the eye for each pixel, and
-// from its end another to the lamp, by planes and sides instead of Cramer's rule.
+// Shadows, compared with a second method in double precision: a ray from the eye for each pixel,
+// and from its end another to the lamp, by planes and sides instead of Cramer's rule.
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ const Scene& room() {
     return scene;
 }
 
-/// The room in a small picture, its pixels asked at their centres.
+/// The room in a small picture, its pixels tested at their centres.
 Settings small_room(std::initializer_list<const char*> assignments) {
     Settings settings = default_settings(room());
     for (const char* usual : {"coverage=edge_functions", "snap=subpixel", "fill_rule=top_left",
@@ -66,7 +66,8 @@ std::optional<Crossing> crossing(const Scene& scene, int triangle, const glm::dv
     return result;
 }
 
-/// What is between two places, in double; and whether that depends on less than floats can show.
+/// What is between two places, in double; and whether that depends on differences too small for
+/// floats.
 struct Between {
     int triangle = -1;
     bool is_tie = false;
@@ -131,8 +132,7 @@ struct Compared {
     int pixels = 0, dark = 0, ties = 0;
 };
 
-/// Holds each pixel of a picture with shadows by rays against double; fails with the first that is
-/// wrong.
+/// Compares each pixel of a picture with ray shadows with double; fails at the first wrong one.
 Compared compare_rays(const Settings& settings) {
     const Framebuffer picture = draw_frame(prepare_frame(room(), settings));
     Compared result;
@@ -173,7 +173,7 @@ TEST_CASE("Shadows by rays are those of rays in double precision, from several l
     }
 }
 
-TEST_CASE("Where no shadow falls the colours are those without shadows, to the bit") {
+TEST_CASE("Outside shadows the colours are those without shadows, to the bit") {
     for (const char* const way : {"shadows=rays", "shadows=map"}) {
         for (const char* const step : {"stage=pixel_light", "stage=vertex_light", "shading=flat"}) {
             CAPTURE(way, step);
@@ -199,7 +199,7 @@ TEST_CASE("Where no shadow falls the colours are those without shadows, to the b
     }
 }
 
-TEST_CASE("Shadows are asked for only where there is light, and not in a scene in pixels") {
+TEST_CASE("Shadows are computed only where there is light, and not in a scene in pixels") {
     Settings settings = small_room({"shadows=map", "shadow_resolution=16"});
     CHECK(occluders_of(prepare_frame(room(), settings)) != nullptr);
     for (const char* const without : {"stage=depth", "shading=unlit", "shadows=off"}) {
@@ -270,7 +270,7 @@ TEST_CASE("Each texel of the map holds the depth that a ray from the lamp finds"
                 if (is_tie) {
                     ++ties;
                 } else if (depth == 100.0) {
-                    if (held != 0.0f) FAIL("face " << face << " has something where nothing is");
+                    if (held != 0.0f) FAIL("face " << face << " is not empty where it should be");
                 } else {
                     ++filled;
                     if (std::abs(held * depth - 1.0) > 2e-3)
@@ -284,7 +284,7 @@ TEST_CASE("Each texel of the map holds the depth that a ray from the lamp finds"
     CHECK(ties < 150);
 }
 
-TEST_CASE("A place falls on the texel whose direction it lies in") {
+TEST_CASE("A place falls on the texel in its direction") {
     test::Random random(31);
     const glm::vec3 lamp(0.1f, -0.45f, -0.6f);
     for (int i = 0; i < test::rounds(4'000, 400); ++i) {
@@ -307,7 +307,7 @@ TEST_CASE("A place falls on the texel whose direction it lies in") {
 }
 
 /// The share of light by a map in double, from the depths that it holds.
-/// @return none if it depends on less than floats can show
+/// @return none if it depends on differences too small for floats
 std::optional<double> lit_in_double(const ShadowMap& map, const ShadowRules& rules, bool by_four,
                                     const glm::dvec3& place, double cosine) {
     const glm::dvec3 way = place - glm::dvec3(map.lamp);
@@ -347,7 +347,7 @@ std::optional<double> lit_in_double(const ShadowMap& map, const ShadowRules& rul
     return lit / texels;
 }
 
-TEST_CASE("Shadows by a map are what double precision makes of its depths, biases and filters") {
+TEST_CASE("Map shadows agree with its depths, biases and filters in double precision") {
     struct Case {
         const char *bias, *slope, *filter;
     };
@@ -395,7 +395,7 @@ TEST_CASE("Shadows by a map are what double precision makes of its depths, biase
     }
 }
 
-TEST_CASE("With a fine map and a fitting bias rays and map agree nearly everywhere") {
+TEST_CASE("With a fine map and a suitable bias rays and map agree nearly everywhere") {
     const Framebuffer by_rays = draw_frame(prepare_frame(room(), small_room({"shadows=rays"})));
     const Settings settings =
         small_room({"shadows=map", "shadow_resolution=512", "shadow_bias=0.05"});
@@ -428,7 +428,7 @@ TEST_CASE("The map is kept while only the camera moves, and redrawn for another 
           draw_shadow_map(moved, settings.light.position, 16).faces[5].inv_depth);
 }
 
-TEST_CASE("Of a picture with rays less is drawn at once, of one without as much as ever") {
+TEST_CASE("Shadow rays count as work of a frame, and a shadow map does not") {
     const auto work_of = [](const char* shadows) {
         const Frame frame = prepare_frame(room(), small_room({shadows}));
         FrameWork work;

@@ -17,7 +17,7 @@ using namespace rasterwalk;
 
 namespace {
 
-/// Two triangles over a bent edge, whose corners have their own colours and normals.
+/// Two triangles at a bent edge, whose corners have their own colours and normals.
 const std::string folded = R"(
 name = "A fold"
 stage = "pixel_light"
@@ -58,7 +58,7 @@ colours = "fold"
 triangles = ["A B C", "B D C"]
 )";
 
-/// The picture of a scene in double, by rays: nothing of the pipeline takes part.
+/// The picture of a scene in double, by rays, without using the pipeline.
 class Rays {
   public:
     Rays(const Scene& scene, const Settings& settings) : scene_(scene), settings_(settings) {
@@ -118,7 +118,7 @@ class Rays {
             break;
         case Shading::flat: {
             const glm::dvec3 thirds(1.0 / 3.0);
-            // Normals point to where the corners go round clockwise.
+            // Normals point to the side from which the corners go round clockwise.
             const glm::dvec3 across =
                 glm::cross(place(t, 2) - place(t, 0), place(t, 1) - place(t, 0));
             seen.colour =
@@ -176,7 +176,7 @@ class Rays {
 
 Settings settings_of(const Scene& scene, std::initializer_list<const char*> assignments) {
     Settings settings = default_settings(scene);
-    // Pixels at their centres, from corners that are hardly moved.
+    // Pixels at their centres, with corners that are hardly moved.
     for (const char* usual : {"coverage=edge_functions", "snap=subpixel", "fill_rule=top_left"})
         set_from_text(settings, usual);
     for (const char* assignment : assignments)
@@ -184,7 +184,7 @@ Settings settings_of(const Scene& scene, std::initializer_list<const char*> assi
     return settings;
 }
 
-/// Fails with the first pixel that is off by more than 1/255 of what the screen shows.
+/// Fails at the first pixel that is off by more than 1/255 of the screen's range.
 /// @return pixels whose rays see something, without ties
 int compare_with_rays(const Scene& scene, const Settings& settings, const std::string& where) {
     const Framebuffer picture = draw_frame(prepare_frame(scene, settings));
@@ -194,8 +194,8 @@ int compare_with_rays(const Scene& scene, const Settings& settings, const std::s
         for (int column = 0; column < settings.viewport.width; ++column) {
             const std::size_t i = picture.at(column, row);
             const Rays::Seen seen = rays.at(column, row);
-            // A corner on 1/256 of a pixel may give a pixel on an edge to another triangle; where
-            // n . l is 0 the highlight begins all at once.
+            // Corners on 256ths of a pixel can give a pixel on an edge to another triangle, and the
+            // highlight begins abruptly where n . l is 0.
             if (seen.triangle != picture.owner[i] || std::abs(seen.slant) < 1e-3) {
                 ++ties;
                 continue;
@@ -220,7 +220,7 @@ int compare_with_rays(const Scene& scene, const Settings& settings, const std::s
 
 } // namespace
 
-TEST_CASE("Each shading, fall-off, highlight and mistake of it is what rays in double see") {
+TEST_CASE("Each shading, fall-off, highlight and its mistakes are what rays in double see") {
     const std::vector<Scene> scenes{test::small_cylinder({32, 29}, 38.0f),
                                     parse_scene(folded, "folded.toml")};
     for (const Scene& scene : scenes) {
@@ -231,7 +231,7 @@ TEST_CASE("Each shading, fall-off, highlight and mistake of it is what rays in d
                  {"light.model=lambert", "light.falloff=no_4pi", "light.falloff=linear",
                   "light.falloff=none", "light.place=camera", "light.highlight=unasked",
                   "light.highlight=long_half", "light.renormalize=off"}) {
-                // Light that spreads over less gets less power, so that not all is white.
+                // Light that spreads less gets less power, so that not everything is white.
                 const std::string law = rule;
                 // Near 2, the cylinder's exponent of 50 amplifies 1/256 of a pixel.
                 if (is_cylinder && law == "light.highlight=long_half") continue;
@@ -249,7 +249,8 @@ TEST_CASE("Each shading, fall-off, highlight and mistake of it is what rays in d
     }
 }
 
-TEST_CASE("With both sides lit a back is as bright as rays in double make its turned normal") {
+TEST_CASE(
+    "With both sides lit a back is as bright as its flipped normal makes it, by rays in double") {
     const Scene scene = parse_scene(folded, "folded.toml");
     const auto brightness = [&](const Settings& settings) {
         double sum = 0.0;
@@ -280,7 +281,7 @@ TEST_CASE("With both sides lit a back is as bright as rays in double make its tu
 }
 
 TEST_CASE(
-    "What the lab has is drawn by the lab's own shader, and the other one agrees in each bit") {
+    "The lab's features are drawn by the lab's own shader, and the other agrees in each bit") {
     const Scene room = read_scene(lessons_folder() + "/scenes/lab-room.toml");
     CHECK(room.mesh.differences() == CornerDifferences{});
     for (const StageInfo& info : stage_list()) {
@@ -304,7 +305,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Normals and colours travel only where corners differ, and only where they are read") {
+TEST_CASE("Normals and colours are carried only if corners differ and they are read") {
     const Scene scene = test::small_cylinder({32, 29}, 38.0f);
     const auto read = [&](std::initializer_list<const char*> assignments) {
         const Settings settings = settings_of(scene, assignments);
@@ -332,7 +333,7 @@ TEST_CASE("A smooth body is culled by its triangles, not by the normals of their
     CHECK(backs > 20);
 }
 
-TEST_CASE("What is given in pixels is projected already: its highlights keep their eye") {
+TEST_CASE("Scenes in pixels are already projected, and their highlights keep their eye") {
     const Scene scene = parse_scene(R"(
 name = "A shining triangle"
 space = "pixels"

@@ -47,7 +47,7 @@ Scene wall() {
     return scene;
 }
 
-/// One triangle with other values at each corner.
+/// One triangle with different values at each corner.
 Scene slope() {
     Scene scene;
     scene.mesh.add_triangle_of(
@@ -96,8 +96,7 @@ Apart apart(const Framebuffer& a, const Framebuffer& b) {
 } // namespace cut
 } // namespace
 
-TEST_CASE("Each triangle is cut into n * n of the same area and turn, where a barycentric grid has "
-          "them") {
+TEST_CASE("Each triangle is cut into n * n of equal area and orientation, on a barycentric grid") {
     const Scene scene = cut::slope();
     for (const int n : {1, 2, 3, 7}) {
         CAPTURE(n);
@@ -141,7 +140,7 @@ TEST_CASE("Each triangle is cut into n * n of the same area and turn, where a ba
     }
 }
 
-TEST_CASE("A vertex on a shared edge stands in the list once; parts and flat normals stay") {
+TEST_CASE("A vertex on a shared edge is in the list once; parts and flat normals are kept") {
     const Scene scene = cut::wall();
     const int n = 5;
     const Scene made = tessellate(scene, n);
@@ -154,7 +153,7 @@ TEST_CASE("A vertex on a shared edge stands in the list once; parts and flat nor
               scene.mesh.vertices()[static_cast<std::size_t>(v)]);
 }
 
-TEST_CASE("Neighbours with vertices of their own have the same places on their edge to the bit") {
+TEST_CASE("Neighbours with separate vertices have the same places on their edge to the bit") {
     Scene scene;
     const glm::vec3 a(-0.3f, 0.11f, 1.7f), b(0.91f, -1.3f, 2.9f);
     scene.mesh.add_triangle_of({Vertex{a}, Vertex{b}, Vertex{{-2.0f, -2.0f, 2.0f}}});
@@ -180,7 +179,7 @@ TEST_CASE("Neighbours with vertices of their own have the same places on their e
     }
 }
 
-TEST_CASE("The places of an object before its model transformation are cut like the mesh") {
+TEST_CASE("An object's places before its model transformation are cut like the mesh") {
     Scene scene = cut::slope();
     std::vector<glm::vec3>& places = scene.parts[0].model.positions;
     for (int c = 0; c < 3; ++c)
@@ -209,7 +208,7 @@ TEST_CASE("A scene is cut as finely as the limit allows, and one in pixels not a
 }
 
 TEST_CASE(
-    "Uncut, a frame draws the scene itself; cut, it keeps what is made while it is the same") {
+    "An uncut frame draws the scene itself, and a cut one keeps its mesh while it is the same") {
     const Scene scene = cut::wall();
     Frame frame = prepare_frame(scene, cut::sharp(scene, Shading::phong, 1));
     CHECK(frame.scene == &scene);
@@ -256,12 +255,12 @@ TEST_CASE("Light at the vertices approaches light at the pixels as triangles are
         CHECK(errors.back().mean < before.mean);
         CHECK(errors.back().largest < before.largest);
     }
-    // Straight lines in the place of a curve: with half the length a quarter of the error remains.
+    // Straight lines replace a curve: with half the length a quarter of the error remains.
     CHECK(errors[4].mean < 0.35 * errors[3].mean);
     CHECK(errors[4].largest < 0.1 * errors[0].largest);
 }
 
-TEST_CASE("Under light at the pixels the cut surface is the same, but for ties on edges") {
+TEST_CASE("With light at the pixels the cut surface is the same, except for ties on edges") {
     const Scene scene = cut::wall();
     const Framebuffer whole =
         draw_frame(prepare_frame(scene, cut::sharp(scene, Shading::phong, 1)));
@@ -287,8 +286,7 @@ TEST_CASE("Under light at the pixels the cut surface is the same, but for ties o
     }
 }
 
-TEST_CASE(
-    "Of runs that cut a scene into other triangles the pictures are compared, and it is said") {
+TEST_CASE("Runs that cut a scene differently are compared by their pictures, which is reported") {
     const Scene scene = cut::wall();
     const Frame a = prepare_frame(scene, cut::sharp(scene, Shading::gouraud, 1));
     const Frame b = prepare_frame(scene, cut::sharp(scene, Shading::gouraud, 4));
@@ -310,6 +308,6 @@ TEST_CASE(
         work.advance({.at_once = 100.0, .slice = 100.0});
     CHECK(calls > 2);
     CHECK(work.found().pixels == pixel_difference(draw_frame(b), draw_frame(a)));
-    // Cut alike, moments are compared as ever.
+    // If both are cut the same way, moments are compared as usual.
     CHECK(compare_runs(b, b).is_same());
 }

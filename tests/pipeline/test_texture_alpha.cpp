@@ -79,8 +79,8 @@ double channel_of(int texel, int channel) {
 
 } // namespace
 
-TEST_CASE("Where a texture has less alpha than one half the wall behind it is seen, colour and "
-          "depth") {
+TEST_CASE(
+    "Where a texture's alpha is below one half, colour and depth are those of the wall behind it") {
     const Scene scene = scene_with_holes();
     const glm::vec3 grey = scene.corner(4, 0).reflectance;
     const Framebuffer picture = drawn_with_alpha(scene, "cut_out");
@@ -107,7 +107,7 @@ TEST_CASE("Where a texture has less alpha than one half the wall behind it is se
     CHECK(holes < compared);
 }
 
-TEST_CASE("Blended, each texel lies over the wall by its alpha; switched off, all are opaque") {
+TEST_CASE("With blending each texel covers the wall by its alpha; switched off, all are opaque") {
     const Scene scene = scene_with_holes();
     const glm::vec3 grey = scene.corner(0, 0).reflectance, own = scene.corner(2, 0).reflectance;
     const Framebuffer blended = drawn_with_alpha(scene, "blend");
@@ -122,7 +122,7 @@ TEST_CASE("Blended, each texel lies over the wall by its alpha; switched off, al
             const double alpha = channel_of(texel, 3);
             for (int c = 0; c < 3; ++c) {
                 const double colour = channel_of(texel, c) * own[c];
-                // What is drawn behind it later is hidden, because it has written its depth.
+                // Surfaces drawn behind it later are hidden, because it has written its depth.
                 CHECK(blended.colour[pixel][c] ==
                       Approx(alpha * colour + (1.0 - alpha) * grey[c]).margin(1e-5));
                 CHECK(opaque.colour[pixel][c] == Approx(colour).margin(1e-5));
@@ -151,7 +151,7 @@ TEST_CASE("A texture without alpha is opaque, and so is an image whose alpha is 
     const Framebuffer wanted = drawn_with_alpha(scene_with_holes(clear_all_over), "off");
     for (std::size_t i = 3; i < clear_all_over.rgba.size(); i += 4)
         clear_all_over.rgba[i] = 0;
-    drop_empty_alpha(clear_all_over); // as where an image is read
+    drop_empty_alpha(clear_all_over); // as when an image is read
     const Scene clear_scene = scene_with_holes(clear_all_over);
     CHECK_FALSE(has_texture_alpha(clear_scene));
     for (const char* const alpha : {"cut_out", "blend", "off"}) {
@@ -162,7 +162,7 @@ TEST_CASE("A texture without alpha is opaque, and so is an image whose alpha is 
     }
 }
 
-TEST_CASE("The alpha of a smaller level is the mean of what it covers") {
+TEST_CASE("The alpha of a smaller level is the mean of the texels it covers") {
     const Texture texture = make_texture("holed", holed());
     REQUIRE(texture.levels.size() == 3);
     double sum = 0.0;
@@ -174,7 +174,7 @@ TEST_CASE("The alpha of a smaller level is the mean of what it covers") {
     CHECK(texture.base().alpha_at(-1, 0) == 1.0f);
 }
 
-TEST_CASE("The history of a pixel and the report on a fragment tell that it was cut out") {
+TEST_CASE("The history of a pixel and the report on a fragment show that it was cut out") {
     const Scene scene = scene_with_holes();
     Settings settings = default_settings(scene);
     settings.stage = Stage::depth;
@@ -209,7 +209,7 @@ TEST_CASE("The fast engine refuses textures with alpha until their alpha is swit
     CHECK(fast_engine_refuses(scene, settings).find(alpha) == std::string::npos);
 }
 
-TEST_CASE("Two runs diverge where one lets a fragment through, and the alpha is given") {
+TEST_CASE("Two runs diverge where only one lets a fragment through, and the alpha is given") {
     const Scene scene = scene_with_holes();
     Settings settings = default_settings(scene);
     settings.stage = Stage::depth;

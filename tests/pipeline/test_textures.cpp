@@ -20,7 +20,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// What draw() reports about every fragment.
+/// The reports of draw() about every fragment.
 std::vector<FragmentEvent> fragments_of(const Frame& frame) {
     Framebuffer picture;
     clear(picture, frame);
@@ -40,7 +40,8 @@ Settings settings_for(const Scene& scene, const std::string& assignments) {
     return settings;
 }
 
-/// Triangles that go beyond the texture on all sides, far below and far above a texel a pixel.
+/// Triangles that go beyond the texture on all sides, with far fewer and far more texels than
+/// pixels.
 Scene tilted_triangles() {
     Scene scene = textured_scene(many_colours(13, 6), {40, 40});
     add_textured(
@@ -145,7 +146,7 @@ TEST_CASE("Halfway across a wall that recedes from depth 2 to 4 u is 1/3, and af
     }
 }
 
-TEST_CASE("A footprint is the difference between neighbours, also where the near plane cuts") {
+TEST_CASE("A footprint is the difference between neighbours, even where the near plane cuts") {
     Scene scene = textured_scene(many_colours(16, 16), {40, 40});
     scene.space = SceneSpace::world;
     scene.camera = {{0.0f, 0.0f, 0.0f}, 0.0f, 0.0f, 40.0f};
@@ -170,7 +171,7 @@ TEST_CASE("A footprint is the difference between neighbours, also where the near
             if (before == places.end() || after == places.end()) return;
             const glm::vec2 change = (after->second.texcoord - before->second.texcoord) / 2.0f;
             INFO("triangle " << triangle << " pixel " << column << "," << row);
-            // Rows below the horizon change their depth by a part of 1 / (row - 20).
+            // From row to row below the horizon the depth changes by 1 / (row - 20) of itself.
             const float bend =
                 row - 20 > 2 ? 2.0f / static_cast<float>((row - 20) * (row - 20)) : 1;
             CHECK(glm::distance(side, change) <= bend * glm::length(side) + 1e-5f);
@@ -238,8 +239,7 @@ TEST_CASE("A picture is the same watched and unwatched, and by parts") {
     }
 }
 
-TEST_CASE(
-    "Without a texture in the scene its settings change nothing, and nothing more is carried") {
+TEST_CASE("Without a texture its settings change nothing, and nothing more is carried") {
     const Scene scene = small_scene();
     const Settings settings = settings_for(scene, "stage=pixel_light");
     const Framebuffer whole = draw_frame(prepare_frame(scene, settings));

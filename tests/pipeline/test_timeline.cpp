@@ -18,7 +18,7 @@ namespace {
 constexpr Granularity all_granularities[] = {Granularity::moment, Granularity::line,
                                              Granularity::triangle, Granularity::phase};
 
-/// Do two moments belong to the same piece of this size?
+/// Do two moments belong to the same step of this size?
 bool same_piece(const Cursor& a, const Cursor& b, Granularity step) {
     switch (step) {
     case Granularity::moment:
@@ -63,7 +63,7 @@ struct NaiveTimeline {
     std::vector<Cursor> moments;
 };
 
-/// Cursors between, before and behind the moments of a frame.
+/// Cursors between, before and after the moments of a frame.
 std::vector<Cursor> strange_cursors(const Frame& frame, Random& random) {
     std::vector<Cursor> cursors{cursor_begin,
                                 cursor_end,
@@ -120,7 +120,7 @@ TEST_CASE("Every step from every moment is the one that plain loops find") {
     for_each_cut_frame(cut_scene(), 2, check);
 }
 
-TEST_CASE("Numbers and places of moments lead back to them where triangles are cut and culled") {
+TEST_CASE("Numbers and places of moments lead back to them if triangles are cut and culled") {
     for_each_cut_frame(cut_scene(), 2, [](const Frame& frame) {
         const Timeline timeline(frame);
         int triangle = -1, ordinal = 0;
@@ -176,8 +176,8 @@ TEST_CASE("Numbers and places of moments lead back to them, and grow with time")
     }
 }
 
-TEST_CASE("Places survive the way there and back in frames of many triangles") {
-    // Floats of the scrub bar: a hundred thousand triangles, a few moments of each looked at.
+TEST_CASE("Places survive a round trip in frames of many triangles") {
+    // Floats of the scrub bar, for a hundred thousand triangles with a few moments each.
     Random random(23);
     std::vector<std::array<glm::vec3, 3>> triangles;
     for (int i = 0; i < 100'000; ++i)

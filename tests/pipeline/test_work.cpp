@@ -35,7 +35,7 @@ TEST_CASE("The place of an amount of work has that amount before it") {
         const double wanted = work.total() * i / 200.0;
         const Cursor cursor = work.at(wanted);
         CHECK(cursor >= last);
-        // A triangle of up to 5,000 is not divided; of a larger one a row is the least.
+        // A triangle of up to 5,000 is not divided; a larger one is divided into rows at most.
         CHECK(work.before(cursor) <= wanted);
         CHECK(work.before(cursor) > wanted - 5'000.0);
         last = cursor;
@@ -52,7 +52,8 @@ TEST_CASE("The lessons' room is drawn within the limit of one update") {
     CHECK(frame_limit.of(1e12) == frame_limit.slice);
 }
 
-TEST_CASE("A frame's fragments are estimated without drawing them, those beside the picture too") {
+TEST_CASE(
+    "A frame's fragments are estimated without drawing, including those outside the picture") {
     const Scene scene = lab_room();
     Settings settings = default_settings(scene);
     for (const float z : {-3.001f, -2.0f, -1.2f, -1.05f}) {
@@ -71,7 +72,7 @@ TEST_CASE("A frame's fragments are estimated without drawing them, those beside 
         CHECK(work.fragments().in_picture > 0.5 * inside);
         CHECK(work.fragments().in_picture < 2.0 * inside);
     }
-    settings.reject = Reject::cheap; // walks nothing beside the picture
+    settings.reject = Reject::cheap; // walks nothing outside the picture
     FrameWork work;
     const Frame cheap = prepare_frame(scene, settings);
     work.begin(cheap);

@@ -52,7 +52,7 @@ void print_hash(const Scene& scene, const std::string& name, const Settings& set
     fmt::print("{} {} {}\n", test::hash_text(framebuffer), tally_text(tally), name);
 }
 
-/// The same under several ways to find the pixels, whatever the settings say about it.
+/// The same with each of several ways to find pixels, whatever the settings say.
 void print_coverages(const Scene& scene, const std::string& name, Settings settings) {
     for (const char* const coverage : {"rows", "scan_conversion", "active_edges"}) {
         const std::string assignment = fmt::format("coverage={}", coverage);

@@ -17,7 +17,7 @@ namespace {
 
 using namespace rasterwalk;
 
-/// FNV-1a over the bytes of what is added.
+/// FNV-1a over the added bytes.
 struct Hash {
     std::uint64_t value = 0xcbf29ce484222325u;
 

@@ -12,7 +12,7 @@ levels=("-O0" "-O3 -march=native") # the extremes: levels between them draw like
 cd "$root" || exit 2
 mkdir -p "$folder" || exit 2
 
-# Everything that draws: these folders in the order of the house, whole.
+# Everything that draws: all of these folders, in the order of the layers.
 folders=(base scene stages mistakes settings pipeline picture)
 launcher=$(command -v ccache || true)
 # The packages of the core; unused parts of them cost nothing.

@@ -1,4 +1,4 @@
-// The stops of sliders are the decimal fractions that the lesson means, to the last bit.
+// The stops of sliders are the decimal fractions that lessons name, to the last bit.
 
 #include "settings/control_range.h"
 
@@ -22,7 +22,7 @@ TEST_CASE("Every stop of a slider is the float that its decimal digits name") {
                         std::abs(thousandths) % 1000);
         INFO("stop " << stop << ": " << digits);
         CHECK(at == std::strtof(digits.c_str(), nullptr));
-        // A little away from it, it is the nearest.
+        // From a little off, the stop is the nearest.
         CHECK(slider_stop(range, static_cast<double>(at) + 0.002) == at);
         at = slider_stop(range, static_cast<double>(at), 1);
     }

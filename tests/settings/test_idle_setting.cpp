@@ -29,7 +29,7 @@ bool is_without_effect(const Scene& scene, Settings settings, const ChoiceSettin
 
 } // namespace
 
-TEST_CASE("A setting that is said to be idle changes no picture, and one that acts is not") {
+TEST_CASE("A setting reported as idle changes no picture, and one that acts is not reported") {
     const Scene scene = small_scene();
     std::set<std::string> idle_somewhere;
     for (const Coverage coverage : all_coverages) {
@@ -53,7 +53,7 @@ TEST_CASE("A setting that is said to be idle changes no picture, and one that ac
           std::set<std::string>{"line_rounding", "fill_rule", "snap", "pixel_sample", "box_walk",
                                 "weight_edge", "line", "bresenham_rule", "line_walk",
                                 "edge_samples", "row_start", "row_search", "empty_rows", "spans"});
-    // Each of the rules that shows on the tiny picture acts where it is not said to be idle.
+    // Each of the rules visible in the tiny picture acts unless it is reported as idle.
     for (const char* const name : {"fill_rule", "pixel_sample", "line", "edge_samples", "spans"}) {
         const Setting& setting = *find_setting(name);
         for (const Coverage coverage : all_coverages) {
@@ -82,8 +82,7 @@ TEST_CASE("An idle setting says what makes it idle") {
     CHECK(idle_reason(*find_setting("line"), settings).empty());
 }
 
-TEST_CASE(
-    "Mistakes of the lab's lines are idle where matrices do the work, or another projection") {
+TEST_CASE("Mistakes of the lab's lines are idle with matrices or a different projection") {
     const Scene room = lab_room();
     Settings settings = default_settings(room);
     settings.stage = Stage::depth;
@@ -110,7 +109,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("With a flashlight the place of the lamp says nothing, and changes no picture") {
+TEST_CASE("With a flashlight the lamp's position is idle, and changes no picture") {
     const Setting& position = *find_setting("light.position");
     Scene scene;
     scene.mesh.add_triangle_of({Vertex{{-1.0f, -1.0f, 1.0f}, {0.0f, 0.0f, -1.0f}},
@@ -134,7 +133,7 @@ TEST_CASE("With a flashlight the place of the lamp says nothing, and changes no 
     CHECK(idle_reason(position, settings) == "while the lamp is at the camera");
 }
 
-TEST_CASE("A box takes the place of the focal length and of d, and acts only by matrices") {
+TEST_CASE("A box replaces the focal length and d, and acts only with matrices") {
     const Scene room = lab_room();
     const auto picture = [&](const Settings& settings) {
         return draw_frame(prepare_frame(room, settings)).colour;

@@ -36,7 +36,7 @@ TEST_CASE("The presets are handout, exact and visible light") {
     }
 }
 
-TEST_CASE("The preset handout is the default and undoes every other preset") {
+TEST_CASE("The handout preset is the default and undoes every other preset") {
     const std::vector<Preset> presets = project_presets();
     Settings settings;
     for (const Preset& preset : presets)
@@ -64,7 +64,7 @@ TEST_CASE("A preset changes what it names and leaves everything else") {
     CHECK(common_rounding(settings) == Rounding::floor);
 }
 
-TEST_CASE("An unknown preset is refused with the presets that there are") {
+TEST_CASE("An unknown preset is refused with a list of the presets") {
     const std::vector<Preset> presets = project_presets();
     CHECK_THROWS_WITH(find_preset(presets, "visible ligth"),
                       "there is no preset 'visible ligth'; the presets are: handout, exact, "
@@ -87,7 +87,7 @@ TEST_CASE("A broken file of presets is refused with file and line") {
     CHECK(refusal("[[preset]\n").substr(0, 9) == "p.toml:1:");
 }
 
-TEST_CASE("A preset may use names of settings and words as they were once") {
+TEST_CASE("A preset can use former names and words of settings") {
     const std::vector<Preset> presets = parse_presets(
         "[[preset]]\nname = \"a\"\nabout = \"b\"\n"
         "set = [\"stage=vertex_light\", \"rounding=round\", \"shading=before_depth_test\"]\n",

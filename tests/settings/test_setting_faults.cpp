@@ -3,7 +3,7 @@
 
 using namespace rasterwalk;
 
-TEST_CASE("Faulty planes are reported wherever they act, the camera's aim only in the world") {
+TEST_CASE("Faulty planes are reported wherever they act, a faulty aim only in the world") {
     Settings settings;
     settings.near = 3.0f;
     settings.far = 1.0f;
@@ -33,7 +33,7 @@ TEST_CASE("Faulty planes are reported wherever they act, the camera's aim only i
     CHECK(in_short(SceneSpace::pixels).empty());
 }
 
-TEST_CASE("A tessellation that makes too many triangles is reported with what is drawn instead") {
+TEST_CASE("A tessellation that makes too many triangles is reported with the one drawn instead") {
     Scene scene;
     for (int t = 0; t < 200; ++t)
         scene.mesh.add_triangle_of({});

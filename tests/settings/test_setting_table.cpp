@@ -34,7 +34,7 @@ std::string assignment_refusal(const std::string& assignment) {
 
 } // namespace
 
-TEST_CASE("The table holds exactly the settings that are promised, each with help") {
+TEST_CASE("The table has exactly the promised settings, each with help") {
     const std::vector<std::string_view> promised{"stage",
                                                  "shading",
                                                  "engine",
@@ -272,7 +272,7 @@ TEST_CASE("The text of any value is read back as the same bits") {
     }
 }
 
-TEST_CASE("An unknown setting is refused with the nearest name there is") {
+TEST_CASE("An unknown setting is refused with the nearest name") {
     CHECK(assignment_refusal("roundign=floor") ==
           "there is no setting 'roundign'. Did you mean 'rounding'?");
     CHECK(assignment_refusal("power=3") ==
@@ -403,7 +403,7 @@ TEST_CASE("Settings within their ranges keep every bit") {
     CHECK(settings == before);
 }
 
-TEST_CASE("Each setting is compared and copied by itself") {
+TEST_CASE("Each setting is compared and copied separately") {
     for (const Setting& setting : setting_table()) {
         Settings from, to;
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
@@ -432,7 +432,7 @@ TEST_CASE("Each setting is compared and copied by itself") {
     }
 }
 
-TEST_CASE("The two words of light on the strip say stage and shading") {
+TEST_CASE("The two words of light on the strip set stage and shading") {
     Settings settings;
     set_from_text(settings, "stage=vertex_light");
     CHECK(settings.stage == Stage::shade);
@@ -453,7 +453,7 @@ TEST_CASE("The two words of light on the strip say stage and shading") {
     }
 }
 
-TEST_CASE("The words that shading took once set depth_order") {
+TEST_CASE("Former words of shading set depth_order") {
     Settings settings;
     set_from_text(settings, "shading = before_depth_test");
     CHECK(settings.depth_order == DepthOrder::before_depth_test);
@@ -466,7 +466,7 @@ TEST_CASE("The words that shading took once set depth_order") {
           "shading cannot be 'toon': it takes unlit, flat, gouraud or phong.");
 }
 
-TEST_CASE("What behind_camera said once is clip, and the mark of the laboratory") {
+TEST_CASE("Former words of behind_camera set clip, and the laboratory's mark") {
     Settings settings;
     set_from_text(settings, "behind_camera=drawn");
     CHECK(settings.clip == Clip::none);
@@ -478,7 +478,7 @@ TEST_CASE("What behind_camera said once is clip, and the mark of the laboratory"
     CHECK_THROWS_AS(set_from_text(settings, "behind_camera=near"), UsageError);
 }
 
-TEST_CASE("rounding says the rounding of vertices and of lines, as long as it is one word") {
+TEST_CASE("rounding is the rounding of vertices and lines, as long as both have the same word") {
     Settings settings;
     set_from_text(settings, "rounding=floor");
     CHECK(settings.vertex_rounding == VertexRounding::floor);
@@ -493,7 +493,7 @@ TEST_CASE("rounding says the rounding of vertices and of lines, as long as it is
 
 namespace {
 
-/// The names in a list of what is different in b.
+/// The names of the settings that are different in b.
 std::string differing(const Settings& a, const Settings& b) {
     std::string names;
     for (const Setting& setting : setting_table()) {
@@ -511,7 +511,8 @@ Settings with(std::initializer_list<const char*> assignments) {
 
 } // namespace
 
-TEST_CASE("What differs is said once, as a whole if there is a word for it, otherwise in parts") {
+TEST_CASE(
+    "A difference is listed once, under a combined name if there is one, otherwise in parts") {
     const Settings usual;
     CHECK(differing(usual, with({"rounding=floor"})) == "rounding ");
     CHECK(differing(usual, with({"vertex_rounding=truncate_sum"})) == "vertex_rounding ");
@@ -525,7 +526,7 @@ TEST_CASE("What differs is said once, as a whole if there is a word for it, othe
           "stage ");
 }
 
-TEST_CASE("Setting what differs, in the order of the table, makes one of the other") {
+TEST_CASE("Setting the differences in the order of the table makes one the other") {
     const Settings all[] = {with({}),
                             with({"rounding=floor"}),
                             with({"vertex_rounding=truncate_sum"}),

@@ -96,7 +96,7 @@ double hull_area(std::vector<Place> points) {
     return area;
 }
 
-/// Twice the area of what all half planes have in common.
+/// Twice the area of the intersection of all half planes.
 double common_area(const std::vector<HalfPlane>& all) {
     std::vector<Place> points;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -164,13 +164,13 @@ void check_against_half_planes(ClipFunction clip, const ClipPlanes& planes, std:
 
 } // namespace
 
-TEST_CASE("What clipping leaves of a triangle is where all half planes meet") {
+TEST_CASE("The part of a triangle left by clipping is the intersection of all half planes") {
     const VertexRules rules = rules_of({500, 400});
     check_against_half_planes(clip_near, view_planes(rules), 1, rules, 71);
     check_against_half_planes(clip_all, view_planes(rules), clip_plane_count, rules, 72);
 }
 
-TEST_CASE("The guard band is clipped by its own planes, and by none where a triangle is near") {
+TEST_CASE("The guard band is clipped by its own planes, and by none if a triangle is within it") {
     const VertexRules rules = rules_of({500, 400});
     std::vector<ClipVertex> beside{corner(0, {-2.0f, 0.0f, 1.0f}, 400.0f),
                                    corner(1, {2.0f, 1.0f, 1.0f}, 400.0f),
@@ -227,7 +227,7 @@ TEST_CASE("One corner behind leaves two triangles, two leave one, three leave no
     CHECK(left_of(-1, 1, 1) == 4);
     CHECK(left_of(-1, -1, 1) == 3);
     CHECK(left_of(-1, -1, -1) == 0);
-    // What only touches the plane has no area in front of it.
+    // A triangle that only touches the plane has no area in front of it.
     CHECK(left_of(rules.near, -1, -1) == 0);
     CHECK(left_of(rules.near, rules.near, -1) == 0);
     CHECK(left_of(rules.near, rules.near, 1) == 3);
@@ -245,7 +245,7 @@ TEST_CASE("t is measured from the corner inside") {
     CHECK(cut.position_clip.x == Approx(150.0f));
 }
 
-TEST_CASE("What reaches a million units out is cut where it meets the plane") {
+TEST_CASE("Triangles that reach a million units out are cut where they meet the plane") {
     Random random(75);
     const VertexRules rules = rules_of({500, 400});
     const ViewVolume volume(rules);
@@ -274,14 +274,14 @@ TEST_CASE("What reaches a million units out is cut where it meets the plane") {
                    v.position_clip != edge[1].position_clip;
         });
         if (found == kept.end()) continue; // the corner is on the plane, as far as float can show
-        // Rounded once if it was far out; and by float as everywhere if it was not.
+        // Rounded once if it was far out; otherwise by float, as everywhere.
         const bool is_far = is_too_large_for_float(edge[0]) || is_too_large_for_float(edge[1]);
         if (!is_far) continue;
         for (int k = 0; k < 4; ++k) {
             const double wanted = static_cast<double>(exact[k]);
             const double error = std::abs(static_cast<double>(found->position_clip[k]) - wanted);
-            // A hundredth of a pixel across the plane is this much along the edge: so exact is the
-            // distance of an end that float is enough for.
+            // A hundredth of a pixel across the plane is this much along the edge: the precision of
+            // a distance for which float is enough.
             const auto along = static_cast<double>((b[k] - a[k]) / (d_a - d_b));
             if (error > 1e-7 * std::abs(wanted) + 0.01 * std::abs(along) + 1e-5) {
                 FAIL("edge " << i << ", plane " << plane << ", coordinate " << k << ": "
@@ -293,7 +293,7 @@ TEST_CASE("What reaches a million units out is cut where it meets the plane") {
     CHECK(cuts > 1000);
 }
 
-TEST_CASE("A triangle whose corners share an outcode is one of which clipping leaves nothing") {
+TEST_CASE("Clipping leaves nothing of a triangle whose corners share an outcode") {
     Random random(74);
     const VertexRules rules = rules_of({500, 400});
     const ViewVolume volume(rules);

@@ -22,7 +22,7 @@ Frame room_with(const Scene& room, const char* assignment) {
 
 } // namespace
 
-TEST_CASE("Ten of the room's thirty triangles show their back, by normal and by winding") {
+TEST_CASE("Ten of the room's thirty triangles face away, by normal and by winding") {
     const Scene room = lab_room();
     const Frame by_normal = room_with(room, "cull=face_normal");
     const Frame by_area = room_with(room, "cull=screen_area");
@@ -43,7 +43,7 @@ TEST_CASE("Ten of the room's thirty triangles show their back, by normal and by 
     CHECK(culled == 10);
 }
 
-TEST_CASE("Without backs a closed body looks the same, and takes less work") {
+TEST_CASE("Without back faces a closed body looks the same, and takes less work") {
     const Scene room = lab_room();
     const FrameStats all = frame_stats(room_with(room, "cull=none"));
     const FrameStats fronts = frame_stats(room_with(room, "cull=face_normal"));
@@ -53,7 +53,7 @@ TEST_CASE("Without backs a closed body looks the same, and takes less work") {
     CHECK(fronts.left_out.total() == 10);
 }
 
-TEST_CASE("From any camera a triangle's winding says what its normal says") {
+TEST_CASE("From any camera a triangle's winding agrees with its normal") {
     const Scene room = lab_room();
     Random random(75);
     int backs = 0;
@@ -69,7 +69,7 @@ TEST_CASE("From any camera a triangle's winding says what its normal says") {
         for (int t = 0; t < by_normal.triangle_count(); ++t) {
             const Vertex& v = room.corner(t, 0);
             const float away = glm::dot(v.normal, v.position - settings.camera.position);
-            if (std::abs(away) < 1e-4f) continue; // seen from its edge
+            if (std::abs(away) < 1e-4f) continue; // seen edge-on
             CAPTURE(i, t);
             const bool is_back = by_normal.rejection(t) == Rejection::back_facing;
             const Rejection of_area = by_area.rejection(t);
@@ -105,15 +105,15 @@ Scene bent_wall() {
 struct FateCount : Observer {
     explicit FateCount(const Scene& of) : scene(of) {}
     void fragment(const FragmentEvent& event) override {
-        // On a wall at one depth the normal's z goes with x, and both with the column: -1 to 1 over
-        // 32 columns about the middle.
+        // On a wall at one depth the normal's z is proportional to x, and both to the column: -1 to
+        // 1 over the 32 columns around the middle.
         const double normal_z = (event.fragment.column - 32) / 16.0;
         const double x = normal_z * 1.0;
         // n . (p - C) with n = (0, 0, normal_z) and p.z = 3.
         if (std::abs(x) < 0.1) return; // the corner pixels are rounded
         const bool is_back = normal_z * 3.0 > 0.0;
         if ((event.fate == Fate::back_facing) != is_back)
-            FAIL("column " << event.fragment.column << " has another fate");
+            FAIL("column " << event.fragment.column << " has a different fate");
         if (is_back && event.before != event.after) FAIL("a culled fragment left a colour");
         ++(is_back ? backs : fronts);
     }
@@ -137,7 +137,7 @@ TEST_CASE("The interpolated normal of each fragment decides whether it is drawn"
         draw(frame, {}, watched, &count);
         CHECK(count.backs > 300);
         CHECK(count.fronts > 300);
-        // Unwatched, where fewer varyings travel, it is the same picture.
+        // Unwatched, with fewer varyings, the picture is the same.
         CHECK(draw_frame(frame).owner == watched.owner);
         // No triangle is left out because of it, and no fewer rows are walked.
         settings.cull = Cull::none;
@@ -149,7 +149,7 @@ TEST_CASE("The interpolated normal of each fragment decides whether it is drawn"
     }
 }
 
-TEST_CASE("In a room of flat walls every fragment says what its triangle says") {
+TEST_CASE("In a room of flat walls every fragment agrees with its triangle") {
     const Scene room = lab_room();
     const FrameStats by_face = frame_stats(room_with(room, "cull=face_normal"));
     const FrameStats by_fragment = frame_stats(room_with(room, "cull=fragment_normal"));

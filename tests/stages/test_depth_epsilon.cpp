@@ -38,7 +38,7 @@ Scene scene_named(const std::string& name) {
     return read_scene(lessons_folder() + "/scenes/" + name + ".toml");
 }
 
-/// Sorts fragments out by itself. Takes from the drawing only which there are, and their depths.
+/// A separate depth test. Takes only the fragments and their depths from the drawing.
 struct Sorter : Observer {
     Sorter(const Framebuffer& like, ClipDepth holds, float limit)
         : kind(holds), epsilon(limit), owner(like.owner.size(), -1),
@@ -65,7 +65,7 @@ struct Sorter : Observer {
 } // namespace epsilon_tests
 } // namespace
 
-TEST_CASE("Without an epsilon the depth test is the one it has always been") {
+TEST_CASE("Without an epsilon the depth test is the usual one") {
     using namespace epsilon_tests;
     Settings settings;
     CHECK(settings.depth_epsilon == 0.0f);
@@ -127,7 +127,7 @@ TEST_CASE("A fragment is drawn if it is nearer by more than epsilon, in every fo
     }
 }
 
-TEST_CASE("Pictures with an epsilon are what their fragments make when they are sorted out again") {
+TEST_CASE("Pictures with an epsilon are what their fragments give when tested again") {
     using namespace epsilon_tests;
     const Scene paper = scene_named("z-fighting");
     for (const char* word : {"inv_z", "inv_z_16", "ndc_32", "reversed_24"}) {

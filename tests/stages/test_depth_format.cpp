@@ -58,7 +58,7 @@ double told_apart(double z, const DepthRules& rules, Random& random) {
     return distance;
 }
 
-/// Everything that a depth format's word says.
+/// The meaning of a depth format's word.
 struct Format {
     const char* word;
     ClipDepth kind;
@@ -94,7 +94,7 @@ TEST_CASE("Each word of the depth format is a quantity and its bits") {
     }
 }
 
-TEST_CASE("Half of the steps of ndc z are used up at twice the near plane") {
+TEST_CASE("Half of the steps of NDC z are used up at twice the near plane") {
     const DepthRules ndc = rules_of("ndc_32"), reversed = rules_of("reversed_32");
     CHECK(depth_at(0.2f, ndc) == Approx(0.5005).margin(5e-5));
     CHECK(depth_at(4.0f, ndc) == Approx(0.97598).margin(5e-6));
@@ -105,7 +105,8 @@ TEST_CASE("Half of the steps of ndc z are used up at twice the near plane") {
     CHECK(depth_at(100.0f, reversed) == 0.0f);
 }
 
-TEST_CASE("At z = 4 a buffer of 16 bits tells surfaces 0.0024 apart, whichever way ndc z runs") {
+TEST_CASE(
+    "At z = 4 a buffer of 16 bits separates surfaces 0.0024 apart, in either direction of NDC z") {
     Random random(160);
     // A step of the buffer over the slope of the depth: d(1 - n/z) f/(f - n) = f n / ((f - n) z^2).
     const double slope = far * near / ((far - near) * 16.0);
@@ -124,8 +125,8 @@ TEST_CASE("At z = 4 a buffer of 16 bits tells surfaces 0.0024 apart, whichever w
     CHECK(reversed < 0.1 * normal);
 }
 
-TEST_CASE("Two surfaces that are hardly apart fight only in few bits") {
-    // The one behind is drawn last: it must not show where the buffer separates them.
+TEST_CASE("Two surfaces very close together fight only if the buffer has few bits") {
+    // The one behind is drawn last; it must not be visible where the buffer separates them.
     const Format sixteen[] = {formats[2], formats[5], formats[8]};
     for (const Format& format : sixteen) {
         const DepthRules rules = rules_of(format.word);
@@ -140,7 +141,7 @@ TEST_CASE("Two surfaces that are hardly apart fight only in few bits") {
             CHECK_FALSE(result.passed);
             ties += result.depth == stored ? 1 : 0;
         }
-        // The part of the pairs that share a step: 1 - 0.0008 / 0.0024.
+        // The share of pairs in the same step: 1 - 0.0008 / 0.0024.
         CAPTURE(format.word);
         CHECK(ties > 580);
         CHECK(ties < 750);
@@ -176,14 +177,14 @@ TEST_CASE("Every depth test acts with every format, the right way round") {
                                                            : is_nearer_by_z;
                 if (over.passed != expected)
                     FAIL(format.word << " " << word << ": " << z << " over " << before);
-                // All that is in sight is nearer than an empty buffer.
+                // Everything in sight is nearer than an empty buffer.
                 CHECK(stages.depth_test(fragment, clear, rules).passed == (word != "reversed"));
             }
         }
     }
 }
 
-TEST_CASE("Depths that are no number never pass") {
+TEST_CASE("Depths that are not numbers never pass") {
     for (const Format& format : formats) {
         const DepthRules rules = rules_of(format.word);
         const float clear = depth_clear_rule(with_format({}, format.word), SceneSpace::world);
@@ -195,7 +196,7 @@ TEST_CASE("Depths that are no number never pass") {
     }
 }
 
-TEST_CASE("Normal and reversed ndc z show the same surfaces of the room, but for ties") {
+TEST_CASE("Normal and reversed NDC z show the same surfaces of the room, except for ties") {
     const Scene room = lab_room();
     Settings settings = default_settings(room);
     set_from_text(settings, "stage=depth");
@@ -226,7 +227,7 @@ TEST_CASE("Normal and reversed ndc z show the same surfaces of the room, but for
     }
 }
 
-TEST_CASE("Where rays are parallel linear z is no mistake, in any format") {
+TEST_CASE("With parallel rays linear z is not a mistake, in any format") {
     const Scene room = lab_room();
     for (const Format& format : formats) {
         Settings settings = with_format(default_settings(room), format.word);
@@ -243,12 +244,12 @@ TEST_CASE("Where rays are parallel linear z is no mistake, in any format") {
     }
 }
 
-TEST_CASE("A buffer that begins nearer hides what is farther, whatever it holds") {
+TEST_CASE("A buffer that begins nearer hides everything farther, in any format") {
     const Scene room = lab_room();
     for (const char* word : {"ndc_32", "reversed_32", "ndc_16", "reversed_16"}) {
         Settings settings = with_format(default_settings(room), word);
         set_from_text(settings, "stage=depth");
-        settings.depth_clear = 0.026f; // z = 3.7 or so
+        settings.depth_clear = 0.026f; // z of about 3.7
         const Framebuffer drawn = draw_frame(prepare_frame(room, settings));
         const DepthRules rules = depth_rules(settings, SceneSpace::world);
         int hidden = 0, seen = 0;

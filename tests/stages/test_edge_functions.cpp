@@ -35,7 +35,7 @@ Stages table_of(Coverage coverage, FillRule rule, Snap snap = Snap::subpixel) {
     return choose_stages(settings);
 }
 
-/// A vertex at so many 256ths of a pixel.
+/// A vertex at this place in 256ths of a pixel.
 ScreenVertex vertex_at(std::int64_t x, std::int64_t y) {
     ScreenVertex vertex;
     vertex.position = glm::vec2(static_cast<float>(x), static_cast<float>(y)) / 256.0f;
@@ -45,7 +45,7 @@ ScreenVertex vertex_at(std::int64_t x, std::int64_t y) {
     return vertex;
 }
 
-/// A corner in a field of so many pixels; often on a centre, or level with one.
+/// A corner in a field of this many pixels; often on a centre, or level with one.
 constexpr int field = 9;
 GridPoint any_point(Random& random) {
     const auto any = [&]() -> std::int64_t {
@@ -97,7 +97,7 @@ std::int64_t area_of(const std::vector<GridPoint>& polygon) {
     return area;
 }
 
-/// Fails with the first pixel that is not as the second implementation has it.
+/// Fails at the first pixel that differs from the second implementation.
 void require_covered(const std::vector<GridPoint>& polygon, FillRule rule, const Covered& covered,
                      const char* what) {
     const bool has_area = area_of(polygon) != 0;
@@ -118,7 +118,7 @@ void require_covered(const std::vector<GridPoint>& polygon, FillRule rule, const
     }
 }
 
-/// Corners around a middle, in order: without crossings, with dents or without.
+/// Corners around a middle, in order: without crossings, possibly with dents.
 std::vector<GridPoint> star(Random& random, int count) {
     const GridPoint middle{256 * field / 2 + random.integer(-100, 100),
                            256 * field / 2 + random.integer(-100, 100)};
@@ -209,7 +209,7 @@ TEST_CASE("All three ways find the pixels that the second implementation finds")
     }
 }
 
-TEST_CASE("Each pixel by itself is as its row says, and E is the second implementation's") {
+TEST_CASE("Each pixel agrees with its row, and E with the second implementation") {
     Random random(9);
     for (int i = 0; i < rounds(20'000, 1'000); ++i) {
         const std::vector<GridPoint> points{any_point(random), any_point(random),
@@ -243,7 +243,7 @@ TEST_CASE("Each pixel by itself is as its row says, and E is the second implemen
     }
 }
 
-TEST_CASE("Edge values and weights of a triangle that is worked out by hand") {
+TEST_CASE("Edge values and weights of a triangle worked out by hand") {
     const Stages stages = table_of(Coverage::edge_functions, FillRule::top_left, Snap::pixel);
     const auto whole = [](int column, int row) {
         return vertex_at(256 * column + 17, 256 * row + 250);
@@ -270,7 +270,7 @@ TEST_CASE("Edge values and weights of a triangle that is worked out by hand") {
     CHECK_FALSE(test_pixel(polygon, 0, 14, 1, stages).is_inside);
 }
 
-TEST_CASE("Where the corners stand under each snap") {
+TEST_CASE("The places of corners under each snap") {
     const ScreenVertex vertex = vertex_at(256 * 3 + 100, -256 * 2 - 100);
     CHECK(snap_to_centre(vertex) == GridPoint{256 * 3 + 128, -256 * 3 + 128});
     CHECK(snap_to_sixteenth(vertex) == GridPoint{256 * 3 + 96, -256 * 2 - 96});
@@ -310,7 +310,7 @@ TEST_CASE("Polygons of many corners by active edges, with dents too") {
     CHECK(filled > 100);
 }
 
-TEST_CASE("Weights against double: from 0 to 1, their sum 1, and what they mix") {
+TEST_CASE("Weights compared with double: from 0 to 1, with sum 1, and the mixed values") {
     Random random(11);
     const Stages stages = table_of(Coverage::edge_functions, FillRule::inclusive);
     double worst_weight = 0.0, worst_sum = 0.0, worst_value = 0.0;
@@ -372,8 +372,7 @@ TEST_CASE("Weights against double: from 0 to 1, their sum 1, and what they mix")
     CHECK(worst_value < 1e-5);
 }
 
-TEST_CASE(
-    "Where the snap has bent a polygon inward a fan fills the dent, and active edges do not") {
+TEST_CASE("If snapping bent a polygon inward a fan fills the dent, and active edges do not") {
     std::vector<GridPoint> polygon;
     for (const glm::ivec2 at :
          {glm::ivec2(5, 7), {-8, 6}, {-8, 6}, {-9, 6}, {-9, 5}, {-10, -6}, {-2, -9}})

@@ -46,7 +46,7 @@ TEST_CASE("The lab's edges have no holes: no step is longer than one pixel along
                 const Fragment now = edge.sample();
                 if (std::abs(now.column - before.column) > 1 ||
                     std::abs(now.row - before.row) > 1) {
-                    // One rounding error may hold a float walk back once; it must catch up.
+                    // A rounding error can hold a float walk back once; it must catch up.
                     CAPTURE(a.column, a.row, b.column, b.row, edge.index());
                     CHECK(walk == LineWalk::multiply);
                     CHECK(std::abs(now.column - before.column) <= 2);
@@ -59,7 +59,7 @@ TEST_CASE("The lab's edges have no holes: no step is longer than one pixel along
     }
 }
 
-TEST_CASE("Walking an edge backwards nearly always meets other pixels under the lab's rules") {
+TEST_CASE("Walking an edge backward nearly always meets different pixels under the lab's rules") {
     test::Random random(7);
     int different = 0;
     constexpr int edges = 2000;

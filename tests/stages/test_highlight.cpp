@@ -31,8 +31,7 @@ LightTerms light_from(const glm::vec3& lamp, const glm::vec3& normal) {
 
 } // namespace
 
-TEST_CASE(
-    "A highlight on paper: lamp and eye at right angles, the normal halfway and beside that") {
+TEST_CASE("A highlight on paper: lamp and eye at right angles, the normal halfway and off that") {
     // l = x, v = y: h leans by 45 degrees. The lamp is 2 away: area 16 pi.
     constexpr float pi = 3.14159265f;
     const glm::vec3 lamp{2, 0, 0}, eye{0, 5, 0}, middle{std::sqrt(0.5f), std::sqrt(0.5f), 0};
@@ -55,7 +54,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "A back has no highlight, unless its side is not checked; an h too long is much brighter") {
+    "A back has no highlight unless its side is not checked; too long an h is much brighter") {
     // The lamp 100 degrees from the normal, the eye on the normal's side: n . h is above 0.
     const glm::vec3 normal{0, 0, -1}, eye{0, 0, -3};
     const float angle = 100.0f * 3.14159265f / 180.0f;
@@ -100,7 +99,7 @@ TEST_CASE("Every term of the highlight agrees with the same term in double") {
     }
 }
 
-TEST_CASE("Where there is no direction there is no highlight, and never a number that is none") {
+TEST_CASE("Without a direction there is no highlight, and never NaN") {
     const glm::vec3 normal{0, 0, -1};
     const HighlightPoint at_eye{normal, glm::vec3(0.0f), {glm::vec3(1.0f), 5.0f}};
     const LightTerms front = light_from({0, 0, -1}, normal);

@@ -23,7 +23,7 @@ ScreenVertex at(int column, int row) {
     return vertex;
 }
 
-/// The sample that such a vertex is.
+/// The vertex as a sample.
 Fragment pixel(int column, int row) {
     return mark_of(at(column, row));
 }
@@ -49,7 +49,7 @@ std::vector<Fragment> line(const ScreenVertex& a, const ScreenVertex& b, int cou
 
 } // namespace
 
-TEST_CASE("interpolate answers the lab's example in every walk") {
+TEST_CASE("interpolate gives the lab's example in every walk") {
     for (const LineWalk walk : all_walks) {
         const std::vector<Fragment> samples = line(at(4, 2), at(1, 8), 4, {walk, {}});
         CAPTURE(static_cast<int>(walk));
@@ -86,7 +86,7 @@ TEST_CASE("Every smaller line than (0,2)-(3,1) keeps its end point") {
     }
 }
 
-TEST_CASE("A line of one sample is its beginning") {
+TEST_CASE("A line of one sample is its start") {
     for (const LineWalk walk : all_walks) {
         const std::vector<Fragment> samples = line(at(7, -3), at(9, 9), 1, {walk, {}});
         CHECK(samples[0] == pixel(7, -3));
@@ -125,7 +125,8 @@ TEST_CASE("Every pixel of random lines agrees with fractions and floats worked o
         const ScreenVertex a = random_vertex(random, reach);
         const ScreenVertex b = random_vertex(random, reach);
         const auto longest = edge_sample_count(a, b, EdgeSamples::longest_axis);
-        // Long lines are looked at in part: the oracle takes the square of their length.
+        // Only part of a long line is checked, because the oracle's time grows with the square of
+        // its length.
         const int count = longest > 300 ? random.integer(1, 300) : longest;
         for (const LineWalk walk : all_walks) {
             for (const Rounding rounding : all_roundings) {
@@ -138,14 +139,14 @@ TEST_CASE("Every pixel of random lines agrees with fractions and floats worked o
                     CAPTURE(a.column, a.row, b.column, b.row, count, s);
                     CAPTURE(static_cast<int>(walk), static_cast<int>(rounding));
                     CAPTURE(place.column, place.row, expected[s].column, expected[s].row);
-                    FAIL("the sample lies on another pixel");
+                    FAIL("the sample is on a different pixel");
                 }
             }
         }
     }
 }
 
-TEST_CASE("Numbers beside the place take the same way as the place, and exact ones end in b") {
+TEST_CASE("Other numbers are interpolated the same way as the place, and exact ones end in b") {
     Random random(3);
     for (int i = 0; i < 500; ++i) {
         const ScreenVertex a = random_vertex(random, 60);
@@ -168,7 +169,7 @@ TEST_CASE("Numbers beside the place take the same way as the place, and exact on
                               expect(a.varyings.position_world.y, b.varyings.position_world.y)) &&
                     same_bits(v.illumination.z,
                               expect(a.varyings.illumination.z, b.varyings.illumination.z));
-                if (!same) FAIL("a number beside the place is not the step added up");
+                if (!same) FAIL("a number other than the place is not the step added up");
             }
         }
         LineWalker exact(a, b, count, {LineWalk::exact, Rounding::floor});

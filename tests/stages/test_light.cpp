@@ -62,7 +62,7 @@ TEST_CASE("Every term of the light agrees with the same term in double") {
         const double r2 = glm::dot(r, r);
         const double slant = glm::dot(r, glm::dvec3(normal)) / std::sqrt(r2);
         const double cosine = slant > 0.0 ? slant : 0.0;
-        // The subtraction of two places loses what they have in common.
+        // Subtracting two places loses the digits they have in common.
         const double loss = 2.0 / std::sqrt(r2) * std::numeric_limits<float>::epsilon();
         const double tolerance = 4.0 * loss + 1e-6;
         CAPTURE(i, r2, cosine);
@@ -104,7 +104,7 @@ TEST_CASE("All the power of the lamp arrives on a sphere around it, however larg
     }
 }
 
-TEST_CASE("A surface that faces away, or at a grazing angle, gets the indirect light alone") {
+TEST_CASE("A surface that faces away, or at a grazing angle, gets only the indirect light") {
     Light light;
     light.position = {0.0f, 0.0f, -1.0f};
     light.power = glm::vec3(100.0f);

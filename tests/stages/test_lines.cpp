@@ -56,8 +56,8 @@ std::vector<glm::ivec2> pixels_of(const Line& line) {
 
 enum class Tie { further, nearer };
 
-/// The way along one axis, in pixels, nearest to the fraction `way * i / n`; at a tie the one that
-/// lies further from the start or nearer to it. Asks every candidate.
+/// The way along one axis, in pixels, nearest to the fraction `way * i / n`; at a tie the one
+/// farther from the start or nearer to it. Tries every candidate.
 int nearest_way(int way, int i, int n, Tie tie) {
     const std::int64_t exact = static_cast<std::int64_t>(way) * i;
     int best = 0;
@@ -102,12 +102,11 @@ std::int64_t twice_f(const ScreenVertex& a, const ScreenVertex& b, const LineSam
     return 2 * s * (x + 1) - l * (2 * y + 1);
 }
 
-/// Whether the step is the one that leads from this sample to the next.
+/// Does the step lead from this sample to the next?
 bool leads_on(const Line& line, std::size_t i) {
     const Fragment &p = line.samples[i].fragment, &q = line.samples[i + 1].fragment;
     const int moved = std::abs(q.column - p.column) + std::abs(q.row - p.row);
-    // At 45 degrees a diagonal step is a step of both; a level line has no other than straight
-    // ones.
+    // At 45 degrees a diagonal step is a step along both axes; a level line has only straight ones.
     return moved == (line.decisions[i].step == PixelStep::diagonal ? 2 : 1);
 }
 
@@ -150,7 +149,7 @@ TEST_CASE("Bresenham and midpoint take the nearest pixels in every octant, at ev
     }
 }
 
-TEST_CASE("Bresenham and midpoint arrive across the whole range of vertices") {
+TEST_CASE("Bresenham and midpoint reach the end across the full range of vertices") {
     Random random(611);
     for (const LineFunction function : integer_lines) {
         CHECK(fault_of(function, at(-16384, -16384), at(16384, 16383)).empty());
@@ -176,7 +175,7 @@ TEST_CASE("The first decisions of the edge from (0,0) to (5,2)") {
     CHECK(bresenham.decisions.back().step == PixelStep::none);
 }
 
-TEST_CASE("Walked the other way, a line has other pixels at its ties and nowhere else") {
+TEST_CASE("Walked the other way, a line has different pixels at its ties and nowhere else") {
     for (int dx = -24; dx <= 24; ++dx) {
         for (int dy = -24; dy <= 24; ++dy) {
             const ScreenVertex a = at(5, 7), b = at(5 + dx, 7 + dy);
@@ -195,7 +194,7 @@ TEST_CASE("Walked the other way, a line has other pixels at its ties and nowhere
     }
 }
 
-TEST_CASE("The DDA takes a nearest pixel, or one that a rounding error makes so, and arrives") {
+TEST_CASE("The DDA takes the nearest pixel, up to rounding errors, and reaches the end") {
     Random random(612);
     for (int i = 0; i < rounds(400, 40); ++i) {
         const int reach = i % 4 == 0 ? 2048 : 300;
@@ -232,7 +231,7 @@ TEST_CASE("The DDA carries its float where the others carry whole numbers") {
     }
 }
 
-TEST_CASE("Values change in equal shares along the longer axis, and end at the end") {
+TEST_CASE("Values change in equal steps along the longer axis, and end at the end point's") {
     Random random(613);
     for (const LineFunction function :
          {line_by_bresenham, line_by_midpoint, line_by_dda, line_by_wrong_term}) {
@@ -256,7 +255,7 @@ TEST_CASE("Values change in equal shares along the longer axis, and end at the e
     }
 }
 
-TEST_CASE("An edge of one sample is its beginning, and decides nothing") {
+TEST_CASE("An edge of one sample is its start, and decides nothing") {
     for (const LineFunction function : {line_by_bresenham, line_by_midpoint, line_by_dda}) {
         const Line line = line_of(function, at(7, -3), at(7, -3));
         REQUIRE(line.samples.size() == 1);
@@ -265,7 +264,7 @@ TEST_CASE("An edge of one sample is its beginning, and decides nothing") {
     }
 }
 
-TEST_CASE("The lab's line is Interpolate, and leaves the decisions alone") {
+TEST_CASE("The lab's line is Interpolate, and does not use decisions") {
     const ScreenVertex a = at(0, 2), b = at(3, 1);
     const Line line = line_of(line_by_interpolate, a, b);
     std::vector<LineSample> samples(4);
@@ -278,7 +277,7 @@ TEST_CASE("The lab's line is Interpolate, and leaves the decisions alone") {
     }
 }
 
-TEST_CASE("Each word of line stands for its function, and only Interpolate asks the other rules") {
+TEST_CASE("Each word of line stands for its function, and only Interpolate uses the other rules") {
     Settings settings;
     CHECK(choose_stages(settings) == Stages{});
     settings.edge_samples = EdgeSamples::rows;
@@ -304,7 +303,7 @@ TEST_CASE("Each word of line stands for its function, and only Interpolate asks 
     CHECK(choose_stages(settings).line == line_by_midpoint);
 }
 
-TEST_CASE("B38 and B39 are right where you do not notice, and never leave the box of the edge") {
+TEST_CASE("B38 and B39 are correct where you do not notice, and never leave the box of the edge") {
     for (int dx = -20; dx <= 20; ++dx) {
         for (int dy = -20; dy <= 20; ++dy) {
             const ScreenVertex a = at(2, 1), b = at(2 + dx, 1 + dy);
@@ -315,7 +314,7 @@ TEST_CASE("B38 and B39 are right where you do not notice, and never leave the bo
             const std::vector<glm::ivec2> wrong_term = pixels_of(line_of(line_by_wrong_term, a, b));
             CAPTURE(dx, dy);
             if (is_first != (one_octant == right)) FAIL("the first octant");
-            // Level, upright and too short for a second diagonal step: nothing is left out.
+            // Level, vertical or too short for a second diagonal step: nothing is left out.
             if ((dx == 0 || dy == 0) && wrong_term != right) FAIL("a line along an axis");
             for (const auto* pixels : {&one_octant, &wrong_term}) {
                 for (const glm::ivec2& p : *pixels) {

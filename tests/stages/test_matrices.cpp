@@ -1,5 +1,5 @@
 // The matrix path compared with the lab's: the room has the same bits, and from any camera a vertex
-// is elsewhere only if its exact place is within rounding of a border between pixels.
+// moves only if its exact place is within rounding of a border between pixels.
 
 #include "stages/matrices.h"
 
@@ -30,7 +30,7 @@ Settings by_matrices(Settings settings) {
     return settings;
 }
 
-/// A position on screen that is not yet cut to whole pixels, from the middle, in long double and
+/// A position on screen before truncation to whole pixels, from the middle, in long double and
 /// without a matrix: by the angles of the camera, turned one after the other.
 struct ExactPlace {
     long double x, y, z;
@@ -59,7 +59,8 @@ glm::dvec4 column(const glm::dmat4& matrix, int i) {
 
 } // namespace
 
-TEST_CASE("By matrices 0 of the room's 90 vertices are elsewhere and 0 of 250,000 pixels differ") {
+TEST_CASE(
+    "With matrices none of the room's 90 vertices move and none of its 250,000 pixels differ") {
     const Scene room = lab_room();
     const Settings lab = default_settings(room);
     const Frame a = prepare_frame(room, lab), b = prepare_frame(room, by_matrices(lab));
@@ -78,7 +79,7 @@ TEST_CASE("By matrices 0 of the room's 90 vertices are elsewhere and 0 of 250,00
     CHECK(in_a.owner == in_b.owner);
 }
 
-TEST_CASE("From any camera a vertex is elsewhere only within rounding of a cut") {
+TEST_CASE("From any camera a vertex moves only if it is within rounding of a cut") {
     const Scene room = lab_room();
     Random random(123);
     int compared = 0, elsewhere = 0;
@@ -100,10 +101,10 @@ TEST_CASE("From any camera a vertex is elsewhere only within rounding of a cut")
                 const ScreenVertex& chain = b.triangle_vertices(t)[static_cast<std::size_t>(v)];
                 ++compared;
                 const ExactPlace exact = exact_place(room.corner(t, v).position, settings.camera);
-                // Of the order of one float's rounding of each of the lab's some ten operations.
+                // About one float rounding for each of the lab's ten or so operations.
                 const long double bound = 2e-6L * (1.0L + std::abs(exact.x) + std::abs(exact.y)) *
                                           (1.0L + 4.0L / exact.z);
-                // R is in float: its rounding is of the size of the way, not of z.
+                // R is in float, so its rounding is relative to the distance, not to z.
                 const glm::vec3 way = room.corner(t, v).position - settings.camera.position;
                 CHECK(std::abs(static_cast<long double>(chain.z) - exact.z) <
                       3e-7L * (std::abs(way.x) + std::abs(way.y) + std::abs(way.z)));
@@ -119,7 +120,7 @@ TEST_CASE("From any camera a vertex is elsewhere only within rounding of a cut")
     CHECK(elsewhere < compared / 1000);
 }
 
-TEST_CASE("The columns of the view matrix are what becomes of the axes") {
+TEST_CASE("The columns of the view matrix are the transformed axes") {
     Random random(124);
     for (int i = 0; i < rounds(500, 50); ++i) {
         Camera camera;
@@ -141,7 +142,7 @@ TEST_CASE("The columns of the view matrix are what becomes of the axes") {
     }
 }
 
-TEST_CASE("Look-at has its target in the middle, up upward, and three axes of unit length") {
+TEST_CASE("Look-at has its target in the middle, up pointing up, and three axes of unit length") {
     Random random(125);
     for (int i = 0; i < rounds(2000, 200); ++i) {
         Camera camera;
@@ -159,7 +160,7 @@ TEST_CASE("Look-at has its target in the middle, up upward, and three axes of un
         CHECK(up.x == Approx(0.0f).margin(1e-3f));
         CHECK(up.y < 1e-3f); // y runs down
         CHECK(glm::determinant(r) == Approx(1.0f).margin(1e-4f));
-        // As books have it: the same axes, with y up and z toward the viewer.
+        // As in books: the same axes, with y up and z toward the viewer.
         const glm::dmat4 book = look_at_matrix(
             glm::dvec3(camera.position), glm::dvec3(camera.target) - glm::dvec3(camera.position),
             glm::dvec3(camera.up));
@@ -187,7 +188,7 @@ TEST_CASE("A camera that looks nowhere, or along up, still has three axes") {
     CHECK(straight == glm::mat3(1.0f));
 }
 
-TEST_CASE("The view volume becomes the box of ndc, and ndc the window") {
+TEST_CASE("The view volume becomes the NDC box, and NDC the window") {
     VertexRules rules;
     rules.viewport = {640, 480};
     rules.camera.focal_length = 400.0f;
@@ -212,13 +213,13 @@ TEST_CASE("The view volume becomes the box of ndc, and ndc the window") {
     const glm::dmat4 viewport = viewport_matrix(rules);
     CHECK(viewport * glm::dvec4(-1.0, -1.0, 0.0, 1.0) == glm::dvec4(0.0, 0.0, 0.0, 1.0));
     CHECK(viewport * glm::dvec4(1.0, 1.0, 0.5, 1.0) == glm::dvec4(640.0, 480.0, 0.5, 1.0));
-    // The lab's middle is a whole pixel.
+    // The lab's middle is a whole number of pixels.
     rules.viewport = {7, 5};
     CHECK(viewport_matrix(rules) * glm::dvec4(0.0, 0.0, 0.0, 1.0) ==
           glm::dvec4(3.0, 2.0, 0.0, 1.0));
 }
 
-TEST_CASE("Half of the range of ndc z is used up at twice the near plane") {
+TEST_CASE("Half of the range of NDC z is used up at twice the near plane") {
     const VertexRules rules; // 0.1 and 100
     const auto z_ndc = [&](double z) { return ndc_depth(z, rules); };
     CHECK(z_ndc(0.2) == Approx(0.5005).margin(5e-6));
@@ -226,7 +227,7 @@ TEST_CASE("Half of the range of ndc z is used up at twice the near plane") {
     CHECK(z_ndc(4.0) == Approx(100.0 / 99.9 * (1.0 - 0.1 / 4.0)));
 }
 
-TEST_CASE("The mistakes of rotation and focal length are made by matrices too") {
+TEST_CASE("The mistakes of rotation and focal length can be made with matrices too") {
     const Scene room = lab_room();
     for (const char* mistake : {"rotation=transposed", "image_axes=mirrored",
                                 "image_axes=exchanged", "image_axes=uncentred"}) {

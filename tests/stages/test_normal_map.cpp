@@ -31,7 +31,7 @@ std::array<Vertex, triangle_corners> wall(const glm::vec2& uv_0, const glm::vec2
 
 constexpr glm::vec3 to_camera{0, 0, -1};
 
-/// So that 0 and -0 are the same.
+/// Makes -0 the same as 0.
 void check_vector(const glm::vec3& value, const glm::vec3& wanted) {
     INFO(value.x << " " << value.y << " " << value.z);
     CHECK(glm::distance(value, wanted) <= 1e-6f);
@@ -63,7 +63,7 @@ TEST_CASE("The axes of a wall: t along u, b toward the texture's top, also in a 
     CHECK(handedness(turned, quarter) == 1.0f);
 }
 
-TEST_CASE("t is perpendicular to the normal at hand, and unit length") {
+TEST_CASE("t is perpendicular to the given normal, and of unit length") {
     const UvDirections uv = uv_directions(wall({0.1f, 0.2f}, {0.9f, 0.5f}, {-0.3f, 0.8f}));
     for (const glm::vec3 leaning : {glm::vec3{0.3f, -0.2f, -1}, {-0.9f, 0.4f, -0.3f}, {0, 0, 1}}) {
         const glm::vec3 normal = glm::normalize(leaning);
@@ -76,7 +76,7 @@ TEST_CASE("t is perpendicular to the normal at hand, and unit length") {
     }
 }
 
-TEST_CASE("A texture without area, or with coordinates that are no numbers, has no axes") {
+TEST_CASE("A texture without area, or with coordinates that are not numbers, has no axes") {
     constexpr float huge = 3e38f, none = std::numeric_limits<float>::quiet_NaN();
     for (const auto& corners :
          {wall({0, 0}, {0, 0}, {0, 0}), wall({0, 0}, {1, 1}, {2, 2}),
@@ -101,7 +101,7 @@ TEST_CASE(
     check_vector(bent_normal(arrow_of_texel({1, 0.5f, 0.5f}), axes), {1, 0, 0});
     check_vector(bent_normal(arrow_of_texel({0.5f, 1, 0.5f}), axes), {0, -1, 0});
     check_vector(bent_normal(arrow_with_green_turned({0.5f, 1, 0.5f}), axes), {0, 1, 0});
-    // Undecoded, flat ground leans by 35.3 degrees: tan is the square root of 1/2.
+    // Undecoded, flat ground leans by 35.3 degrees, whose tangent is the square root of 1/2.
     const glm::vec3 askew = bent_normal(arrow_undecoded({0.5f, 0.5f, 1.0f}), axes);
     CHECK(std::acos(-static_cast<double>(askew.z)) * 57.29577951 == Approx(35.2644).margin(0.001));
     // Grey has no direction at all.
@@ -121,7 +121,7 @@ glm::vec3 any_direction(test::Random& random) {
 
 } // namespace
 
-TEST_CASE("Tangent space: the arrow as it is, and a light taken there by the inverse in double") {
+TEST_CASE("Tangent space has unit axes, and light in it agrees with double") {
     test::Random random(2329);
     const UvDirections uv = uv_directions(wall({0.1f, 0.2f}, {0.9f, 0.5f}, {-0.3f, 0.8f}));
     double worst_askew = 0.0;
@@ -140,7 +140,7 @@ TEST_CASE("Tangent space: the arrow as it is, and a light taken there by the inv
         }
         const glm::dvec3 taken = along(square, glm::dvec3(light));
         CHECK(glm::distance(glm::dvec3(along_axes(light, axes)), taken) < 1e-5);
-        // The slant in the world, by the axes as they were given.
+        // The slant in the world, by the given axes.
         const glm::dmat3 as_given(given.tangent, given.bitangent, given.normal);
         const double wanted =
             glm::dot(glm::dvec3(light), glm::normalize(as_given * glm::dvec3(arrow)));
@@ -149,7 +149,7 @@ TEST_CASE("Tangent space: the arrow as it is, and a light taken there by the inv
             check_vector(space->normal, arrow);
             check_vector(axes.normal, given.normal);
         } else {
-            // Here the inverse of the given axes would be another light.
+            // Here the inverse of the given axes would give different light.
             const double askew = glm::dot(along(as_given, glm::dvec3(light)), glm::dvec3(arrow));
             worst_askew = std::max(worst_askew, std::abs(askew - wanted));
         }

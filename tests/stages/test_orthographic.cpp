@@ -41,7 +41,7 @@ VertexRules rules_with(float mix, ClipDepth depth) {
     return rules;
 }
 
-/// What a buffer of reversed z holds.
+/// The content of a buffer of reversed z.
 float in_bits(float depth, int bits) {
     DepthRules rules;
     rules.projection.clip_depth = ClipDepth::reversed;
@@ -90,7 +90,7 @@ TEST_CASE("Back wall and opening of the room are equally wide without perspectiv
     }
 }
 
-TEST_CASE("The depth of a projection without 1/z is linear, and ndc z is one less it") {
+TEST_CASE("The depth of a projection without 1/z is linear, and NDC z is one minus it") {
     for (const float mix : {0.0f, 0.25f, 0.5f, 1.0f}) {
         const VertexRules ndc = rules_with(mix, ClipDepth::ndc);
         const VertexRules reversed = rules_with(mix, ClipDepth::reversed);
@@ -115,15 +115,15 @@ TEST_CASE("The depth of a projection without 1/z is linear, and ndc z is one les
     }
 }
 
-TEST_CASE("The way to orthographic is that of a camera which goes back and takes a longer lens") {
+TEST_CASE("Mixing toward orthographic is moving the camera back with a longer lens") {
     Random random(127);
     for (int i = 0; i < rounds(500, 50); ++i) {
         const glm::vec3 place = random_place_ahead(random);
         const auto m = static_cast<double>(random.number(0.05, 0.95));
         const VertexRules rules = rules_with(static_cast<float>(m), ClipDepth::reversed);
         const glm::vec4 clip = to_clip_space_mixed(place, rules);
-        // So far behind, and so long that at the depth 3 the size is f / 3 with f = 500, times what
-        // the mixture has there.
+        // The distance back, and the lens that at the depth 3 gives the size f / 3 with f = 500,
+        // times the mixture's factor there.
         const double back = m / (1.0 - m), at_d = ((1.0 - m) * 3.0 + m) / (1.0 - m);
         const double lens = 500.0 / 3.0 * at_d;
         CHECK(clip.x / clip.w == Approx(lens * place.x / (place.z + back)).epsilon(1e-4));
@@ -161,7 +161,7 @@ TEST_CASE("The planes of the view follow the projection") {
     }
 }
 
-TEST_CASE("What is clipped under any projection is the same picture within the view") {
+TEST_CASE("Under any projection the clipped picture is the same within the view") {
     const Scene room = lab_room();
     for (const float mix : {0.3f, 1.0f}) {
         Settings settings = default_settings(room);
@@ -180,8 +180,8 @@ TEST_CASE("What is clipped under any projection is the same picture within the v
         for (std::size_t i = 0; i < drawn.owner.size(); ++i) {
             other += drawn.owner[i] == whole.owner[i] ? 0 : 1;
             if (drawn.owner[i] >= 0 || whole.owner[i] < 0) continue;
-            // A corner cut at the left or the upper side lies there within rounding, and is cut off
-            // toward the middle: only the outermost column and row may miss.
+            // A corner cut at the left or the upper side is there within rounding, and is truncated
+            // toward the middle, so only the outermost column and row can be missing.
             const std::size_t column = i % 120, row = i / 120;
             if (column > 0 && row > 0) FAIL("a hole at " << column << ", " << row);
         }
@@ -189,7 +189,7 @@ TEST_CASE("What is clipped under any projection is the same picture within the v
     }
 }
 
-TEST_CASE("By the depth of the world's origin the scale is f / d, or by the depth that is set") {
+TEST_CASE("The scale is f / d, with d the depth of the world's origin or the one set") {
     const Scene room = lab_room();
     Settings settings = orthographic_settings(room);
     CHECK(orthographic_depth_rule(settings) == 3.001f);
@@ -204,7 +204,7 @@ TEST_CASE("By the depth of the world's origin the scale is f / d, or by the dept
     CHECK(vertex_rules(settings, SceneSpace::pixels).projection.mix == 0.0f);
 }
 
-TEST_CASE("Backs are those that turn away from the parallel rays") {
+TEST_CASE("Back faces are those that face away along the parallel rays") {
     const Scene room = lab_room();
     Settings by_normal = orthographic_settings(room), by_area = by_normal;
     Random random(129);
@@ -223,7 +223,7 @@ TEST_CASE("Backs are those that turn away from the parallel rays") {
     CHECK(culled > 0);
 }
 
-TEST_CASE("Where rays are parallel what is behind the camera is left out too") {
+TEST_CASE("With parallel rays triangles behind the camera are left out too") {
     const Scene room = lab_room();
     Random random(134);
     int behind = 0, before = 0;
@@ -255,7 +255,7 @@ TEST_CASE("Where rays are parallel what is behind the camera is left out too") {
     CHECK(before > 100);
 }
 
-TEST_CASE("Where planes cut, nothing that they leave is taken for something behind the camera") {
+TEST_CASE("Nothing left by cutting planes counts as behind the camera") {
     const Scene room = lab_room();
     for (const char* const clip : {"clip=near", "clip=all", "clip=guard_band"}) {
         Settings settings = orthographic_settings(room);
@@ -273,7 +273,7 @@ TEST_CASE("Where planes cut, nothing that they leave is taken for something behi
     }
 }
 
-TEST_CASE("A fragment asks for the camera along the same rays as its triangle") {
+TEST_CASE("A fragment is culled along the same rays as its triangle") {
     const Scene room = lab_room();
     Random random(133);
     int backs = 0;
@@ -285,7 +285,7 @@ TEST_CASE("A fragment asks for the camera along the same rays as its triangle") 
         settings.camera.yaw = random.number(-1, 1);
         settings.camera.pitch = random.number(-0.5f, 0.5f);
         set_from_text(settings, "stage=depth");
-        // A wall seen from its edge is one side or the other by rounding.
+        // A wall seen edge-on faces one way or the other by rounding.
         const Frame asked = prepare_frame(room, settings);
         bool is_on_edge = false;
         for (int t = 0; t < asked.triangle_count(); ++t) {
@@ -306,7 +306,7 @@ TEST_CASE("A fragment asks for the camera along the same rays as its triangle") 
     CHECK(backs > 0);
 }
 
-TEST_CASE("No projection and no planes make a number that is none") {
+TEST_CASE("No projection and no planes make NaN") {
     const Scene room = lab_room();
     Random random(130);
     for (int i = 0; i < rounds(100, 20); ++i) {
@@ -326,7 +326,7 @@ TEST_CASE("No projection and no planes make a number that is none") {
         settings.transform = static_cast<Transform>(random.integer(0, 1));
         const Framebuffer drawn = draw_frame(prepare_frame(room, settings));
         for (const float depth : drawn.depth)
-            if (std::isnan(depth)) FAIL("a depth is no number");
+            if (std::isnan(depth)) FAIL("a depth is not a number");
     }
 }
 
@@ -347,7 +347,7 @@ TEST_CASE("A depth buffer of few bits holds the nearest of its values") {
         CHECK(in_bits(outside, 24) == 1.0f);
 }
 
-TEST_CASE("By every depth the same surface of the room is nearest, but where two are as near") {
+TEST_CASE("With every depth format the same surface of the room is nearest, except for ties") {
     const Scene room = lab_room();
     Settings settings = default_settings(room);
     set_from_text(settings, "stage=depth");
@@ -360,7 +360,8 @@ TEST_CASE("By every depth the same surface of the room is nearest, but where two
             const double z = 1.0 / static_cast<double>(by_inv_z.depth[i]);
             if ((drawn.owner[i] < 0) != (by_inv_z.owner[i] < 0)) FAIL("one has a hole at " << i);
             if (drawn.owner[i] < 0) continue;
-            // Each buffer holds its nearest: where both hold the same, owners differ only by a tie.
+            // Each buffer holds its nearest. If both hold the same, owners differ only because of a
+            // tie.
             const double ndc = static_cast<double>(other.far) / (other.far - other.near) *
                                (1.0 - static_cast<double>(other.near) / z);
             if (std::abs(1.0 - ndc - static_cast<double>(drawn.depth[i])) > 2e-5)
@@ -374,7 +375,7 @@ TEST_CASE("By every depth the same surface of the room is nearest, but where two
     // Ties on the edges that triangles share: both draw them, and rounding decides.
     CHECK(other_pixels("reversed_32") < 2000);
     CHECK(other_pixels("reversed_24") < 2000);
-    // A step of 16 bits at z = 4 is 0.0024 units; with near at 0.001 a hundred times that.
+    // A step of 16 bits at z = 4 is 0.0024 units; with near = 0.001 it is a hundred times that.
     settings.near = 0.001f;
     CHECK(other_pixels("reversed_16") > other_pixels("reversed_24"));
 }

@@ -61,7 +61,7 @@ TEST_CASE("Varyings are recovered by 1/z if they were carried as q/z, and kept i
     }
 }
 
-TEST_CASE("Light per vertex is what the vertices brought along, whatever the surface and lamp") {
+TEST_CASE("Light per vertex is what the vertices carry, whatever the surface and lamp") {
     PixelRules rules;
     rules.shading = Shading::gouraud;
     for (const Interpolation way : {Interpolation::perspective, Interpolation::affine}) {

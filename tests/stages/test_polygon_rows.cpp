@@ -66,7 +66,7 @@ TEST_CASE("The triangle (10,20) (30,10) (20,40) has 31 rows") {
     CHECK(rows.right[30].column == 20);
 }
 
-TEST_CASE("A row that no sample has reached holds the extreme starting values and no pixels") {
+TEST_CASE("A row that no sample has reached has the extreme starting values and no pixels") {
     PolygonRows rows;
     const std::vector<ScreenVertex> vertices{at(3, -4), at(9, 2), at(5, 1)};
     begin_polygon_rows(vertices, {}, rows);
@@ -80,7 +80,7 @@ TEST_CASE("A row that no sample has reached holds the extreme starting values an
     }
 }
 
-TEST_CASE("A table starts afresh however it was used before") {
+TEST_CASE("A table starts empty however it was used before") {
     PolygonRows rows;
     compute_polygon_rows(std::vector{at(0, 2), at(3, 1), at(3, 1)}, WalkRules{}, rows);
     CHECK(rows.outside == 1);
@@ -162,7 +162,7 @@ TEST_CASE("The rows of random polygons are those of the definition, under every 
     }
 }
 
-TEST_CASE("Exact walks leave no row empty, write nothing outside, and hold every vertex") {
+TEST_CASE("Exact walks leave no row empty, write nothing outside, and contain every vertex") {
     Random random(9);
     for (int i = 0; i < 2000; ++i) {
         std::vector<ScreenVertex> vertices;

@@ -1,4 +1,4 @@
-// Each step of the pipeline takes what the previous step leaves, and nothing else.
+// Each step of the pipeline takes the output of the previous step, and nothing else.
 
 #include <type_traits>
 
@@ -69,7 +69,7 @@ TEST_CASE("A vertex on the screen keeps its place inside the pixel that it is sn
     CHECK(given.pixel.row == 2);
 }
 
-TEST_CASE("A line may begin and end inside pixels") {
+TEST_CASE("A line can begin and end inside pixels") {
     LineEnd a, b;
     a.x = 0.25f;
     b.x = 4.25f;

@@ -21,7 +21,7 @@ Stages stages_with(TextureFilter filter, TextureWrap wrap) {
     return choose_stages(settings);
 }
 
-/// A footprint so many texels wide and high.
+/// A footprint with this width and height in texels.
 Footprint footprint_of(const Texture& texture, float wide, float high) {
     return {{wide / static_cast<float>(texture.base().width), 0.0f},
             {0.0f, high / static_cast<float>(texture.base().height)}};
@@ -29,7 +29,7 @@ Footprint footprint_of(const Texture& texture, float wide, float high) {
 
 } // namespace
 
-TEST_CASE("Beyond its border a texture is repeated, goes on, or is mirrored") {
+TEST_CASE("Beyond its border a texture is repeated, clamped or mirrored") {
     struct Case {
         int texel, repeat, clamp, mirror;
     };
@@ -75,7 +75,7 @@ TEST_CASE("At the centre of a texel, (i + 1/2) / n, nearest and bilinear give it
     }
 }
 
-TEST_CASE("Texels that are taken add up to the colour, and their weights to 1") {
+TEST_CASE("The texels used add up to the colour, and their weights to 1") {
     const Texture texture = make_texture("made", test::many_colours(12, 7));
     test::Random random(5);
     for (const auto& [filter, most] : {std::pair{TextureFilter::nearest, 1},
@@ -134,7 +134,7 @@ TEST_CASE("The level is log2 of the longer side of the footprint, from 0 to the 
     CHECK(nearest_level(5.0f) == 5);
 }
 
-TEST_CASE("Places that are no number, or beyond all counting, are some texel all the same") {
+TEST_CASE("Places that are not numbers, or huge, still give some texel") {
     const Texture texture = make_texture("made", test::many_colours(3, 5));
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float endless = std::numeric_limits<float>::infinity();

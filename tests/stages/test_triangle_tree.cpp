@@ -61,7 +61,7 @@ TEST_CASE("A ray meets the same triangle with boxes and without") {
     CHECK(misses > 50);
 }
 
-TEST_CASE("Where a ray meets a triangle is where its plane and the weights in double say") {
+TEST_CASE("A ray meets a triangle where its plane and weights in double say") {
     test::Random random(8);
     int met = 0, missed = 0, ties = 0;
     for (int i = 0; i < test::rounds(6'000, 3'000); ++i) {
@@ -73,7 +73,7 @@ TEST_CASE("Where a ray meets a triangle is where its plane and the weights in do
         const glm::dvec3 normal = glm::cross(db - da, dc - da);
         const double wanted = glm::dot(normal, da - from) / glm::dot(normal, way);
         const glm::dvec3 at = from + way * wanted;
-        // The weight of a corner is the area of the other two and the place over the whole.
+        // The weight of a corner is the area of the other two and the place, over the whole area.
         const auto weight = [&](const glm::dvec3& p, const glm::dvec3& q) {
             return glm::dot(normal, glm::cross(p - at, q - at)) / glm::dot(normal, normal);
         };
@@ -94,7 +94,7 @@ TEST_CASE("Where a ray meets a triangle is where its plane and the weights in do
     CHECK(ties < missed / 20);
 }
 
-TEST_CASE("A ray ends where it ends, meets both sides, and the edges belong to a triangle") {
+TEST_CASE("A ray stops at its ends, meets both sides, and edges belong to a triangle") {
     const RayTriangle wall{{0, 0, 2}, {4, 0, 0}, {0, 4, 0}};
     const auto t_of = [&](const glm::vec3& from, const glm::vec3& way, float end = 1.0f) {
         return meeting_of({from, way, end}, wall);
@@ -116,7 +116,7 @@ TEST_CASE("A ray ends where it ends, meets both sides, and the edges belong to a
     CHECK(t_of({1, 1, 0}, {nan, 0, 4}) == nowhere);
 }
 
-TEST_CASE("Of triangles at the same place a ray meets the first of the mesh, and none in no mesh") {
+TEST_CASE("A ray meets the first of coinciding triangles, and none in an empty mesh") {
     Mesh mesh;
     CHECK_FALSE(TriangleTree(mesh).first_hit({{0, 0, 0}, {0, 0, 1}, 1.0f}).is_hit());
     for (int i = 0; i < 20; ++i)

@@ -56,7 +56,7 @@ TEST_CASE("The room's corners fall on the handout's pixels") {
     CHECK(far.rejection == Rejection::none);
 }
 
-TEST_CASE("A vertex passes through every space as double precision has it") {
+TEST_CASE("A vertex passes through every space as in double precision") {
     Random random(13);
     for (int i = 0; i < 5000; ++i) {
         VertexRules rules;
@@ -88,7 +88,7 @@ TEST_CASE("A vertex passes through every space as double precision has it") {
         }
         const double x = rules.camera.focal_length * camera.x / camera.z;
         const double y = rules.camera.focal_length * camera.y / camera.z;
-        // 2e-6 of a place nearer than a tenth moves a pixel by so much.
+        // 2e-6 of a place nearer than a tenth moves a pixel by this much.
         const double tolerance =
             1e-5 * rules.camera.focal_length / camera.z * (1.0 + glm::length(camera) / camera.z);
         if (std::max(std::abs(x), std::abs(y)) > 16000.0) continue;
@@ -120,7 +120,7 @@ TEST_CASE("The camera's matrix is a turn: it keeps lengths, angles and handednes
     }
 }
 
-TEST_CASE("The lab's row vector times R is the field's transposed matrix times a column vector") {
+TEST_CASE("The lab's row vector times R is the transposed matrix times a column vector") {
     Camera camera;
     camera.yaw = 0.3f;
     // The lab's R for yaw, row by row: (c 0 s) (0 1 0) (-s 0 c).
@@ -135,7 +135,7 @@ TEST_CASE("The lab's row vector times R is the field's transposed matrix times a
     CHECK(glm::distance(v * r, r * v) > 0.1f);
 }
 
-TEST_CASE("What the camera looks at is in the middle; turning right moves the world left") {
+TEST_CASE("The camera's target is in the middle; turning right moves the world left") {
     VertexRules rules = plain_rules();
     rules.viewport = {200, 100};
     for (const float yaw : {-1.0f, 0.0f, 0.4f}) {
@@ -192,7 +192,7 @@ TEST_CASE("Cut after the middle was added, only the first column and row are twi
     CHECK(pixel(-0.9f, -0.9f) == glm::ivec2(4, 2));
     CHECK(pixel(0.9f, 0.9f) == glm::ivec2(5, 3));
     CHECK(pixel(-4.9f, -2.9f) == glm::ivec2(0, 0));
-    // Up to a pixel beyond the border is cut onto it, where floor leaves the picture.
+    // Up to a pixel beyond the border is truncated onto it, where floor leaves the picture.
     CHECK(pixel(-5.9f, -3.9f) == glm::ivec2(0, 0));
     CHECK(pixel(-6.0f, -4.0f) == glm::ivec2(-1, -1));
     CHECK(pixel(4.9f, 3.9f) == glm::ivec2(9, 6));
@@ -231,7 +231,7 @@ TEST_CASE("A vertex on or behind the camera plane is left out") {
     CHECK(shade({0, 0, -3.001f}).rejection == Rejection::behind_camera);
 }
 
-TEST_CASE("A coordinate that is not finite is left out, wherever it stands") {
+TEST_CASE("A vertex with a coordinate that is not finite is left out") {
     for (const float bad : {not_a_number, infinity, -infinity}) {
         for (int axis = 0; axis < 3; ++axis) {
             glm::vec3 position(0.5f, 0.5f, 2.0f);
@@ -270,7 +270,7 @@ TEST_CASE("A vertex farther out than the limit is left out, and one on the limit
     }
 }
 
-TEST_CASE("A vertex sets out with its place and, for light per vertex, its light, divided by z") {
+TEST_CASE("A vertex starts with its place and, for light per vertex, its light, divided by z") {
     VertexRules rules;
     rules.light.power = glm::vec3(14.0f);
     const Vertex vertex = [] {
@@ -290,7 +290,7 @@ TEST_CASE("A vertex sets out with its place and, for light per vertex, its light
         rules.shading = shading;
         const Varyings affine = shade_vertex(vertex, rotation, rules, wrong).pixel.varyings;
         const ScreenVertex pixel = shade_vertex(vertex, rotation, rules, right).pixel;
-        // Before the division there is no weight yet, whichever way the varyings will be carried.
+        // Before the division there is no weight yet, however the varyings will be carried.
         const ClipVertex clip = vertex_shader(vertex, rotation, rules, right, nullptr);
         CHECK(same_bits(clip.varyings.illumination, affine.illumination));
         CHECK(same_bits(pixel.inv_w, 1.0f / clip.position_clip.w));

@@ -20,7 +20,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// The room by matrices, seen through any window, which is off-centre.
+/// The room by matrices, seen through any off-centre window.
 Settings any_box(const Scene& room, Random& random) {
     Settings settings = default_settings(room);
     settings.transform = Transform::matrices;
@@ -36,7 +36,7 @@ Settings any_box(const Scene& room, Random& random) {
 } // namespace
 
 TEST_CASE(
-    "The projection matrix of a window is glm's frustum or ortho, but for the signs of y and z") {
+    "A window's projection matrix is glm's frustum or ortho, except for the signs of y and z") {
     const Scene room = lab_room();
     Random random(301);
     for (int i = 0; i < rounds(400, 100); ++i) {
@@ -64,7 +64,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Vertices are drawn where rays through the window at the near plane have them") {
+TEST_CASE("Vertices are drawn where rays through the window at the near plane put them") {
     const Scene room = lab_room();
     Random random(302);
     int compared = 0;
@@ -86,7 +86,7 @@ TEST_CASE("Vertices are drawn where rays through the window at the near plane ha
                 const double across = (share * place.x - box.left) / (box.right - box.left);
                 const double down = (box.top + share * place.y) / (box.top - box.bottom);
                 const auto& drawn = frame.triangle_vertices(t)[static_cast<std::size_t>(v)];
-                // The middle of the picture is a whole pixel.
+                // The middle of the picture is a whole number of pixels.
                 const double odd_x = 0.5 * (settings.viewport.width % 2);
                 const double odd_y = 0.5 * (settings.viewport.height % 2);
                 const double x = across * settings.viewport.width - odd_x;
@@ -101,8 +101,7 @@ TEST_CASE("Vertices are drawn where rays through the window at the near plane ha
     CHECK(compared > 1000);
 }
 
-TEST_CASE(
-    "The window that shows what the focal length does gives the same picture, another does not") {
+TEST_CASE("A window equal to the focal length's view gives the same picture, another does not") {
     const Scene room = lab_room();
     for (const char* projection : {"projection=perspective", "projection=orthographic"}) {
         // Powers of 2, so that no number is rounded.
@@ -118,7 +117,7 @@ TEST_CASE(
         CHECK(box == ViewBox{-half, half, -0.5f * half, 0.5f * half});
         settings.view_box = box;
         CHECK(draw_frame(prepare_frame(room, settings)) == usual);
-        settings.camera.focal_length = 300.0f; // the box is in its place
+        settings.camera.focal_length = 300.0f; // the box replaces it
         settings.orthographic_depth = 3.0f;
         CHECK(draw_frame(prepare_frame(room, settings)).colour == usual.colour);
         settings.view_box->right *= 1.5f;
@@ -130,7 +129,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Boxes as thin, as wide and as far off-centre as they can be are drawn") {
+TEST_CASE("Boxes as thin, wide and far off-centre as possible are drawn") {
     const Scene room = lab_room();
     const auto& kind = std::get<BoxSetting>(find_setting("view_box")->kind);
     const float end = kind.largest, thin = kind.least_side;

@@ -45,7 +45,7 @@ struct BugRuns {
     }
 };
 
-/// How many pixels have a different colour.
+/// The number of pixels whose colour differs.
 inline int different_pixels(const Framebuffer& a, const Framebuffer& b) {
     int different = 0;
     for (std::size_t at = 0; at < a.colour.size(); ++at)

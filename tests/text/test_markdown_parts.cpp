@@ -79,7 +79,7 @@ TEST_CASE("Every link, picture, formula and footnote is found, with its line") {
                                              "15 footnote d\n");
 }
 
-TEST_CASE("What stands in code or behind a backslash is no part") {
+TEST_CASE("Text in code or after a backslash is not a part") {
     CHECK(parts_of("`[a](b) $c$ [^d] <!--` \\[a](b) \\$c$ \\[^d] \\<!--\n"
                    "\n"
                    "```\n"
@@ -91,7 +91,7 @@ TEST_CASE("What stands in code or behind a backslash is no part") {
               .empty());
 }
 
-TEST_CASE("What is drawn as it is written, or not at all, is reported") {
+TEST_CASE("Markup that would be drawn as text, or not at all, is reported") {
     CHECK(parts_of("a <!-- b --> <https://example.org/> <a b> [c](d e) [f] (g h)\n") ==
           "0 comment\n0 address <https://example.org/>\n0 split_target d e\n");
     CHECK(parts_of("[a]\n\n[a]: b\n> [c]: d\n") == "0 link b (a)\n2 definition\n3 definition\n");
@@ -99,7 +99,7 @@ TEST_CASE("What is drawn as it is written, or not at all, is reported") {
     CHECK(parts_of("Words.\n\n| | |\n|---|---|\n| a | b |\n") == "2 table 2\n");
 }
 
-TEST_CASE("Only what is drawn in one another is nested") {
+TEST_CASE("Only parts drawn inside each other are nested") {
     CHECK(parts_of("a\n" + repeated("*a **b ", 20) + repeated("c** d* ", 20)) == "1 nesting\n");
     CHECK(parts_of(repeated("*a **b ", 500)).empty());
     CHECK(parts_of("a\n\n" + repeated("[", 30)) == "2 nesting\n");
@@ -134,7 +134,7 @@ TEST_CASE("Random marks give the links that are drawn, on lines of the text") {
             text += marks[static_cast<std::size_t>(
                 random.integer(0, static_cast<int>(std::size(marks)) - 1))];
         INFO(text);
-        // Notes are not drawn where they are written.
+        // Footnotes are not drawn where they are written.
         std::string without_notes = text;
         take_footnotes(without_notes);
         if (without_notes != text) continue;

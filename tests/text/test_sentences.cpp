@@ -30,7 +30,7 @@ TEST_CASE("A sentence does not end in code, formulas, links or emphasis") {
     CHECK(leading_sentences("A note.[^1] Next.") == Sentences{"A note.", "Next."});
 }
 
-TEST_CASE("A full stop that is a key, and one within a sentence, end nothing") {
+TEST_CASE("A full stop that is a key or within a sentence does not end it") {
     CHECK(leading_sentences("Press `.` and watch it. Then `.`, and read.") ==
           Sentences{"Press `.` and watch it.", "Then `.`, and read."});
     CHECK(leading_sentences("Numbers, e.g. these. More.") ==
@@ -38,14 +38,14 @@ TEST_CASE("A full stop that is a key, and one within a sentence, end nothing") {
     CHECK(leading_sentences("Press `.`. More.") == Sentences{"Press `.`.", "More."});
 }
 
-TEST_CASE("A sentence that does not end stays with what goes on with it") {
+TEST_CASE("An unfinished sentence stays with its continuation") {
     const std::vector<ReadingPiece> pieces =
         reading_pieces("One. So it gives\n\n```\na\n```\n\nEnd.");
     REQUIRE(pieces.size() == 3);
     CHECK(pieces[1].text == "So it gives\n\n```\na\n```");
 }
 
-TEST_CASE("What is no running text is passed over") {
+TEST_CASE("Anything but running text is skipped") {
     CHECK(leading_sentences("# Title\n\n```cpp\na. b\n\nc\n```\n\n- item. item\n  more.\n\n"
                             "1. first\n\n![words](a.png)\n\nHere. It begins.") ==
           Sentences{"Here.", "It begins."});
@@ -95,13 +95,13 @@ TEST_CASE("No word of a lesson is lost when it is cut into pieces") {
                 INFO(lesson.id << ": " << part.text);
                 std::string pieces;
                 for (const ReadingPiece& piece : reading_pieces(part.text)) {
-                    // Each begins a sentence, and does not go on with one; "f" is a name.
+                    // Each begins a sentence rather than continuing one; "f" is a name.
                     const std::string first = piece.text.substr(0, piece.text.find(' '));
                     const auto letter = static_cast<unsigned char>(first.front());
                     CHECK((first.size() == 1 || std::islower(letter) == 0));
                     pieces += piece.text;
                 }
-                // Letters alone: blanks are put between pieces, and notes are left out.
+                // Letters only, because blanks are put between pieces and notes are left out.
                 const auto letters = [](const std::string& words) {
                     return std::count_if(words.begin(), words.end(),
                                          [](unsigned char c) { return std::isalpha(c) != 0; });
@@ -112,7 +112,7 @@ TEST_CASE("No word of a lesson is lost when it is cut into pieces") {
     }
 }
 
-TEST_CASE("Every step of every lesson has a sentence that stands for it, whole in its marks") {
+TEST_CASE("Every step of every lesson has a sentence that stands for it, with complete marks") {
     LessonList lessons;
     lessons.read_folder(lessons_folder());
     int steps = 0;

@@ -13,7 +13,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-/// "1 one two / 3 three": lines, and a stroke where a text ends.
+/// "1 one two / 3 three": lines, and a slash where a text ends.
 std::string listed(std::string_view text, ProseKind kind) {
     std::string list;
     int line = 0;
@@ -115,7 +115,7 @@ TEST_CASE("A phrase that reads as if translated is a fault in each kind of file"
     CHECK(faults_of("As you will see, tell. A triangle", ProseKind::markdown).empty());
 }
 
-TEST_CASE("Words of a phrase, and what is meant as it stands") {
+TEST_CASE("Phrases match word by word, except where they are meant") {
     const StyleGuide guide = parse_style("meant = ['by sidewise houses']\n[[rule]]\n"
                                          "phrases = ['sidewise', 'cat|dog forgets *']\n"
                                          "advice = 'write askew.'\n",
@@ -133,7 +133,7 @@ TEST_CASE("Words of a phrase, and what is meant as it stands") {
     CHECK(found("A dog forgets").empty());
 }
 
-TEST_CASE("A file of phrases that is wrong is refused at its line") {
+TEST_CASE("A faulty file of phrases is refused with its line") {
     const auto refused = [](std::string_view text, const std::string& sentence) {
         CHECK_THROWS_WITH(parse_style(text, "a.toml"), ContainsSubstring(sentence));
     };

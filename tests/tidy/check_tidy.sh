@@ -75,7 +75,7 @@ expect 0 "3 files in 2 units" checks folders
 expect 1 "src/stages/edge.cpp:2:" analyzer
 expect 1 "NullDereference" analyzer
 
-# Two helpers of one name are no fault: the files are checked separately, even if the clash was not foreseen.
+# Two helpers of the same name are not a fault: the files are checked separately, even if the clash was not foreseen.
 new_tree
 for file in size twice; do
     echo "namespace { int helper() { return 3; } } int $file() { return helper(); }" >>"src/scene/$file.cpp"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What clang-tidy finds in src/ and ui/.
+"""The findings of clang-tidy in src/ and ui/.
 
     tidy.py checks   COMPILE_COMMANDS FOLDER      everything but the analyzer, many sources at a time
     tidy.py analyzer COMPILE_COMMANDS [SECONDS]   the path-sensitive analyzer, file by file

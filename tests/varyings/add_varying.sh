@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Adds a varying to a copy of stages/varyings.h, puts that copy first on the include path, and sees
-# that the rest of the core, unchanged, interpolates it, shows it and compares it. Then leaves out
-# each step of the addition in turn, and sees that none of these compiles.
+# Adds a varying to a copy of stages/varyings.h, puts that copy first on the include path, and checks that the rest of
+# the core, unchanged, interpolates it, shows it and compares it. Then leaves out each step of the addition in turn, and
+# checks that none of these compiles.
 #   add_varying.sh ROOT SCRATCH COMPILER
 set -eu
 root=${1:?ROOT is missing}

@@ -37,7 +37,7 @@ Scene one_triangle() {
     return scene;
 }
 
-/// What the pixels must find: a plane in the world, so that it is linear on the triangle.
+/// The value that pixels must have: a plane in the world, so that it is linear on the triangle.
 glm::vec2 heat_at(const glm::vec3& place) {
     return {1.0f + place.x, 2.0f - place.y};
 }

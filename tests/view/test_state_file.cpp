@@ -98,7 +98,7 @@ TEST_CASE("A saved view reads well") {
           "]\n");
 }
 
-TEST_CASE("The program's own scenes are named alike wherever the view is saved") {
+TEST_CASE("The program's own scenes are named the same wherever the view is saved") {
     const Session session = open_session(scene_of_program("fence.toml"));
     for (const char* place : {"/../v.walk.toml", "/v.walk.toml", "/scenes/v.walk.toml"}) {
         INFO(place);
@@ -107,7 +107,7 @@ TEST_CASE("The program's own scenes are named alike wherever the view is saved")
     }
 }
 
-TEST_CASE("Scene and lesson of a view are found beside it") {
+TEST_CASE("Scene and lesson of a view are found relative to its folder") {
     const TemporaryFolder folder;
     fs::create_directory(folder.file("below"));
     const std::string scene =
@@ -130,7 +130,7 @@ TEST_CASE("Scene and lesson of a view are found beside it") {
         CHECK_THROWS_WITH(view_text(session, other.file("v.walk.toml")),
                           Catch::Matchers::ContainsSubstring("in the folder of its scene"));
     }
-    SECTION("without its lesson it opens all the same, and says so") {
+    SECTION("without its lesson it still opens, and says so") {
         fs::remove(folder.file("07-mine.md"));
         const Session again = opened_file(path);
         CHECK(again.lesson.empty());
@@ -152,7 +152,7 @@ TEST_CASE("A tab that the student chose against the lesson is still theirs when 
     CHECK_FALSE(opened_file(path).tab_guide.is_own);
     choose_tab(session, "graph");
 
-    SECTION("and the way back leads to the lesson's") {
+    SECTION("and going back leads to the lesson's") {
         write_view(session, path);
         Session again = opened_file(path);
         CHECK(again.tab == "graph");
@@ -172,7 +172,7 @@ TEST_CASE("A tab that the student chose against the lesson is still theirs when 
         CHECK(again.tab == "graph");
         CHECK(again.tab_guide.is_own);
     }
-    SECTION("but not where the command line names another") {
+    SECTION("but not if the command line names another") {
         write_view(session, path);
         ViewOptions with_tab;
         with_tab.file = path;
@@ -181,7 +181,7 @@ TEST_CASE("A tab that the student chose against the lesson is still theirs when 
         CHECK(again.tab == "history");
         CHECK_FALSE(again.tab_guide.is_own);
     }
-    SECTION("nor where its lesson is gone") {
+    SECTION("nor if its lesson is gone") {
         const std::string text = "lesson = \"99-gone\"\ntab = \"graph\"\nown_tab = \"graph\"\n";
         const Session again = opened_file(folder.write("gone.walk.toml", head + text));
         CHECK(again.tab == "graph");
@@ -200,7 +200,7 @@ TEST_CASE("A view is not saved in a quiz, nor without a scene file") {
     CHECK_THROWS_AS(view_text(made, "/tmp/x.walk.toml"), UsageError);
 }
 
-TEST_CASE("What is wrong in a saved view is reported with its line") {
+TEST_CASE("Faults in a saved view are reported with their line") {
     const TemporaryFolder folder;
     const auto says = [&](const std::string& text, const std::string& sentence) {
         INFO(text);
@@ -277,7 +277,7 @@ TEST_CASE("A view never reads a file outside its folder") {
     }
 }
 
-TEST_CASE("Hostile files of views are refused, whatever stands in them") {
+TEST_CASE("Hostile view files are refused, whatever they contain") {
     const TemporaryFolder folder;
     CHECK(complaint(folder, head + "#" + std::string(largest_view_file, 'x'))
               .starts_with("v.walk.toml: "));
@@ -308,7 +308,7 @@ TEST_CASE("Hostile files of views are refused, whatever stands in them") {
     }
 }
 
-TEST_CASE("A view is not saved beside a scene whose name it could not say") {
+TEST_CASE("A view is not saved if it could not write the name of its scene") {
     const TemporaryFolder folder;
     const std::string scene =
         folder.write("caf\xe9.toml", bytes_of(scene_of_program("lab-room.toml")));
@@ -320,7 +320,7 @@ TEST_CASE("A view is not saved beside a scene whose name it could not say") {
                       "the view cannot be saved, because it names its scene, and 'caf\\xe9.toml' "
                       "is not UTF-8 text; rename the file.");
     CHECK_FALSE(fs::exists(path));
-    // A name with other letters, and one that a terminal would obey, are found again.
+    // Names with other letters, or with terminal commands, are found again.
     for (const char* name : {"café.toml", "\x1b[31m.toml", "a \"b\" \u202e.toml"}) {
         options.scene = folder.write(name, bytes_of(scene_of_program("lab-room.toml")));
         write_view(open_view(options), path);

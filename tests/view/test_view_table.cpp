@@ -1,4 +1,4 @@
-// Whatever is in view_table() survives wherever a view is kept.
+// Every field of view_table() survives wherever a view is kept.
 
 #include "view/view_table.h"
 
@@ -77,7 +77,7 @@ Words link_arguments(const ViewField& field, const ViewState& state, const ViewC
     return argument.empty() ? Words{} : Words{argument};
 }
 
-/// By the links of a lesson; what has no link is as in `session`.
+/// Opened by links of a lesson; fields without a link are as in `session`.
 Session from_links(const Session& session) {
     Session again = fresh_of(session);
     const ViewState state = state_of(session, scene_in_file(session));
@@ -126,13 +126,12 @@ TEST_CASE("Every field of the view survives a file, a copied line, a lesson's st
         check_shown(from_links(session), shown, "by links");
     }
     for (const auto& [key, count] : tried) {
-        INFO(key << " is never another than in a fresh session: random_session() leaves it out");
+        INFO(key << " is always the same as in a fresh session, so random_session() leaves it out");
         CHECK(count > 0);
     }
 }
 
-TEST_CASE(
-    "Every field of the view that the student sets is undone, and every place is found again") {
+TEST_CASE("Every view field that the student sets is undone, and every place is found again") {
     Random random(32);
     for (int i = 0; i < rounds(100, 30); ++i) {
         const Session wanted = random_session(random);

@@ -14,7 +14,7 @@ using namespace rasterwalk::test;
 
 namespace {
 
-/// A copy of the program's lessons, as a teacher may have one, in their place.
+/// A copy of the program's lessons, as a teacher might have, in place of them.
 class OtherLessons {
   public:
     OtherLessons() {
@@ -94,7 +94,7 @@ TEST_CASE("A list of widgets is read line by line") {
                       "not '*'.");
 }
 
-TEST_CASE("Widgets are those of the program, whatever folder the lessons lie in") {
+TEST_CASE("Widgets are those of the program, whatever folder the lessons are in") {
     const OtherLessons lessons;
     const std::string lesson = lessons.file("lessons/03-points.md");
     std::filesystem::remove(lessons.file("lessons/widgets.txt"));
