@@ -9,7 +9,7 @@ namespace rasterwalk {
 class FileLock {
   public:
     /// Waits for at most about half a second. If the file system has no locks, or nothing can be
-    /// written, there is no lock. Throws AccessError if another process holds it for longer.
+    /// written, there is no lock. Throws AccessError if another lock holds it for longer.
     explicit FileLock(const std::string& path);
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;

@@ -14,12 +14,12 @@ namespace rasterwalk {
 /// The texture of one fragment.
 struct TextureReport {
     Surface surface;     ///< with its texture, which belongs to the frame's scene
-    float weight = 0.0f; ///< varyings are carried with: 1/z, or 1
+    float weight = 0.0f; ///< that varyings are carried with: 1/z, or 1
     TexturePlace place;
     float right = 0.0f, down = 0.0f; ///< how far a pixel reaches, texels of the texture itself
     float level = 0.0f;              ///< the one that suits it, whether the filter uses it or not
     TakenTexels taken;
-    glm::vec3 reflectance{1.0f}; ///< of the surface there, painted by the texture
+    glm::vec3 reflectance{1.0f}; ///< of the surface there, before the texture paints it
     glm::vec3 colour{0.0f};      ///< of the texture alone
 
     /// The texel that counts most; the first of several.

@@ -40,12 +40,12 @@ struct ClipDiagram {
 
 /// The diagram of a plane that clips; none if no polygon reaches it. To the side goes the
 /// coordinate that the plane is written in: x for left and right, y for top and bottom, z for near
-/// and far. If z is the same at all corners, like the 1 that the lab divides for its depth, the
+/// and far. If z is the same at all corners, like the 1 from which the lab's 1/z comes, the
 /// plane is a line at one w, and the wider of x and y goes there.
 std::optional<ClipDiagram> clip_diagram(const ClipHistory& history, ClipPlane plane);
 
-/// The condition for the inner side, in the coordinates of the plot: "x + 100 · w ≥ 0", "w − 0.1 ≥
-/// 0".
+/// The condition for the inner side, in the coordinates of the plot:
+/// "x + 100 · w ≥ 0", "w − 0.1 ≥ 0".
 std::string inside_condition(const ClipHistory& history, const ClipDiagram& diagram);
 
 } // namespace rasterwalk

@@ -28,7 +28,7 @@ struct PixelEntry {
     float z = 0.0f;      ///< how far in front of the camera
     float depth = 0.0f;  ///< its value for the depth buffer
     float stored = 0.0f; ///< the depth buffer's previous value
-    float margin = 0.0f; ///< how much nearer than the stored value; above 0 it passes a test
+    float margin = 0.0f; ///< how much nearer than stored: above 0 it passes, if there is a test
     float margin_to_winner = 0.0f; ///< how much nearer than the entry that stays; 0 for that one
     Fate fate = Fate::written;
     float alpha = 1.0f; ///< how opaque it is, see FragmentAlpha

@@ -52,10 +52,10 @@ std::optional<PixelTest> test_of_pixel(const TestedPolygon& polygon, int triangl
 /// @param number as in EdgeFunction
 std::string tested_edge_name(int number);
 
-/// The values of the edge functions in square pixels, and the answer: "E = 48, 27, 33: inside", "E
-/// = 12, -9, 105: outside, beyond edge 1", "E = 0, 54, 54: outside, edge 0 leaves its points to the
-/// neighbour"; for a polygon with more corners "triangle 1 of the fan, E = -3, 9, 8: outside,
-/// beyond inner edge". With an ASCII minus.
+/// The values of the edge functions in square pixels, and the answer: "E = 48, 27, 33: inside",
+/// "E = 12, -9, 105: outside, beyond edge 1",
+/// "E = 0, 54, 54: outside, edge 0 leaves its points to the neighbour"; for a polygon with more
+/// corners "triangle 1 of the fan, E = -3, 9, 8: outside, beyond inner edge". With an ASCII minus.
 std::string pixel_test_text(const PixelTest& test);
 
 } // namespace rasterwalk

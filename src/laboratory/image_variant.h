@@ -86,7 +86,7 @@ struct OrientationInfo {
 /// All of them; the first is upright.
 const std::array<OrientationInfo, 4>& orientation_list();
 
-/// The picture turned; and moved by some pixels, black where it was not.
+/// The picture turned; and moved by some pixels, black where no pixel has moved to.
 Image oriented(const Image& image, Orientation orientation);
 Image shifted(const Image& image, int columns, int rows);
 

@@ -14,8 +14,9 @@ namespace rasterwalk {
 /// B5, in the slot edge_sample_count: |dy| + 1, one sample per row; shallow edges become dots.
 int edge_sample_count_by_rows(const ScreenVertex& a, const ScreenVertex& b);
 
-/// B12, in the slot edge_sample_count: the + 1 is inside the bars, max(|ax - bx + 1|, |ay - by +
-/// 1|). An edge keeps its first sample even where the mistake would leave it none.
+/// B12, in the slot edge_sample_count: the + 1 is inside the bars,
+/// max(|ax - bx + 1|, |ay - by + 1|). An edge keeps its first sample even where the mistake would
+/// leave it none.
 int edge_sample_count_shifted(const ScreenVertex& a, const ScreenVertex& b);
 
 /// B91, in the slot entered_samples: the loop over the samples of an edge ends before the last. The

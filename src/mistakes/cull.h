@@ -6,8 +6,8 @@
 
 namespace rasterwalk {
 
-/// B34, in the slot cull: by the angle to the direction in which the camera looks, dot(n, forward)
-/// > 0. Under perspective some visible sides are culled, and some hidden ones kept.
+/// B34, in the slot cull: by the angle to the direction in which the camera looks,
+/// dot(n, forward) > 0. Under perspective some visible sides are culled, and some hidden ones kept.
 Rejection cull_by_view_axis(std::span<const ClipVertex> corners, const VertexRules& rules,
                             const SightRays& rays, CullTest* test = nullptr);
 

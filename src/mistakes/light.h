@@ -7,9 +7,9 @@
 
 namespace rasterwalk {
 
-/// B36, in the slot light_normal: the normal is transformed to camera space like a place, with w =
-/// 1, and made unit length there. It is moved by -C, which leaves n - C once the rotation, which
-/// everything in the light shares, is undone.
+/// B36, in the slot light_normal: the normal is transformed to camera space like a place,
+/// with w = 1, and made unit length there. It is moved by -C, which leaves n - C once the rotation,
+/// which everything in the light shares, is undone.
 inline glm::vec3 light_normal_as_place(const glm::vec3& normal, const Camera& camera) {
     const glm::vec3 moved = normal - camera.position;
     const float length = glm::length(moved);
@@ -19,7 +19,7 @@ inline glm::vec3 light_normal_as_place(const glm::vec3& normal, const Camera& ca
 /// atan(1) / 4, which is pi / 16.
 inline constexpr float pi_of_atan = 0.785398163f / 4.0f;
 
-// The vector whose cosine is taken.
+// The vector whose cosine with the normal is taken.
 
 /// As it should be: from the point to the lamp.
 inline glm::vec3 way_to_lamp(const glm::vec3& point, const glm::vec3& lamp) {

@@ -20,8 +20,8 @@ inline glm::vec3 blue_first(const glm::vec3& colour) {
     return {colour.b, colour.g, colour.r};
 }
 
-/// B22, in the slot to_byte: the lowest 8 bits of 255 c; 256 becomes 0 again. 0 for a number that
-/// does not fit 32 bits.
+/// B22, in the slot to_byte: the lowest 8 bits of 255 c; 256 becomes 0 again. 0 for a number
+/// whose whole part does not fit in 32 bits.
 std::uint8_t to_byte_wrapped(float channel);
 
 /// B22, in the slot visible_channel: the result of to_byte_wrapped, from 0 to 1.

@@ -17,7 +17,7 @@ float texel_place_of_whole_centres(float coordinate, TextureDirection direction,
 /// reaches further to the next row the level is too fine.
 float texture_level_along_x(const Footprint& footprint, const Texture& texture);
 
-/// B67, in the slot wrap_texel: the remainder of %, which is below 0 for a texel below 0.
+/// B67, in the slot wrap_texel: the result of %, which is below 0 for a texel below 0.
 int wrap_by_remainder(int texel, int count);
 
 /// B67, in the slot read_texel: column -1 is the last of the row above, as the texels lie in

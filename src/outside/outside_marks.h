@@ -25,7 +25,7 @@ enum class OutsideLineKind : std::uint8_t {
     edge,     ///< of the triangle, or what clipping leaves of it; number: which edge
     cut_off,  ///< what clipping takes away; number: which edge
     cut,      ///< where a plane cuts the triangle
-    fan,      ///< between the triangles into which the rest is divided
+    fan,      ///< between the triangles that draw what clipping leaves
     plane,    ///< around the visible part of a plane
     end,      ///< around near and far plane within the view volume; number: which ClipPlane
     ray,      ///< from a vertex of the triangle to the camera; number: which vertex

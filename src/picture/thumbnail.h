@@ -6,8 +6,8 @@
 
 namespace rasterwalk {
 
-/// The settings for a picture that shows the same and has this longer side. One whose vertices are
-/// given in pixels is not enlarged.
+/// The settings for a picture that shows the same and whose longer side is `side`, in pixels. One
+/// whose vertices are given in pixels is not enlarged.
 /// @param side 1 or more
 Settings scaled_to(const Scene& scene, const Settings& settings, int side);
 

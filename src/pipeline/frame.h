@@ -37,11 +37,12 @@ struct Frame {
     std::vector<ClipVertex> shaded;         ///< the vertices of the mesh in clip space
     std::vector<ProjectedVertex> projected; ///< the same, projected
     std::vector<TriangleIndices> triangles; ///< of the mesh: the vertices at their corners
-    std::vector<ScreenVertex> vertices;     ///< corners of the cut ones, one after another
+    std::vector<ScreenVertex> vertices;     ///< corners of cut triangles, one after another
     bool blends = false;                    ///< something is half transparent, and drawn that way
     Occluders occluders;                    ///< what casts shadows; empty if nothing does
     bool bends = false;                     ///< normal maps bend normals somewhere
-    std::vector<Polygon> polygons;          ///< each triangle of `scene` after clipping, in order
+    std::vector<Polygon> polygons;          ///< what reject, clip and cull left of each triangle
+                                            ///< of `scene`, in order
 
     int triangle_count() const { return static_cast<int>(polygons.size()); }
     /// How many triangles are drawn for each one of the given scene.
@@ -134,7 +135,8 @@ inline TextureAlpha texture_alpha_rule(const Frame& frame) {
 /// The varyings that edges and rows carry in the frame.
 VaryingSet carried_varyings(const Frame& frame);
 
-/// The table for a frame: what the settings choose for such a scene, and what replaces it.
+/// The table for a frame: what the settings choose for such a scene, with the slots that `replace`
+/// changes.
 Stages stages_for(const Settings& settings, const Scene& scene, const ReplaceStages& replace);
 
 /// Tessellates the scene, takes each vertex of the mesh once through vertex shader and projection,

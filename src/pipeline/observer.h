@@ -88,11 +88,11 @@ class Observer {
     virtual void edge_sample(const SampleEvent&) {}
     virtual void pixel_test(const TestEvent&) {}
     virtual void fragment(const FragmentEvent&) {}
-    /// False spares draw() from reporting edge samples.
+    /// False saves draw() the work of reporting edge samples.
     virtual bool wants_edge_samples() const { return false; }
-    /// False spares draw() from reporting tested pixels.
+    /// False saves draw() the work of reporting tested pixels.
     virtual bool wants_pixel_tests() const { return false; }
-    /// False spares draw() from reporting clipping and culling.
+    /// False saves draw() the work of reporting clipping and culling.
     virtual bool wants_clipping() const { return false; }
 };
 

@@ -24,7 +24,7 @@ bool is_in(const Rectangle& area, const ScreenVertex& vertex) {
            vertex.row < area.bottom;
 }
 
-/// Is a mark in the scissor that is drawn where clipping has left no corner?
+/// Does the scissor contain a mark that is drawn where clipping has left no corner?
 bool has_mark_of_cut(const Drawing& d, int triangle) {
     if (d.frame.settings.stage != Stage::points || !d.frame.is_cut(triangle)) return false;
     for (int v = 0; v < triangle_corners; ++v) {

@@ -13,8 +13,8 @@ namespace {
 constexpr double smallest_spacing = 50'000;
 
 /// The copies made during the first pass are at least this far apart, and at least this part of the
-/// frame: so far that they hardly slow the drawing, and so near that a jump back takes no longer
-/// than the drawing did.
+/// frame: far enough that they hardly slow the drawing, and near enough that a jump back takes no
+/// longer than the drawing did.
 constexpr double first_way_spacing = 500'000;
 constexpr double first_way_part = 1.0 / 3.0;
 

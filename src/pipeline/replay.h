@@ -90,7 +90,7 @@ class Replay {
     Rectangle uncleared_; ///< pixels of the previous frame lie in it
     Rectangle touched_;   ///< all pixels that are not empty lie in it, or in uncleared_
     Rectangle begun_;     ///< what begin() has changed, until changed() reports it
-    int owners_ = 0;      ///< number of triangles of the previous frame's owners
+    int owners_ = 0;      ///< triangles of the frame that the previous owners belong to
     DrawTally tally_;
     Cursor tallied_ = cursor_begin;
     std::vector<Mark> marks_;        ///< in order of time

@@ -33,7 +33,7 @@ void find_clip_steps(const Frame& frame, int triangle, PhaseMoments& moments) {
         moments.add({0, steps});
 }
 
-/// The samples of each edge that is drawn; makes the row table.
+/// The samples of each edge of the drawn polygon; makes the row table.
 void find_samples(const Frame& frame, int triangle, PolygonRows& rows, PhaseMoments& moments) {
     SampleCounts counts;
     counts.samples.assign(frame.triangle_vertices(triangle).size(), 0);

@@ -61,8 +61,8 @@ class Mesh {
     /// @return its index
     int add_vertex(const Vertex& vertex);
 
-    /// Puts a triangle at the end of the list. Throws InputError if there is no vertex of an index;
-    /// the mesh is then unchanged.
+    /// Puts a triangle at the end of the list. Throws InputError if an index refers to no
+    /// vertex; the mesh is then unchanged.
     void add_triangle(const TriangleIndices& indices);
 
     /// Puts a triangle at the end of the list with three vertices of its own.

@@ -169,8 +169,8 @@ class ObjReporter {
     std::array<Repeated, enum_words<ObjFaultKind>.size()> repeated_;
 };
 
-/// "m.obj:7: 'f' names the normal 1, and there are 0; it is computed. There are 11 more
-/// like it."
+/// "m.obj:7: 'f' names normal 1, but the file has 0; the normal is computed. There are 11 more like
+/// it."
 std::string fault_line(const ObjFault& fault);
 
 /// The faults as sentences with file:line; a last one counts those that were not kept.

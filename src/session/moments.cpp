@@ -128,8 +128,8 @@ bool is_row(const Timeline& timeline, const Cursor& cursor) {
 /// @param text the moment as written
 Cursor find_moment(const Frame& frame, const Cursor& cursor, const std::string& text) {
     const Timeline timeline(frame);
-    // You need not know how many columns a row has, or where the picture begins in it. Outside of
-    // both, the next moment is meant.
+    // The text need not know how many columns a row has, or where the picture begins in it: a
+    // column outside stands for the next moment.
     if (is_row(timeline, cursor)) return timeline.at_or_after(cursor);
     if (!timeline.exists(cursor)) {
         throw UsageError("there is no moment " + text + ": " + possible(frame, cursor) + ".");

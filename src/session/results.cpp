@@ -161,7 +161,7 @@ void update_second_run(const Session& session, const RunChanges& a, bool are_rea
     update_difference(session.view, new_scale, limit, results);
 }
 
-/// Are hints wanted? Only for a whole picture that is not being compared.
+/// Hints are wanted only for a whole picture that is not being compared.
 void update_hints(const Session& session, const RunChanges& changes, const WorkLimit& limit,
                   Results& results) {
     PictureHints& hints = results.hints;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array step_rates{1.0, 2.0, 4.0, 8.0, 15.0, 30.0, 60.0, 125.0, 250.0, 500.0, 1000.0};
 constexpr std::array frame_times{600.0, 300.0, 120.0, 60.0, 30.0, 15.0, 8.0, 4.0, 2.0, 1.0};
 
-/// A longer frame time is on the dial only where no steps per second are left to offer.
+/// A longer frame time is on the dial only if it needs more steps per second than step_rates has.
 constexpr double usual_frame_time = 15.0;
 
 /// Rates closer together than this factor count as the same.

@@ -18,9 +18,9 @@ void scrub_to(Session& session, const Cursor& cursor);
 /// to the next one that does.
 void go_to(Session& session, const Cursor& cursor);
 
-/// Goes to the moment just after the pixel's next change of colour, or just after the change before
-/// its last one. Selects the triangle that made the change. Returns false, and does nothing, if
-/// there is none.
+/// Goes to the moment just after the pixel's next or previous change of colour; a change that the
+/// cursor is already just after is not the previous one. Selects the triangle that made the change.
+/// Returns false, and does nothing, if there is none.
 bool next_change(Session& session, const Timeline& timeline, const PixelHistory& history);
 bool previous_change(Session& session, const Timeline& timeline, const PixelHistory& history);
 

@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 /// What draws the whole picture.
 enum class Engine : std::uint8_t {
-    steps, ///< this pipeline: you can walk through its every moment
+    steps, ///< this pipeline: you can walk through all its moments
     fast,  ///< src/engines/fast: no moments, but the same picture in a fraction of the time
 };
 template <>

@@ -49,7 +49,7 @@ Rounding sample_rounding(const Settings& settings) {
 }
 
 float orthographic_depth_rule(const Settings& settings) {
-    // A smaller depth, below every near plane, would enlarge things beyond all numbers.
+    // A depth smaller than any near plane would enlarge things beyond all numbers.
     constexpr float least = 1e-6f;
     return settings.orthographic_depth > 0.0f ? std::max(settings.orthographic_depth, least)
                                               : origin_depth(settings.camera, settings.near);

@@ -50,7 +50,8 @@ using ClipPlanes = std::array<glm::vec4, clip_plane_count>;
 ClipPlanes view_planes(const VertexRules& rules);
 
 /// Like view_planes(), with the four sides two pixels farther out: vertices are truncated to whole
-/// pixels, toward the middle, and so are the samples of edges. Anything beyond is never seen.
+/// pixels, toward the middle, and the samples of their edges once again. Anything beyond is never
+/// seen.
 ClipPlanes outer_planes(const VertexRules& rules);
 
 /// Like view_planes(), with the four sides as far out as the later arithmetic can take. Anything
@@ -137,7 +138,8 @@ class ClipSink {
         static_cast<void>(corners);
     }
     virtual void clip_step(const ClipStep& step) = 0;
-    /// The polygon after it; if it only touches the plane, fewer than three corners, or no area.
+    /// The polygon after the plane. One that only touches the plane has fewer than three corners,
+    /// or no area.
     virtual void end_plane(ClipPlane plane, std::span<const ClipVertex> corners) {
         static_cast<void>(plane);
         static_cast<void>(corners);
@@ -145,7 +147,7 @@ class ClipSink {
 };
 
 /// One plane of Sutherland and Hodgman: the part of the polygon on its inner side.
-/// @param result receives the corners; must not be the memory of `corners`
+/// @param result receives the corners; must not share memory with `corners`
 /// @param sink   receives each edge; or null
 void clip_by_plane(std::span<const ClipVertex> corners, const ClipPlanes& planes, ClipPlane plane,
                    std::vector<ClipVertex>& result, ClipSink* sink = nullptr);

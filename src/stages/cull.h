@@ -13,8 +13,8 @@
 // pixel, but every row is walked before anything is left out.
 //
 // The classic mistake is to use the angle to the direction in which the camera looks: under
-// perspective you also see some sides whose normals point along it. What counts is the direction
-// from the camera to the surface.
+// perspective you also see some sides whose normals are less than 90 degrees from it. What counts
+// is the direction from the camera to the surface.
 //
 // Source: Foley, van Dam, Feiner, Hughes, Computer Graphics: Principles and Practice, 2nd edition,
 // section 15.4, back-face culling. The area of a polygon in homogeneous coordinates: Olano and

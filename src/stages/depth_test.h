@@ -45,7 +45,7 @@ struct DepthRules {
     Projection projection;           ///< its clip_depth is the quantity
     float near = 0.1f, far = 100.0f; ///< of the view volume
     int bits = 0;                    ///< of its whole numbers, 1 to 24; 0: it holds floats
-    float epsilon = 0.0f;            ///< how much nearer counts as nearer, in that unit; 0 or more
+    float epsilon = 0.0f; ///< how much nearer counts as nearer, in clip_depth's unit; 0 or more
 };
 
 /// The nearer one is drawn: it passes if the interpolated 1/z is larger than what is stored.

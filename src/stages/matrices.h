@@ -58,7 +58,7 @@ glm::dmat4 look_at_matrix(const glm::dvec3& eye, const glm::dvec3& direction, co
 /// Tp, from camera space to clip space: divided by w, x and y go from -1 to 1 over the picture, and
 /// z from 0 at the near plane to 1 at the far one. Perspective, orthographic or between, by
 /// rules.projection.mix. With rules.projection.box it is the matrix of glFrustum and glOrtho,
-/// except for the signs of y and z.
+/// except for the signs of y and z and the range of z, which there begins at -1.
 glm::dmat4 projection_matrix(const VertexRules& rules);
 
 /// Ndc z of a point at this depth in front of the camera: 0 at the near plane, 1 at the far one.

@@ -39,7 +39,7 @@ struct Surface {
     float alpha = 1.0f;               ///< below 1: blended, see blend.h
     // For surfaces beyond the lab's, see surface_shader.h:
     Shine shine{};
-    CornerDifferences differences{};     ///< values from the vertices that replace the above
+    CornerDifferences differences{};     ///< whether normals and colours come from the vertices
     glm::vec3 flat_light{0.0f};          ///< of the whole triangle, under flat shading
     const Texture* normal_map = nullptr; ///< the one that bends its normals, or none
     UvDirections uv_directions{};        ///< only where there is a normal map

@@ -40,15 +40,15 @@ inline constexpr int empty_right = -INT_MAX;
 
 /// One row of pixels for every row that the polygon's vertices span.
 struct PolygonRows {
-    int first_row = 0;            ///< row of the picture of left[0] and right[0]
+    int first_row = 0;            ///< the picture's row for left[0] and right[0]
     std::vector<RowEnd> left;     ///< the lab's leftPixels
     std::vector<RowEnd> right;    ///< the lab's rightPixels
     int outside = 0;              ///< samples that fell above or below the table; never written
-    std::int64_t looked_at = 0;   ///< rows looked at before the samples found theirs
+    std::int64_t looked_at = 0;   ///< rows looked at to find those of the samples
     std::vector<LineSample> line; ///< room for the samples of an edge; kept to save allocations
     std::vector<LineDecision> decisions; ///< room too, used only if there is a sink
     std::vector<GridPoint> points;       ///< room for the snapped corners
-    TestedPolygon tested; ///< if edge functions made the rows; else without triangles
+    TestedPolygon tested; ///< what edge functions made the rows from; else without triangles
 
     int size() const { return static_cast<int>(left.size()); }
     bool is_empty_row(int index) const { return left[index].column > right[index].column; }

@@ -55,7 +55,7 @@ struct RowCrossing {
 RowCrossing crossing_at(const DownEdge& edge, std::int64_t y);
 
 /// The pixels of a row whose centres lie between two crossings: from ceil(x_left - 1/2) to
-/// ceil(x_right - 1/2) - 1. That is if the left one owns its points and the right one does not;
+/// ceil(x_right - 1/2) - 1. This holds if the left one owns its points and the right one does not;
 /// otherwise the pixels begin after, or end with, a centre that is met exactly.
 struct OwnedEnds {
     bool left = true, right = false;

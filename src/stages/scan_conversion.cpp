@@ -23,7 +23,7 @@ struct HalfSides {
 struct ScanConversion {
     OwnedEnds owned;
     bool owns_top, owns_bottom; ///< the points of level edges
-    GridPoint corner;           ///< that the fan is laid about
+    GridPoint corner;           ///< the one that the fan is laid about
     bool owns_corner;
     VaryingSet carried;
     PolygonRows& rows;
@@ -49,8 +49,8 @@ struct ScanConversion {
     }
 };
 
-/// The first row whose centres are not above a height; below it, if a level edge there does not own
-/// its points.
+/// The first row whose centres lie at a height or below it; only below it, if a level edge there
+/// does not own its points.
 int first_row_below(std::int64_t y, bool is_owned) {
     const int row = first_row_from(y);
     return !is_owned && pixel_centre(row) == y ? row + 1 : row;
@@ -69,7 +69,8 @@ std::array<std::size_t, 3> from_top_to_bottom(const FanTriangle& triangle) {
     return order;
 }
 
-/// Does the box of a triangle hold the centre of any pixel? In a dense mesh they often hold none.
+/// Does the box of a triangle hold the centre of any pixel? The boxes of a dense mesh often hold
+/// none.
 bool holds_centre(const FanTriangle& triangle) {
     const auto [a, b, c] = triangle.points;
     return first_row_from(std::min({a.y, b.y, c.y})) <= last_row_to(std::max({a.y, b.y, c.y})) &&

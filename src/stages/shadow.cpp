@@ -10,7 +10,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// The bias with what slanted light adds: over a texel, the depth of the surface changes by the
+/// The bias, plus what slanted light adds: over a texel, the depth of the surface changes by the
 /// texel's size times the tangent of the slant.
 float bias_at(const ShadowPoint& point, float depth, int resolution, const ShadowRules& rules) {
     if (rules.slope_bias == 0.0f) return rules.bias;

@@ -68,8 +68,8 @@ struct ShadowMap {
     std::array<ShadowFace, shadow_face_count> faces;
 };
 
-/// What may be between a point and the lamp. A ray is tested against the triangles; the map needs
-/// only itself.
+/// What may be between a point and the lamp. A ray needs only the triangles, a lookup in the
+/// map only the map.
 struct Occluders {
     std::shared_ptr<const TriangleTree> triangles;
     std::shared_ptr<const ShadowMap> map;
@@ -133,7 +133,7 @@ ShadowTerms shadow_by_map(const ShadowPoint& point, const Occluders& occluders,
 
 /// The tangent of the slant of light, by which slope_bias is multiplied. For light nearly along the
 /// surface it would grow without limit, and there is hardly any light: below a cosine of 0.01 it
-/// stays the same.
+/// keeps the value that it has there.
 float shadow_slope(float cosine);
 
 /// The face of a map in which a direction from the lamp lies: that of its largest component.

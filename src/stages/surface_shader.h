@@ -13,8 +13,8 @@
 //          normals.
 //
 // The classic mistakes are an interpolated normal that is not made unit length again, so that faces
-// darken between their vertices; and interpolating light from the vertices where the highlight lies
-// between them.
+// darken between their vertices; and light interpolated from the vertices although the highlight
+// lies between them.
 //
 // Source: H. Gouraud, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers
 // C-20(6), 1971; B. T. Phong, "Illumination for Computer Generated Pictures", Communications of the

@@ -62,7 +62,7 @@ struct TexturePlace {
 };
 
 /// @param carried the carried place, u/z and v/z
-/// @param weight  it is carried with, 1/z; not 0
+/// @param weight  of the carried place, 1/z; not 0
 TexturePlace texture_place(const glm::vec2& carried, float weight, const TextureSlope& slope);
 
 /// The length of one side of a footprint in texels of the texture itself.

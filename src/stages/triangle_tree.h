@@ -8,8 +8,8 @@
 //          everything in it, so nearly all triangles need no test. With boxes or without, the
 //          answer is the same.
 //
-// The classic mistakes are a ray without an end, so that triangles beyond its end count as well;
-// and a ray that begins on a surface and meets that surface first.
+// The classic mistakes are a ray that goes on for ever, so that triangles beyond its end count as
+// well; and a ray that begins on a surface and meets that surface first.
 //
 // Source: T. Moeller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal
 // of Graphics Tools 2(1), 1997; boxes in boxes: S. M. Rubin, T. Whitted, "A 3-Dimensional

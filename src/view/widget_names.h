@@ -32,7 +32,7 @@ std::string widgets_file();
 bool is_named_by(const WidgetPattern& pattern, std::string_view name);
 
 /// Throws UsageError with a sentence, and the nearest name, if no lesson can point at a widget of
-/// this name; otherwise as read_widget_patterns().
+/// this name; also what read_widget_patterns() throws.
 void check_widget_name(std::string_view name);
 
 } // namespace rasterwalk

@@ -18,8 +18,8 @@ struct Ui;
 /// hides it.
 const ComparePair* pair_on_show(const Session& session);
 
-/// Begins to compare a pair. Where the small pictures have no room, both runs are shown on either
-/// side of the divider, unless another view was chosen.
+/// Begins to compare a pair. Where the small pictures have no room, the runs are shown on the two
+/// sides of the divider, unless another view was chosen.
 void begin_pair(Ui& ui, const ComparePair& pair);
 
 /// Begins to compare the pair that suits the stage, or ends the comparison.

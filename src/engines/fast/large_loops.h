@@ -74,8 +74,8 @@ struct RowPlanes {
     std::uint32_t* colour;
 };
 
-/// Goes along a row of a large triangle, lane_count pixels at a time, and calls draw(mask, bits, x,
-/// inv_z, column) for the nearer ones.
+/// Goes along a row of a large triangle, lane_count pixels at a time, and calls
+/// draw(mask, bits, x, inv_z, column) for those that are nearer than what is already there.
 template <class Draw>
 RASTERWALK_INLINE void walk_row(const LargeRows& rows, int k, float* inv_z, Draw draw) {
     const std::int32_t begin = rows.begin[k], end = rows.end[k];
