@@ -71,8 +71,8 @@ float side_in_texels(const glm::vec2& side, const TextureLevel& base);
 /// The logarithm of a number above 0, base 2, rounded to float only at the end.
 float log2_of(float number);
 
-/// The level that suits a footprint: log2 of its longer side in texels. From 0, also if a texel is
-/// larger than a pixel, to the last level; 0 if the footprint is NaN.
+/// The level that suits a footprint: log2 of its longer side in texels. Always from 0 to the last
+/// level, even if a texel is larger than a pixel or a side is NaN.
 float texture_level(const Footprint& footprint, const Texture& texture);
 
 } // namespace rasterwalk
