@@ -240,8 +240,8 @@ void append_side_formulas(LitPoint& point, const SourcedVector& surface, const F
     const bool is_turned = side < 0.0f;
     formulas.push_back({point.prefix + "side",
                         "side",
-                        is_turned ? "The surface faces away, so its normal is negated, because "
-                                    "both sides are lit."
+                        is_turned ? "The surface faces away from the eye, so its normal is "
+                                    "negated, because both sides are lit."
                                   : "The surface faces the eye, so its normal stays as it is.",
                         is_turned ? "−1" : "1",
                         {},

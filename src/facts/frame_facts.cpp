@@ -93,7 +93,7 @@ void add_cursor_facts(std::vector<Fact>& table) {
                      }});
     table.push_back(
         {"cursor.decision",
-         "Decision variable at that sample; only Bresenham's and midpoint lines have one.", real(),
+         "Decision variable at that sample, for the DDA its float; Interpolate has none.", real(),
          [](const Facts& f, int) {
              const std::optional<LineDecision> decision = f.decision();
              return decision ? number(decision->before) : Value();

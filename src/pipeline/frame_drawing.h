@@ -19,7 +19,7 @@ class FrameDrawing {
     FrameDrawing(const FrameDrawing&) = delete; // its parts refer to each other
     FrameDrawing& operator=(const FrameDrawing&) = delete;
 
-    /// Begins a frame, replacing the last one. The scene must live while this draws it.
+    /// Begins a frame, replacing the last one. The scene must outlive the drawing.
     void begin(const Scene& scene, const Settings& settings);
 
     /// Does the next part.

@@ -136,7 +136,7 @@ class StatementReader {
             if (!read) {
                 fault(kind, [&] {
                     if (has_decimal_comma(word)) return decimal_comma_sentence(word, what);
-                    return fmt::format("{} is not a valid number, so this '{}' is left out.",
+                    return fmt::format("{} is not a valid number for '{}', which is left out.",
                                        in_quotes(word), what);
                 });
                 return std::nullopt;

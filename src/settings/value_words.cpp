@@ -145,7 +145,7 @@ constexpr SaidWord said_words[] = {
     {"light.sum", "reflectance_times", "ρ (D + N)"},
     {"light.sum", "reflectance_plus", "D + ρ"},
     {"light.sum", "reflectance_twice", "ρ ρ (D + N)"},
-    {"light.highlight", "unasked", "unlit sides"},
+    {"light.highlight", "unasked", "unlit sides too"},
     {"light.highlight", "long_half", "h too long"},
     {"shadows", "rays", "by rays"},
     {"shadows", "map", "by a map"},

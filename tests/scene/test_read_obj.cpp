@@ -128,28 +128,28 @@ TEST_CASE("Faults in a model are reported with their lines, and the rest is read
         std::string line, fault;
     };
     const std::vector<Case> cases{
-        {"v 1 nan 0", "'nan' is not a valid number, so this 'v' is left out."},
-        {"v 1 -inf 0", "'-inf' is not a valid number, so this 'v' is left out."},
-        {"v 1 1e999 0", "'1e999' is not a valid number, so this 'v' is left out."},
-        {"v 1 2e9 0", "'2e9' is not a valid number, so this 'v' is left out."},
+        {"v 1 nan 0", "'nan' is not a valid number for 'v', which is left out."},
+        {"v 1 -inf 0", "'-inf' is not a valid number for 'v', which is left out."},
+        {"v 1 1e999 0", "'1e999' is not a valid number for 'v', which is left out."},
+        {"v 1 2e9 0", "'2e9' is not a valid number for 'v', which is left out."},
         {"v 1,5 2 3", "'1,5' has a decimal comma, but numbers need a decimal point here; 'v' is "
                       "left out."},
-        {"v 1,2,3 2 3", "'1,2,3' is not a valid number, so this 'v' is left out."},
+        {"v 1,2,3 2 3", "'1,2,3' is not a valid number for 'v', which is left out."},
         {"vt 0 -0,5e1",
          "'-0,5e1' has a decimal comma, but numbers need a decimal point here; 'vt' is left out."},
         {"v 1 2 3 red 0 0", "'red' is not a valid number for a colour; the point is white."},
-        {"v +-1 2 3", "'+-1' is not a valid number, so this 'v' is left out."},
-        {"v 0x10 2 3", "'0x10' is not a valid number, so this 'v' is left out."},
+        {"v +-1 2 3", "'+-1' is not a valid number for 'v', which is left out."},
+        {"v 0x10 2 3", "'0x10' is not a valid number for 'v', which is left out."},
         {"v 1 2", "'v' needs 3 numbers but has 2; it is left out."},
         {"v", "'v' needs 3 numbers but has 0; it is left out."},
         {"vt", "'vt' needs 1 numbers but has 0; it is left out."},
-        {"vt u", "'u' is not a valid number, so this 'vt' is left out."},
+        {"vt u", "'u' is not a valid number for 'vt', which is left out."},
         {"vn 1 2", "'vn' needs 3 numbers but has 2; it is left out."},
-        {"vn 1.#QNAN 0 0", "'1.#QNAN' is not a valid number, so this 'vn' is left out."},
-        {"v 0 1.#INF 0", "'1.#INF' is not a valid number, so this 'v' is left out."},
-        {"v 0 0 -1.#IND00", "'-1.#IND00' is not a valid number, so this 'v' is left out."},
-        {"v 1.#SNAN 0 0", "'1.#SNAN' is not a valid number, so this 'v' is left out."},
-        {"vt 1.#Q", "'1.#Q' is not a valid number, so this 'vt' is left out."},
+        {"vn 1.#QNAN 0 0", "'1.#QNAN' is not a valid number for 'vn', which is left out."},
+        {"v 0 1.#INF 0", "'1.#INF' is not a valid number for 'v', which is left out."},
+        {"v 0 0 -1.#IND00", "'-1.#IND00' is not a valid number for 'v', which is left out."},
+        {"v 1.#SNAN 0 0", "'1.#SNAN' is not a valid number for 'v', which is left out."},
+        {"vt 1.#Q", "'1.#Q' is not a valid number for 'vt', which is left out."},
         {"vn 0 0 0", "a normal of length 0 has no direction; a computed one is used in its place."},
         {"f", "'f' has 0 corners, but a face has at least three; the face is left out."},
         {"f 1", "'f' has 1 corner, but a face has at least three; the face is left out."},
@@ -211,7 +211,7 @@ TEST_CASE("A point that cannot be read keeps its number, and takes its faces wit
     const ObjModel model = parse_obj(text, "m.obj");
     CHECK(fault_lines(model.report) ==
           std::vector<std::string>{
-              "m.obj:3: 'nan' is not a valid number, so this 'v' is left out.",
+              "m.obj:3: 'nan' is not a valid number for 'v', which is left out.",
               "m.obj:7: 'f' names point 3, which could not be read; the face is left out."});
     REQUIRE(model.mesh.triangle_count() == 2);
     CHECK(model.mesh.corner(1, 2).position == glm::vec3(1, 1, 0));

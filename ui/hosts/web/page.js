@@ -300,7 +300,7 @@ async function openFiles(files, isResult) {
     if (!files.length) return;
     const size = files.reduce((sum, {file}) => sum + file.size, 0);
     if (openedSize + size > largestFiles) {
-        tell('web_say', 'With what is already open, that is more than 512 MB. Reload the page and open fewer files.');
+        tell('web_say', 'With what was opened before, that is more than 512 MB. Reload the page and open fewer files.');
         return;
     }
     openedSize += size;
