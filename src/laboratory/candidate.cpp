@@ -127,7 +127,7 @@ const Candidate* likely_candidate(const Diagnosis& diagnosis) {
     return first.is_likely ? &first : nullptr;
 }
 
-std::string verdict_on(const Diagnosis& diagnosis, std::string_view same) {
+std::string verdict_on(const Diagnosis& diagnosis) {
     if (diagnosis.is_same()) return "no difference";
     const std::string none = diagnosis.is_complete
                                  ? "No known mistake explains the difference"
@@ -136,7 +136,7 @@ std::string verdict_on(const Diagnosis& diagnosis, std::string_view same) {
     const Candidate& first = diagnosis.candidates.front();
     const std::string who =
         candidate_text(first) + (first.remark.empty() ? "" : " (" + first.remark + ")");
-    if (first.different == 0) return fmt::format("{} exactly matches {}.", who, same);
+    if (first.different == 0) return "Exact match: " + who + ".";
     const std::string explained = explained_text(first.explained, 0);
     if (first.explained < worth_naming) return none + ".";
     if (!first.is_likely) {

@@ -76,8 +76,7 @@ std::vector<Candidate> ranked(std::vector<Hypothesis> hypotheses);
 const Candidate* likely_candidate(const Diagnosis& diagnosis);
 
 /// The verdict on what differs.
-/// @param same what a candidate of distance 0 makes: "this very picture"
-std::string verdict_on(const Diagnosis& diagnosis, std::string_view same);
+std::string verdict_on(const Diagnosis& diagnosis);
 
 /// The mistakes of a candidate, without its remark: "B3 “Position interpolated as it is”".
 std::string candidate_text(const Candidate& candidate);

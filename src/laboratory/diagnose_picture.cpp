@@ -215,7 +215,7 @@ void DiagnosisWork::look_closely(const std::vector<Attempt>& tried) {
     if (trial.is_waiting()) return;
     right_picture_ = kept->image;
     found.rules = enumerated(rules_beside(right, reference_));
-    found.verdict = verdict_on(found, "this picture");
+    found.verdict = verdict_on(found);
     found_ = std::move(found);
 }
 

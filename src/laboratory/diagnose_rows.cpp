@@ -209,7 +209,7 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
         }
     }
     diagnosis.candidates = ranked(std::move(hypotheses));
-    diagnosis.verdict = verdict_on(diagnosis, "this table");
+    diagnosis.verdict = verdict_on(diagnosis);
     return diagnosis;
 }
 

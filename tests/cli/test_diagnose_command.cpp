@@ -39,7 +39,7 @@ TEST_CASE("diagnose names the mistake, exit code 1") {
     CHECK(result.exit_code == 1);
     CHECK(result.err.empty());
     CHECK_THAT(result.out, ContainsSubstring(": B3 "));
-    CHECK_THAT(result.out, ContainsSubstring("exactly matches this picture."));
+    CHECK_THAT(result.out, ContainsSubstring("Exact match: "));
     const CliRun json = run({"diagnose", path, "--json"});
     CHECK(json.exit_code == 1);
     CHECK_THAT(json.out, ContainsSubstring("\"kind\" : \"picture\""));

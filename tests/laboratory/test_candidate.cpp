@@ -51,13 +51,13 @@ std::string verdict(std::vector<Hypothesis> hypotheses) {
     Diagnosis diagnosis;
     diagnosis.different = 500;
     diagnosis.candidates = ranked(std::move(hypotheses));
-    return verdict_on(diagnosis, "this picture");
+    return verdict_on(diagnosis);
 }
 
 TEST_CASE("A verdict does not say that all is explained where pixels still differ") {
     CHECK(verdict({made_by({"B9"}, 3, 1)}) ==
           "Most likely B9 “Name of B9”, which explains 99 % of the difference.");
-    CHECK(verdict({made_by({"B9"}, 0, 1)}) == "B9 “Name of B9” exactly matches this picture.");
+    CHECK(verdict({made_by({"B9"}, 0, 1)}) == "Exact match: B9 “Name of B9”.");
     CHECK(verdict({made_by({"B9"}, 100, 1)}) ==
           "No known mistake explains the difference; the best match, B9 “Name of B9”, explains 80 "
           "% of it.");
@@ -66,10 +66,9 @@ TEST_CASE("A verdict does not say that all is explained where pixels still diffe
 
 TEST_CASE("Mistakes with the same result are one candidate, under all their names") {
     CHECK(verdict({made_by({"B9"}, 0, 1), made_by({"B8"}, 0, 1)}) ==
-          "B9 “Name of B9” or B8 “Name of B8” exactly matches this picture.");
+          "Exact match: B9 “Name of B9” or B8 “Name of B8”.");
     CHECK(verdict({made_by({"B9", "B3"}, 0, 1), made_by({"B9", "B4"}, 0, 1)}) ==
-          "B9 “Name of B9” together with B3 “Name of B3” or B4 “Name of B4” exactly matches "
-          "this picture.");
+          "Exact match: B9 “Name of B9” together with B3 “Name of B3” or B4 “Name of B4”.");
 }
 
 TEST_CASE("A candidate that adds nothing to a better one is not listed") {

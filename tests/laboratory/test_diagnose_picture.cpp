@@ -161,9 +161,8 @@ TEST_CASE("What is not a bug is named too") {
     const Bug& affine = find_bug(bugs, "B3");
     CHECK_THAT(verdict(picture_of(scene, wrong_run(affine, reference))),
                ContainsSubstring("B3 “" + affine.name + "”"));
-    CHECK(verdict(flipped(right, false, true)) == "Upside down exactly matches this picture.");
-    CHECK(verdict(flipped(right, true, true)) ==
-          "Rotated by half a turn exactly matches this picture.");
+    CHECK(verdict(flipped(right, false, true)) == "Exact match: Upside down.");
+    CHECK(verdict(flipped(right, true, true)) == "Exact match: Rotated by half a turn.");
     Image shifted = right;
     std::rotate(shifted.rgba.begin(), shifted.rgba.begin() + 4L * shifted.width,
                 shifted.rgba.end());

@@ -106,6 +106,5 @@ TEST_CASE("Faults in a table are named even if no bug makes them") {
                                          "Start: (13,14). End: (13,14).\n"
                                          "Start: (15,15). End: (14,15).\n",
                                          {});
-    CHECK(diagnosis.verdict ==
-          "The last column of every row is missing exactly matches this table.");
+    CHECK(diagnosis.verdict == "Exact match: The last column of every row is missing.");
 }
