@@ -264,7 +264,7 @@ class TextureFormulas {
             formulas_.push_back(
                 {level_id(level, "f" + x),
                  "f" + x,
-                 "How far the position is beyond the centre of the texel before it: 0 is that "
+                 "How far the position is beyond the centre of the previous texel: 0 is that "
                  "centre, 1 is the next.",
                  fmt::format("{0} − 1/2 − floor({0} − 1/2)", x),
                  {{x, {among(axis, size_of(texels, axis))}, from_formula(level_id(level, x))}},
@@ -278,7 +278,7 @@ class TextureFormulas {
         Formula formula{
             texel_id(number, "weight"),
             fmt::format("weight of texel {}", number),
-            "How near the position is to the texel's centre, along both directions.",
+            "How close the position is to the texel's centre, along both directions.",
             fmt::format("{} · {}", is_right ? "fx" : "(1 − fx)", is_below ? "fy" : "(1 − fy)"),
             {{"fx",
               {beyond_centre(texel.level, texture_axes[0])},
@@ -288,7 +288,7 @@ class TextureFormulas {
               from_formula(level_id(texel.level, "fy"))}},
             {texel.weight}};
         if (frame_.settings.texture_filter == TextureFilter::trilinear) {
-            formula.help += " Times the weight of its level, that is, how near it is to the level "
+            formula.help += " Times the weight of its level, that is, how close it is to the level "
                             "wanted.";
             const bool is_first = number < 4;
             formula.expression +=

@@ -140,7 +140,7 @@ void draw_clip_verdict(const ClipPage& page) {
     keep_text_whole(ui);
     ImGui::PopStyleColor();
     name_widget(ui, "clip.behind",
-                "Behind the camera, w is negative. The division by w turns a place behind the "
+                "Behind the camera, w is negative. The division by w turns a point behind the "
                 "camera into one in front of it, mirrored through the eye.");
 }
 
