@@ -30,12 +30,12 @@ namespace rasterwalk {
 ///     q.carried           interpolated q/z
 ///     q.affine q.perspective q.off
 ///     q.carried_twice q.zinv_twice    only if that is in use; q.off is then of the latter
-///     pixel_light.*       the light at the fragment's own place, see light_formulas.h
+///     pixel_light.*       the light at the fragment's own position, see light_formulas.h
 ///     pixel_light.n_length pixel_light.n.x ...      if normals vary, see highlight_formulas.h
 ///     pixel_light.side pixel_light.lit_n.x ...      if both sides are lit, see light_formulas.h
 ///     bump.*              if a normal map bends the normal, see bump_formulas.h
-///     triangle_light.*    under flat shading: the light in the middle of the triangle, whose place
-///                         is triangle_light.p.x ...
+///     triangle_light.*    under flat shading: the light in the middle of the triangle, whose
+///                         position is triangle_light.p.x ...
 ///     vertex_light.colour.red ...   the light interpolated from the vertices, as shown
 ///     flat.colour.red ... the reflectance, as shown; the colour if there is no light
 ///     texture.* surface.red ...     if the surface has a texture: what it took from it, and the
@@ -57,10 +57,10 @@ struct FragmentReport {
 
     Fragment fragment;                                  ///< as in draw()
     std::array<Varyings, interpolation_count> varyings; ///< recovered, q; indexed by Interpolation
-    SurfaceLight light;              ///< at its own place, by the interpolation in use
+    SurfaceLight light;              ///< at its own position, by the interpolation in use
     SurfaceLight light_per_triangle; ///< under flat shading: in the middle of the triangle
     std::array<SurfaceLight, triangle_corners> at_vertex; ///< light at the vertices of the scene
-    glm::vec3 normal{0.0f};                               ///< used by the light at its own place
+    glm::vec3 normal{0.0f};                               ///< used by the light at its own position
     std::optional<BumpReport> bump;                       ///< of that normal; none: no normal map
     glm::vec3 light_per_vertex{0.0f};     ///< carried from the vertices by the interpolation in use
     std::optional<TextureReport> texture; ///< of the surface; none: it has none

@@ -37,7 +37,7 @@ constexpr double for_each_number = 0.1, for_position = 0.03;
 /// Coloured light is taken only if white light is worse by more than this factor.
 constexpr double much_worse = 2.0;
 
-/// The lamp's power in the pictures from which the right one is computed: neither hardly visible
+/// The lamp's power in the pictures that the right one is computed from: neither hardly visible
 /// nor cut off at white.
 constexpr double trial_power = 5.0;
 

@@ -59,11 +59,11 @@ inline glm::vec3 sight_ray(const glm::vec3& position_world, const SightRays& ray
 /// dot(n, p - C): positive if the normal points away from the camera. Where rays are parallel,
 /// under orthographic projection, their direction replaces p - C; between the two, it is the
 /// mixture of both. sight_measure() writes it down.
-/// @param varyings of a vertex or a fragment: its normal and its place in the world
+/// @param varyings of a vertex or a fragment: its normal and its position in the world
 float away_from_camera(const Varyings& varyings, const SightRays& rays);
 
 /// The first corner's varyings, with the normal of the whole polygon: if the corners' normals
-/// differ, the one worked out from their places.
+/// differ, the one worked out from their positions.
 Varyings as_one_face(std::span<const ClipVertex> corners);
 
 /// What away_from_camera() works out with these rays: "dot(n, p - C)", "dot(n, forward)" or the
@@ -85,7 +85,7 @@ inline Rejection cull_nothing(std::span<const ClipVertex> corners, const VertexR
 
 /// By the normal of the surface: it is a back if the normal points away from the camera,
 /// away_from_camera() > 0. In world space. It is the normal of the first corner or, if the corners'
-/// normals differ, the one worked out from their places.
+/// normals differ, the one worked out from their positions.
 Rejection cull_by_face_normal(std::span<const ClipVertex> corners, const VertexRules& rules,
                               const SightRays& rays, CullTest* test = nullptr);
 
@@ -113,7 +113,8 @@ inline bool keep_fragment(const Fragment& fragment, const SightRays& rays, const
 }
 
 /// By the fragment's interpolated normal: it belongs to a back, and is not drawn, if that normal
-/// points away from the camera at the fragment's own place, by away_from_camera(). In world space.
+/// points away from the camera at the fragment's own position, by away_from_camera(). In world
+/// space.
 /// @param rays   of the frame
 /// @param stages the table whose function divides the varyings by their weight
 bool cull_by_fragment_normal(const Fragment& fragment, const SightRays& rays, const Stages& stages);

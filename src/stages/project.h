@@ -38,7 +38,7 @@ struct ProjectedVertex {
 /// Does a vertex lie in front of the camera? One that does not is not divided. Under perspective
 /// `w` of clip space is z of camera space. If rays are parallel, or between the two, w is positive
 /// behind the camera too, so z itself is tested. NaN is not in front.
-/// @param clip its place in clip space
+/// @param clip its position in clip space
 bool is_in_front(const glm::vec4& clip, const VertexRules& rules);
 
 /// Can it be divided? The only question left once the near plane has cut: a corner on the plane
@@ -54,7 +54,7 @@ inline glm::vec2 perspective_divide(const glm::vec4& clip, float inv_w) {
 }
 
 /// The viewport transform: where in the picture its middle lies, in whole pixels; in pixel space,
-/// places already count from its corner.
+/// positions already count from its corner.
 glm::ivec2 viewport_middle(const VertexRules& rules);
 
 /// Where a vertex falls in the picture.
@@ -71,7 +71,7 @@ ScreenPlace snap_to_pixel(const glm::vec2& projected, glm::ivec2 middle, const V
 
 /// Perspective division, viewport transform and snap to a whole pixel, by the functions of the
 /// table, which also gives the varyings their weight.
-/// @param spaces receives the place before rounding, or null
+/// @param spaces receives the position before rounding, or null
 ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, const Stages& stages,
                         VertexSpaces* spaces);
 

@@ -11,7 +11,7 @@
 //
 //     u = (u/z) / (1/z)      du/dx = (d(u/z)/dx - u d(1/z)/dx) / (1/z)
 //
-// The footprint has two sides: how far the place moves, in texels, to the next column and to the
+// The footprint has two sides: how far the position moves, in texels, to the next column and to the
 // next row. The level is log2 of the longer one: 0 if a pixel spans one texel, 1 if it spans two.
 //
 // The classic mistake is to take the difference of u between two pixels across the seam of a
@@ -32,10 +32,10 @@ namespace rasterwalk {
 
 struct Stages;
 
-/// What is added to the carried place in the texture and to its weight from a pixel to the one on
-/// its right, and to the one below: the same over a whole polygon. With perspective-correct
-/// interpolation the place is u/z, v/z and the weight 1/z; with affine they are u, v and 1, which
-/// does not change.
+/// What is added to the carried position in the texture and to its weight from a pixel to the one
+/// on its right, and to the one below: the same over a whole polygon. With perspective-correct
+/// interpolation the position is u/z, v/z and the weight 1/z; with affine they are u, v and 1,
+/// which does not change.
 struct TextureSlope {
     glm::vec2 texcoord_right{0.0f}, texcoord_down{0.0f};
     float weight_right = 0.0f, weight_down = 0.0f;
@@ -47,7 +47,7 @@ struct TextureSlope {
 /// 0 if none has an area on the screen.
 TextureSlope texture_slope(PolygonCorners vertices, const Stages& stages);
 
-/// How far the place in the texture moves from a pixel to the one on its right, and to the one
+/// How far the position in the texture moves from a pixel to the one on its right, and to the one
 /// below: derivatives, as fractions of the texture's width and height.
 struct Footprint {
     glm::vec2 right{0.0f}, down{0.0f};
@@ -61,7 +61,7 @@ struct TexturePlace {
     Footprint footprint;
 };
 
-/// @param carried the carried place, u/z and v/z
+/// @param carried the carried position, u/z and v/z
 /// @param weight  it is carried with, 1/z; not 0
 TexturePlace texture_place(const glm::vec2& carried, float weight, const TextureSlope& slope);
 

@@ -21,7 +21,7 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip = {});
 /// large, next to the pointer.
 void draw_tooltip(const Ui& ui, std::string_view text);
 
-/// Notes the number that the widget of this name shows, so that it can be looked up by name. The
+/// Notes the number that the widget with this name shows, so that it can be looked up by name. The
 /// widget must have been named in this frame.
 void note_text(Ui& ui, std::string_view name, std::string_view text);
 
