@@ -50,7 +50,7 @@ struct ComparisonResults {
     const Comparison& whole() const { return work.found(); }
 };
 
-/// The pictures that the ground of the overlays is made from, by number.
+/// The pictures that the overlays' background is made from, by number.
 struct GroundSource {
     std::uint64_t picture = 0, overlay = 0;
 

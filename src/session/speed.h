@@ -1,6 +1,6 @@
 #pragma once
 
-// The speed of the play, chosen on a dial whose steps have names, and exactly as named.
+// The speed of playback, chosen on a dial whose steps have names, and exactly as named.
 
 #include <array>
 #include <cstdint>
@@ -23,7 +23,7 @@ template <>
 inline constexpr auto enum_words<SpeedUnit> = word_list("steps", "frame", "unlimited");
 static_assert(words_match<SpeedUnit>);
 
-/// A speed of the play. By default a whole frame takes a quarter of a minute.
+/// A speed of playback. By default a whole frame takes a quarter of a minute.
 struct Speed {
     SpeedUnit unit = SpeedUnit::frame;
     double value = 15.0; ///< steps per second, or seconds per frame; > 0
@@ -31,7 +31,7 @@ struct Speed {
     friend bool operator==(const Speed&, const Speed&) = default;
 };
 
-/// A play by the frame takes at least this many steps per second: eleven samples are not worth a
+/// Playback by the frame takes at least this many steps per second: eleven samples are not worth a
 /// wait of 15 seconds.
 inline constexpr double slowest_frame_rate = 2.0;
 
@@ -52,7 +52,7 @@ std::vector<Speed> speed_dial(double steps);
 /// Where a speed is on the dial, 0 to 1. One that is not on it is where the nearest one is.
 double dial_place(const Speed& speed, double steps);
 
-/// The speed nearest to a place on the dial.
+/// The speed nearest to a position on the dial.
 Speed speed_at(double place, double steps);
 
 /// The next speed on the dial; at its ends, the same one.

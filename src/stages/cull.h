@@ -4,12 +4,12 @@
 //
 // In:  the corners of a polygon in clip space.
 // Out: why it is not drawn, or none.
-// Picture: of a closed body you see only the sides that face the camera; on the screen their
+// Picture: of a closed object you see only the sides that face the camera; on the screen their
 //          corners go round in the opposite direction from those of the sides that face away.
 //
 // The lab culls nothing: the walls of its room are seen from inside, and both sides are drawn.
 //
-// You can also test every fragment, by its interpolated normal. That follows a smooth body to the
+// You can also test every fragment, by its interpolated normal. That follows a smooth object to the
 // pixel, but every row is walked before anything is left out.
 //
 // The classic mistake is to use the angle to the direction in which the camera looks: under
@@ -96,7 +96,7 @@ Rejection cull_by_screen_area(std::span<const ClipVertex> corners, const VertexR
                               const SightRays& rays, CullTest* test = nullptr);
 
 /// By the normals of all corners: it is a back if each of them points away from the camera. A
-/// smooth body keeps the faces along its outline.
+/// smooth object keeps the faces along its outline.
 Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const VertexRules& rules,
                                  const SightRays& rays, CullTest* test = nullptr);
 

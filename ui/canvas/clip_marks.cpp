@@ -20,7 +20,7 @@ namespace {
 /// The colour of planes and of what they make.
 constexpr Meaning plane_ink = Meaning::left_end;
 
-/// An edge has no place on the screen where it crosses the camera plane: it is drawn up to this
+/// An edge has no position on the screen where it crosses the camera plane: it is drawn up to this
 /// part of the greater w of its ends.
 constexpr float least_w_share = 1e-4f;
 

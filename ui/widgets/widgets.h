@@ -72,7 +72,7 @@ void draw_difference_key(Ui& ui, std::string_view words);
 /// Where its words begin, screen pixels.
 float difference_key_indent(const Ui& ui);
 
-/// A box on the ground that grows with its content: between begin_card and end_card.
+/// A box on the background that grows with its content: between begin_card and end_card.
 void begin_card(Ui& ui, float width = 0.0f);
 void end_card(Ui& ui);
 
