@@ -31,7 +31,7 @@ float part_share(int part, int parts) {
     return static_cast<float>(part) / static_cast<float>(parts);
 }
 
-/// A point of the grid over a triangle: so many parts from corner 0 toward 1, and toward 2.
+/// A point of the grid over a triangle: this many parts from corner 0 toward 1, and toward 2.
 struct CutPoint {
     int to_b, to_c;
 };

@@ -14,8 +14,8 @@ namespace rasterwalk {
 
 /// The unit of a speed.
 enum class SpeedUnit : std::uint8_t {
-    steps,     ///< so many steps per second
-    frame,     ///< the whole frame in so many seconds
+    steps,     ///< this many steps per second
+    frame,     ///< the whole frame in this many seconds
     unlimited, ///< as fast as it can be drawn
 };
 
@@ -35,8 +35,8 @@ struct Speed {
 /// wait of 15 seconds.
 inline constexpr double slowest_frame_rate = 2.0;
 
-/// The speed in force in a frame of so many steps: the speed itself, or `slowest_frame_rate` if it
-/// would be slower than that.
+/// The speed in force in a frame of this many steps: the speed itself, or `slowest_frame_rate` if
+/// it would be slower than that.
 Speed speed_in(const Speed& speed, double steps);
 
 /// The average steps per second in such a frame; infinite without a limit.
@@ -45,7 +45,7 @@ double rate_of(const Speed& speed, double steps);
 /// "1 step/s", "frame in 15 s", "frame in 2 min", "no limit".
 std::string speed_text(const Speed& speed);
 
-/// The speeds on the dial for a frame of so many steps, from slowest to fastest, each about twice
+/// The speeds on the dial for a frame of this many steps, from slowest to fastest, each about twice
 /// as fast as the previous one: first steps per second, then the frame by time, last no limit.
 std::vector<Speed> speed_dial(double steps);
 

@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Where playback is after running for so many seconds.
+/// Where playback is after running for this many seconds.
 Instant after(const Timeline& timeline, const FrameLength& length, const Play& play,
               const Cursor& cursor, double seconds) {
     const Speed speed = speed_in(play.speed, length.of(play.granularity));
