@@ -83,7 +83,7 @@ class TextureFormulas {
                 from_formula(coordinate_ids_[static_cast<std::size_t>(axis.index)])};
     }
 
-    /// Where the place is among the texels.
+    /// Where the position is among the texels.
     float among(const TextureAxis& axis, int count) const {
         return frame_.stages.texel_place(report_.place.texcoord[axis.index], axis.direction, count);
     }
@@ -201,7 +201,7 @@ class TextureFormulas {
         return fmt::format("wrap({}, n)", texel);
     }
 
-    /// @param offset from the texel before the place: 0 or 1; -1: the texel in which it lies
+    /// @param offset from the previous texel: 0 or 1; -1: the texel in which it lies
     void add_line(int number, const TextureAxis& axis, int offset) {
         const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(number)];
         const TextureLevel& level =
@@ -234,7 +234,7 @@ class TextureFormulas {
                              {1.0f, true}});
     }
 
-    /// How far the place lies beyond the centre of the texel before it.
+    /// How far the position lies beyond the centre of the previous texel.
     float beyond_centre(int level, const TextureAxis& axis) const {
         const TextureLevel& texels =
             report_.surface.texture->levels[static_cast<std::size_t>(level)];

@@ -135,7 +135,7 @@ void draw_row_ends(const Marks& m) {
     }
 }
 
-/// Every sample up to the cursor: a dot at its real place, before rounding.
+/// Every sample up to the cursor: a dot at its real position, before rounding.
 void draw_samples(const Marks& m, int triangle) {
     const float radius = std::clamp(0.09f * m.scale, 1.6f * m.u, 4.5f * m.u);
     for (const EdgeSample& sample : edge_samples(m.run.frame, triangle, m.run.cursor)) {
