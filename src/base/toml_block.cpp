@@ -68,7 +68,7 @@ std::string TomlBlock::word(const toml::node& node, const char* what,
 void TomlBlock::for_each_text(const toml::node& node, std::size_t most,
                               const std::function<void(const std::string&)>& use) const {
     const toml::array* list = node.as_array();
-    if (list == nullptr) input_.fail(node, "a list of texts is needed here: [\"...\"].");
+    if (list == nullptr) input_.fail(node, "a list of strings is needed here: [\"...\"].");
     if (list->size() > most) {
         input_.fail(node, fmt::format("the list has more than {} entries.", most));
     }

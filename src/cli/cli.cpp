@@ -176,7 +176,7 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
                                     [&] { presets_command(line.presets, out); });
     add_json(presets, line.presets.json);
 
-    CLI::App& bugs = add_command(line, "bugs", "List the mistakes of the bug laboratory",
+    CLI::App& bugs = add_command(line, "bugs", "List the mistakes in the bug laboratory",
                                  [&] { bugs_command(line.bugs, out); });
     add_json(bugs, line.bugs.json);
 
@@ -198,7 +198,7 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         "by luck");
     check
         .add_flag("--style", line.check.style,
-                  "Only look for phrases that read as if translated, in texts, strings and "
+                  "Only look for phrases that read as if translated, in text, strings and "
                   "comments")
         ->excludes(luck);
 

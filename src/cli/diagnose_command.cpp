@@ -119,7 +119,8 @@ Json to_json(const Finding& finding) {
 void print_text(const Finding& finding, std::ostream& out) {
     const Diagnosis& diagnosis = finding.diagnosis;
     const bool is_picture = finding.kind == "picture";
-    out << "Compared with " << finding.held_against << ": " << diagnosis.verdict << '\n';
+    out << "Compared with " << finding.held_against << (diagnosis.is_same() ? ": " : ".\n")
+        << diagnosis.verdict << '\n';
     if (!diagnosis.rules.empty()) {
         const bool is_sure = diagnosis.is_same() || likely_candidate(diagnosis) != nullptr;
         out << (is_sure ? "Your program draws with " : "The nearest correct picture is drawn with ")

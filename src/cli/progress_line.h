@@ -5,7 +5,7 @@
 
 namespace rasterwalk {
 
-/// The last line of a terminal, which shows the progress of a long command and is empty in the end.
+/// The last line of a terminal, which shows the progress of a long command and is empty at the end.
 class ProgressLine {
   public:
     /// @param terminal null: nothing is shown

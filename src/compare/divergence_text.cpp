@@ -105,7 +105,7 @@ ShadedVertex shade(const Frame& frame, const Cursor& cursor) {
     return shade_vertex(vertex, camera_rotation(rules.camera), rules, frame.stages);
 }
 
-/// How a run gets from the projected place to the pixel.
+/// How a run gets from the projected position to the pixel.
 std::string projection(const Frame& frame, const ShadedVertex& shaded, const ScreenVertex& pixel,
                        int digits) {
     const bool from_middle = frame.scene->space == SceneSpace::world;
@@ -207,7 +207,7 @@ std::string cull_text(const PairMoment& moment) {
 std::string coordinate_text(const Frame& frame, char axis, float place, int pixel, int digits) {
     const std::string at = fmt::format("{} = {}", axis, number(place, digits));
     if (static_cast<float>(pixel) == place) return at;
-    // In a walk without error, the place shown can itself be off by a rounding error.
+    // In a walk without error, the position shown can itself be off by a rounding error.
     const Rounding rounding = sample_rounding(frame.settings);
     const bool by_fraction =
         frame.settings.line_walk == LineWalk::exact && to_pixel(place, rounding) != pixel;

@@ -50,9 +50,9 @@ Scene workload_scene(Workload workload, const Scene& room);
 /// pixel belongs to the triangle that covers its centre, as in OpenGL.
 Settings workload_settings(Workload workload, const Scene& scene, Viewport size);
 
-/// Where the lamp stands in one picture of a series. It moves a little from each picture to the
+/// Where the lamp is in one picture of a series. It moves a little from each picture to the
 /// next, so that no engine can reuse anything of the last one.
-/// @param at     where it stands in picture 0, world units
+/// @param at     where it is in picture 0, world units
 /// @param number of the picture, from 0
 glm::vec3 lamp_in_picture(const glm::vec3& at, int number);
 

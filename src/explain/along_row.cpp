@@ -136,7 +136,7 @@ Formula along_row(const FragmentReport& report, std::string id, std::string name
     if (row.is_weighted()) return by_weights(report, std::move(formula), way, part, false);
     switch (row.walk) {
     case LineWalk::accumulate:
-    case LineWalk::integer_step: // only the place's step is truncated, and along a row it is 1
+    case LineWalk::integer_step: // only the position's step is truncated, and along a row it is 1
     case LineWalk::zinv_falls:   // only the values that go with 1/z fall
         formula.expression = "accumulate(left, (right − left) / (n − 1), i)";
         if (row.walk == LineWalk::zinv_falls && is_depth(formula.id))

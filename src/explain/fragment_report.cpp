@@ -231,7 +231,7 @@ void add_texture(const Frame& frame, FragmentReport& report) {
                             report.formulas);
 }
 
-/// The light at the fragment's own place.
+/// The light at the fragment's own position.
 /// @return the reflectance there, interpolated if the corners' differ
 SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     const int triangle = report.cursor.triangle;

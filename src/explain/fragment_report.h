@@ -57,10 +57,10 @@ struct FragmentReport {
 
     Fragment fragment;                                  ///< as in draw()
     std::array<Varyings, interpolation_count> varyings; ///< recovered, q; indexed by Interpolation
-    SurfaceLight light;              ///< at its own place, by the interpolation in use
+    SurfaceLight light;              ///< at its own position, by the interpolation in use
     SurfaceLight light_per_triangle; ///< under flat shading: in the middle of the triangle
     std::array<SurfaceLight, triangle_corners> at_vertex; ///< light at the vertices of the scene
-    glm::vec3 normal{0.0f};                               ///< used by the light at its own place
+    glm::vec3 normal{0.0f};                               ///< used by the light at its own position
     std::optional<BumpReport> bump;                       ///< of that normal; none: no map bends it
     glm::vec3 light_per_vertex{0.0f};     ///< carried from the vertices by the interpolation in use
     std::optional<TextureReport> texture; ///< of the surface; none: it has none

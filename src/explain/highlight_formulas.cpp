@@ -176,7 +176,7 @@ class HighlightMaker {
         for (const FormulaInput& input : own_parts("h", terms().half))
             inputs.push_back(input);
         add("n_dot_h", "n · h",
-            "How near the normal is to h: 1 where a mirror would show the lamp.",
+            "How close the normal is to h: 1 where a mirror would show the lamp.",
             "max(0, n.x · h.x + n.y · h.y + n.z · h.z)", inputs, terms().n_dot_h);
         add("power", "(n · h)^e", "The larger the exponent, the faster the highlight falls off.",
             "pow(n·h, e)",

@@ -154,7 +154,7 @@ class ShadowMaker {
             "1 / h",
             {{"h",
               {texel.inv_depth},
-              from_words(fmt::format("column {}, row {} of the face {}", texel.column, texel.row,
+              from_words(fmt::format("column {}, row {} of face {}", texel.column, texel.row,
                                      face_name()))}},
             1.0f / texel.inv_depth);
     }
@@ -188,7 +188,7 @@ class ShadowMaker {
                 {symbol,
                  {texel.is_lit ? 1.0f : 0.0f, true},
                  from_words(fmt::format(
-                     "column {}, row {} of the face {}: {}", texel.column, texel.row, face_name(),
+                     "column {}, row {} of face {}: {}", texel.column, texel.row, face_name(),
                      texel.is_lit ? "nothing nearer was seen" : "something nearer was seen"))});
         }
         if (terms_.texel_count > 1) sum = fmt::format("({}) / {}", sum, terms_.texel_count);

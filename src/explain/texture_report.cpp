@@ -83,7 +83,7 @@ class TextureFormulas {
                 from_formula(coordinate_ids_[static_cast<std::size_t>(axis.index)])};
     }
 
-    /// Where the place is among the texels.
+    /// Where the position is among the texels.
     float among(const TextureAxis& axis, int count) const {
         return frame_.stages.texel_place(report_.place.texcoord[axis.index], axis.direction, count);
     }
@@ -201,7 +201,7 @@ class TextureFormulas {
         return fmt::format("wrap({}, n)", texel);
     }
 
-    /// @param offset from the texel before the place: 0 or 1; -1: the texel in which it lies
+    /// @param offset from the previous texel: 0 or 1; -1: the texel in which it lies
     void add_line(int number, const TextureAxis& axis, int offset) {
         const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(number)];
         const TextureLevel& level =
@@ -234,7 +234,7 @@ class TextureFormulas {
                              {1.0f, true}});
     }
 
-    /// How far the place lies beyond the centre of the texel before it.
+    /// How far the position lies beyond the centre of the previous texel.
     float beyond_centre(int level, const TextureAxis& axis) const {
         const TextureLevel& texels =
             report_.surface.texture->levels[static_cast<std::size_t>(level)];
@@ -264,7 +264,7 @@ class TextureFormulas {
             formulas_.push_back(
                 {level_id(level, "f" + x),
                  "f" + x,
-                 "How far the position is beyond the centre of the texel before it: 0 is that "
+                 "How far the position is beyond the centre of the previous texel: 0 is that "
                  "centre, 1 is the next.",
                  fmt::format("{0} − 1/2 − floor({0} − 1/2)", x),
                  {{x, {among(axis, size_of(texels, axis))}, from_formula(level_id(level, x))}},
@@ -278,7 +278,7 @@ class TextureFormulas {
         Formula formula{
             texel_id(number, "weight"),
             fmt::format("weight of texel {}", number),
-            "How near the position is to the texel's centre, along both directions.",
+            "How close the position is to the texel's centre, along both directions.",
             fmt::format("{} · {}", is_right ? "fx" : "(1 − fx)", is_below ? "fy" : "(1 − fy)"),
             {{"fx",
               {beyond_centre(texel.level, texture_axes[0])},
@@ -288,7 +288,7 @@ class TextureFormulas {
               from_formula(level_id(texel.level, "fy"))}},
             {texel.weight}};
         if (frame_.settings.texture_filter == TextureFilter::trilinear) {
-            formula.help += " Times the weight of its level, that is, how near it is to the level "
+            formula.help += " Times the weight of its level, that is, how close it is to the level "
                             "wanted.";
             const bool is_first = number < 4;
             formula.expression +=

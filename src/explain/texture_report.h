@@ -34,11 +34,11 @@ std::optional<TextureReport> texture_report(const Frame& frame, int triangle,
 std::optional<TextureReport> texture_report(const Frame& frame, const Cursor& cursor);
 
 /// Appends, with k the number of a texel that was taken and i the number of a level:
-///     texture.x texture.y                   the place in texels of the texture itself
+///     texture.x texture.y                   the position in texels of the texture itself
 ///     texture.right.u texture.right.v texture.down.u texture.down.v    sides of the footprint
 ///     texture.right texture.down            their lengths in texels
 ///     texture.level                         the one that suits the footprint
-///     texture.level.i.x .y .fx .fy          the place among the texels of a level, and how far
+///     texture.level.i.x .y .fx .fy          the position among the texels of a level, and how far
 ///                                           beyond the centre of the texel before it; not with
 ///                                           nearest
 ///     texture.texel.k.column .row .weight

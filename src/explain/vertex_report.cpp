@@ -204,7 +204,7 @@ void add_inverse_z(VertexMaker& made) {
     made.add(formula);
 }
 
-/// The normal as the light has it, if it was transformed to camera space as a place.
+/// The normal as the light has it, if it was transformed to camera space as a point.
 void add_moved_normal(VertexMaker& made, const glm::vec3& normal) {
     for (int i = 0; i < 3; ++i) {
         const std::string axis = axis_names[i];

@@ -45,8 +45,8 @@ Number vertex_number(const ShadedVertex& vertex, std::string_view id);
 /// Does the number depend on the camera's rotation? Then R v in place of v R can change it.
 bool depends_on_rotation(std::string_view id);
 
-/// How the place of a vertex becomes column and row, in sentences: "Cut toward 0 to a whole number
-/// and shifted by half the picture's size."
+/// How the position of a vertex becomes column and row, in sentences: "Cut toward 0 to a whole
+/// number and shifted by half the picture's size."
 std::string how_made_whole(const Settings& settings, SceneSpace space);
 
 /// The rounding as C++ and the lab write it: int, floor, round.

@@ -99,7 +99,7 @@ class Facts {
     const FrameShadows& shadows() const;
     /// Pixels that two neighbours of the frame have both drawn.
     std::int64_t drawn_twice() const;
-    /// The triangle that each pixel of the picked pixel's column shows in the end, from the top;
+    /// The triangle that each pixel of the picked pixel's column finally shows, from the top;
     /// -1: none. A pixel must be picked.
     const std::vector<int>& column_owners() const;
     /// Is there a second run, and does it cut the scene into the same triangles?
@@ -116,7 +116,7 @@ class Facts {
     const RowHistory* table() const;
     /// The selected row in that table; none if no row is selected, or the table does not have it.
     std::optional<int> table_row() const;
-    /// The fragment that the picked pixel shows in the end; null if there is none.
+    /// The fragment that the picked pixel finally shows; null if there is none.
     const PixelEntry* winner() const;
     /// The error of that fragment; none if it belongs to no row.
     std::optional<InterpolationError> interpolation_error() const;

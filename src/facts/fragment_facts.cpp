@@ -85,11 +85,11 @@ void add_texture_facts(std::vector<Fact>& table) {
     // Below 0 only with mistake B67.
     const ValueRange texel = whole(1 - largest_texture_side, largest_texture_side - 1);
     table.push_back({"pixel.u",
-                     "u of what the picked pixel shows in the end: its position in the texture, "
+                     "u of what the picked pixel finally shows: its position in the texture, "
                      "from the left, 0 to 1.",
                      real(), texture_number<[](Texels t) { return t.place.texcoord.x; }>});
     table.push_back({"pixel.v",
-                     "v of what the picked pixel shows in the end: its position in the texture, "
+                     "v of what the picked pixel finally shows: its position in the texture, "
                      "from the top, 0 to 1.",
                      real(), texture_number<[](Texels t) { return t.place.texcoord.y; }>});
     table.push_back({"pixel.footprint",
@@ -147,7 +147,7 @@ void add_pixel_facts(std::vector<Fact>& table) {
     table.push_back({"pixel.cut_out",
                      "Fragments on the picked pixel that the alpha of their texture cuts out.",
                      natural(), fragments_of_fate, static_cast<int>(Fate::cut_out)});
-    table.push_back({"pixel.owner", "Triangle that the picked pixel shows in the end; -1 if none.",
+    table.push_back({"pixel.owner", "Triangle that the picked pixel finally shows; -1 if none.",
                      whole(-1, endless), [](const Facts& f, int) {
                          if (!f.results().history) return Value();
                          const PixelEntry* const winner = f.winner();
@@ -157,7 +157,7 @@ void add_pixel_facts(std::vector<Fact>& table) {
                      "Pixels of the picked pixel's column that show the same part of the scene.",
                      natural(), part_in_column});
     table.push_back({"pixel.zinv",
-                     "1/z of what the picked pixel shows in the end; 1/w under any other "
+                     "1/z of what the picked pixel finally shows; 1/w under any other "
                      "projection.",
                      real(), [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
@@ -165,19 +165,18 @@ void add_pixel_facts(std::vector<Fact>& table) {
                      }});
     table.push_back({"pixel.depth",
                      "What the depth buffer holds, in the format of depth_format, for what the "
-                     "picked pixel shows in the end.",
+                     "picked pixel finally shows.",
                      real(), [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
                          return winner != nullptr ? number(winner->depth) : Value();
                      }});
-    table.push_back({"pixel.z", "z of what the picked pixel shows in the end.", real(),
-                     [](const Facts& f, int) {
-                         const PixelEntry* const winner = f.winner();
-                         return winner != nullptr && winner->zinv > 0.0f ? number(winner->z)
-                                                                         : Value();
-                     }});
+    table.push_back(
+        {"pixel.z", "z of what the picked pixel finally shows.", real(), [](const Facts& f, int) {
+             const PixelEntry* const winner = f.winner();
+             return winner != nullptr && winner->zinv > 0.0f ? number(winner->z) : Value();
+         }});
     table.push_back({"pixel.z_ndc",
-                     "NDC z of what the picked pixel shows in the end: 0 at the near plane, 1 at "
+                     "NDC z of what the picked pixel finally shows: 0 at the near plane, 1 at "
                      "the far one.",
                      real(), [](const Facts& f, int) {
                          const PixelEntry* const winner = f.winner();
@@ -188,13 +187,13 @@ void add_pixel_facts(std::vector<Fact>& table) {
     for (int i = 0; i < 3; ++i) {
         const std::string channel = channels[static_cast<std::size_t>(i)];
         table.push_back({"pixel." + channel,
-                         "The picked pixel's " + channel +
-                             " in the end, linear, not clamped at 1; 0 where nothing falls.",
+                         "The picked pixel's final " + channel +
+                             ", linear, not clamped at 1; 0 where nothing falls.",
                          real(), pixel_channel, i});
     }
     table.push_back(
         {"pixel.alpha",
-         "Alpha of the surface that the picked pixel shows in the end; 1 if it is not blended.",
+         "Alpha of the surface that the picked pixel finally shows; 1 if it is not blended.",
          real(0), [](const Facts& f, int) {
              const PixelEntry* const winner = f.winner();
              return winner == nullptr ? Value() : number(winner->alpha);

@@ -45,9 +45,7 @@ void add_normal_facts(std::vector<Fact>& table) {
     for (int i = 0; i < 3; ++i) {
         const std::string axis(axes[static_cast<std::size_t>(i)]);
         table.push_back({"pixel.normal." + axis,
-                         axis + " of the normal with which light is computed at the picked "
-                                "pixel.",
-                         real(),
+                         axis + " of the normal used for the light at the picked pixel.", real(),
                          [](const Facts& facts, int part) {
                              const FragmentReport* const report = facts.light();
                              return report != nullptr ? number(report->normal[part]) : Value();
@@ -90,7 +88,7 @@ void add_light_facts(std::vector<Fact>& table) {
                      }});
     table.push_back(
         {"pixel.n_dot_h",
-         "n · h there, at least 0: how near the normal is to the direction halfway between lamp "
+         "n · h there, at least 0: how close the normal is to the direction halfway between lamp "
          "and eye.",
          real(0),
          light_number<[](const SurfaceLight& light, int) { return light.highlight.n_dot_h; }>});

@@ -16,7 +16,7 @@
 
 namespace rasterwalk {
 
-/// A place in the plot is (the coordinate to the side, w), in clip space.
+/// A point in the plot is (the coordinate to the side, w), in clip space.
 struct ClipDiagram {
     ClipPlane plane = ClipPlane::near;
     int side = 0; ///< the coordinate to the side: 0 x, 1 y, 2 z

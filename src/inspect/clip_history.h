@@ -60,7 +60,7 @@ struct ClipHistory {
 
     bool is_cull_asked = false;            ///< something culls, and the triangle got that far
     CullTest cull;                         ///< then: what culling looked at
-    Rejection rejection = Rejection::none; ///< why the triangle is not drawn in the end, or none
+    Rejection rejection = Rejection::none; ///< why the triangle is finally not drawn, or none
 
     bool is_trivially_rejected() const { return codes.common() != 0; }
     bool is_trivially_accepted() const { return codes.any() == 0; }

@@ -14,7 +14,7 @@
 
 namespace rasterwalk {
 
-/// Where a corner's place in clip space comes from. The last two only if the function that clips
+/// Where a corner's position in clip space comes from. The last two only if the function that clips
 /// changes the corners before its first plane, or after its last one, like one that divides before
 /// it cuts.
 enum class CornerPlace : std::uint8_t {
@@ -27,9 +27,9 @@ enum class CornerPlace : std::uint8_t {
 struct CutCorner {
     ClipVertex vertex;
     CornerPlace place = CornerPlace::own;
-    int number = -1;                   ///< if its place is handed on: in the polygon that is left
-    int vertex_index = -1;             ///< 0..2, of the triangle; -1: a plane has made it
-    int new_index = -1;                ///< among all corners that planes make, from 0
+    int number = -1;       ///< if its position is handed on: in the polygon that is left
+    int vertex_index = -1; ///< 0..2, of the triangle; -1: a plane has made it
+    int new_index = -1;    ///< among all corners that planes make, from 0
     ClipPlane plane = ClipPlane::near; ///< the one that made it
     int plane_edge = -1;               ///< and the edge that it cut, of the polygon before it
 

@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Records the places of both edges of a polygon with two vertices.
+/// Records the positions of both edges of a polygon with two vertices.
 class BothWays : public SampleSink {
   public:
     explicit BothWays(EdgeMicroscope& into)
@@ -33,7 +33,7 @@ Fraction exact_place(int a, int b, int i, int n) {
     return reduced(static_cast<std::int64_t>(a) * n + static_cast<std::int64_t>(b - a) * i, n);
 }
 
-/// The pixel that a place should have. If two are equally near: its own, if it is one of them.
+/// The pixel that a position should have. If two are equally near: its own, if it is one of them.
 int nearest_pixel(int pixel, const Fraction& exact, int other) {
     const std::int64_t apart = 2 * (pixel * exact.denominator - exact.numerator);
     return std::abs(apart) <= exact.denominator ? pixel : other;

@@ -30,12 +30,12 @@ Fraction reduced(std::int64_t numerator, std::int64_t denominator);
 
 /// One coordinate of a sample, x or y.
 struct MicroscopeCoordinate {
-    float walked = 0.0f;   ///< in the walk, before rounding, pixels
-    Fraction exact;        ///< where the sample would be without any error, pixels
-    double drift = 0.0;    ///< walked - exact, pixels
-    int pixel = 0;         ///< column or row of the walked value
-    int exact_pixel = 0;   ///< column or row of the exact place, rounded by the same rule; if two
-                           ///< are equally near, a line that decides may take either
+    float walked = 0.0f; ///< in the walk, before rounding, pixels
+    Fraction exact;      ///< where the sample would be without any error, pixels
+    double drift = 0.0;  ///< walked - exact, pixels
+    int pixel = 0;       ///< column or row of the walked value
+    int exact_pixel = 0; ///< column or row of the exact position, rounded by the same rule; if two
+                         ///< are equally near, a line that decides may take either
     int reverse_pixel = 0; ///< of the walk from b to a, at the sample that should be at this place
 
     bool differs_from_exact() const { return pixel != exact_pixel; }
@@ -80,7 +80,7 @@ struct EdgeMicroscope {
     std::vector<Place> reverse;          ///< of each sample from b to a
     std::vector<LineDecision> decisions; ///< of each sample from a to b; empty for Interpolate
     LineFrame frame;                     ///< the two axes, for the formulas of the decisions
-    std::vector<int> differing;          ///< samples on a different pixel from their exact place
+    std::vector<int> differing;          ///< samples on a different pixel from their exact position
 
     /// Is this the edge that was put under the microscope?
     bool shows(const ScreenVertex& from, const ScreenVertex& to, const EdgeRules& by,
@@ -89,7 +89,7 @@ struct EdgeMicroscope {
     /// Does a decision variable determine where the line goes? Interpolate has none.
     bool decides() const { return !decisions.empty(); }
 
-    /// Is there a decision variable besides the places? The DDA decides by the place itself.
+    /// Is there a decision variable besides the positions? The DDA decides by the position itself.
     bool has_decision_variable() const { return decides() && stages.line != line_by_dda; }
 
     /// The sample of the other way that should be at the place of this one. If the two ways have

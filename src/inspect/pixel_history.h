@@ -45,8 +45,8 @@ struct PixelHistory {
     int winner = -1;                   ///< the entry whose colour stays; -1: nothing was written
     bool depth_tested = false;         ///< whether margins decided anything
     std::vector<TestEvent> tests;      ///< if edge functions test pixels: each test of this one
-    std::vector<NearTriangle> nearest; ///< if nothing fell here: what came nearest, or hardly
-                                       ///< stayed farther away; see uncovered.h
+    std::vector<NearTriangle> nearest; ///< if nothing fell here: what came nearest, or nearly
+                                       ///< as near; see uncovered.h
 };
 
 /// The history of a pixel of the picture. Costs drawing the triangles whose box it lies in, and a

@@ -31,7 +31,7 @@ struct EndWriter {
 struct OutsideSample {
     int edge = 0;
     int sample = 0;
-    float x = 0.0f, y = 0.0f; ///< its place before rounding, pixels
+    float x = 0.0f, y = 0.0f; ///< its position before rounding, pixels
     int column = 0, row = 0;  ///< where it would have been written
 
     friend bool operator==(const OutsideSample&, const OutsideSample&) = default;

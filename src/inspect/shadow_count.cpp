@@ -29,7 +29,7 @@ class LastFragments : public Observer {
     std::vector<Fragment> fragments_;
 };
 
-/// The light at the place that a fragment shows; under flat shading in the middle of its triangle.
+/// The light at the point that a fragment shows; under flat shading in the middle of its triangle.
 SurfaceLight light_there(const Frame& frame, const Fragment& fragment, int triangle,
                          const Surface& surface, const PixelRules& rules) {
     const SurfacePoint point = rules.shading == Shading::flat

@@ -1,7 +1,8 @@
 #pragma once
 
 // How much of a finished picture is in shadow, and where a map is wrong: each pixel is tested
-// again, at the place in the room that it shows; under flat shading, in the middle of its triangle.
+// again, at the position in the room that it shows; under flat shading, in the middle of its
+// triangle.
 
 #include <cstdint>
 #include <vector>

@@ -33,7 +33,7 @@ bool is_whole(const Frame& frame, int triangle) {
     return frame.is_drawn(triangle) && !frame.is_cut(triangle);
 }
 
-/// The edge of a triangle between two places of the scene, in either direction; -1: it has no such
+/// The edge of a triangle between two points of the scene, in either direction; -1: it has no such
 /// edge.
 int edge_between(const Frame& frame, int triangle, const glm::vec3& a, const glm::vec3& b) {
     std::array<glm::vec3, triangle_corners> places;

@@ -22,7 +22,7 @@ struct Change {
     const Bug* bug = nullptr; ///< of the laboratory; null: none
 };
 
-/// All mistakes of the laboratory, then every other word of every choice that the scene can use,
+/// All mistakes in the laboratory, then every other word of every choice that the scene can use,
 /// then a picture that is turned, and one that is moved by a pixel. The bugs must outlive the
 /// result.
 std::vector<Change> known_changes(const std::vector<Bug>& bugs, const Scene& scene);

@@ -31,7 +31,7 @@ bool has_name(const Suspect& suspect, const std::string& id) {
     return std::find(suspect.ids.begin(), suspect.ids.end(), id) != suspect.ids.end();
 }
 
-/// Does the candidate have a mistake of this name?
+/// Does the candidate have a mistake with this name?
 bool is_in(const Suspect& one, const Candidate& candidate) {
     return std::any_of(candidate.mistakes.begin(), candidate.mistakes.end(),
                        [&](const Suspect& other) { return has_name(other, one.ids.front()); });

@@ -87,7 +87,7 @@ std::string candidate_text(const Candidate& candidate);
 /// @param digits after the point
 std::string explained_text(double part, int digits);
 
-/// B and a number: is this the id of a mistake of the laboratory?
+/// B and a number: is this the id of a mistake from the laboratory?
 bool is_bug_id(std::string_view id);
 
 /// The most candidates that are listed.

@@ -37,7 +37,7 @@ constexpr double for_each_number = 0.1, for_position = 0.03;
 /// Coloured light is taken only if white light is worse by more than this factor.
 constexpr double much_worse = 2.0;
 
-/// The lamp's power in the pictures from which the right one is computed: neither hardly visible
+/// The lamp's power in the pictures that the right one is computed from: neither hardly visible
 /// nor cut off at white.
 constexpr double trial_power = 5.0;
 
@@ -200,7 +200,7 @@ void ParameterFit::begin_scan() {
     const SceneBox box = box_of(*scene_);
     if (subject_ == FitSubject::lamp) {
         sight_ = make_sight(effort_ == FitEffort::quick ? smallest_side : small_side);
-        // What is black, and the picture without the lamp, then with it in many places.
+        // What is black, and the picture without the lamp, then with it in many positions.
         const auto lit = [](const glm::dvec3& p, double power, double indirect) {
             return Numbers{p.x, p.y, p.z, power, power, power, indirect};
         };
@@ -283,7 +283,7 @@ void ParameterFit::end_scan() {
         }
         probes_.erase(probes_.begin(), probes_.begin() + 3);
     }
-    const Probe in_place = probes_.back(); // of a lamp in its usual place
+    const Probe in_place = probes_.back(); // of a lamp in its usual position
     std::stable_sort(probes_.begin(), probes_.end(),
                      [](const Probe& a, const Probe& b) { return a.cost < b.cost; });
     // For the camera, the nearest of each kind: one number alone, a pair.

@@ -1,9 +1,9 @@
 #pragma once
 
-// Finds the numbers that a program chooses freely from its picture: the place and brightness of the
-// lamp, the place and direction of the camera. Levenberg and Marquardt's damped least squares
-// (Marquardt 1963) from several starts, with derivatives by differences; large differences count
-// less (Huber 1964), so that a mistake elsewhere does not mislead the search.
+// Finds the numbers that a program chooses freely from its picture: the position and brightness of
+// the lamp, the position and direction of the camera. Levenberg and Marquardt's damped least
+// squares (Marquardt 1963) from several starts, with derivatives by differences; large differences
+// count less (Huber 1964), so that a mistake elsewhere does not mislead the search.
 
 #include <array>
 #include <cstdint>

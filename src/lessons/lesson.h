@@ -86,7 +86,7 @@ struct LessonPrediction {
 /// A setting with a control in the step itself.
 struct LessonControl {
     std::string name;                 ///< as in conditions: `camera.position.z`
-    const Setting* setting = nullptr; ///< of this name
+    const Setting* setting = nullptr; ///< with this name
     ControlRange range;               ///< the part of it that is offered
     std::string read_out;             ///< text with {EXPRESSION}, see fill_in(); may be empty
     int line = 0;                     ///< of its comment

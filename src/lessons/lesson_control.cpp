@@ -23,7 +23,7 @@ namespace {
 /// too coarse.
 constexpr float widest_own_range = 10.0f;
 
-/// The usual slider has so many steps.
+/// The usual slider has this many steps.
 constexpr double usual_steps = 100.0;
 
 /// A number with its place in the file.

@@ -33,7 +33,7 @@ StageNote read_stage_note(const std::string& folder, std::string_view name);
 /// The notes read so far. A file that changes is read again.
 class StageNotes {
   public:
-    /// The note of this name from lessons_folder(). Valid until the next call. Never throws.
+    /// The note with this name from lessons_folder(). Valid until the next call. Never throws.
     const StageNote& find(const std::string& name);
 
   private:

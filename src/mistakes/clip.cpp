@@ -129,7 +129,7 @@ Clipped clip_after_division(std::vector<ClipVertex>& corners, const ViewVolume& 
     std::vector<ClipVertex> screen;
     for (const ClipVertex& corner : corners)
         screen.push_back(divided(corner));
-    // A corner at the camera itself has no place on the screen; project() reports it.
+    // A corner at the camera itself has no position on the screen; project() reports it.
     if (!std::all_of(screen.begin(), screen.end(), has_place)) return {};
     const ClipPlanes& planes = volume.view;
     constexpr auto first_side = static_cast<std::size_t>(ClipPlane::left);

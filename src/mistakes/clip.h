@@ -27,8 +27,9 @@ Clipped clip_after_division(std::vector<ClipVertex>& corners, const ViewVolume& 
 Clipped move_to_near_plane(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                            ClipSink* sink = nullptr);
 
-/// B82: the near plane with the right t, but only the place is cut. The new corner has the varyings
-/// of the corner that is cut off: its world position, normal, colour and texture coordinates.
+/// B82: the near plane with the right t, but only the position is cut. The new corner has the
+/// varyings of the corner that is cut off: its world position, normal, colour and texture
+/// coordinates.
 Clipped clip_near_with_uncut_varyings(std::vector<ClipVertex>& corners, const ViewVolume& volume,
                                       ClipSink* sink = nullptr);
 

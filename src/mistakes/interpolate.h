@@ -8,7 +8,7 @@
 
 namespace rasterwalk {
 
-/// B11, in the slot line_step: the step of the place is divided as int by int, which drops its
+/// B11, in the slot line_step: the step of the position is divided as int by int, which drops its
 /// fraction. The other values keep their right steps.
 LineStep line_step_of_integers(const LineEnd& a, const LineEnd& b, const LinePart& part);
 

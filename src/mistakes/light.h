@@ -7,7 +7,7 @@
 
 namespace rasterwalk {
 
-/// B36, in the slot light_normal: the normal is transformed to camera space like a place,
+/// B36, in the slot light_normal: the normal is transformed to camera space like a point,
 /// with w = 1, and made unit length there. It is moved by -C, which leaves n - C once the rotation,
 /// which everything in the light shares, is undone.
 inline glm::vec3 light_normal_as_place(const glm::vec3& normal, const Camera& camera) {

@@ -27,7 +27,7 @@ inline glm::ivec2 middle_in_corner(const VertexRules& rules) {
 }
 
 /// B15, in the slot snap_to_pixel: a vertex outside the picture is moved to its border, which bends
-/// the edges that end in it. No place stays beyond the centres of the pixels at the border.
+/// the edges that end in it. No position stays beyond the centres of the pixels at the border.
 ScreenPlace snap_into_picture(const glm::vec2& projected, glm::ivec2 middle,
                               const VertexRules& rules);
 

@@ -9,8 +9,8 @@ namespace rasterwalk {
 /// B65, in the slot texel_place: v runs up, as in model files, but the rows are read from the top.
 float texel_place_upside_down(float coordinate, TextureDirection direction, int count);
 
-/// B66, in the slot texel_place: the centre of texel i is taken to be at i, so every place is half
-/// a texel further on.
+/// B66, in the slot texel_place: the centre of texel i is taken to be at i, so every position is
+/// half a texel further on.
 float texel_place_of_whole_centres(float coordinate, TextureDirection direction, int count);
 
 /// B97, in the slot texture_level: only how far the pixel reaches to the next column counts. If it

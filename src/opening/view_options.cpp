@@ -69,7 +69,7 @@ void add_view_options(CLI::App& command, ViewOptions& o) {
     add_text(command, "--stage", o.stage,
              "points, edges, rows, fill, depth, vertex_light or pixel_light", "NAME");
     add_text(command, "--bug", o.bug,
-             "A mistake of the bug laboratory, such as B9, on its own scene unless --scene names "
+             "A mistake from the bug laboratory, such as B9, on its own scene unless --scene names "
              "another",
              "ID");
     add_texts(command, "--preset", o.presets, "Named set of settings; repeatable", "NAME");

@@ -18,7 +18,7 @@ class FilledPart {
     bool is_whole() const { return is_whole_; }
     bool is_empty() const { return !is_whole_ && (!has_rows_ || rows_.size() == 0); }
 
-    /// Is what the camera sees at this place of its picture filled? The part must not be empty.
+    /// Is what the camera sees at this point of its picture filled? The part must not be empty.
     /// @param pixel from the picture's corner
     bool has(const glm::dvec2& pixel) const;
 

@@ -8,7 +8,7 @@
 
 namespace rasterwalk {
 
-/// A line between two places in the world.
+/// A line between two points in the world.
 struct OutlineEdge {
     glm::vec3 from{0.0f}, to{0.0f};
 };

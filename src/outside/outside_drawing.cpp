@@ -106,7 +106,7 @@ FastEye fast_eye(const OutsideEye& eye, const Rectangle& samples) {
             .near = static_cast<float>(eye.near_distance)};
 }
 
-/// The place shown by a sample, in the space of the eye.
+/// The point shown by a sample, in the space of the eye.
 glm::dvec3 place_at(const OutsideEye& eye, int column, int row, float inv_z) {
     return eye.ray({column + 0.5, row + 0.5}) / static_cast<double>(inv_z);
 }
@@ -133,7 +133,7 @@ void resolve_row(const std::uint32_t* from, int stride, int pixels, std::uint8_t
     }
 }
 
-/// Tests whether places on a triangle are in what clipping leaves of it.
+/// Tests whether points on a triangle are in what clipping leaves of it.
 class InsideTest {
   public:
     /// @param seen the corners of the triangle, in the space of the eye

@@ -91,7 +91,7 @@ class OutsideDrawing {
     const OutsideEye& eye() const { return eye_; }
     const OutsideThings& things() const { return things_; }
 
-    /// The thing at a place, screen pixels from the corner.
+    /// The thing at a point, screen pixels from the corner.
     OutsidePick at(glm::vec2 place) const;
 
   private:

@@ -57,7 +57,7 @@ std::vector<glm::dvec3> places_to_see(const OutsideThings& things) {
     return places;
 }
 
-/// The limits of the eye along one axis of the picture: every place, with z forward, must satisfy
+/// The limits of the eye along one axis of the picture: every point, with z forward, must satisfy
 /// |x - eye| <= slope * (z - eye_z).
 struct Hold {
     double low = -std::numeric_limits<double>::infinity(); ///< largest x - slope z

@@ -21,15 +21,15 @@ struct OutsideEye {
     glm::dvec2 middle{0.0};      ///< of its picture, pixels
     double near_distance = 1e-3; ///< anything nearer is not seen, world units
 
-    /// A place in the space of the eye: x right, y down, z forward.
+    /// A point in the space of the eye: x right, y down, z forward.
     glm::dvec3 seen(const glm::dvec3& world) const { return (world - position) * rotation; }
-    /// A place in its space as a place in its picture, pixels; z must not be 0.
+    /// A point in its space as a point in its picture, pixels; z must not be 0.
     glm::dvec2 pixel(const glm::dvec3& place) const {
         return middle + (focal_length / place.z) * glm::dvec2(place.x, place.y);
     }
-    /// The ray through a place in its picture, pixels, in its space; z is 1.
+    /// The ray through a point in its picture, pixels, in its space; z is 1.
     glm::dvec3 ray(const glm::dvec2& pixel) const { return {(pixel - middle) / focal_length, 1.0}; }
-    /// Where a place in the world is in its picture, pixels; none if it is too near or behind.
+    /// Where a point in the world is in its picture, pixels; none if it is too near or behind.
     std::optional<glm::dvec2> pixel_of(const glm::dvec3& world) const;
 };
 

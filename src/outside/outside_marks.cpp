@@ -43,7 +43,7 @@ double end_of_frustum(const OutsideThings& things) {
     return std::max(things.plane.distance, things.plane.in_camera(things.box.middle()).z);
 }
 
-/// Where the ray to a place in camera space begins: at the eye, or next to it if rays do not meet
+/// Where the ray to a point in camera space begins: at the eye, or next to it if rays do not meet
 /// there.
 glm::dvec3 begin_of_ray(const PicturePlane& plane, const glm::dvec3& seen) {
     return plane.mix == 0.0 ? plane.eye : plane.in_world(plane.on_ray(seen, 0.0));

@@ -30,19 +30,19 @@ struct PicturePlane {
     glm::dvec2 middle{0.0};       ///< where x/w and y/w are 0, pixels from the picture's corner
     Viewport size;
 
-    /// A place in camera space: x right, y down, z forward.
+    /// A point in camera space: x right, y down, z forward.
     glm::dvec3 in_camera(const glm::dvec3& world) const { return (world - eye) * rotation; }
     glm::dvec3 in_world(const glm::dvec3& camera) const { return eye + rotation * camera; }
-    /// w of a place in camera space at this z: z, 1, or in between.
+    /// w of a point in camera space at this z: z, 1, or in between.
     double w_at(double z) const { return clip_w(z, mix); }
-    /// The place at this depth on the ray through a place in camera space; w there must not be 0.
+    /// The point at this depth on the ray through a point in camera space; w there must not be 0.
     glm::dvec3 on_ray(const glm::dvec3& camera, double z) const {
         const double share = w_at(z) / w_at(camera.z);
         return {share * camera.x, share * camera.y, z};
     }
-    /// A place in the picture, pixels from its corner, as a place in the world.
+    /// A point in the picture, pixels from its corner, as a point in the world.
     glm::dvec3 place_of(const glm::dvec2& pixel) const;
-    /// Where the ray through a place in camera space crosses the picture, pixels from its corner;
+    /// Where the ray through a point in camera space crosses the picture, pixels from its corner;
     /// none if w there is not positive, that is, behind the eye.
     std::optional<glm::dvec2> pixel_of(const glm::dvec3& camera) const;
     /// Its corners: top left, top right, bottom right, bottom left.

@@ -26,7 +26,7 @@ struct SampleGrid {
     Rectangle all() const { return {0, 0, size.x, size.y}; }
 };
 
-/// Makes room for so many samples, still without content.
+/// Makes room for this many samples, still without content.
 void resize(SampleGrid& grid, glm::ivec2 size);
 
 /// A colour in the form of the samples.

@@ -22,7 +22,7 @@ Rectangle box_around(const OutsideEye& eye, std::span<const glm::dvec3> corners,
     }
     if (std::all_of(corners.begin(), corners.end(), is_near)) return {};
     if (std::any_of(corners.begin(), corners.end(), is_near)) return area;
-    // A place between two corners may be rounded beyond them.
+    // A point between two corners may be rounded beyond them.
     const glm::dvec2 first = glm::floor(low) - 1.0, end = glm::ceil(high) + 1.0;
     const auto column = [&](double x) {
         return static_cast<int>(std::clamp<double>(x, area.left, area.right));

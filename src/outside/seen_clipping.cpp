@@ -28,7 +28,7 @@ double area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// The smallest convex polygon around places.
+/// The smallest convex polygon around points.
 /// Source: Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information
 /// Processing Letters 9(5), 1979.
 std::vector<glm::dvec2> hull_of(std::vector<glm::dvec2> places) {
@@ -81,7 +81,7 @@ std::vector<glm::dvec3> side_face(const SeenClipping& clipping, const PicturePla
     for (const glm::dvec3& corner : cuts)
         deep = std::max(deep, (1.0 + face_margin) * corner.z);
     near = std::min(near, deep);
-    // Depth, and place along the border.
+    // Depth, and position along the border.
     std::vector<glm::dvec2> places;
     for (const double z : {near, deep}) {
         places.emplace_back(z, low * picture.w_at(z));

@@ -53,7 +53,7 @@ Rectangle box_of_pixels(const SeenPane& pane, const OutsideEye& eye, const Recta
     if (is_empty(pixels)) return {};
     const Rectangle whole = box_around(eye, pane.corners, area);
     if (is_seen_along(pane)) return whole;
-    // A place at the border of a pixel may count as its neighbour's.
+    // A point at the border of a pixel may count as its neighbour's.
     const auto place = [&](int column, int row) {
         return pane.corners[0] + static_cast<double>(column) * pane.right +
                static_cast<double>(row) * pane.down;

@@ -23,7 +23,7 @@ struct SeenPane {
     glm::dvec3 inv_z{0.0};        ///< the product with a ray is 1/z where the ray meets its plane
     double samples_a_pixel = 1.0; ///< across, roughly
 
-    /// A place on its plane, in the space of the eye, as pixels from the corner of the picture; may
+    /// A point on its plane, in the space of the eye, as pixels from the corner of the picture; may
     /// be outside it, or NaN.
     glm::dvec2 pixel_of(const glm::dvec3& place) const {
         return {glm::dot(place - corners[0], across), glm::dot(place - corners[0], along)};

@@ -20,7 +20,7 @@ class SeenTexture {
 
     bool is_there() const { return texture_ != nullptr; }
 
-    /// The colour at a place on the triangle, by the rules of the frame.
+    /// The colour at a point on the triangle, by the rules of the frame.
     /// @param place in the space of the eye
     glm::vec3 at(const glm::dvec3& place) const;
 

@@ -220,7 +220,7 @@ const std::array<OverlayInfo, overlay_count>& overlay_list() {
          "Tints every triangle in its own colour and names the triangle under the pointer."},
         {Overlay::overdraw, "overdraw", "How many fragments fell on each pixel, drawn or not."},
         {Overlay::drawn_twice, "drawn twice",
-         "Pixels on which two neighbours both drew a fragment. A row includes both its ends, so "
+         "Pixels on which two neighbours both drew a fragment. A row includes both ends, so "
          "both triangles draw the edge that they share."},
         {Overlay::depth, "depth test",
          "Hatched where at least one fragment failed the depth test, blue where all passed."},

@@ -114,8 +114,8 @@ struct OverlayPicture {
 void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffer& framebuffer,
                       OverlaySet overlays, bool same_moment, OverlayPicture& picture);
 
-/// The picture as the ground of overlays: without colour, and darker, so that every tint stands out
-/// from what is below it.
+/// The picture as a background of overlays: without colour, and darker, so that every tint stands
+/// out from what is below it.
 Image ground_of_overlays(const Image& picture);
 
 /// A colour laid over the picture.

@@ -15,7 +15,7 @@ using Rgb = glm::vec<3, std::uint8_t>;
 Rgb depth_colour(float depth, ClipDepth kind, const DepthRange& range) {
     if (!is_depth(depth, kind)) return {0, 0, 0};
     const float place = range.place(depth);
-    // For infinite numbers the place may be NaN.
+    // For infinite numbers the position may be NaN.
     return viridis(place > 0.0f ? place : 0.0f);
 }
 

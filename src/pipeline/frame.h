@@ -173,7 +173,7 @@ CullTest cull_test(const Frame& frame, int triangle);
 
 /// The row table of a drawn triangle.
 /// @param sink    receives each edge sample; or null
-/// @param carried the varyings that are wanted; if only places count, none
+/// @param carried the varyings that are wanted; if only positions count, none
 void compute_rows(const Frame& frame, int triangle, PolygonRows& rows, SampleSink* sink = nullptr,
                   VaryingSet carried = VaryingSet::all());
 

@@ -45,7 +45,7 @@ class Replay {
     /// Does the framebuffer have everything before the cursor, and nothing else?
     bool is_at(const Cursor& cursor) const { return is_clear() && cursor_ == cursor; }
 
-    /// Is more left to draw up to the cursor than the limit allows to begin?
+    /// Is more left to draw up to the cursor than the limit allows?
     bool is_held(const Cursor& cursor, const WorkLimit& limit) const;
 
     /// All pixels that the last call has changed in any plane lie in this rectangle; after the

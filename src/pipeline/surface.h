@@ -13,7 +13,7 @@ Surface surface_of(const Frame& frame, int triangle);
 Surface lit_surface_of(const Frame& frame, int triangle);
 
 /// The normal of a whole triangle, as the light has it: the one its corners share, or the one
-/// worked out from their places.
+/// worked out from their positions.
 glm::vec3 flat_normal(const Frame& frame, int triangle);
 
 /// Where flat shading works out the light of a triangle, whatever shading is used; its normal is on

@@ -3,7 +3,7 @@
 // Normals of a curved surface made of flat triangles: at each point the average of the normals of
 // the triangles that meet there.
 //
-// In:  the triangles, as numbers of points and their places.
+// In:  the triangles, as numbers of points and their positions.
 // Out: a normal for each point, of unit length.
 // Picture: lighting computed with them is smooth across the edges; the outline keeps its corners.
 //
@@ -34,7 +34,7 @@ class AveragedNormals {
   public:
     /// A triangle without area adds nothing.
     /// @param points    numbers for its corners; any numbers will do
-    /// @param positions their places, in the order that face_normal() expects
+    /// @param positions their positions, in the order that face_normal() expects
     void add(const TriangleIndices& points,
              const std::array<glm::vec3, triangle_corners>& positions);
 

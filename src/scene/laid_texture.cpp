@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Has any triangle of a part corners that differ in their place in a texture?
+/// Has any triangle of a part corners that differ in their position in a texture?
 bool has_texcoords(const Scene& scene, const Part& part) {
     for (int i = 0; i < part.triangle_count; ++i) {
         const int triangle = part.first_triangle + i;

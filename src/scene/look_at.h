@@ -32,7 +32,7 @@ AimFault aim_fault(const Camera& camera);
 
 /// The words for one fault.
 struct AimFaultWords {
-    std::string_view sentence;    ///< "the camera stands at its own target"
+    std::string_view sentence;    ///< "the camera is at its own target, ..."
     std::string_view replacement; ///< what is done all the same: "it looks along z"
 };
 

@@ -22,14 +22,14 @@ struct Shine {
     friend bool operator==(const Shine&, const Shine&) = default;
 };
 
-/// A vertex as the scene gives it. World space: x right, y down, z into the picture. One place with
-/// two normals, as on the edge of a box, is two vertices.
+/// A vertex as the scene gives it. World space: x right, y down, z into the picture. One position
+/// with two normals, as on the edge of a box, is two vertices.
 struct Vertex {
     glm::vec3 position{0.0f}; ///< world units; in a scene in pixel space: column, row, depth z > 0
     glm::vec3 normal{0.0f};   ///< unit length, world space
     glm::vec3 reflectance{1.0f}; ///< share of light reflected, red green blue, 0..1
-    glm::vec2 texcoord{0.0f}; ///< place in a texture: u from its left, v from its top, 0..1 in it
-    Shine shine{};            ///< the same at all corners of a triangle
+    glm::vec2 texcoord{0.0f};    ///< in a texture: u from its left, v from its top, 0..1 in it
+    Shine shine{};               ///< the same at all corners of a triangle
 
     friend bool operator==(const Vertex&, const Vertex&) = default;
 };

@@ -259,7 +259,7 @@ class ModelBuilder {
                                 maps.texture, maps.normal_map});
     }
 
-    /// The place in the texture that a corner has.
+    /// The position in the texture that a corner has.
     glm::vec2 place_in_texture(const ObjCorner& corner, int material) const {
         const glm::vec2 given = file_.texcoords[static_cast<std::size_t>(corner.texcoord)];
         if (material < 0) return given;

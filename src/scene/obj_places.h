@@ -16,7 +16,7 @@ struct ObjPlaces {
     glm::dvec3 origin{0.0};        ///< in the file's units; 0 where the model is near enough
 };
 
-/// The places of a model's positions. A model is far away if the middle of its box (of the points
+/// The positions of a model as floats. A model is far away if the middle of its box (of the points
 /// that its faces name) is farther from the origin along an axis than 16 times the box's longest
 /// half side; the origin is then that middle, to a hundredth of that half side or better.
 /// @param file all its faces name positions that exist

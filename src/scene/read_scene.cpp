@@ -181,7 +181,7 @@ SceneSpace read_space(const TomlInput& input) {
                "'space' must be \"world\" or \"pixels\", not '" + space + "'.");
 }
 
-/// A place in pixels: column, row, and a depth that defaults to 1.
+/// A point in pixels: column, row, and a depth that defaults to 1.
 glm::vec3 read_pixel_point(const TomlInput& input, const toml::node& node,
                            const std::string& what) {
     const toml::array* array = node.as_array();
@@ -370,7 +370,7 @@ std::vector<NamedCorners> read_triangles(const TomlInput& input, const PointSets
     return result;
 }
 
-/// The places of a triangle's corners.
+/// The positions of a triangle's corners.
 std::array<glm::vec3, triangle_corners> places_of(const NamedCorners& triangle) {
     std::array<glm::vec3, triangle_corners> places;
     for (std::size_t i = 0; i < places.size(); ++i)

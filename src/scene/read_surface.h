@@ -44,7 +44,7 @@ struct SurfaceSections {
 SurfaceSections read_surface_sections(const TomlInput& scene, SceneSpace space,
                                       const std::array<bool, 3>& mirror);
 
-/// The corners of a triangle as a part gives it: their places, and which points of its set.
+/// The corners of a triangle as a part gives it: their positions, and which points of its set.
 struct NamedCorners {
     std::array<Vertex, triangle_corners> corners; ///< each with the triangle's own normal
     std::array<const std::string*, triangle_corners> names{}; ///< valid as long as the set

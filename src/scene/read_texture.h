@@ -14,7 +14,7 @@
 
 namespace rasterwalk {
 
-/// The places of a triangle's corners in a texture, in the order of its corners.
+/// The positions of a triangle's corners in a texture, in the order of its corners.
 using CornerTexcoords = std::array<glm::vec2, triangle_corners>;
 
 /// Reads the textures that the parts of a scene name: each file once.

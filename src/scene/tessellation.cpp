@@ -31,7 +31,7 @@ float part_share(int part, int parts) {
     return static_cast<float>(part) / static_cast<float>(parts);
 }
 
-/// A point of the grid over a triangle: so many parts from corner 0 toward 1, and toward 2.
+/// A point of the grid over a triangle: this many parts from corner 0 toward 1, and toward 2.
 struct CutPoint {
     int to_b, to_c;
 };
@@ -75,7 +75,7 @@ class MeshCutter {
         return given_.vertices()[static_cast<std::size_t>(index)];
     }
 
-    /// Is an edge cut from b to a, in whichever direction a triangle has it? The places decide:
+    /// Is an edge cut from b to a, in whichever direction a triangle has it? The positions decide:
     /// neighbours with their own normals have different vertices there.
     bool is_turned(int a, int b) const {
         const glm::vec3 &p = vertex(a).position, &q = vertex(b).position;
@@ -160,7 +160,7 @@ class MeshCutter {
     std::vector<int> grid_;                        ///< the vertices on the current triangle
 };
 
-/// The places of an object before its model transformation, three for each triangle.
+/// The positions of an object before its model transformation, three for each triangle.
 std::vector<glm::vec3> cut_places(const std::vector<glm::vec3>& given, int parts) {
     std::vector<glm::vec3> made;
     const std::vector<GridTriangle> pattern = grid_triangles(parts);

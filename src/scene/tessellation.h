@@ -27,9 +27,9 @@ int tessellation_of(const Scene& scene, int wanted);
 /// The scene with every edge cut into `parts` equal parts, 1 or more. Triangle t becomes the
 /// triangles t * parts * parts and following: row by row from its corner 0, each turned as it is.
 /// The vertices of the mesh keep their numbers. A new one is mixed from those of its triangle, in
-/// equal steps in the world: its place, colour, texcoord, and normal, which is made unit length. It
-/// is in the list once, however many triangles meet at it, and neighbours that share only the
-/// places of an edge get the same new places on it to the last bit.
+/// equal steps in the world: its position, colour, texcoord, and normal, which is made unit length.
+/// It is in the list once, however many triangles meet at it, and neighbours that share only the
+/// positions of an edge get the same new positions on it to the last bit.
 Scene tessellate(const Scene& scene, int parts);
 
 } // namespace rasterwalk

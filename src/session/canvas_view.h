@@ -96,7 +96,7 @@ struct CanvasView {
 /// What the canvas shows of this scene: without a camera there is no outside.
 CanvasShows shown_on_canvas(const CanvasView& view, const Scene& scene);
 
-/// A place in the picture, picture pixels: "250.5,131", which parse_place() reads back.
+/// A point in the picture, picture pixels: "250.5,131", which parse_place() reads back.
 std::string to_text(const glm::vec2& place);
 
 /// From this zoom up, single pixels are worth a grid and their own marks.

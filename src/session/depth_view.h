@@ -17,7 +17,7 @@ namespace rasterwalk {
 
 struct Session;
 
-/// How far in front of the camera a place with this stored depth is, world units.
+/// How far in front of the camera a point with this stored depth is, world units.
 double z_of_stored_depth(const Frame& frame, float depth);
 
 /// The stored depths in bins of equal width.

@@ -27,7 +27,7 @@ struct Preview {
 };
 
 /// Draws a preview, unless it already shows this.
-/// @param engine  one for both runs, because it is much work to load a scene
+/// @param engine  one for both runs, because loading a scene is a lot of work
 /// @param numbers the last number given to a picture; is incremented
 void show_preview(const std::shared_ptr<const Scene>& scene, const Settings& settings,
                   FastRun& engine, std::uint64_t& numbers, Preview& preview);

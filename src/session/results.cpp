@@ -93,7 +93,7 @@ void update_history(const Session& session, const RunChanges& changes, const Wor
     }
     // First the picture, then what fell on one of its pixels.
     if (!results.history_work || !(results.a.is_drawn() || results.a.is_held)) return;
-    // And not both in one update, if the picture was much work.
+    // And not both in one update, if the picture was a lot of work.
     const bool was_much = results.a.replay.work().total() > limit.at_once;
     if (changes.picture && was_much) return;
     results.history_work->advance({limit.slice, limit.slice});

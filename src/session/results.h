@@ -42,7 +42,7 @@ struct ComparisonResults {
     PixelDifference pixels;               ///< at the cursor
     DifferenceProgress progress;          ///< of these; until it is done, all or some of them
                                           ///< belong to the previous pictures
-    ComparisonWork work;                  ///< compares the whole frames, in parts if that is much
+    ComparisonWork work;                  ///< compares the whole frames, in parts if needed
     std::optional<Divergence> here;       ///< if the runs differ in the next piece of work
     Framebuffer scratch;                  ///< room for examining that piece of work
 
@@ -50,7 +50,7 @@ struct ComparisonResults {
     const Comparison& whole() const { return work.found(); }
 };
 
-/// The pictures that the ground of the overlays is made from, by number.
+/// The pictures that the overlays' background is made from, by number.
 struct GroundSource {
     std::uint64_t picture = 0, overlay = 0;
 
@@ -99,7 +99,7 @@ struct Results {
 
 /// Brings the results up to date; does nothing if they already are what the session asks for. Work
 /// beyond the limit is done in parts, one per call, as long as is_working(); work that the limit
-/// does not allow to begin is held. While a frame of many triangles is prepared, all results are
+/// does not allow yet is held. While a frame of many triangles is prepared, all results are
 /// still those of the previous frame. While the hand moves, the steps wait if they need more than
 /// one update, and previews are shown unless the fast engine refuses; when it rests, the steps
 /// begin, and the previews stay until the steps' pictures are complete. Returns true if the picture

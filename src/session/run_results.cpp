@@ -144,7 +144,7 @@ bool is_same_view(View view, const std::optional<DepthInterval>& depths,
            results.picture.height == framebuffer.size.height;
 }
 
-/// Paints what has changed in the picture; if that is much, the first rows.
+/// Paints what has changed in the picture; if that is a lot, the first rows.
 void paint_changes(View view, const WorkLimit& limit, RunResults& results) {
     const Rectangle& all = results.unpainted;
     const Viewport size{all.right - all.left, all.bottom - all.top};

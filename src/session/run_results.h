@@ -31,10 +31,10 @@ struct Trouble {
     friend bool operator==(const Trouble&, const Trouble&) = default;
 };
 
-/// The frame that will replace the one shown; prepared in parts if that is much work.
+/// The frame that will replace the one shown; prepared in parts if that is a lot of work.
 struct NextFrame {
     std::shared_ptr<const Scene> scene;
-    std::optional<Run> run; ///< none: nothing is begun
+    std::optional<Run> run; ///< none: nothing has begun
     Frame frame;            ///< before that, the previous run's, whose memory is reused
     std::optional<FramePreparation> preparation;
     FrameWork work; ///< of the frame, once that is prepared
@@ -74,8 +74,7 @@ struct RunResults {
     std::vector<Trouble> troubles; ///< see describe_troubles()
     bool has_all_troubles = false; ///< false: only of what has been drawn so far
     bool is_frame_late = false;    ///< the session asks for another frame, which is being prepared
-    bool is_held =
-        false; ///< more is left to draw than the limit of the last update allows to begin
+    bool is_held = false; ///< more is left to draw than the limit of the last update allows
     bool is_fast = false; ///< the fast engine draws this moment, not the steps: the settings ask
                           ///< for it, and it is the whole picture
     Preview preview;      ///< while it is shown, in place of `picture`

@@ -57,7 +57,7 @@ const std::array<CompareViewInfo, compare_view_count>& compare_view_list() {
         {CompareView::wipe, "Divider", "A divider to drag",
          "A on the left of a divider, B on the right; drag the divider."},
         {CompareView::blink, "In turn", "A and B in turn",
-         "A and B in turn, once a second, so that what differs seems to move. H holds one of "
+         "A and B in turn, once a second, so that differences seem to move. H pauses on one of "
          "them."},
     }};
     static_assert(is_indexed_by(list, &CompareViewInfo::view));

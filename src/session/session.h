@@ -52,7 +52,7 @@ struct Session : SessionInputs {
     std::vector<Term> glossary;
     std::optional<RunPair> runs_before; ///< only for carry_changes_to_b()
     CompareView compare_view = CompareView::run_a;
-    float wipe = 0.5f;        ///< place of the divider, 0 left to 1 right
+    float wipe = 0.5f;        ///< position of the divider, 0 left to 1 right
     std::optional<Quiz> quiz; ///< hides the settings while in progress
     Play play;
     CanvasView canvas;

@@ -39,7 +39,7 @@ constexpr std::array tabs{
             "A value along a row: the true curve, and the straight line between its ends.",
             TabGroup::pixel},
     TabInfo{compare_tab, "Compare",
-            "Two runs with different settings: what differs, where first, and why.",
+            "Two runs with different settings: how they differ, where first, and why.",
             TabGroup::runs},
     TabInfo{"lab", "Mistakes",
             "The mistakes that rasterizers make. Turn one on and see what it does.",

@@ -44,14 +44,14 @@ struct TabWords {
     std::string_view title, help;
 };
 
-/// The words of a tab under the settings of the run shown: if pixels are tested one by one, the tab
+/// The words of a tab under the current run's settings: if pixels are tested one by one, the tab
 /// of the rows is about what is inside.
 TabWords tab_words(const TabInfo& tab, const Settings& settings);
 
 /// The tabs in order, group by group.
 std::span<const TabInfo> tab_list();
 
-/// The tab of this name; null for the settings, and if there is none.
+/// The tab with this name; null for the settings, and if there is none.
 const TabInfo* find_tab(std::string_view name);
 
 /// The settings cover the inspector instead of being one of its tabs, but have a name like a tab.
@@ -83,8 +83,8 @@ void guide_to_tab(Session& session, std::string_view tab);
 void lead_to_tab(Session& session, std::string_view tab);
 /// The student asks for this tab. The settings cover the tab shown.
 void choose_tab(Session& session, std::string_view tab);
-/// The lesson has gone on, and the tab is still the student's earlier choice; if the step shows the
-/// settings, it is below them.
+/// The lesson has moved on, and the tab is still the student's earlier choice; if the step shows
+/// the settings, it is below them.
 void keep_own_tab(Session& session, std::string_view tab);
 /// Lesson and stage choose the tab again.
 void follow_guide(Session& session);

@@ -8,7 +8,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Where the play is after running for so many seconds.
+/// Where playback is after running for this many seconds.
 Instant after(const Timeline& timeline, const FrameLength& length, const Play& play,
               const Cursor& cursor, double seconds) {
     const Speed speed = speed_in(play.speed, length.of(play.granularity));
@@ -89,7 +89,7 @@ void advance_play(Session& session, const Timeline& timeline, const FrameLength&
                   float seconds) {
     Play& play = session.play;
     if (!play.running) return;
-    // The time since the previous frame does not belong to the play yet.
+    // The time since the previous frame does not belong to playback yet.
     if (std::exchange(play.has_just_begun, false)) return;
     const double time = seconds > 0.0f ? std::min(seconds, longest_play_step) : 0.0f;
     const Instant now = after(timeline, length, play, session.cursor, time);

@@ -7,14 +7,14 @@
 
 namespace rasterwalk {
 
-/// Goes to the beginning of the next or previous piece of this size. Stops the play.
+/// Goes to the beginning of the next or previous piece of this size. Stops playback.
 void step_forward(Session& session, const Timeline& timeline, Granularity step);
 void step_back(Session& session, const Timeline& timeline, Granularity step);
 
 /// Moves the cursor without counting as a visit: scrubbing.
 void scrub_to(Session& session, const Cursor& cursor);
 
-/// Goes to a moment, and stops the play; Back returns from it. A cursor that does not exist leads
+/// Goes to a moment, and stops playback; Back returns from it. A cursor that does not exist leads
 /// to the next one that does.
 void go_to(Session& session, const Cursor& cursor);
 
@@ -27,17 +27,17 @@ bool previous_change(Session& session, const Timeline& timeline, const PixelHist
 /// Goes to the moment just after one fragment of the history, and selects its triangle.
 void go_to_entry(Session& session, const Timeline& timeline, const PixelEntry& entry);
 
-/// Starts or stops the play; from the end it starts at the beginning.
+/// Starts or stops playback; from the end it starts at the beginning.
 void toggle_play(Session& session, const Timeline& timeline);
 
-/// If the play runs, advances time by `seconds`: takes as many steps as the speed says, possibly
+/// During playback, advances time by `seconds`: takes as many steps as the speed says, possibly
 /// several, and keeps the remaining part of one. The first call after the start does not move the
 /// cursor. Stops at the end.
 /// @param length of the timeline's frame
 void advance_play(Session& session, const Timeline& timeline, const FrameLength& length,
                   float seconds);
 
-/// The most that one call counts as, seconds, so that a play does not leap after the window was
+/// The most that one call counts as, seconds, so that playback does not leap after the window was
 /// hidden.
 inline constexpr float longest_play_step = 1.0f;
 

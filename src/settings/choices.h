@@ -30,7 +30,7 @@ enum class Clip : std::uint8_t {
     wrong_t,    ///< cut by the near plane, in a wrong place: mistake B31
     after_division, ///< cut by the picture's sides on the screen: mistake B32
     clamped,        ///< vertices behind the near plane are moved onto it: mistake B33
-    uncut_varyings, ///< cut by the near plane, but not what travels with the place: mistake B82
+    uncut_varyings, ///< cut by the near plane, but not what travels with the position: mistake B82
 };
 template <>
 inline constexpr auto enum_words<Clip> = word_list("leave_out", "none", "near", "all", "guard_band",
@@ -100,10 +100,10 @@ template <>
 inline constexpr auto enum_words<Translation> = word_list("last_column", "bottom_row");
 static_assert(words_match<Translation>);
 
-/// The w with which a normal is taken to camera space.
+/// The w that a normal is given on its way to camera space.
 enum class NormalW : std::uint8_t {
     zero, ///< as a direction, which is only turned
-    one,  ///< as a place, which is moved as well: mistake B36
+    one,  ///< as a position, which is moved as well: mistake B36
 };
 template <>
 inline constexpr auto enum_words<NormalW> = word_list("zero", "one");
@@ -231,7 +231,7 @@ static_assert(words_match<PixelSample>);
 /// Which pixels of a triangle's box edge functions test. The picture is the same, the work is not.
 enum class BoxWalk : std::uint8_t {
     all,      ///< every pixel of the box
-    interval, ///< in each row only those between the places where the edges cross it
+    interval, ///< in each row only those between the points where the edges cross it
 };
 template <>
 inline constexpr auto enum_words<BoxWalk> = word_list("all", "interval");
@@ -272,8 +272,8 @@ static_assert(words_match<BresenhamRule>);
 enum class LineWalk : std::uint8_t {
     accumulate,   ///< current += step, in float: the lab
     multiply,     ///< a + i * step: one rounding error instead of i of them
-    exact,        ///< place by integer fractions, without error; the rest by a (1 - t) + b t
-    integer_step, ///< the place's step divided as int by int; the rest accumulated: mistake B11
+    exact,        ///< position by integer fractions, without error; the rest by a (1 - t) + b t
+    integer_step, ///< the position's step divided as int by int; the rest accumulated: mistake B11
     short_step,   ///< each step divided by the number of samples, not of steps: mistake B92
     zinv_falls,   ///< along rows 1/z falls where it should rise: mistake B89
 };
@@ -359,7 +359,7 @@ inline constexpr auto all_interpolations = [] {
     return all;
 }();
 
-/// How a place in a texture becomes the number of a texel, and of a mip level.
+/// How a position in a texture becomes the number of a texel, and of a mip level.
 enum class TexelRule : std::uint8_t {
     right,         ///< v from the top, centres at i + 1/2, numbers from 0
     upside_down,   ///< v from the bottom: mistake B65
@@ -542,7 +542,7 @@ template <>
 inline constexpr auto enum_words<DepthIndex> = word_list("row_major", "transposed");
 static_assert(words_match<DepthIndex>);
 
-/// Which places are in the picture.
+/// Which positions are in the picture.
 enum class Bounds : std::uint8_t {
     inside,        ///< 0 <= x < W and 0 <= y < H
     excludes_zero, ///< 0 < x < W and 0 < y < H: mistake B10

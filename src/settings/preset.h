@@ -24,7 +24,7 @@ std::vector<Preset> parse_presets(std::string_view text, const std::string& path
 /// Sets what the preset names and leaves everything else.
 void apply_preset(const Preset& preset, Settings& settings);
 
-/// The preset of this name. Throws UsageError that lists the existing names.
+/// The preset with this name. Throws UsageError that lists the existing names.
 const Preset& find_preset(const std::vector<Preset>& presets, std::string_view name);
 
 } // namespace rasterwalk

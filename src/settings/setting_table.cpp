@@ -305,7 +305,7 @@ std::vector<Setting> make_table() {
          "Normal maps",
          "Texture",
          "Whether normal maps bend the normals of the surfaces that have them. This needs light "
-         "that is computed at every pixel, because only there is a normal looked up for each.",
+         "per pixel, because only then is a normal looked up at each one.",
          "Beyond the lab",
          "",
          choice<&Settings::normal_map>(),
@@ -438,7 +438,7 @@ std::vector<Setting> make_table() {
          "bottom row, where it spoils w and moves nothing. Used only if transform is matrices.",
          "Moving the camera", "", choice<&Settings::translation>()},
         {"normal_w", "w of normals", "Spaces",
-         "The w with which a normal is transformed to camera space for lighting: 0, as a "
+         "The w that a normal is given on its way to camera space for lighting: 0, as a "
          "direction, or by mistake 1, as a position, so that it is moved too.",
          "Illumination", "", choice<&Settings::normal_w>()},
         {"projection", "Projection", "Spaces",
@@ -457,12 +457,12 @@ std::vector<Setting> make_table() {
          NumberSetting{[](Settings& s) -> float& { return s.orthographic_depth; }, 0.0f,
                        largest_place, 0.01f}},
         {"near", "Near plane", "View volume",
-         "How far in front of the camera the view begins; what is nearer is cut off.",
+         "How far in front of the camera the view begins; anything nearer is cut off.",
          "Drawing points", "world units",
          NumberSetting{[](Settings& s) -> float& { return s.near; }, smallest_near, largest_place,
                        0.01f}},
         {"far", "Far plane", "View volume",
-         "How far in front of the camera the view ends; what is farther is cut off.",
+         "How far in front of the camera the view ends; anything farther is cut off.",
          "Drawing points", "world units",
          NumberSetting{[](Settings& s) -> float& { return s.far; }, smallest_near, largest_place,
                        0.1f}},
@@ -481,7 +481,7 @@ std::vector<Setting> make_table() {
         {"clip", "Clipped", "View volume",
          "What happens to triangles that reach outside the view: left out if a vertex lies behind "
          "the camera, cut by planes before the division (Sutherland-Hodgman), or nothing, so that "
-         "what is behind is drawn upside down. The last five are mistakes.",
+         "anything behind the camera is drawn upside down. The last five are mistakes.",
          "Drawing points", "", choice<&Settings::clip>()},
         {"cull", "Culled", "View volume",
          "How triangles that face away from the camera are found and left out: by the normal of "
@@ -518,7 +518,7 @@ std::vector<Setting> make_table() {
          "r^2 with a wrong pi.",
          "Illumination", "", light_choice<&LightRules::falloff>()},
         {"light.sum", "Light formula", "Light",
-         "How the light is put together: reflectance times (D + N); or by mistake D plus "
+         "How the light is combined: reflectance times (D + N); or by mistake D plus "
          "reflectance, or reflectance times itself times (D + N).",
          "Illumination", "", light_choice<&LightRules::sum>()},
         {"light.renormalize", "Normals made unit length", "Light",
@@ -566,7 +566,7 @@ std::vector<Setting> make_table() {
         {"shadow_ray",
          "Ray goes",
          "Shadow",
-         "How far the ray goes: as far as the lamp, or by mistake on and on, so that things behind "
+         "How far the ray goes: as far as the lamp, or by mistake beyond it, so that things behind "
          "the lamp cast shadows too.",
          "Beyond the lab",
          "",
@@ -597,8 +597,8 @@ std::vector<Setting> make_table() {
          "Bias",
          "Shadow",
          "How far behind the depth in the map a point may lie and still be lit. With too little "
-         "bias, surfaces shadow themselves in stripes; with too much, shadows come loose from what "
-         "casts them.",
+         "bias, surfaces shadow themselves in stripes; with too much, shadows come loose from "
+         "whatever casts them.",
          "Beyond the lab",
          "world units",
          NumberSetting{[](Settings& s) -> float& { return s.shadow_rules.bias; }, 0.0f,

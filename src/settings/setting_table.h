@@ -93,7 +93,7 @@ struct Setting {
 /// Every setting, in the order of the sheet of settings.
 std::span<const Setting> setting_table();
 
-/// The setting of this name, or null.
+/// The setting with this name, or null.
 const Setting* find_setting(std::string_view name);
 
 /// Does this setting have a use in the scene?

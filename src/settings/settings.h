@@ -135,7 +135,7 @@ float depth_epsilon_rule(const Settings& settings);
 
 /// The part of the settings that each stage of the pipeline needs.
 VertexRules vertex_rules(const Settings& settings, SceneSpace space);
-/// @param carried the varyings that are wanted; none if only places matter
+/// @param carried the varyings that are wanted; none if only positions matter
 EdgeRules edge_rules(const Settings& settings, VaryingSet carried = VaryingSet::all());
 PixelRules pixel_rules(const Settings& settings, SceneSpace space);
 

@@ -68,7 +68,7 @@ struct ViewVolume {
     ClipPlanes view, outer, guard_band;
 };
 
-/// Is a place so far out that a float of its size has no bits left for 1/256 of a pixel? There
+/// Is a point so far out that a float of its size has no bits left for 1/256 of a pixel? There
 /// clipping is done in double. Elsewhere float is exact enough, and every number follows from its
 /// formula.
 inline bool is_too_large_for_float(const ClipVertex& vertex) {
@@ -99,9 +99,9 @@ constexpr Real cut_place(Real d_inside, Real d_outside) {
     return d_inside / (d_inside - d_outside);
 }
 
-/// The corner where an edge meets a plane: place and varyings cut linearly at cut_place(). Always
-/// from the inside, whichever way the edge runs, so that both neighbours of an edge get the same
-/// bits. In double if one of the two corners is too large for float.
+/// The corner where an edge meets a plane: position and varyings cut linearly at cut_place().
+/// Always from the inside, whichever way the edge runs, so that both neighbours of an edge get the
+/// same bits. In double if one of the two corners is too large for float.
 /// @param d_inside, d_outside their wide_inner_distance()
 ClipVertex cut_edge(const ClipVertex& inside, const ClipVertex& outside, double d_inside,
                     double d_outside);

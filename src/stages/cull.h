@@ -4,12 +4,12 @@
 //
 // In:  the corners of a polygon in clip space.
 // Out: why it is not drawn, or none.
-// Picture: of a closed body you see only the sides that face the camera; on the screen their
+// Picture: of a closed object you see only the sides that face the camera; on the screen their
 //          corners go round in the opposite direction from those of the sides that face away.
 //
 // The lab culls nothing: the walls of its room are seen from inside, and both sides are drawn.
 //
-// You can also test every fragment, by its interpolated normal. That follows a smooth body to the
+// You can also test every fragment, by its interpolated normal. That follows a smooth object to the
 // pixel, but every row is walked before anything is left out.
 //
 // The classic mistake is to use the angle to the direction in which the camera looks: under
@@ -59,11 +59,11 @@ inline glm::vec3 sight_ray(const glm::vec3& position_world, const SightRays& ray
 /// dot(n, p - C): positive if the normal points away from the camera. Where rays are parallel,
 /// under orthographic projection, their direction replaces p - C; between the two, it is the
 /// mixture of both. sight_measure() writes it down.
-/// @param varyings of a vertex or a fragment: its normal and its place in the world
+/// @param varyings of a vertex or a fragment: its normal and its position in the world
 float away_from_camera(const Varyings& varyings, const SightRays& rays);
 
 /// The first corner's varyings, with the normal of the whole polygon: if the corners' normals
-/// differ, the one worked out from their places.
+/// differ, the one worked out from their positions.
 Varyings as_one_face(std::span<const ClipVertex> corners);
 
 /// What away_from_camera() works out with these rays: "dot(n, p - C)", "dot(n, forward)" or the
@@ -85,7 +85,7 @@ inline Rejection cull_nothing(std::span<const ClipVertex> corners, const VertexR
 
 /// By the normal of the surface: it is a back if the normal points away from the camera,
 /// away_from_camera() > 0. In world space. It is the normal of the first corner or, if the corners'
-/// normals differ, the one worked out from their places.
+/// normals differ, the one worked out from their positions.
 Rejection cull_by_face_normal(std::span<const ClipVertex> corners, const VertexRules& rules,
                               const SightRays& rays, CullTest* test = nullptr);
 
@@ -96,7 +96,7 @@ Rejection cull_by_screen_area(std::span<const ClipVertex> corners, const VertexR
                               const SightRays& rays, CullTest* test = nullptr);
 
 /// By the normals of all corners: it is a back if each of them points away from the camera. A
-/// smooth body keeps the faces along its outline.
+/// smooth object keeps the faces along its outline.
 Rejection cull_by_vertex_normals(std::span<const ClipVertex> corners, const VertexRules& rules,
                                  const SightRays& rays, CullTest* test = nullptr);
 
@@ -113,7 +113,8 @@ inline bool keep_fragment(const Fragment& fragment, const SightRays& rays, const
 }
 
 /// By the fragment's interpolated normal: it belongs to a back, and is not drawn, if that normal
-/// points away from the camera at the fragment's own place, by away_from_camera(). In world space.
+/// points away from the camera at the fragment's own position, by away_from_camera(). In world
+/// space.
 /// @param rays   of the frame
 /// @param stages the table whose function divides the varyings by their weight
 bool cull_by_fragment_normal(const Fragment& fragment, const SightRays& rays, const Stages& stages);

@@ -18,7 +18,7 @@
 // number, without error: of two triangles that share an edge, one has E and the other -E. From one
 // pixel to the next E grows by the same amount, so a row costs one addition per edge and pixel.
 //
-// Not every pixel of the box has to be tested. Each edge crosses a row at one place, and E is 0 or
+// Not every pixel of the box has to be tested. Each edge crosses a row at one point, and E is 0 or
 // more only on one side of it; so all three together leave an interval of columns. There the tests
 // still decide which triangle gets the pixels with E = 0; beyond it they could only have said no.
 //
@@ -118,7 +118,7 @@ constexpr ColumnRange in_columns(const ColumnRange& range, const Rectangle& area
 /// In the slot tested_columns: all columns that a row has in the box of a triangle of the fan.
 ColumnRange columns_of_box(const TestedTriangle& triangle, int row);
 
-/// In the slot tested_columns: those in which all three E are 0 or more, by the places at which the
+/// In the slot tested_columns: those in which all three E are 0 or more, by the points where the
 /// edges cross the row of pixel centres. None for a triangle without area, which covers nothing.
 ColumnRange columns_between_crossings(const TestedTriangle& triangle, int row);
 

@@ -46,7 +46,7 @@ LineStep values_at(const LineEnd& end) {
     return {end.x, end.y, end.depth, end.inv_w, end.z, end.varyings};
 }
 
-/// op(into, a, b) for the place and for every value that is carried.
+/// op(into, a, b) for the position and for every value that is carried.
 template <class Op>
 void each_value(VaryingSet carried, LineStep& into, const LineStep& a, const LineStep& b, Op op) {
     op(into.x, a.x, b.x);

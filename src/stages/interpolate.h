@@ -4,7 +4,7 @@
 // differential analyser.
 //
 // In:  two ends and the number of samples, both ends included.
-// Out: the samples, one after the other: place, 1/z and all varyings.
+// Out: the samples, one after the other: position, 1/z and all varyings.
 // Picture: a string of beads between two pixels; edges and rows are both drawn with it.
 //
 // The lab adds the step to a running value, in float, and lets the conversion to int cut off the
@@ -39,8 +39,8 @@ static_assert(words_match<Rounding>);
 /// A whole pixel from a real coordinate; |value| must be below 2^31.
 int to_pixel(float value, Rounding rounding);
 
-/// Where a line begins or ends: a real-valued place, and the values that go from there to the other
-/// end. Edges go from vertex to vertex, rows from their left to their right end.
+/// Where a line begins or ends: a real-valued position, and the values that go from there to the
+/// other end. Edges go from vertex to vertex, rows from their left to their right end.
 struct LineEnd {
     float x = 0.0f, y = 0.0f; ///< pixels, with fractions
     float depth = 0.0f, inv_w = 0.0f, z = 0.0f;
@@ -54,8 +54,8 @@ LineEnd line_end(const RowEnd& end, int row);
 
 /// One sample of a line.
 struct LineSample {
-    Fragment fragment;        ///< the sample, its place rounded to a pixel
-    float x = 0.0f, y = 0.0f; ///< its real place before rounding, pixels
+    Fragment fragment;        ///< the sample, its position rounded to a pixel
+    float x = 0.0f, y = 0.0f; ///< its real position before rounding, pixels
 };
 
 /// What is added from one sample of a line to the next.
@@ -65,7 +65,7 @@ struct LineStep {
     Varyings varyings;
 };
 
-/// Which samples of a line are wanted, and how their places become pixels.
+/// Which samples of a line are wanted, and how their positions become pixels.
 struct LinePart {
     int count = 1; ///< samples of the whole line, both ends included; at least 1
     int first = 0; ///< the first sample that is wanted, 0 <= first
@@ -78,7 +78,7 @@ struct LinePart {
 /// longer than filling them. They hold whatever the previous line left there.
 std::span<LineSample> samples_of(std::vector<LineSample>& buffer, int count);
 
-/// (b - a) / (count - 1) for the place and for every value that is carried.
+/// (b - a) / (count - 1) for the position and for every value that is carried.
 LineStep line_step(const LineEnd& a, const LineEnd& b, const LinePart& part);
 
 /// The lab's Interpolate. Fills `result` with samples `first`, `first` + 1, ... of the line from a

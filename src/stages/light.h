@@ -2,7 +2,7 @@
 
 // Light: how bright a point of a surface is.
 //
-// In:  a place, its normal and reflectance, and the lamp.
+// In:  a point, its normal and reflectance, and the lamp.
 // Out: the light that leaves toward the eye, red green blue, with every term on the way.
 // Picture: the lamp's power spreads over a sphere; what arrives is divided by the sphere's area
 //          4 pi r^2 and weakened by the slant of the surface, the cosine between r and n.
@@ -79,7 +79,7 @@ inline LightTerms reflected_light(const glm::vec3& position_world, const glm::ve
     const float distance = std::sqrt(terms.distance2);
     terms.sphere_area = 4.0f * pi * terms.distance2;
     if (terms.distance2 > 0.0f) {
-        // In this order NaN, from a place too far away for float, becomes 0.
+        // In this order NaN, from a point too far away for float, becomes 0.
         terms.cosine = std::max(0.0f, glm::dot(terms.to_light, normal) / distance);
         terms.direct = light.power * (terms.cosine / terms.sphere_area);
     }

@@ -2,7 +2,7 @@
 
 // Light side: on which of its two sides a surface is lit.
 //
-// In:  a place, its normal, and the rays along which the camera sees.
+// In:  a point, its normal, and the rays along which the camera sees.
 // Out: the factor by which the light multiplies that normal, 1 or -1.
 // Picture: a wall of no thickness has two sides. Lit on one, its back is as dark as if the lamp
 //          were behind it; lit on both, the side that the camera sees is lit, whichever it is.

@@ -3,14 +3,14 @@
 // Matrices: one 4x4 matrix for each step from an object to the window.
 //
 // In:  a point, and the camera, the projection and the size of the picture.
-// Out: its place in every space on the way.
+// Out: its position in every space on the way.
 // Picture: a chain of boxes, read from the right:
 //
 //     window = Ts . (division by w) . Tp . Tv . Tm . p
 //
 //     Tm  model        object -> world     where the object is, see scene/model.h
 //     Tv  view         world  -> camera    the world moved and turned in front of the camera
-//     Tp  projection   camera -> clip      the view volume made a box, once it is divided by w
+//     Tp  projection   camera -> clip      the view volume, a box once it is divided by w
 //     Ts  viewport     ndc    -> window    the box -1..1 spread over the pixels
 //
 // A 3x3 matrix cannot move: it leaves the origin where it is. A fourth coordinate w = 1 gives the
@@ -46,7 +46,7 @@
 namespace rasterwalk {
 
 /// Tv, from the world to camera space: x right, y down, z forward. Its rows are the camera's right,
-/// down and forward axes, after the translation by minus its place.
+/// down and forward axes, after the translation by minus its position.
 /// @param rotation R of the camera, see camera_rotation()
 glm::dmat4 view_matrix(const glm::dvec3& eye, const glm::dmat3& rotation);
 
@@ -56,7 +56,7 @@ glm::dmat4 view_matrix(const glm::dvec3& eye, const glm::dmat3& rotation);
 glm::dmat4 look_at_matrix(const glm::dvec3& eye, const glm::dvec3& direction, const glm::dvec3& up);
 
 /// Tp, from camera space to clip space: divided by w, x and y go from -1 to 1 over the picture, and
-/// z from 0 at the near plane to 1 at the far one. Perspective, orthographic or between, by
+/// z from 0 at the near plane to 1 at the far one. Perspective, orthographic or in between, by
 /// rules.projection.mix. With rules.projection.box it is the matrix of glFrustum and glOrtho,
 /// except for the signs of y and z and the range of z, which there begins at -1.
 glm::dmat4 projection_matrix(const VertexRules& rules);

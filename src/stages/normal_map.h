@@ -57,7 +57,7 @@ struct UvDirections {
     friend bool operator==(const UvDirections&, const UvDirections&) = default;
 };
 
-/// The two directions, from places and texture coordinates of the corners.
+/// The two directions, from positions and texture coordinates of the corners.
 UvDirections uv_directions(const std::array<Vertex, triangle_corners>& corners);
 
 /// The axes of a surface in the world, by which its normal map is read.

@@ -3,7 +3,7 @@
 // Orthographic: a box instead of a pyramid, and everything in between.
 //
 // In:  a point in camera space.
-// Out: its place in clip space.
+// Out: its position in clip space.
 // Picture: the camera goes back and back and takes a longer and longer lens, so that things at one
 //          depth keep their size. In the end all rays are parallel, and far things are as large as
 //          near ones.
@@ -52,7 +52,7 @@ inline float clip_scale(const VertexRules& rules) {
     return clip_scale(rules.camera.focal_length, rules.projection.mix, rules.projection.depth);
 }
 
-/// How a place in camera space becomes one in the picture: scale.x · x/w + shift.x pixels to the
+/// How a point in camera space becomes one in the picture: scale.x · x/w + shift.x pixels to the
 /// right of its middle, and scale.y · y/w + shift.y pixels below it.
 struct PictureScale {
     glm::dvec2 scale; ///< pixels; see clip_scale()
@@ -81,7 +81,7 @@ double z_of_depth(float depth, const DepthRules& rules);
 /// In the slot to_clip_space: any projection, and any depth.
 glm::vec4 to_clip_space_mixed(const glm::vec3& rotated, const VertexRules& rules);
 
-/// How far in front of the camera a place in clip space lies: z of camera space again.
+/// How far in front of the camera a point in clip space lies: z of camera space again.
 float camera_depth(const glm::vec4& clip, const VertexRules& rules);
 
 /// How far in front of the camera a fragment lies: from w, or if rays are parallel from z, which

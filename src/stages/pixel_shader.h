@@ -5,7 +5,7 @@
 // In:  a fragment with its interpolated varyings, the surface it belongs to, the lamp.
 // Out: a colour, red green blue; not clamped.
 // Picture: flat colour, or the light that the vertices brought along, or light worked out from the
-//          fragment's own place in the room.
+//          fragment's own position in the room.
 //
 // With perspective-correct interpolation the varyings arrive as q/z, and q = (q/z) / (1/z) undoes
 // it here. The classic mistake is to interpolate q itself: then every wall has a kink along its

@@ -67,7 +67,7 @@ struct RowWrite {
 struct EdgeSample {
     int edge = 0;             ///< of the polygon
     int sample = 0;           ///< of the edge
-    float x = 0.0f, y = 0.0f; ///< its real place before rounding, pixels
+    float x = 0.0f, y = 0.0f; ///< its real position before rounding, pixels
     Fragment fragment;        ///< its pixel, 1/z and varyings
     LineDecision decision;    ///< where the line goes next; Interpolate decides nothing
     RowWrite write;           ///< what it did

@@ -52,7 +52,7 @@ glm::ivec2 viewport_middle(const VertexRules& rules) {
 ScreenPlace snap_to_pixel(const glm::vec2& projected, glm::ivec2 middle, const VertexRules& rules) {
     ScreenPlace place;
     place.position = projected + glm::vec2(middle);
-    // A place given as a pixel is that pixel's centre.
+    // A position given as a pixel is that pixel's centre.
     if (rules.space == SceneSpace::pixels) place.position += 0.5f;
     place.pixel = {snap(projected.x, middle.x, rules.rounding),
                    snap(projected.y, middle.y, rules.rounding)};

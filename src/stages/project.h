@@ -38,7 +38,7 @@ struct ProjectedVertex {
 /// Does a vertex lie in front of the camera? One that does not is not divided. Under perspective
 /// `w` of clip space is z of camera space. If the projection is orthographic or mixed, w is
 /// positive behind the camera too, so z itself is tested. NaN is not in front.
-/// @param clip its place in clip space
+/// @param clip its position in clip space
 bool is_in_front(const glm::vec4& clip, const VertexRules& rules);
 
 /// Can it be divided? The only question left once the near plane has cut: a corner on the plane

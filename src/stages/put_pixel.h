@@ -2,15 +2,15 @@
 
 // PutPixel: a colour goes on the screen.
 //
-// In:  a place and a colour, red green blue, each from 0 up; 1 is as bright as the screen can be.
-// Out: three bytes, at that place, if it lies in the picture.
+// In:  a position and a colour, red green blue, each from 0 up; 1 is as bright as it gets.
+// Out: three bytes, at that position, if it lies in the picture.
 // Picture: every channel times 255, the fraction cut off; anything brighter than 1 counts as 1.
 //          Before that a channel may be encoded by the sRGB curve, which a screen undoes.
 //
-// The classic mistakes are `> 0` for `>= 0` in the test of whether the place lies in the picture,
-// which leaves its first row and column black; forgetting to clamp at 1, so that 256 becomes 0
-// again and the brightest places get rings in all colours; and giving blue where the screen expects
-// red.
+// The classic mistakes are `> 0` for `>= 0` in the test of whether the position lies in the
+// picture, which leaves its first row and column black; forgetting to clamp at 1, so that 256
+// becomes 0 again and the brightest places get rings in all colours; and giving blue where the
+// screen expects red.
 //
 // Source: The OpenGL Graphics System, version 4.6 (core profile), section 2.3.5.1: a number from 0
 // to 1 as an unsigned normalized integer. The specification rounds to the nearest; the lab
@@ -25,7 +25,7 @@
 
 namespace rasterwalk {
 
-/// The places that lie in the picture: 0 <= x < W and 0 <= y < H.
+/// The positions that lie in the picture: 0 <= x < W and 0 <= y < H.
 Rectangle drawn_area(Viewport picture);
 
 /// Where the rows of a polygon are walked: everywhere. Each fragment is then tested for whether it

@@ -36,7 +36,7 @@ DownEdge down_edge(const SnappedCorner& a, const SnappedCorner& b);
 int first_row_from(std::int64_t y);
 int last_row_to(std::int64_t y);
 
-/// A place on a row of centres: whole + part / parts, in 256ths of a pixel, 0 <= part < parts.
+/// A point on a row of centres: whole + part / parts, in 256ths of a pixel, 0 <= part < parts.
 struct RowCrossing {
     std::int64_t whole = 0, part = 0, parts = 1;
     const DownEdge* edge = nullptr; ///< the one that crosses

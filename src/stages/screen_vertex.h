@@ -8,9 +8,9 @@ namespace rasterwalk {
 
 /// A vertex on the screen, as project() leaves it: a corner of the polygon that is drawn.
 struct ScreenVertex {
-    /// Where it falls, not rounded: pixels from the left and from the top of the picture. For
-    /// coverage that keeps fractions of a pixel; the lab's starts from whole pixels. In a scene in
-    /// pixel space, the centre of the given pixel.
+    /// Where it falls, not rounded: pixels from the left and from the top of the picture. Coverage
+    /// that keeps fractions of a pixel starts from here; the lab's starts from whole pixels. In a
+    /// scene in pixel space, it is the centre of the given pixel.
     glm::vec2 position{0.0f};
     int column = 0; ///< the whole pixel that it is snapped to
     int row = 0;

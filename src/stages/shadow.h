@@ -13,7 +13,7 @@
 // too small to count, because all points that fall in one texel are compared with one depth.
 //
 // The classic mistakes: no bias, and a surface shades itself in stripes (acne); too much of it, and
-// shadows come loose from what casts them (peter panning); a ray that goes on beyond the lamp.
+// shadows come loose from whatever casts them (peter panning); a ray that goes on beyond the lamp.
 //
 // Source: by ray A. Appel, "Some Techniques for Shading Machine Renderings of Solids", AFIPS 1968;
 // by map L. Williams, "Casting Curved Shadows on Curved Surfaces", SIGGRAPH 1978; the mean of
@@ -139,12 +139,12 @@ float shadow_slope(float cosine);
 /// The face of a map in which a direction from the lamp lies: that of its largest component.
 int shadow_face_of(const glm::vec3& from_lamp);
 
-/// Where a place in the space of a face falls, in texels from the left and from the top. Like the
+/// Where a point in the space of a face falls, in texels from the left and from the top. Like the
 /// drawing of the face, this has a focal length of half a side, so that it sees 90 degrees.
 /// @param seen right, down, forward; forward above 0
 glm::vec2 shadow_place(const glm::vec3& seen, int resolution);
 
-/// Which texels a place is compared with: writes them to `texels`.
+/// Which texels a point is compared with: writes them to `texels`.
 /// @return how many
 using ShadowTexels = std::array<glm::ivec2, most_shadow_texels>;
 /// The one in which it lies.

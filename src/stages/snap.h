@@ -2,7 +2,7 @@
 
 // Snap: the grid points at which a polygon's corners are when its pixels are found.
 //
-// In:  a vertex on the screen: its unrounded place, and the whole pixel that it falls in.
+// In:  a vertex on the screen: its unrounded position, and the whole pixel that it falls in.
 // Out: a point in whole 256ths of a pixel.
 // Picture: graph paper. Between its lines there is nothing, so every later computation can be done
 //          in whole numbers, and two triangles that share an edge agree about it to the bit.

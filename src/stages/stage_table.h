@@ -2,7 +2,7 @@
 
 // The one table of the functions that carry out the pipeline. The code that draws and the code that
 // shows the drawing both use this table, so a different function in a slot changes both alike. The
-// mistakes of the laboratory are such functions, in src/mistakes; settings/choose_stages.h puts
+// laboratory's mistakes are such functions, in src/mistakes; settings/choose_stages.h puts
 // them in the table according to the settings.
 
 #include "stages/blend.h"
@@ -114,7 +114,7 @@ struct Stages {
     decltype(&rasterwalk::pixel_shader) pixel_shader = rasterwalk::pixel_shader;
     VaryingSet (*varyings_read)(Shading shading) = rasterwalk::varyings_read;
 
-    // Texture lookup: which level suits a footprint, where a place lies among the texels, which
+    // Texture lookup: which level suits a footprint, where a position lies among the texels, which
     // texel is used beyond the border, how it is read, and which texels are mixed.
     decltype(&rasterwalk::texture_level) texture_level = rasterwalk::texture_level;
     decltype(&rasterwalk::texel_place) texel_place = rasterwalk::texel_place;

@@ -65,7 +65,7 @@ bool is_of_use(const StageInfo& info, const Scene& scene);
 /// or comes before it and is not an alternative to it.
 bool is_computed_in(int place, const StripStep& step);
 
-/// The step of this name; null if there is none.
+/// The step with this name; null if there is none.
 const StageInfo* find_stage(std::string_view name);
 
 /// Does the stage fill triangles, so that there are fragments?

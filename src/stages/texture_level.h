@@ -61,8 +61,8 @@ struct TexturePlace {
     Footprint footprint;
 };
 
-/// @param carried the carried place, u/z and v/z
-/// @param weight  of the carried place, 1/z; not 0
+/// @param carried the carried position, u/z and v/z
+/// @param weight  of the carried position, 1/z; not 0
 TexturePlace texture_place(const glm::vec2& carried, float weight, const TextureSlope& slope);
 
 /// The length of one side of a footprint in texels of the texture itself.

@@ -32,7 +32,7 @@ TexelPair pair_round(float coordinate, TextureDirection direction, int count,
             from_centre - before};
 }
 
-/// Adds the four texels around a place in one level to a colour.
+/// Adds the four texels around a position in one level to a colour.
 /// @param share of the level
 void add_four(const Texture& texture, int level, const glm::vec2& texcoord, float share,
               const Stages& stages, glm::vec3& colour, TakenTexels* taken) {

@@ -2,12 +2,12 @@
 
 // Texture lookup: which texels colour a fragment, and how much each of them counts.
 //
-// In:  a place in a texture, u from the left and v from the top, and the footprint of the pixel.
+// In:  a position in a texture, u from the left and v from the top, and the footprint of the pixel.
 // Out: a colour: one texel, or the mean of four, or of eight, by their weights.
 // Picture: a texture of n texels is n squares side by side, and a texel is the colour in the middle
 //          of its square: its centre lies at (i + 1/2) / n.
 //
-// Nearest takes the texel in whose square the place lies. Bilinear takes the four whose centres
+// Nearest takes the texel in whose square the position lies. Bilinear takes the four whose centres
 // surround it, each by how near it is along both axes; that is right as long as a pixel is not
 // larger than a texel. If it is larger, most texels would be passed over and the picture would
 // glitter; so the mip chain holds smaller pictures, and the level is used whose texels are about as
@@ -124,8 +124,8 @@ inline glm::vec3 read_texel(const TextureLevel& level, int column, int row) {
     return level.at(column, row);
 }
 
-/// The colour of a texture at a place.
-/// @param stages the table whose functions find the place, wrap and read
+/// The colour of a texture at a position.
+/// @param stages the table whose functions find the position, wrap and read
 /// @param taken  receives the texels, or null
 glm::vec3 sample_nearest(const Texture& texture, const TexturePlace& place, const Stages& stages,
                          TakenTexels* taken);
@@ -136,8 +136,8 @@ glm::vec3 sample_mipmap(const Texture& texture, const TexturePlace& place, const
 glm::vec3 sample_trilinear(const Texture& texture, const TexturePlace& place, const Stages& stages,
                            TakenTexels* taken);
 
-/// The alpha of a texture at a place, 0 to 1: from the texels whose colours are mixed there, with
-/// the same weights.
+/// The alpha of a texture at a position, 0 to 1: from the texels whose colours are mixed there,
+/// with the same weights.
 float sample_alpha(const Texture& texture, const TexturePlace& place, const Stages& stages);
 
 /// The whole level nearest to a level; halfway between two, the larger picture, as in OpenGL.

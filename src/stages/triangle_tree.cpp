@@ -15,7 +15,7 @@ namespace {
 /// A box of no more triangles than this is not divided.
 constexpr int few_triangles = 4;
 
-/// A box is larger than its contents by this fraction of its coordinates. The places at which rays
+/// A box is larger than its contents by this fraction of its coordinates. The points at which rays
 /// meet triangles are off by some units in the last place; no box may miss one because of that.
 constexpr float box_margin = 1e-5f;
 

@@ -4,7 +4,7 @@
 //
 // In:  the triangles in world space, and a ray.
 // Out: the triangle that it meets nearest to its start, and where.
-// Picture: boxes in boxes, the triangles in the innermost. A ray that misses a box misses
+// Picture: boxes inside boxes, with the triangles in the innermost. A ray that misses a box misses
 //          everything in it, so nearly all triangles need no test. With boxes or without, the
 //          answer is the same.
 //
@@ -34,7 +34,7 @@ struct WorldRay {
 /// Where a ray meets a triangle.
 struct TriangleHit {
     int triangle = -1;                                ///< of the mesh; -1: it meets none
-    float t = std::numeric_limits<float>::infinity(); ///< of that place, see WorldRay
+    float t = std::numeric_limits<float>::infinity(); ///< of that point, see WorldRay
 
     bool is_hit() const { return triangle >= 0; }
 };
@@ -46,8 +46,8 @@ struct RayTriangle {
     friend bool operator==(const RayTriangle&, const RayTriangle&) = default;
 };
 
-/// Where the line of a ray meets a triangle, from either side; its edges belong to it.
-/// @return t of that place, or infinity: outside, beyond the ray's ends, or parallel to the
+/// Where the line of a ray meets a triangle, from either side; its edges count as part of it.
+/// @return t of that point, or infinity: outside, beyond the ray's ends, or parallel to the
 ///         triangle
 float meeting_of(const WorldRay& ray, const RayTriangle& triangle);
 
@@ -56,13 +56,13 @@ class TriangleTree {
   public:
     explicit TriangleTree(const Mesh& mesh);
 
-    /// The triangle that the ray meets first; of several at the same place, the first in the mesh.
+    /// The triangle that the ray meets first; of several at the same point, the first in the mesh.
     TriangleHit first_hit(const WorldRay& ray) const;
 
-    /// The same by testing every triangle.
+    /// The same, found by testing every triangle.
     TriangleHit first_hit_of_all(const WorldRay& ray) const;
 
-    /// Are these the triangles of that mesh, at the same places?
+    /// Are these the triangles of that mesh, at the same positions?
     bool is_of(const Mesh& mesh) const;
 
   private:

@@ -24,7 +24,7 @@ struct Varyings {
     glm::vec3 position_world{0.0f}; ///< for light per pixel (the lab's pos3d)
     glm::vec3 normal{0.0f};         ///< of the vertex, world space
     glm::vec3 colour{0.0f};         ///< reflectance of the vertex, red green blue
-    glm::vec2 texcoord{0.0f};       ///< place in a texture, 0..1 in it
+    glm::vec2 texcoord{0.0f};       ///< position in a texture, 0..1 in it
     glm::vec3 illumination{0.0f};   ///< for light per vertex: the reflected light, red green blue
 };
 

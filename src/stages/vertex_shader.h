@@ -4,7 +4,7 @@
 // project(), which divides.
 //
 // In:  a vertex and the camera.
-// Out: its place in clip space, and the varyings that start their way at this vertex.
+// Out: its position in clip space, and the varyings that start their way at this vertex.
 // Picture: move the world so that the camera is at the origin, turn it so that the camera looks
 //          along +z, scale by the focal length.
 //
@@ -40,19 +40,19 @@ enum class Shading : std::uint8_t {
     unlit,   ///< nowhere: a surface shows its own colour
     flat,    ///< once per triangle, in its middle
     gouraud, ///< at the vertices, and interpolated between them
-    phong,   ///< at every pixel, from interpolated places and normals
+    phong,   ///< at every pixel, from interpolated positions and normals
 };
 template <>
 inline constexpr auto enum_words<Shading> = word_list("unlit", "flat", "gouraud", "phong");
 static_assert(words_match<Shading>);
 
 /// How a projected vertex becomes a pixel. The first three are those of Rounding: they work on the
-/// place counted from the middle of the picture, and then the middle is added.
+/// position counted from the middle of the picture, and then the middle is added.
 enum class VertexRounding : std::uint8_t {
     truncate, ///< int(f x/z) + W/2: toward the middle, so that the left and top borders stay empty
     floor,    ///< floor(f x/z) + W/2
     round,    ///< floor(f x/z + 0.5) + W/2
-    /// int(f x/z + W/2): the same as floor unless the sum is negative. Places up to a pixel beyond
+    /// int(f x/z + W/2): the same as floor unless the sum is negative. Points up to a pixel beyond
     /// the left or top border are truncated to column or row 0, which thus takes in two pixels'
     /// width.
     truncate_sum,
@@ -149,7 +149,7 @@ struct VertexSpaces {
     std::vector<SpacePoint> points;
 
     void add(std::string_view space, const glm::vec3& place) { points.push_back({space, place}); }
-    /// The place in a space; zero if the vertex did not get there.
+    /// The position in a space; zero if the vertex did not get there.
     glm::vec3 in(std::string_view space) const;
 };
 
@@ -187,7 +187,7 @@ Varyings start_varyings(const Vertex& vertex, const VertexRules& rules, const St
 
 /// From the world to clip space. `rotation` is camera_rotation(rules.camera), computed once a
 /// frame. `stages` is the table whose functions turn, project and light the vertex.
-/// @param spaces receives the places on the way, or null
+/// @param spaces receives the positions on the way, or null
 ClipVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation, const VertexRules& rules,
                          const Stages& stages, VertexSpaces* spaces);
 

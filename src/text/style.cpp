@@ -53,12 +53,12 @@ StyleGuide parse_style(std::string_view text, const std::string& path) {
         const TomlInput entry = input.table(node, "the rule");
         entry.allow_only({"phrases", "advice"});
         for (const toml::node& phrase : entry.list("phrases")) {
-            if (!phrase.is_string()) entry.fail(phrase, "a phrase is a text.");
+            if (!phrase.is_string()) entry.fail(phrase, "a phrase must be text in quotes.");
             guide.rules.push_back({phrase_of(**phrase.as_string(), entry), entry.text("advice")});
         }
     }
     for (const toml::node& phrase : input.list("meant")) {
-        if (!phrase.is_string()) input.fail(phrase, "a phrase is a text.");
+        if (!phrase.is_string()) input.fail(phrase, "a phrase must be text in quotes.");
         guide.meant.push_back(phrase_of(**phrase.as_string(), input));
     }
     return guide;

@@ -44,7 +44,7 @@ struct ViewState {
     std::optional<CellNumbers> cell_numbers; ///< none: no numbers
     std::optional<std::vector<std::string>> compare; ///< run B: A with these; none: no second run
     std::optional<CompareView> compare_view;         ///< of two runs; none: as it was
-    std::optional<float> wipe;                       ///< place of the divider; none: as it was
+    std::optional<float> wipe;                       ///< position of the divider; none: as it was
     std::optional<DepthInterval> depth_range;        ///< of the depth view; none: all present
     std::optional<std::string> point_at;             ///< widget that is outlined
 

@@ -28,7 +28,7 @@ std::vector<WidgetPattern> read_widget_patterns();
 /// same window; if the program has none, in lessons_folder(). Throws AccessError.
 std::string widgets_file();
 
-/// Does the pattern stand for a widget of this name?
+/// Does the pattern stand for a widget with this name?
 bool is_named_by(const WidgetPattern& pattern, std::string_view name);
 
 /// Throws UsageError with a sentence, and the nearest name, if no lesson can point at a widget of

@@ -120,7 +120,8 @@ TEST_CASE("diagnose reads a printed row table") {
     const CliRun result =
         run({"diagnose", path, "--polygon", "2,3", "--polygon", "30,8", "--polygon", "11,19"});
     CHECK(result.exit_code == 1);
-    CHECK_THAT(result.out, ContainsSubstring("the polygon (2,3) (30,8) (11,19): B5 "));
+    CHECK_THAT(result.out,
+               ContainsSubstring("the polygon (2,3) (30,8) (11,19).\nExact match: B5 "));
     CHECK(run({"diagnose", path, "--polygon", "2;3"}).exit_code == 2);
 }
 

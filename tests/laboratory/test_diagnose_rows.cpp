@@ -88,7 +88,7 @@ TEST_CASE("The table of every bug is recognized if the bug changes it") {
         REQUIRE_FALSE(diagnosis.candidates.empty());
         const std::vector<std::string>& ids = diagnosis.candidates.front().ids();
         CHECK(std::find(ids.begin(), ids.end(), bug.id) != ids.end());
-        CHECK_THAT(diagnosis.verdict, ContainsSubstring("matches this table"));
+        CHECK_THAT(diagnosis.verdict, ContainsSubstring("Exact match"));
     }
     CHECK(changed >= 3);
 }

@@ -233,7 +233,7 @@ TEST_CASE("Faults in a saved view are reported with their line") {
     says(head + "set = [\n\"light.power=1e9\",\n]\n",
          "v.walk.toml:3: light.power cannot be '1e9': it takes one number or three, each from 0 "
          "to 10000.");
-    says(head + "set = \"x=1\"\n", "v.walk.toml:2: a list of texts is needed here: [\"...\"].");
+    says(head + "set = \"x=1\"\n", "v.walk.toml:2: a list of strings is needed here: [\"...\"].");
     says(head + "triangle = 30\n",
          "v.walk.toml:2: there is no triangle 30: the triangles are 0 to 29.");
     CHECK(complaint(folder, head + "cursor = \"t0/r999\"\n").starts_with("v.walk.toml:2: "));

@@ -47,7 +47,7 @@ std::vector<Action> compare_actions() {
     const std::vector<Action> others{
         {"compare.hold",
          "Compare",
-         "Hold the blinking",
+         "Pause blinking",
          "Keeps the current picture while two runs blink; repeat to go on.",
          {'H'},
          [](Ui& ui) { ui.compare.blink_is_held = !ui.compare.blink_is_held; },

@@ -11,7 +11,7 @@ namespace rasterwalk {
 struct Ui;
 struct Candidate;
 
-/// The mistakes of the laboratory, read when first asked for; empty if they cannot be read, see
+/// The mistakes in the laboratory, read when first asked for; empty if they cannot be read, see
 /// LabLook::fault.
 const std::vector<Bug>& lab_bugs(Ui& ui);
 

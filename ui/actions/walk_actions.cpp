@@ -43,7 +43,7 @@ std::vector<Action> walk_actions() {
         {"walk.back",
          "Walk",
          "Step back",
-         "Takes back one piece of the chosen size.",
+         "Goes back one piece of the chosen size.",
          {key::comma},
          [](Ui& ui) { step_back(ui.session, timeline_of(ui), ui.session.play.granularity); },
          nullptr},

@@ -7,7 +7,7 @@
 
 namespace rasterwalk {
 
-/// Light letters on dark ground, or dark ones on light.
+/// Light letters on a dark background, or dark ones on a light one.
 enum class Theme : std::uint8_t { dark, light };
 
 /// The choices that the start page offers, from left to right.

@@ -27,7 +27,7 @@ struct TimeLines {
     float width;
     float top, bottom;               ///< of the line of the frame
     float window_top, window_bottom; ///< of the enlarged part
-    double cursor;                   ///< its place on the line of the whole frame, in triangles
+    double cursor;                   ///< its position on the line of the whole frame, in triangles
     double in_scale;                 ///< the same in the scale of the enlarged part
 
     const Palette& colours() const { return palette(ui.options.theme); }
@@ -49,7 +49,7 @@ struct TimeLines {
     }
 };
 
-/// The place of a moment on the line of the whole frame, in triangles.
+/// The position of a moment on the line of the whole frame, in triangles.
 double place_in_triangles(const Timeline& timeline, const Cursor& cursor);
 
 /// The same in the scale that the enlarged part has for the moments of a triangle.

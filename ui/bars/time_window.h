@@ -26,9 +26,9 @@ struct TriangleScale {
     std::vector<int> ordinals;  ///< of the first moment of each piece; the count of all comes last
     std::vector<double> shares; ///< where these are, 0 to 1
 
-    /// The place of a moment, 0 to 1.
+    /// The position of a moment, 0 to 1.
     double share_of(int ordinal) const;
-    /// The moment at a place from 0 to 1; at 1 the count of all.
+    /// The moment at a position from 0 to 1; at 1 the count of all.
     int ordinal_at(double share) const;
 };
 

@@ -20,7 +20,7 @@ namespace {
 /// A triangle narrower than this is not divided into its pieces, design pixels.
 constexpr float divided_triangle = 40.0f;
 
-/// The moment at a place of the enlarged part.
+/// The moment at a position of the enlarged part.
 Cursor moment_in_scale(const Timeline& timeline, double place) {
     const Frame& frame = timeline.frame();
     if (place >= frame.triangle_count()) return cursor_end;

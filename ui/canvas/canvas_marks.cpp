@@ -105,7 +105,7 @@ void draw_true_edges(const Marks& m, PolygonCorners vertices) {
 /// with a bar at the left of left ends and at the right of right ends.
 void draw_row_ends(const Marks& m) {
     const RowHistory& history = m.run.rows;
-    // Stage `rows` has already painted the ends: the tint needs a dark ground there too.
+    // Stage `rows` has already painted the ends: the tint needs a dark background there too.
     const bool is_painted = m.run.frame.settings.stage == Stage::rows;
     const float h = 0.5f * m.scale;
     const float bar = std::max(0.09f * m.scale, 2.0f * m.u);
@@ -135,7 +135,7 @@ void draw_row_ends(const Marks& m) {
     }
 }
 
-/// Every sample up to the cursor: a dot at its real place, before rounding.
+/// Every sample up to the cursor: a dot at its real position, before rounding.
 void draw_samples(const Marks& m, int triangle) {
     const float radius = std::clamp(0.09f * m.scale, 1.6f * m.u, 4.5f * m.u);
     for (const EdgeSample& sample : edge_samples(m.run.frame, triangle, m.run.cursor)) {

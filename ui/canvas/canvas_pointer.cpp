@@ -14,7 +14,7 @@ namespace {
 /// How far the camera turns for each screen pixel of a drag, radians.
 constexpr float turn_per_pixel = 0.004f;
 
-/// The pointer; over run B's picture, as if it were over the same place in run A's.
+/// The pointer; over run B's picture, as if it were over the same position in run A's.
 ImVec2 pointer_in_a(const Ui& ui) {
     ImVec2 pointer = ImGui::GetIO().MousePos;
     const std::optional<PicturePlace>& b = ui.compare.place_of_b;

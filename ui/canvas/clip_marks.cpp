@@ -20,7 +20,7 @@ namespace {
 /// The colour of planes and of what they make.
 constexpr Meaning plane_ink = Meaning::left_end;
 
-/// An edge has no place on the screen where it crosses the camera plane: it is drawn up to this
+/// An edge has no position on the screen where it crosses the camera plane: it is drawn up to this
 /// part of the greater w of its ends.
 constexpr float least_w_share = 1e-4f;
 
@@ -67,7 +67,7 @@ std::optional<ScreenLine> cut_to(const ScreenLine& line, ImVec2 low, ImVec2 high
     return ScreenLine{at(from), at(to)};
 }
 
-/// An edge between two places in clip space, as far as it lies in front of the camera and within
+/// An edge between two points in clip space, as far as it lies in front of the camera and within
 /// the canvas.
 std::optional<ScreenLine> seen_edge(const Marks& m, glm::vec4 a, glm::vec4 b) {
     const float least = least_w_share * std::max(a.w, b.w);
@@ -137,7 +137,7 @@ void draw_diamond(const Marks& m, ImVec2 at, float reach, ImU32 colour) {
                           {at.x - reach, at.y}, colour);
 }
 
-/// A name to be written next to a place on the canvas.
+/// A name to be written next to a point on the canvas.
 struct PlaceName {
     ImVec2 at;
     std::string text;

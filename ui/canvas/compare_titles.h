@@ -36,7 +36,7 @@ void draw_two_titles(Ui& ui, ImDrawList* list, const TitlePlace& a, const TitleP
 void draw_both_titles(Ui& ui, ImDrawList* list, const Pane& canvas);
 
 /// Is there a place for the letter of a run above or next to a picture that fits into this room?
-/// @param zoom screen pixels a picture pixel
+/// @param zoom screen pixels per picture pixel
 bool has_room_for_letter(const Ui& ui, ImVec2 room, float zoom);
 
 } // namespace rasterwalk

@@ -62,7 +62,7 @@ std::array<Variant, 3> variants_of(const Ui& ui) {
 /// Where a small picture and its words are on its card.
 struct CardLayout {
     ImVec2 picture; ///< from the card's corner
-    float scale;    ///< screen pixels a picture pixel
+    float scale;    ///< screen pixels per picture pixel
     ImVec2 words;   ///< from the card's corner
     float room;     ///< for the words
     bool is_above;  ///< the words are one line above the picture; if not, next to it

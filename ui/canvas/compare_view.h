@@ -32,8 +32,8 @@ Panes panes_of(const Ui& ui, const Pane& canvas);
 /// pixels.
 float height_at_full_size(const Ui& ui, float width);
 
-/// The size that two pictures side by side get in a canvas of this size, screen pixels a picture
-/// pixel.
+/// The size that two pictures side by side get in a canvas of this size, screen pixels per
+/// picture pixel.
 float pair_zoom(const Ui& ui, ImVec2 canvas);
 
 /// The divider of the wipe, to be dragged. Call it before the canvas itself, which would take the

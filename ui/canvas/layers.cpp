@@ -42,7 +42,7 @@ void draw_overlay_list(Ui& ui) {
                     {ImGui::GetItemRectMin().x, std::round(start.y + 0.5f * (height - swatch.y))},
                     info.overlay);
     }
-    if (button(ui, "overlay.none", "all off", Look::quiet, "Switches every overlay off.")) {
+    if (button(ui, "overlay.none", "all off", Look::quiet, "Turns off every overlay.")) {
         ui.session.overlays = {};
     }
     keep_item_whole(ui);

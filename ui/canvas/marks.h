@@ -31,7 +31,7 @@ struct Marks {
     float u; ///< design pixel
     float scale;
 
-    /// The middle of a pixel, or a real place counted from pixels' middles.
+    /// The middle of a pixel, or a real position counted from pixels' middles.
     ImVec2 at(float x, float y) const {
         const PicturePlace& place = run.place;
         return {place.origin.x + scale * (x + 0.5f), place.origin.y + scale * (y + 0.5f)};

@@ -9,11 +9,11 @@ namespace rasterwalk {
 
 struct Marks;
 
-/// The name of a vertex on the picture, on a dark ground.
+/// The name of a vertex on the picture, on a dark background.
 struct VertexLabel {
     int vertex;
     std::string name;
-    ImVec2 low, high; ///< of the ground
+    ImVec2 low, high; ///< of the background
     ImVec2 text;      ///< upper left corner of the letters
 };
 

@@ -41,7 +41,7 @@ std::size_t common_start(std::string_view a, std::string_view b) {
 }
 
 /// The whole screen coordinate nearest to the middle of a picture's column or row; none if no whole
-/// one lies in it. ImGui drops the fraction of the pointer's place.
+/// one lies in it. ImGui drops the fraction of the pointer's position.
 std::optional<float> screen_middle(int pixel, float origin, float scale) {
     const float middle = std::floor(origin + scale * (static_cast<float>(pixel) + 0.5f));
     for (const float candidate : {middle, middle + 1.0f}) {

@@ -39,7 +39,7 @@ void close_gl2();
 /// To be called before build_ui, each frame.
 void begin_gl2_frame();
 
-/// Draws what build_ui built, over the theme's ground. Takes up new fonts.
+/// Draws what build_ui built, over the theme's background. Takes up new fonts.
 /// @param width,height of the framebuffer, pixels
 void draw_gl2(Ui& ui, int width, int height);
 

@@ -4,7 +4,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Into clip space, with the rows of the picture downwards as in the scene.
+/// Into clip space, with the rows of the picture downward as in the scene.
 constexpr const char* vertex_head = R"(#version 130
 in vec3 position, normal;
 uniform vec3 camera, lamp, power, indirect;

@@ -53,7 +53,8 @@ ActionOptions describe(CLI::App& app, Arguments& a) {
         ->group("Window");
     text("--theme", a.theme, "dark or light", "NAME");
     text("--report-widgets", a.options.report_path,
-         "Write the names and places of all widgets to this file; - for standard output", "FILE");
+         "Write the names and positions of all widgets to this file; - for standard output",
+         "FILE");
 
     ActionOptions actions;
     const auto action = [&](const char* name, std::vector<std::string>& values,

@@ -69,7 +69,7 @@ void draw_clip_corners(const ClipPage& page) {
     keep_text_whole(page.ui);
     ImGui::PopStyleColor();
     name_widget(page.ui, "clip.scale",
-                "The division by w gives the same place: W/2 · (x / w) = (W/2 · x) / w.");
+                "The division by w gives the same position: W/2 · (x / w) = (W/2 · x) / w.");
 }
 
 void draw_clip_codes(const ClipPage& page) {

@@ -53,7 +53,7 @@ struct ClipField {
     }
 };
 
-/// Corners at one place of the diagram, and what is written there.
+/// Corners at one point of the diagram, and what is written there.
 struct CornerMark {
     ImVec2 at;
     std::string widget, name, help, number; ///< `number` is the id of the formula it leads to
@@ -111,7 +111,7 @@ CornerMark made_mark(const ClipField& field, const CutCorner& corner, const Clip
             true};
 }
 
-/// All corners made so far; those at one place share a mark.
+/// All corners made so far; those at one point share a mark.
 std::vector<CornerMark> corner_marks(const ClipField& field) {
     std::vector<CornerMark> marks;
     const auto add = [&](CornerMark mark) {

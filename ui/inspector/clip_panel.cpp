@@ -50,9 +50,9 @@ std::string verdict_of(const ClipHistory& history, const Settings& settings) {
         if (settings.reject == Reject::cheap)
             return "Nothing is cut; cheap clipping skips the rows and columns outside the picture.";
         if (settings.clip != Clip::leave_out)
-            return "Nothing is cut; what reaches outside the view is divided as it is.";
+            return "Nothing is cut; anything outside the view is divided as it is.";
         return "Nothing is cut, as in the lab. A triangle with a vertex behind the camera is left "
-               "out completely, and what is outside the picture is left out pixel by pixel.";
+               "out completely, and anything outside the picture is left out pixel by pixel.";
     }
     if (history.clipped.rejection != Rejection::none) {
         if (codes.common() != 0) {
@@ -118,7 +118,7 @@ std::string behind_text(const ClipHistory& history, const Frame& frame, int vert
 void draw_offer(Ui& ui) {
     if (hides_settings(ui.session)) return;
     if (button(ui, "clip.cut_all", "Cut by all six planes", Look::plain,
-               "Sets \"Clipped\" to \"by all planes\", so what reaches outside the view is cut off "
+               "Sets \"Clipped\" to \"by all planes\", so anything outside the view is cut off "
                "before the division.")) {
         ui.session.a.settings.clip = Clip::all;
     }
@@ -140,7 +140,7 @@ void draw_clip_verdict(const ClipPage& page) {
     keep_text_whole(ui);
     ImGui::PopStyleColor();
     name_widget(ui, "clip.behind",
-                "Behind the camera, w is negative. The division by w turns a place behind the "
+                "Behind the camera, w is negative. The division by w turns a point behind the "
                 "camera into one in front of it, mirrored through the eye.");
 }
 

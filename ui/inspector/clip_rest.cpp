@@ -39,7 +39,7 @@ std::string answer_help(const Frame& frame, Cull way) {
                "there is no such order.";
     case Cull::vertex_normals:
         return sight + " of the corner whose normal points away least. It is a back face only if "
-                       "all of them point away, so a smooth body keeps the faces on its outline.";
+                       "all of them point away, so a smooth object keeps the faces on its outline.";
     case Cull::fragment_normal:
         return sight + " at every fragment, with the normal interpolated to it. A fragment faces "
                        "away only if this is greater than 0. The number is that of the corner "
@@ -181,9 +181,10 @@ void draw_clip_culling(const ClipPage& page) {
     wrapped_text(culling_text(page, answers));
     keep_text_whole(page.ui);
     ImGui::PopStyleColor();
-    name_widget(page.ui, "clip.culling",
-                "Of a closed body you see only the sides that face the camera, so the others need "
-                "not be drawn. The \"Culled\" setting selects the test that is used.");
+    name_widget(
+        page.ui, "clip.culling",
+        "Of a closed object you see only the sides that face the camera, so the others need "
+        "not be drawn. The \"Culled\" setting selects the test that is used.");
 }
 
 void draw_clip_counts(const ClipPage& page) {

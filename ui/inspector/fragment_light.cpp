@@ -219,7 +219,7 @@ void draw_fragment_light(Ui& ui) {
         in_force_is_flat ? !ui.inspector.chosen.shows_other_light : shows_vertex;
     const LightChoice choices[] = {in_force_is_flat ? per_triangle : per_vertex,
                                    {"fragment.light.per_pixel", "per pixel",
-                                    "The light computed at the fragment's own place.", false}};
+                                    "The light computed at the fragment's own position.", false}};
     for (const auto& choice : choices) {
         ImGui::SameLine();
         const bool in_force = choice.is_first == (in_force_is_vertex || in_force_is_flat);

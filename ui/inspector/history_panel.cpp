@@ -164,7 +164,7 @@ void draw_uncovered(Ui& ui, const PixelHistory& history) {
             if (ImGui::GetCursorScreenPos().x + button_width(label) > right) ImGui::NewLine();
         }
         if (button(ui, "history.try." + std::string(rules[i]), label, Look::plain,
-                   "Sets this rule for the whole picture. Undo takes it back.")) {
+                   "Sets this rule for the whole picture. Undo reverts it.")) {
             set_from_text(ui.session.a.settings, std::string(rules[i]));
         }
         keep_item_whole(ui);

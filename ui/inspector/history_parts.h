@@ -13,7 +13,7 @@ struct Ui;
 
 // The parts of the history's panel; see history_panel.cpp.
 
-/// True for the fragment whose colour the pixel has in the end.
+/// True for the fragment whose colour the pixel finally has.
 bool stays(const PixelHistory& history, int index);
 
 /// A square of a colour, with a border.

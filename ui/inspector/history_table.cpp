@@ -193,7 +193,7 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
     } else if (stays(history, index)) {
         text += "\nWritten, and nothing was written after it, so its colour stays.";
     } else if (entry.share > 0.0f) {
-        text += "\nWritten. What was written later is half-transparent, so it shows through.";
+        text += "\nWritten. Everything written later is half-transparent, so this shows through.";
     } else {
         text += "\nWritten, and overwritten later.";
     }
@@ -330,7 +330,7 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
         {"fate", "fate",
          std::string("✓ written: it became the pixel's colour. ✓ stays: it was the last to do "
                      "so. ") +
-             (shown_frame.blends ? "✓ shows: what lies over it is half-transparent. " : "") +
+             (shown_frame.blends ? "✓ shows: everything over it is half-transparent. " : "") +
              (has_texture_alpha(*shown_frame.scene) ? "✗ cut out: its texture is transparent "
                                                       "there. "
                                                     : "") +

@@ -57,7 +57,7 @@ std::string remedy_words(Ui& ui, const Diagnosis& diagnosis);
 /// The mistakes of a candidate, and the assumptions that go with it.
 std::string candidate_words(const Candidate& candidate);
 
-/// The mistake of the laboratory that a candidate names first; null: it names none.
+/// The mistake from the laboratory that a candidate names first; null: it names none.
 const Bug* bug_of(Ui& ui, const Candidate& candidate);
 
 /// The card that says what may be wrong with a result.

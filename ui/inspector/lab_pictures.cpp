@@ -25,7 +25,7 @@ constexpr float good_side = 100.0f, fair_side = 68.0f;
 /// How both pictures, which have the same size, are shown.
 struct PairLayout {
     float column; ///< width for a picture and its caption, screen pixels
-    float scale;  ///< screen pixels a picture pixel
+    float scale;  ///< screen pixels per picture pixel
     bool is_stacked;
 };
 

@@ -39,7 +39,7 @@ void draw_score(Ui& ui) {
                                                counted(score.rounds, "round", "rounds"));
     keep_item_whole(ui);
     name_widget(ui, "lab.points",
-                score.is_kept ? "In all rounds since you began to keep the score."
+                score.is_kept ? "In all rounds since you began keeping score."
                               : "Since the program was opened.");
 }
 

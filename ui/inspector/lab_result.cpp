@@ -27,10 +27,11 @@ void draw_intro(Ui& ui) {
     wrapped_text("My picture is wrong. Why?");
     keep_text_whole(ui);
     ImGui::PopFont();
-    wrapped_text(fmt::format("Choose a picture that your program saved ({}), or a text with the "
-                             "rows that it printed. You can also drop the file on the window or "
-                             "type its path.",
-                             exact_image_formats));
+    wrapped_text(
+        fmt::format("Choose a picture that your program saved ({}), or a text file with "
+                    "the rows that it printed. You can also drop the file on the window or "
+                    "type its path.",
+                    exact_image_formats));
     keep_text_whole(ui);
     name_widget(ui, "lab.intro", "What can be checked, and how.");
     ImGui::Spacing();
@@ -53,7 +54,7 @@ void draw_file(Ui& ui, bool another) {
     const bool entered = ImGui::InputTextWithHint("##path", "or its path", &lab.result_path,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     name_widget(ui, "lab.path",
-                "The picture, or a text with lines like Start: (10,5). End: "
+                "The picture, or a text file with lines like Start: (10,5). End: "
                 "(10,5).");
     keep_item_whole(ui);
     ImGui::SameLine();

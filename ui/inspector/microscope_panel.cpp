@@ -131,8 +131,9 @@ void draw_buttons(Ui& ui) {
     if (view.shown.differing.empty()) return;
     const char* const next_label = is_narrow ? "≠" : "next ≠";
     same_line_if_room(next_label, gap);
-    if (button(ui, "microscope.next", next_label, Look::plain,
-               "Goes to the next sample that falls on a different pixel from its exact place.")) {
+    if (button(
+            ui, "microscope.next", next_label, Look::plain,
+            "Goes to the next sample that falls on a different pixel from its exact position.")) {
         const int current = current_sample(ui);
         const int next = view.shown.next_difference(current + 1);
         const MicroscopeSample sample = view.shown.at(next);
@@ -258,8 +259,8 @@ void draw_summary(Ui& ui) {
     }
     const int reverse = summary.differ_from_reverse;
     draw_statement(ui, reverse == 0,
-                   reverse == 0 ? "the same pixels when walked backwards"
-                                : "walked backwards: " +
+                   reverse == 0 ? "the same pixels when walked backward"
+                                : "walked backward: " +
                                       some_samples(static_cast<std::size_t>(reverse), edge.count) +
                                       " on another pixel");
     end_card(ui);

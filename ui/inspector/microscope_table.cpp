@@ -36,7 +36,7 @@ std::string coordinate_words(const char* axis, const char* pixel, const Microsco
         text += " = " + with_minus_signs(significant(c.exact.value(), 12));
     text += "\n     " + std::string(pixel) + " " + whole_text(c.pixel);
     if (c.differs_from_exact()) text += ", where the exact one is " + whole_text(c.exact_pixel);
-    if (c.differs_from_reverse()) text += "; walked backwards: " + whole_text(c.reverse_pixel);
+    if (c.differs_from_reverse()) text += "; walked backward: " + whole_text(c.reverse_pixel);
     return text;
 }
 
@@ -183,11 +183,11 @@ SampleColumns columns_of(const Ui& ui) {
          drift == 0.0 ? 4 : 9},
         {4, x ? "column" : "row",
          decided ? "The pixel of the sample. ≠: another pixel is nearer to the line."
-                 : "The pixel that the float becomes. ≠: the exact place is on another pixel.",
+                 : "The pixel that the float becomes. ≠: the exact position is on another pixel.",
          std::max(5, whole + 2)},
         {5, "reverse",
-         "The pixel of this place when the edge is walked from its end to its start. ≠: a "
-         "different one from walking forwards.",
+         "The pixel of this sample when the edge is walked from its end to its start. ≠: a "
+         "different one from walking forward.",
          std::max(5, whole + 2)}};
     columns.insert(columns.end(), std::begin(others), std::end(others));
     return columns;

@@ -90,7 +90,7 @@ void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) 
     name_widget(ui, name + ".replaced", replaced_tooltip(writer));
 }
 
-/// The varying that the stage uses; if it uses none, the first: the place in the room.
+/// The varying that the stage uses; if it uses none, the first: the position in the room.
 const VaryingInfo& shown_varying(const Frame& frame) {
     const VaryingSet read = frame.stages.varyings_read(shading_rule(frame.settings));
     for (int i = 0; i < varying_count; ++i) {

@@ -136,7 +136,7 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
     if (button(ui, "rows.copy", copy_label, Look::plain,
                "Copies the table in the form that the lab prints.")) {
         ImGui::SetClipboardText(rows_text(history.rows).c_str());
-        tell(ui.session, "The row table is in the clipboard.");
+        tell(ui.session, "The row table is on the clipboard.");
     }
     keep_item_whole(ui);
     ImGui::SameLine();

@@ -34,7 +34,7 @@ SheetWords words_of(FileSheet::Kind kind) {
     switch (kind) {
     case FileSheet::Kind::save:
         return {"Save the view",
-                "Everything that is shown, as a text that can be opened again or given to someone "
+                "Everything that is shown, as a file that can be opened again or given to someone "
                 "else.",
                 "No views are saved here.", "Save", "Writes the file. Key: Enter"};
     case FileSheet::Kind::result:
@@ -42,7 +42,7 @@ SheetWords words_of(FileSheet::Kind kind) {
                 fmt::format("A picture that your program saved ({}), or the rows that it printed "
                             "(.txt).",
                             exact_image_formats),
-                "No pictures or texts here.", "Check",
+                "No pictures or text files here.", "Check",
                 "Looks for what may be wrong with it. Key: Enter"};
     case FileSheet::Kind::texture:
         return {"Apply an image to the model",

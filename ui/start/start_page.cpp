@@ -40,7 +40,7 @@ void draw_title(Ui& ui, const StartLayout& page) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
     wrapped_text(fmt::format(
         "{} triangle{} become{} a picture of {} pixels. Walk through it one step at a time, "
-        "forwards and backwards, and see where every number comes from.",
+        "forward and backward, and see where every number comes from.",
         triangles, triangles == 1 ? "" : "s", triangles == 1 ? "s" : "", grouped(pixels)));
     ImGui::PopStyleColor();
 }

@@ -7,7 +7,7 @@
 
 namespace rasterwalk {
 
-/// The place of an item in a row that breaks into lines when it gets too narrow.
+/// The position of an item in a row that breaks into lines when it gets too narrow.
 struct FlowPlace {
     float x = 0.0f; ///< from the left edge of the row
     int line = 0;

@@ -19,8 +19,8 @@ ImGuiID part_of(const ImGuiWindow& window);
 /// Notes whether the last ImGui item can have the keyboard, and where it is.
 void note_stop(WidgetPlace& place);
 
-/// Notes the place of the last ImGui item if it is the one with the keyboard, and scrolls to it if
-/// that was asked for. Returns true if it has the ring.
+/// Notes the position of the last ImGui item if it is the one with the keyboard, and scrolls to it
+/// if that was asked for. Returns true if it has the ring.
 /// @param shown the visible part of it, screen pixels
 bool show_focus(Ui& ui, std::string_view name, const ImRect& shown, bool visible);
 

@@ -36,7 +36,7 @@ inline constexpr int keypad_subtract = 333;
 inline constexpr int keypad_enter = 335;
 inline constexpr int first_modifier = 340; ///< Shift, Ctrl, Alt and the like begin here
 
-/// Does the key write something? Letters, digits and punctuation do, and those of the keypad.
+/// Does the key type a character? Letters, digits and punctuation do, also on the keypad.
 constexpr bool writes(int code) {
     return (code >= space && code < escape) || (code >= keypad_0 && code <= keypad_add);
 }

@@ -89,7 +89,7 @@ std::string slider_text(float value, const ControlRange& range) {
                                     : number_text(value));
 }
 
-/// The place of a slider's number: in the middle, or next to the handle if that would cover it.
+/// The position of a slider's number: in the middle, or next to the handle if that would cover it.
 /// @param part  of the range at which the handle is, 0 to 1
 /// @param width of the number, screen pixels
 float place_beside_handle(float part, float width) {

@@ -12,7 +12,7 @@ namespace rasterwalk {
 /// Where the picture lies on the screen: screen = origin + scale * (column, row).
 struct PicturePlace {
     ImVec2 origin{0, 0};
-    float scale = 1.0f; ///< screen pixels a picture pixel
+    float scale = 1.0f; ///< screen pixels per picture pixel
 };
 
 /// A part of the picture, in its pixels; `right` and `bottom` lie outside it.

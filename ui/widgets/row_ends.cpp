@@ -20,8 +20,8 @@ std::string end_text(const RowEnd& end, bool is_left, bool is_short) {
 }
 
 std::string replaced_tooltip(const EndWriter& writer) {
-    return "↻: an earlier sample was here and has been replaced " +
-           counted(writer.replaced, "time", "times") + " so far.";
+    return "↻: this end has been replaced " + counted(writer.replaced, "time", "times") +
+           " so far.";
 }
 
 std::string writer_tooltip(const EndWriter& writer) {

@@ -21,7 +21,7 @@ std::string end_text(const RowEnd& end, bool is_left, bool is_short = false);
 /// What wrote an end, how often it was replaced, and what a click does.
 std::string writer_tooltip(const EndWriter& writer);
 
-/// "↻: an earlier sample stood here and was replaced, 2 times so far."
+/// "↻: this end has been replaced 2 times so far."
 std::string replaced_tooltip(const EndWriter& writer);
 
 /// The same for any kind of end: if it has not been written, or was found without samples, the

@@ -13,8 +13,8 @@ namespace rasterwalk {
 struct Ui;
 
 /// What a colour means; each meaning has one colour everywhere (Okabe and Ito's set, which the
-/// colour-blind tell apart), in a tone that can be read on the theme's ground. Only clipping makes
-/// more than three edges: their colours lie as far from all others as they can.
+/// colour-blind tell apart), in a tone that can be read on the theme's background. Only clipping
+/// makes more than three edges: their colours lie as far from all others as they can.
 enum class Meaning : std::uint8_t {
     edge_1,
     edge_2,
@@ -36,7 +36,7 @@ enum class Meaning : std::uint8_t {
 struct Palette {
     ImVec4 ground; ///< behind everything
     ImVec4 bar;    ///< menu, transport
-    ImVec4 card;   ///< boxes on the ground
+    ImVec4 card;   ///< boxes on the background
     ImVec4 canvas; ///< around the picture
     ImVec4 line;   ///< borders and rules
     ImVec4 button;
@@ -53,7 +53,7 @@ struct Palette {
 
 const Palette& palette(Theme theme);
 
-/// The colour of a meaning, for text and lines on the ground of the theme.
+/// The colour of a meaning, for text and lines on the theme's background.
 ImVec4 colour_of(Meaning meaning, Theme theme);
 
 /// Edges with a separate colour: at most as many as six planes can make of a triangle.
@@ -65,7 +65,7 @@ Meaning edge_meaning(int edge);
 /// The colour with a given opacity, as draw lists need it.
 ImU32 packed(const ImVec4& colour, float opacity = 1.0f);
 
-/// Are dark letters more readable than light ones on this ground? The better of the two has a
+/// Are dark letters more readable than light ones on this background? The better of the two has a
 /// contrast of at least 4.5 : 1.
 bool has_dark_ink(const glm::vec<3, std::uint8_t>& ground);
 

@@ -21,7 +21,7 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip = {});
 /// large, next to the pointer.
 void draw_tooltip(const Ui& ui, std::string_view text);
 
-/// Notes the number that the widget of this name shows, so that it can be looked up by name. The
+/// Notes the number that the widget with this name shows, so that it can be looked up by name. The
 /// widget must have been named in this frame.
 void note_text(Ui& ui, std::string_view name, std::string_view text);
 
@@ -72,7 +72,7 @@ void draw_difference_key(Ui& ui, std::string_view words);
 /// Where its words begin, screen pixels.
 float difference_key_indent(const Ui& ui);
 
-/// A box on the ground that grows with its content: between begin_card and end_card.
+/// A box on the background that grows with its content: between begin_card and end_card.
 void begin_card(Ui& ui, float width = 0.0f);
 void end_card(Ui& ui);
 

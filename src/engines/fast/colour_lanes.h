@@ -43,10 +43,10 @@ RASTERWALK_INLINE std::int32_t wrapped(std::int32_t texel, std::int32_t count, W
     return rest < count ? rest : period - 1 - rest;
 }
 
-/// The colour of a texture at a place in each lane.
+/// The colour of a texture at a position in each lane.
 RASTERWALK_INLINE Colour3 texture_colour(const Texels& texture, const View& view, const Floats& u,
                                          const Floats& v) {
-    // Beyond this there is no place, as in among_texels().
+    // Beyond this there is no position, as in among_texels().
     const auto place = [](const Floats& coordinate, std::int32_t count) {
         const Floats at = coordinate * static_cast<float>(count);
         const Ints is_small = (bits_of(at) & all(0x7fffffff)) < bits_of(all(0x1p30f));

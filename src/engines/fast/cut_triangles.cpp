@@ -12,7 +12,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// A corner of what is left: a vertex of the mesh, or a place between others with its own values.
+/// A corner of what is left: a vertex of the mesh, or a point between others with its own values.
 struct CutCorner {
     glm::dvec3 place; ///< in the camera's space
     fast::Record normal, colour, texcoord;

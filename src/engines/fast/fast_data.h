@@ -188,7 +188,7 @@ struct Loops {
     /// Light per vertex of the same vertices.
     void (*light_vertices)(const Mesh&, const View&, std::int32_t first, std::int32_t count);
     /// Adds triangles to the lists of the bands that they can reach, and to `cut` those with a
-    /// corner that has no place on the screen.
+    /// corner that has no position on the screen.
     void (*sort_triangles)(const Mesh&, const View&, std::int32_t first, std::int32_t end,
                            const BandLists* bands, std::int32_t band_count, TriangleList& cut);
     /// Triangles of each size into the visibility buffer.

@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-/// Larger places would leave the range of floats on their way to the screen.
+/// Larger positions would leave the range of floats on their way to the screen.
 constexpr float largest_place = 1e15f;
 
 /// A value safe for every calculation: 0 in place of NaN or anything too large.

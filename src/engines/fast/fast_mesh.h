@@ -37,7 +37,7 @@ struct FastMesh {
 
     /// Removes what cutting has added.
     void drop_cut();
-    /// The arrays at their current places.
+    /// The arrays at their current positions.
     fast::Mesh view();
 };
 
@@ -48,8 +48,8 @@ bool is_place(const glm::vec3& place);
 /// Triangles with a corner that fails is_place() are left out.
 FastMesh fast_mesh(const Scene& scene);
 
-/// Only the places of a mesh, without triangles between them yet; those must have material 0, which
-/// is white.
+/// Only the positions of a mesh, without triangles between them yet; those must have material 0,
+/// which is white.
 FastMesh fast_mesh_of_places(const Mesh& mesh);
 
 } // namespace rasterwalk

@@ -16,7 +16,7 @@ namespace rasterwalk {
 
 class FastShape {
   public:
-    /// Copies the places of the mesh, which need not live on.
+    /// Copies the positions of the mesh, which need not live on.
     explicit FastShape(const Mesh& mesh);
 
     /// Draws some of the triangles, both sides of each; those with a corner that fails is_place()

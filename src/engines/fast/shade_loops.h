@@ -105,7 +105,7 @@ RASTERWALK_INLINE void shade_group(const Mesh& mesh, const View& view, const Row
         const Floats columns = to_floats(lane_numbers()) + static_cast<float>(x);
         ray = {columns * rays.right[0] + rays.start[0], columns * rays.right[1] + rays.start[1],
                columns * rays.right[2] + rays.start[2]};
-        // All by 1/z: the place is then the eye and the ray.
+        // All by 1/z: the position is then the eye and the ray.
         to_lamp = {depth * (view.lamp[0] - view.eye[0]) - ray.x,
                    depth * (view.lamp[1] - view.eye[1]) - ray.y,
                    depth * (view.lamp[2] - view.eye[2]) - ray.z};
