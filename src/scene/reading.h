@@ -33,7 +33,7 @@ class ReadingStopped : public std::exception {
     const char* what() const noexcept override { return "reading was stopped."; }
 };
 
-/// Asks a watch only once every so many steps, so that a step costs next to nothing.
+/// Asks a watch only once in a while, so that a step costs next to nothing.
 class WatchedSteps {
   public:
     explicit WatchedSteps(const ReadingWatch& watch) : watch_(watch) {}

@@ -89,7 +89,7 @@ void print_replay_times(const Scene& scene) {
                   replay.at(Timeline(frame).previous(cursor_end, Granularity::moment));
               }));
     print_scrub(frame, replay, "scrub back, 500 steps", false);
-    print_scrub(frame, replay, "scrub forwards, 500 steps", true);
+    print_scrub(frame, replay, "scrub forward, 500 steps", true);
     std::mt19937 random(1);
     std::vector<double> times;
     for (int i = 0; i < 200; ++i)

@@ -197,7 +197,7 @@ TEST_CASE("After Ctrl+C engines ends with 130 and prints what it has") {
     CHECK(rounds < 1000);
 }
 
-TEST_CASE("Ctrl+C is noted, however often, and the previous handler is restored afterwards") {
+TEST_CASE("Ctrl+C is noted, however often, and the previous handler is then restored") {
     std::signal(SIGINT, SIG_IGN);
     {
         const Interrupt interrupt;

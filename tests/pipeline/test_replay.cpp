@@ -212,7 +212,7 @@ TEST_CASE("A frame without triangles is black at every moment") {
         require_at(replay, cursor, black);
 }
 
-TEST_CASE("A frame drawn in parts gives the same picture, and no part is much work") {
+TEST_CASE("A frame drawn in parts gives the same picture, and no part takes long") {
     const Scene scene = crowded_scene(1500);
     for (const StripStep& stage :
          {StripStep{Stage::edges}, StripStep{Stage::rows}, StripStep::pixel_light}) {

@@ -283,7 +283,7 @@ TEST_CASE("The step at the cursor is explained, and a click on an edge goes to i
     CHECK(number_in(shown_text(driver, "clip.formula.result")) == Approx(-2.1));
 }
 
-TEST_CASE("The Clip tab scrolls to the step at the cursor, forwards and backwards") {
+TEST_CASE("The Clip tab scrolls to the step at the cursor, forward and backward") {
     for (const SmallWindow& window : small_windows) {
         CAPTURE(window.size.x, window.size.y, window.text_scale);
         Driver driver("corridor.toml", window.size, window.text_scale);
