@@ -17,8 +17,8 @@ namespace {
 
 using Rows = std::vector<PrintedRow>;
 
-/// In larger scenes only the first triangles are examined: at most this many, with at most this many
-/// rows in all to compare with the table.
+/// In larger scenes only the first triangles are examined: at most this many, with at most this
+/// many rows in all to compare with the table.
 constexpr int most_triangles_tried = 2000;
 constexpr std::size_t most_rows_held = 10'000'000;
 
