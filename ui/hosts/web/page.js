@@ -291,7 +291,7 @@ function onWheel(event) {
 const largestFiles = 512 * 2 ** 20; // bytes, of everything opened
 const longRead = 4 * 2 ** 20; // bytes from which reading takes a while
 
-// The order in which files are opened: views and lessons first, then scenes, then models.
+// Which of several files is opened: a view or a lesson if there is one, or else a scene, or else a model.
 const openedFirst = [/\.walk\.toml$/i, /(^|\/)\d\d-[^/]*\.md$/i, /\.toml$/i, /\.obj$/i, /./];
 let openedCount = 0, openedSize = 0;
 
@@ -307,7 +307,8 @@ async function openFiles(files, isResult) {
     const first = openedFirst.map(pattern => files.find(({name}) => pattern.test(name))).find(Boolean);
     const main = isResult ? files[0] : first;
     try {
-        const folder = '/opened/' + ++openedCount;
+        // A model finds its files in neighbouring folders too, so each opening has a parent of its own.
+        const folder = `/opened/${++openedCount}/files`;
         for (const {name, file} of files) {
             const path = folder + '/' + name;
             FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
