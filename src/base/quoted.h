@@ -24,6 +24,9 @@ std::string_view trimmed(std::string_view text);
 /// The parts of the text between separators, the empty ones too.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// Takes the first part off a text, up to the separator or the end, and the separator with it.
+std::string_view take_part(std::string_view& text, char separator);
+
 /// Is it UTF-8 from end to end?
 bool is_utf8(std::string_view text);
 

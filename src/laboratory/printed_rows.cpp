@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/image_format.h"
+#include "base/quoted.h"
 
 namespace rasterwalk {
 
@@ -154,9 +155,7 @@ std::vector<PrintedRow> parse_printed_rows(std::string_view text, const std::str
     int number = 0;
     while (!text.empty()) {
         ++number;
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
+        std::string_view line = take_part(text, '\n');
         line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
         if (!line.starts_with("Start")) continue;
         const std::optional<PrintedRow> row = parse_row(line);

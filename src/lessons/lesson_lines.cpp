@@ -1,6 +1,5 @@
 #include "lessons/lesson_lines.h"
 
-#include <algorithm>
 #include <string>
 
 #include "base/quoted.h"
@@ -22,11 +21,9 @@ bool is_clean(std::string_view line) {
 std::vector<std::string_view> split_lines(std::string_view text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
+        std::string_view line = take_part(text, '\n');
         if (line.ends_with('\r')) line.remove_suffix(1);
         lines.push_back(line);
-        text.remove_prefix(std::min(end + 1, text.size()));
     }
     return lines;
 }

@@ -6,6 +6,7 @@
 
 #include "base/limits.h"
 #include "base/numbers.h"
+#include "base/quoted.h"
 
 namespace rasterwalk {
 
@@ -47,15 +48,12 @@ std::optional<OutsideView> parse_outside_view(std::string_view text) {
         {&view.target.z, -largest_coordinate, largest_coordinate},
     }};
     std::size_t count = 0;
-    for (std::size_t at = 0; at <= text.size(); ++count) {
+    for (const std::string_view part : split(text, ',')) {
         if (count == numbers.size()) return std::nullopt;
-        const std::size_t comma = std::min(text.find(',', at), text.size());
-        const Number& number = numbers[count];
-        const std::optional<float> value =
-            parse_number(text.substr(at, comma - at), number.smallest, number.largest);
+        const Number& number = numbers[count++];
+        const std::optional<float> value = parse_number(part, number.smallest, number.largest);
         if (!value) return std::nullopt;
         *number.value = *value;
-        at = comma + 1;
     }
     const bool is_whole = count == 2 || count == numbers.size();
     return is_whole ? std::optional(view) : std::nullopt;

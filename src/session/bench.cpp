@@ -23,14 +23,6 @@ namespace {
                     number_text(largest_pixel_coordinate), in_quotes(text)));
 }
 
-/// Cuts off and returns what precedes the separator.
-std::string_view take_part(std::string_view& text, char separator) {
-    const std::size_t end = text.find(separator);
-    const std::string_view part = text.substr(0, end);
-    text.remove_prefix(end == text.npos ? text.size() : end + 1);
-    return part;
-}
-
 std::optional<float> parse_coordinate(std::string_view text, float smallest) {
     text = trimmed(text);
     float value = 0.0f;

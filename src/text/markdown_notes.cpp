@@ -4,6 +4,7 @@
 #include <map>
 #include <string_view>
 
+#include "base/quoted.h"
 #include "text/markdown_text.h"
 
 namespace rasterwalk {
@@ -49,11 +50,8 @@ std::map<std::string, std::string> take_definitions(std::vector<std::string_view
 
 std::vector<std::string_view> split_lines(std::string_view text) {
     std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        lines.push_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
+    while (!text.empty())
+        lines.push_back(take_part(text, '\n'));
     return lines;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/quoted.h"
 #include "text/markdown.h"
 #include "text/markdown_text.h"
 
@@ -17,9 +18,7 @@ constexpr std::size_t most_bracket_looks = 200'000'000;
 bool is_bracket_swamp(std::string_view text) {
     std::size_t lines = 0, brackets = 0, looks = 0;
     while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::string_view line = take_part(text, '\n');
         if (line.find_first_not_of(" \t") == std::string_view::npos) {
             looks += lines * brackets;
             lines = brackets = 0;

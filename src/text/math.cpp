@@ -169,10 +169,7 @@ std::string_view Reader::raw_argument(const std::string& of) {
     if (is_at_end()) say_missing(of);
     if (!take('{')) return {};
     if (rest_.find('}') == rest_.npos) say_no_match();
-    const std::size_t end = std::min(rest_.find('}'), rest_.size());
-    const std::string_view text = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    return text;
+    return take_part(rest_, '}');
 }
 
 MathNode Reader::atom(int depth) {

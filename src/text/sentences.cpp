@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/quoted.h"
+
 namespace rasterwalk {
 
 namespace {
-
-std::string_view next_line(std::string_view& text) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    return line;
-}
 
 bool is_blank(std::string_view line) {
     return line.find_first_not_of(" \t\r") == line.npos;
@@ -59,12 +54,12 @@ std::vector<Block> blocks_of(std::string_view text) {
         block = {};
     };
     while (!text.empty()) {
-        const std::string_view line = next_line(text);
+        const std::string_view line = take_part(text, '\n');
         if (begins_code(line)) {
             end_block();
             append_line(block.text, line);
             for (bool is_open = true; is_open && !text.empty();) {
-                const std::string_view code = next_line(text);
+                const std::string_view code = take_part(text, '\n');
                 append_line(block.text, code);
                 is_open = !begins_code(code);
             }
@@ -167,7 +162,7 @@ std::vector<std::string> sentences_of(const std::string& text) {
 std::vector<std::string> items_of(std::string_view list) {
     std::vector<std::string> items;
     while (!list.empty()) {
-        const std::string_view line = next_line(list);
+        const std::string_view line = take_part(list, '\n');
         if (items.empty() || is_list_item(line)) items.emplace_back();
         append_line(items.back(), line);
     }
@@ -214,7 +209,7 @@ CutTable cut_table(std::string_view markdown) {
     bool is_code = false;
     int lines = 0; // of the table
     while (!markdown.empty()) {
-        const std::string_view line = next_line(markdown);
+        const std::string_view line = take_part(markdown, '\n');
         if (begins_code(line)) is_code = !is_code;
         const bool is_of_table = !is_code && line.starts_with('|') && cut.after.empty();
         if (!is_of_table) {

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "base/files.h"
+#include "base/letter_case.h"
 #include "base/quoted.h"
 #include "base/toml_input.h"
 
@@ -14,7 +15,7 @@ namespace {
 Phrase phrase_of(const std::string& text, const TomlInput& entry) {
     Phrase phrase;
     const std::string quoted = in_quotes(text);
-    if (std::any_of(text.begin(), text.end(), [](char c) { return c >= 'A' && c <= 'Z'; }))
+    if (text != in_small_letters(text))
         entry.fail(quoted + " has a capital, but phrases are compared in small letters.");
     for (const std::string_view place : split(text, ' ')) {
         const std::vector<std::string_view> words = split(place, '|');

@@ -104,9 +104,7 @@ std::vector<WidgetPattern> parse_widget_patterns(std::string_view text, const st
     constexpr std::string_view not_for_lessons = "- ";
     std::vector<WidgetPattern> patterns;
     for (int line = 1; !text.empty(); ++line) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view name = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
+        std::string_view name = take_part(text, '\n');
         if (name.ends_with('\r')) name.remove_suffix(1);
         if (name.empty() || name.starts_with('#')) continue;
         WidgetPattern pattern;

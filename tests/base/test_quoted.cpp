@@ -40,3 +40,13 @@ TEST_CASE("A text is split at each separator, and nothing is lost") {
     CHECK(split(",a,,", ',') == std::vector<std::string_view>{"", "a", "", ""});
     CHECK(split("", ',') == std::vector<std::string_view>{""});
 }
+
+TEST_CASE("Parts are taken off a text until it is empty") {
+    std::string_view text = "one\n\ntwo";
+    CHECK(take_part(text, '\n') == "one");
+    CHECK(text == "\ntwo");
+    CHECK(take_part(text, '\n').empty());
+    CHECK(take_part(text, '\n') == "two");
+    CHECK(text.empty());
+    CHECK(take_part(text, '\n').empty());
+}

@@ -8,6 +8,7 @@
 
 #include "base/minus_signs.h"
 #include "base/numbers.h"
+#include "base/quoted.h"
 #include "settings/value_words.h"
 #include "text/markdown_text.h"
 #include "ui/actions/compare.h"
@@ -24,13 +25,11 @@ std::string numbers_in_words(std::string_view text) {
     constexpr int digits = 4;
     std::string words;
     while (!text.empty()) {
-        const std::size_t end = std::min(text.find(','), text.size());
-        const std::string part(text.substr(0, end));
+        const std::string part(take_part(text, ','));
         char* rest = nullptr;
         const double number = std::strtod(part.c_str(), &rest);
         const bool is_number = !part.empty() && *rest == '\0';
         words += (words.empty() ? "" : ", ") + (is_number ? significant(number, digits) : part);
-        text.remove_prefix(std::min(end + 1, text.size()));
     }
     return with_minus_signs(words);
 }
