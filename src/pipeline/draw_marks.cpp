@@ -8,17 +8,12 @@ namespace {
 
 constexpr glm::vec3 white{1.0f};
 
-bool is_in(const Rectangle& area, glm::ivec2 pixel) {
-    return pixel.x >= area.left && pixel.x < area.right && pixel.y >= area.top &&
-           pixel.y < area.bottom;
-}
-
 /// Points, edges and row ends are marks: one colour, no depth.
 /// @param told gives the fragment for an observer
 template <class Told>
 void put_mark(Drawing& d, const Cursor& cursor, glm::ivec2 place, const glm::vec3& colour,
               Told told) {
-    if (!is_in(d.scissor, place)) return;
+    if (!contains(d.scissor, place.x, place.y)) return;
     const std::size_t pixel = d.target.at(place.x, place.y);
     const float depth = d.target.rules.depth_clear, stored = d.target.depth[pixel];
     const glm::vec3 before = d.target.colour[pixel];

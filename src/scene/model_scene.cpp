@@ -18,19 +18,14 @@ struct ModelBox {
     glm::vec3 least{0.0f}, most{0.0f};
 };
 
-template <class Places>
-ModelBox box_of(const Places& places, std::size_t count) {
-    ModelBox box{places(0), places(0)};
-    for (std::size_t i = 1; i < count; ++i) {
-        box.least = glm::min(box.least, places(i));
-        box.most = glm::max(box.most, places(i));
+ModelBox box_of(const Mesh& mesh) {
+    const glm::vec3& first = mesh.vertices().front().position;
+    ModelBox box{first, first};
+    for (const Vertex& vertex : mesh.vertices()) {
+        box.least = glm::min(box.least, vertex.position);
+        box.most = glm::max(box.most, vertex.position);
     }
     return box;
-}
-
-ModelBox box_of(const Mesh& mesh) {
-    return box_of([&](std::size_t i) { return mesh.vertices()[i].position; },
-                  mesh.vertices().size());
 }
 
 /// The steps that put a box into the middle of the world.

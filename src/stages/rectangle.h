@@ -16,6 +16,11 @@ constexpr bool is_empty(const Rectangle& r) {
     return r.left >= r.right || r.top >= r.bottom;
 }
 
+/// Is this pixel in it?
+constexpr bool contains(const Rectangle& r, int column, int row) {
+    return column >= r.left && column < r.right && row >= r.top && row < r.bottom;
+}
+
 /// The part common to both; empty if there is none.
 constexpr Rectangle intersection(const Rectangle& a, const Rectangle& b) {
     return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/enumerated.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
@@ -18,11 +19,7 @@ void refuse_option(const GivenOption& option, std::string_view takes, const std:
 }
 
 std::string one_of(std::span<const std::string_view> words) {
-    std::string known;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        known.append(i == 0 ? "" : i + 1 == words.size() ? " or " : ", ").append(words[i]);
-    }
-    return known;
+    return enumerated({words.begin(), words.end()}, "or");
 }
 
 std::size_t option_index(const GivenOption& option, std::span<const std::string_view> words,

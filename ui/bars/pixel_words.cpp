@@ -9,6 +9,7 @@
 #include "base/numbers.h"
 #include "session/depth_view.h"
 #include "ui/actions/compare.h"
+#include "ui/canvas/picture_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -33,10 +34,9 @@ void add_colours_of_both(std::vector<std::string>& facts, const Ui& ui, std::siz
 /// Everything known about the pixel under the pointer, or else the picked one; the first facts
 /// matter most.
 std::vector<std::string> pixel_facts(const Ui& ui) {
-    const auto pixel =
-        ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
+    const std::optional<glm::ivec2> pixel = pixel_asked(ui);
+    if (!pixel) return {"point at a pixel"};
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
-    if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return {"point at a pixel"};
     const std::size_t at = framebuffer.at(pixel->x, pixel->y);
     std::vector<std::string> facts{fmt::format("pixel ({}, {})", pixel->x, pixel->y)};
     if (ui.results.b) {

@@ -339,8 +339,7 @@ bool drag_bench_vertex(Ui& ui) {
         const float reach = std::max(10.0f * ui.options.text_scale, 0.6f * place.scale);
         for (int v = 0; v < triangle_corners; ++v) {
             const glm::vec3 p = ui.session.scene->corner(0, v).position;
-            const ImVec2 at{place.origin.x + place.scale * (p.x + 0.5f),
-                            place.origin.y + place.scale * (p.y + 0.5f)};
+            const ImVec2 at = place.middle_of(p.x, p.y);
             if (std::hypot(at.x - mouse.x, at.y - mouse.y) < reach) ui.canvas.dragged_vertex = v;
         }
     }

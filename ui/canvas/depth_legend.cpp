@@ -9,6 +9,7 @@
 #include "picture/colour_map.h"
 #include "picture/view_image.h"
 #include "session/depth_view.h"
+#include "ui/canvas/picture_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
 #include "ui/widgets/style.h"
@@ -168,10 +169,9 @@ std::string bar_text(const Plot& plot, float x, const std::string& name) {
 
 /// The stored depth of the pixel pointed at or picked; none: it has none.
 std::optional<float> depth_asked(const Ui& ui) {
-    const auto pixel =
-        ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
+    const std::optional<glm::ivec2> pixel = pixel_asked(ui);
+    if (!pixel) return std::nullopt;
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
-    if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return std::nullopt;
     const float depth = stored_depth(framebuffer, pixel->x, pixel->y);
     return is_depth(depth, framebuffer.rules.depth_kind) ? std::optional(depth) : std::nullopt;
 }

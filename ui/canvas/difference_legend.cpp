@@ -12,7 +12,7 @@
 #include "picture/view_image.h"
 #include "session/results.h"
 #include "ui/actions/compare.h"
-#include "ui/canvas/compare_view.h"
+#include "ui/canvas/picture_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -45,11 +45,10 @@ std::string difference_unit(const Ui& ui, View view) {
     return "";
 }
 
-/// The difference at the pixel under the pointer, or at the picked one; none outside the picture.
+/// The difference at the pixel asked about.
 std::optional<float> difference_in_focus(const Ui& ui) {
-    const auto& pixel =
-        ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
-    if (!pixel || !ui.results.a.framebuffer->contains(pixel->x, pixel->y)) return std::nullopt;
+    const std::optional<glm::ivec2> pixel = pixel_asked(ui);
+    if (!pixel) return std::nullopt;
     const std::size_t at = ui.results.a.framebuffer->at(pixel->x, pixel->y);
     return ui.results.comparison.difference_values[at];
 }
@@ -59,8 +58,7 @@ std::vector<std::string> difference_said(const Ui& ui) {
     const std::string unit = difference_unit(ui, ui.session.view);
     const std::optional<float> value = difference_in_focus(ui);
     if (!value) return {unit, "B − A"};
-    const auto& pixel =
-        ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
+    const std::optional<glm::ivec2> pixel = pixel_asked(ui);
     const std::string at =
         fmt::format("at ({}, {}): {}{}", pixel->x, pixel->y, *value > 0.0f ? "+" : "",
                     fixed(static_cast<double>(*value), 4));

@@ -31,11 +31,7 @@ struct Marks {
     float u; ///< design pixel
     float scale;
 
-    /// The middle of a pixel, or a real position counted from pixels' middles.
-    ImVec2 at(float x, float y) const {
-        const PicturePlace& place = run.place;
-        return {place.origin.x + scale * (x + 0.5f), place.origin.y + scale * (y + 0.5f)};
-    }
+    ImVec2 at(float x, float y) const { return run.place.middle_of(x, y); }
     /// Where coverage places a vertex: in the lab the middle of the pixel it is snapped to.
     ImVec2 at(const ScreenVertex& v) const {
         const Stages& stages = run.frame.stages;

@@ -10,6 +10,7 @@
 #include "base/numbers.h"
 #include "picture/view_image.h"
 #include "ui/actions/compare.h"
+#include "ui/canvas/picture_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -32,10 +33,9 @@ std::vector<std::uint32_t> listed_numbers(std::uint32_t most, std::uint32_t boxe
 
 /// The fragments on the pixel pointed at or picked.
 std::optional<std::uint32_t> overdraw_asked(const Ui& ui) {
-    const auto pixel =
-        ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
+    const std::optional<glm::ivec2> pixel = pixel_asked(ui);
+    if (!pixel) return std::nullopt;
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
-    if (!pixel || !framebuffer.contains(pixel->x, pixel->y)) return std::nullopt;
     return framebuffer.overdraw[framebuffer.at(pixel->x, pixel->y)];
 }
 

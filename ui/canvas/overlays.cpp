@@ -83,15 +83,6 @@ void draw_swatch(const Ui& ui, ImDrawList* list, ImVec2 at, Overlay overlay, flo
 
 namespace {
 
-/// The pixel that the legends are about: the one pointed at, or else the one picked.
-std::optional<glm::ivec2> pixel_asked(const Ui& ui) {
-    const auto pixel =
-        ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
-    const Framebuffer& framebuffer = *ui.results.a.framebuffer;
-    const bool is_inside = pixel && framebuffer.contains(pixel->x, pixel->y);
-    return is_inside ? pixel : std::nullopt;
-}
-
 std::string value_at(const Ui& ui, Overlay overlay, glm::ivec2 pixel) {
     // As near as the eye can judge, however much the picture is enlarged.
     const float reach = std::max(5.0f * ui.options.text_scale / ui.canvas.place.scale, 0.75f);
@@ -277,17 +268,13 @@ bool may_cross(ImVec2 a, ImVec2 b, ImVec2 low, ImVec2 high) {
 void draw_wires(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {
     const PicturePlace& place = ui.canvas.place;
     const float u = ui.options.text_scale;
-    const auto middle = [&](glm::ivec2 pixel) {
-        return ImVec2(place.origin.x + place.scale * (static_cast<float>(pixel.x) + 0.5f),
-                      place.origin.y + place.scale * (static_cast<float>(pixel.y) + 0.5f));
-    };
     // A dark line under the bright one keeps it visible on every ground; a carpet has no ground.
     const bool is_carpet = ui.results.overlay.wires.size() > most_wires / 4;
     for (const bool is_shadow : {true, false}) {
         if (is_shadow && is_carpet) continue;
         const ImU32 colour = is_shadow ? IM_COL32(0, 0, 0, 120) : IM_COL32(255, 255, 255, 225);
         for (const WireEdge& wire : ui.results.overlay.wires) {
-            const ImVec2 a = middle(wire.from), b = middle(wire.to);
+            const ImVec2 a = place.middle_of(wire.from), b = place.middle_of(wire.to);
             if (may_cross(a, b, low, high))
                 list->AddLine(a, b, colour, (is_shadow ? 3.0f : 1.0f) * u);
         }

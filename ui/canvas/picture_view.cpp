@@ -72,6 +72,13 @@ NumberedPicture picture_on_show(const RunResults& run) {
     return {run.picture, run.picture_number, run.picture_before, run.picture_changed};
 }
 
+std::optional<glm::ivec2> pixel_asked(const Ui& ui) {
+    const auto pixel =
+        ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
+    const bool is_inside = pixel && ui.results.a.framebuffer->contains(pixel->x, pixel->y);
+    return is_inside ? pixel : std::nullopt;
+}
+
 ImVec2 picture_point(const PicturePlace& place, ImVec2 screen) {
     return {(screen.x - place.origin.x) / place.scale, (screen.y - place.origin.y) / place.scale};
 }

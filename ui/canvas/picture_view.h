@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <imgui.h>
 
 #include "session/run_results.h"
@@ -21,6 +23,10 @@ std::vector<RowTableLayout> place_pictures(Ui& ui, const Panes& panes);
 
 /// The picture of a run, or the preview while that is shown.
 NumberedPicture picture_on_show(const RunResults& run);
+
+/// The pixel that legends and words are about: the one pointed at, or else the one picked; none
+/// outside the picture of run A.
+std::optional<glm::ivec2> pixel_asked(const Ui& ui);
 
 /// Where a point of the screen lies in the picture, pixels of the picture.
 ImVec2 picture_point(const PicturePlace& place, ImVec2 screen);

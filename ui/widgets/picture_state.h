@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include <glm/vec2.hpp>
 #include <imgui.h>
 
 #include "base/image.h"
@@ -13,6 +14,14 @@ namespace rasterwalk {
 struct PicturePlace {
     ImVec2 origin{0, 0};
     float scale = 1.0f; ///< screen pixels per picture pixel
+
+    /// The middle of a pixel, or a real position counted from pixels' middles.
+    ImVec2 middle_of(float column, float row) const {
+        return {origin.x + scale * (column + 0.5f), origin.y + scale * (row + 0.5f)};
+    }
+    ImVec2 middle_of(glm::ivec2 pixel) const {
+        return middle_of(static_cast<float>(pixel.x), static_cast<float>(pixel.y));
+    }
 };
 
 /// A part of the picture, in its pixels; `right` and `bottom` lie outside it.
