@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "scene/model_notice.h"
+#include "ui/actions/action_menus.h"
 #include "ui/actions/focus_keys.h"
 #include "ui/actions/held_keys.h"
 #include "ui/actions/open_lesson.h"
@@ -71,6 +72,19 @@ bool shows_on_start_page(const Action& action) {
 }
 
 } // namespace
+
+std::span<const Action> action_table() {
+    static const std::vector<Action> table = [] {
+        std::vector<Action> all;
+        for (const auto menu : {file_actions, edit_actions, view_actions, stage_actions,
+                                compare_actions, walk_actions, lesson_actions, help_actions}) {
+            for (Action& action : menu())
+                all.push_back(std::move(action));
+        }
+        return all;
+    }();
+    return table;
+}
 
 const Action& find_action(std::string_view name) {
     const auto found = std::find_if(action_table().begin(), action_table().end(),

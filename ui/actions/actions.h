@@ -27,9 +27,9 @@ struct Action {
     std::string help;  ///< one sentence
     Chord chord;
     std::function<void(Ui&)> run;
-    std::function<bool(const Ui&)> is_on; ///< for switches; null otherwise
-    bool begins_group = false;            ///< a line is drawn above it in its menu
-    bool is_on_start_page = false;        ///< works there too, as all of File and Help does
+    std::function<bool(const Ui&)> is_on{}; ///< for switches; null otherwise
+    bool begins_group = false;              ///< a line is drawn above it in its menu
+    bool is_on_start_page = false;          ///< works there too, as all of File and Help does
 };
 
 /// All actions, in the order of the menus.

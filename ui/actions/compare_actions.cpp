@@ -67,15 +67,13 @@ std::vector<Action> compare_actions() {
          "Next difference",
          "Goes to the next moment at which the two runs differ.",
          {'J'},
-         go_to_next_divergence,
-         nullptr},
+         go_to_next_divergence},
         {"compare.previous",
          "Compare",
          "Previous difference",
          "Goes back to the previous moment at which the two runs differ.",
          {'K'},
-         go_to_previous_divergence,
-         nullptr},
+         go_to_previous_divergence},
     };
     actions.insert(actions.end(), others.begin(), others.end());
     return actions;

@@ -12,50 +12,43 @@ std::vector<Action> file_actions() {
          "Open ...",
          "Opens a saved view, a scene or a lesson; undo brings back the previous view.",
          {'O', true},
-         begin_opening,
-         nullptr},
+         begin_opening},
         {"file.lay_texture",
          "File",
          "Apply an image to the model ...",
          "Applies an image to every part of a model that has none of its own.",
          {},
-         begin_choosing_texture,
-         nullptr},
+         begin_choosing_texture},
         {"file.save_view",
          "File",
          "Save the view ...",
          "Writes everything that is shown to a file that can be opened again.",
          {'S', true},
-         begin_saving,
-         nullptr},
+         begin_saving},
         {"file.copy_view",
          "File",
          "Copy the view as a command line",
          "Copies a line that opens the program with exactly this view.",
          {'C', true},
-         copy_command_line,
-         nullptr},
+         copy_command_line},
         {"file.copy_link",
          "File",
          "Copy the view as a link",
          "Copies a link that opens exactly this view in a browser.",
          {'C', true, true},
-         copy_link,
-         nullptr},
+         copy_link},
         {"file.save_picture",
          "File",
          "Save a picture of the window",
          "Saves the window as a PNG in the current folder; in a browser, as a download.",
          {key::f12},
-         [](Ui& ui) { ui.host.wants_picture = true; },
-         nullptr},
+         [](Ui& ui) { ui.host.wants_picture = true; }},
         {"file.quit",
          "File",
          "Quit",
          "Closes Rasterwalk.",
          {'Q', true},
-         [](Ui& ui) { ui.host.wants_quit = true; },
-         nullptr},
+         [](Ui& ui) { ui.host.wants_quit = true; }},
     };
 }
 
@@ -68,8 +61,7 @@ std::vector<Action> edit_actions() {
          {'Z', true},
          [](Ui& ui) {
              if (!undo(ui.session)) ui.session.notice = "Nothing to undo.";
-         },
-         nullptr},
+         }},
         {"edit.redo",
          "Edit",
          "Redo",
@@ -77,8 +69,7 @@ std::vector<Action> edit_actions() {
          {'Z', true, true},
          [](Ui& ui) {
              if (!redo(ui.session)) ui.session.notice = "Nothing to redo.";
-         },
-         nullptr},
+         }},
         {"go.back",
          "Edit",
          "Back",
@@ -86,8 +77,7 @@ std::vector<Action> edit_actions() {
          {key::left, false, false, true},
          [](Ui& ui) {
              if (!go_back(ui.session)) ui.session.notice = "This is the first place visited.";
-         },
-         nullptr},
+         }},
         {"go.forward",
          "Edit",
          "Forward",
@@ -95,8 +85,7 @@ std::vector<Action> edit_actions() {
          {key::right, false, false, true},
          [](Ui& ui) {
              if (!go_forward(ui.session)) ui.session.notice = "This is the last place visited.";
-         },
-         nullptr},
+         }},
     };
 }
 
