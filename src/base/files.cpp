@@ -4,6 +4,7 @@
 #include <charconv>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -157,6 +159,9 @@ bool take_after(int descriptor, const struct stat& old) {
     return ::fchmod(descriptor, old.st_mode & 07777) == 0;
 }
 
+constexpr int most_tries = 50;
+constexpr timespec pause_between_tries{0, 10'000'000}; // 10 ms
+
 } // namespace
 
 std::string read_file(const std::string& path, std::size_t limit,
@@ -209,6 +214,33 @@ void write_file(const std::string& path, std::string_view bytes) {
 bool is_same_file(const std::string& a, const std::string& b) {
     std::error_code fault;
     return a == b || (std::filesystem::equivalent(a, b, fault) && !fault);
+}
+
+FileState file_state(const std::string& path) {
+    FileState state;
+    std::error_code fault;
+    const auto written = std::filesystem::last_write_time(path, fault);
+    if (!fault) state.written = written;
+    const std::uintmax_t size = std::filesystem::file_size(path, fault);
+    if (!fault) state.size = size;
+    return state;
+}
+
+FileLock::FileLock(const std::string& path)
+    : descriptor_(
+          ::open((path + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600)) {
+    if (descriptor_ < 0) return;
+    for (int i = 0; i < most_tries; ++i) {
+        if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+        if (errno != EWOULDBLOCK && errno != EINTR) return;
+        ::nanosleep(&pause_between_tries, nullptr);
+    }
+    ::close(descriptor_);
+    throw AccessError("cannot write '" + path + "': another program is writing to it.");
+}
+
+FileLock::~FileLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 } // namespace rasterwalk

@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -37,5 +39,32 @@ void write_file(const std::string& path, std::string_view bytes);
 
 /// Do two paths lead to the same file? Two paths of the same letters do, even if nothing is there.
 bool is_same_file(const std::string& a, const std::string& b);
+
+/// When a file was last written, and its size in bytes: together they show whether it changed.
+struct FileState {
+    std::filesystem::file_time_type written{};
+    std::uintmax_t size = 0;
+
+    friend bool operator==(const FileState&, const FileState&) = default;
+};
+
+/// The current state of a file; FileState{} if there is none or its state cannot be read. Never
+/// throws.
+FileState file_state(const std::string& path);
+
+/// Keeps other processes, and other locks of this one, away from a file while it is read and
+/// rewritten. The lock is held on a file next to it, NAME.lock, which stays there.
+class FileLock {
+  public:
+    /// Waits for at most about half a second. If the file system has no locks, or nothing can be
+    /// written, there is no lock. Throws AccessError if another lock holds it for longer.
+    explicit FileLock(const std::string& path);
+    FileLock(const FileLock&) = delete;
+    FileLock& operator=(const FileLock&) = delete;
+    ~FileLock();
+
+  private:
+    int descriptor_;
+};
 
 } // namespace rasterwalk

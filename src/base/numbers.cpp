@@ -101,4 +101,11 @@ std::string unit_for(std::string_view number, std::string_view many) {
     return std::string(many.substr(0, many.size() - 1));
 }
 
+std::string with_minus_signs(std::string_view text) {
+    std::string shown;
+    for (const char c : text)
+        shown += c == '-' ? std::string("−") : std::string(1, c);
+    return shown;
+}
+
 } // namespace rasterwalk

@@ -52,4 +52,7 @@ std::string counted(std::int64_t count, std::string_view one, std::string_view m
 /// after every other.
 std::string unit_for(std::string_view number, std::string_view many);
 
+/// The text of a number with minus signs for hyphens: "−2.5e−05".
+std::string with_minus_signs(std::string_view text);
+
 } // namespace rasterwalk

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/file_state.h"
+#include "base/files.h"
 #include "lessons/lesson.h"
 
 namespace rasterwalk {

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "base/minus_signs.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
 #include "session/content.h"

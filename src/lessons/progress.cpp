@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/file_lock.h"
 #include "base/files.h"
 #include "base/toml_input.h"
 

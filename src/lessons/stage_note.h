@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/file_state.h"
+#include "base/files.h"
 #include "facts/expression.h"
 #include "session/session.h"
 

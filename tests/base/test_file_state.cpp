@@ -1,4 +1,4 @@
-#include "base/file_state.h"
+#include "base/files.h"
 
 #include <chrono>
 #include <filesystem>

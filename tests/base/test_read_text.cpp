@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "base/file_lock.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 

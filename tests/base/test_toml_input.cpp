@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "base/toml_nesting.h"
 #include "laboratory/bug.h"
 #include "lessons/lesson.h"
 #include "lessons/progress.h"
@@ -15,6 +14,7 @@
 #include "view/state_file.h"
 
 using namespace rasterwalk;
+using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -83,7 +83,7 @@ TEST_CASE("Dots and brackets in strings, comments and numbers do not count as ne
              repeated("a1 = 1.5 # .\n", 1),
          }) {
         INFO(text);
-        CHECK_FALSE(line_nested_too_deeply(text));
+        CHECK_THAT(fault_of(text), !ContainsSubstring(sentence));
     }
     // A string that has ended hides nothing.
     for (const std::string& start :
@@ -91,6 +91,6 @@ TEST_CASE("Dots and brackets in strings, comments and numbers do not count as ne
           std::string("a = \"\"\"x\"\"\"\"\"\n"), std::string("a = ''''''\n"),
           std::string("# \"\n")}) {
         INFO(start);
-        CHECK(line_nested_too_deeply(start + repeated("b.", 100)) == 2);
+        CHECK(fault_of(start + repeated("b.", 100)) == "x.toml:2: " + sentence);
     }
 }

@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "base/error.h"
-#include "base/file_state.h"
 #include "base/files.h"
 #include "base/image.h"
 #include "laboratory/diagnose.h"

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <sstream>
 
-#include "base/file_lock.h"
 #include "base/files.h"
 #include "base/toml_input.h"
 #include "ui/actions/kept_file.h"

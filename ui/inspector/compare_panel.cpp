@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/element_names.h"
-#include "session/moment_text.h"
+#include "session/moments.h"
 #include "settings/setting_table.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"

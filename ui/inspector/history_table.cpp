@@ -8,7 +8,7 @@
 #include "base/element_names.h"
 #include "explain/depth_formulas.h"
 #include "picture/view_image.h"
-#include "session/moment_text.h"
+#include "session/moments.h"
 #include "session/walk.h"
 #include "ui/inspector/history_parts.h"
 #include "ui/ui.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "base/file_state.h"
+#include "base/files.h"
 #include "base/image.h"
 #include "laboratory/bug.h"
 #include "laboratory/candidate.h"

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/minus_signs.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
 #include "settings/value_words.h"

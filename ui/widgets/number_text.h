@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/minus_signs.h"
+#include "base/numbers.h"
 #include "inspect/microscope.h"
 
 namespace rasterwalk {
