@@ -11,7 +11,7 @@
 
 #include "base/linear_system.h"
 #include "picture/view_image.h"
-#include "scene/scene_box.h"
+#include "scene/scene.h"
 #include "settings/setting_table.h"
 
 namespace rasterwalk {

@@ -9,7 +9,7 @@
 #include "laboratory/image_variant.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
-#include "session/section_words.h"
+#include "session/glossary.h"
 #include "session/session.h"
 #include "stages/stages.h"
 

@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "outside/filled_part.h"
-#include "outside/seen_box.h"
+#include "outside/outside_eye.h"
 #include "outside/seen_line.h"
 #include "outside/seen_pane.h"
 #include "outside/seen_texture.h"

@@ -14,7 +14,7 @@
 #include "outside/outside_eye.h"
 #include "outside/sample_grid.h"
 #include "outside/seen_clipping.h"
-#include "outside/shrunken_picture.h"
+#include "outside/seen_pane.h"
 #include "outside/world_triangle.h"
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"

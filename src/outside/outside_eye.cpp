@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "base/limits.h"
 #include "stages/vertex_shader.h"
@@ -155,6 +156,31 @@ OutsideView shifted(OutsideView view, const OutsideEye& eye, glm::vec2 pixels) {
     view.target -= glm::vec3(eye.rotation * glm::dvec3(scale * static_cast<double>(pixels.x),
                                                        scale * static_cast<double>(pixels.y), 0.0));
     return within_ranges(view);
+}
+
+Rectangle box_around(const OutsideEye& eye, std::span<const glm::dvec3> corners,
+                     const Rectangle& area) {
+    const auto is_near = [&](const glm::dvec3& corner) { return corner.z < eye.near_distance; };
+    glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
+    for (const glm::dvec3& corner : corners) {
+        if (!std::isfinite(corner.x + corner.y + corner.z)) return {};
+        if (is_near(corner)) continue;
+        const glm::dvec2 pixel = eye.pixel(corner);
+        low = glm::min(low, pixel);
+        high = glm::max(high, pixel);
+    }
+    if (std::all_of(corners.begin(), corners.end(), is_near)) return {};
+    if (std::any_of(corners.begin(), corners.end(), is_near)) return area;
+    // A point between two corners may be rounded beyond them.
+    const glm::dvec2 first = glm::floor(low) - 1.0, end = glm::ceil(high) + 1.0;
+    const auto column = [&](double x) {
+        return static_cast<int>(std::clamp<double>(x, area.left, area.right));
+    };
+    const auto row = [&](double y) {
+        return static_cast<int>(std::clamp<double>(y, area.top, area.bottom));
+    };
+    const Rectangle box{column(first.x), row(first.y), column(end.x), row(end.y)};
+    return is_empty(box) ? Rectangle{} : box;
 }
 
 } // namespace rasterwalk

@@ -9,6 +9,7 @@
 
 #include "outside/outside_view.h"
 #include "outside/picture_plane.h"
+#include "stages/rectangle.h"
 
 namespace rasterwalk {
 
@@ -55,5 +56,14 @@ OutsideEye eye_of(const OutsideView& view, const OutsideThings& things, glm::ive
 /// The view with the target moved across it.
 /// @param pixels its movement in the picture of this eye
 OutsideView shifted(OutsideView view, const OutsideEye& eye, glm::vec2 pixels);
+
+/// A rectangle of samples that contains all that is seen of a convex polygon: the smallest, or a
+/// slightly larger one; the whole area if a part of the polygon is too near. Empty if nothing of
+/// it is seen, or a corner is not finite.
+/// @param eye     in samples
+/// @param corners in the space of the eye
+/// @param area    the samples of interest
+Rectangle box_around(const OutsideEye& eye, std::span<const glm::dvec3> corners,
+                     const Rectangle& area);
 
 } // namespace rasterwalk

@@ -13,7 +13,6 @@
 #include <glm/vec3.hpp>
 
 #include "scene/scene.h"
-#include "scene/scene_box.h"
 #include "stages/orthographic.h"
 
 namespace rasterwalk {

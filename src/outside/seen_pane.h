@@ -1,14 +1,18 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "base/image.h"
 #include "outside/outside_eye.h"
 #include "outside/picture_plane.h"
+#include "pipeline/framebuffer.h"
 #include "stages/rectangle.h"
 
 namespace rasterwalk {
@@ -39,5 +43,45 @@ std::optional<SeenPane> seen_pane(const PicturePlane& plane, const OutsideEye& e
 /// @param area   the samples of interest
 Rectangle box_of_pixels(const SeenPane& pane, const OutsideEye& eye, const Rectangle& pixels,
                         const Rectangle& area);
+
+/// A pixel of the picture on its pane of glass, 0..255 each.
+struct PanePixel {
+    std::uint8_t red = 0, green = 0, blue = 0;
+    std::uint8_t opacity = 255;
+};
+
+/// The picture in blocks of `block` x `block` pixels, as seen from far away.
+struct ShrunkenPicture {
+    int block = 1; ///< pixels
+    int width = 0; ///< blocks
+    std::vector<PanePixel> blocks;
+
+    /// The colour at a pixel of the picture.
+    const PanePixel& at(int column, int row) const {
+        return blocks[static_cast<std::size_t>(row / block) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(column / block)];
+    }
+};
+
+/// The smallest width of a block, pixels, such that no sample has more than one block.
+/// @param samples width of a pixel of the picture, in the eye's samples
+int block_size(const Image& picture, double samples);
+
+/// Makes it. A line one pixel wide does not fade with the size: in a block, drawn pixels count for
+/// more than empty ones.
+/// @param framebuffer that the picture, which must not be empty, was made from: pixels without an
+///                    owner are glass
+/// @param block       pixels, at least 1
+/// @param see_through opacity where nothing is drawn, 0..1
+ShrunkenPicture shrunken(const Image& picture, const Framebuffer& framebuffer, int block,
+                         float see_through);
+
+/// The same where the picture has changed since: only the blocks of these pixels are remade.
+/// @param pixels that have changed, inside the picture
+void shrink_again(const Image& picture, const Framebuffer& framebuffer, float see_through,
+                  const Rectangle& pixels, ShrunkenPicture& shown);
+
+/// The colour with the pixel laid over it, in the form of the samples, see packed_colour().
+std::uint32_t laid_over(const PanePixel& pixel, std::uint32_t colour);
 
 } // namespace rasterwalk

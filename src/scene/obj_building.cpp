@@ -6,20 +6,73 @@
 #include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/vec3.hpp>
 
 #include "base/limits.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
 #include "scene/obj_normals.h"
-#include "scene/obj_places.h"
+#include "scene/obj_statements.h"
 #include "scene/polygon_cutter.h"
 
 namespace rasterwalk {
 
 namespace {
+
+/// The points of a model as floats. A model in map coordinates may be millions of times its own
+/// size away from the origin, where floats are as far apart as its points. It is brought near in
+/// double.
+struct ObjPlaces {
+    std::vector<glm::vec3> places; ///< of all positions, `origin` subtracted; a NaN stays one
+    glm::dvec3 origin{0.0};        ///< in the file's units; 0 where the model is near enough
+};
+double longest(const glm::dvec3& way) {
+    return std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
+}
+
+glm::dvec3 origin_of(const ObjStatements& file) {
+    if (file.faces.empty()) return glm::dvec3(0.0);
+    const auto position = [&](const ObjCorner& corner) {
+        return file.positions[static_cast<std::size_t>(corner.position)];
+    };
+    glm::dvec3 least = position(file.corner(file.faces.front(), 0)), most = least;
+    for (const ObjFace& face : file.faces) {
+        for (int i = 0; i < face.corner_count; ++i) {
+            const glm::dvec3 place = position(file.corner(face, i));
+            least = glm::min(least, place);
+            most = glm::max(most, place);
+        }
+    }
+    glm::dvec3 middle = 0.5 * (least + most);
+    const double half = 0.5 * longest(most - least);
+    constexpr double far = 16.0;
+    if (half == 0.0 || longest(middle) <= far * half) return glm::dvec3(0.0);
+    // A power of two, so that subtracting the middle rounds nothing again.
+    const double unit = std::ldexp(1.0, std::ilogb(half) - 7);
+    for (int i = 0; i < 3; ++i) {
+        const double units = middle[i] / unit;
+        constexpr double most_whole = 1e15; // of a double
+        if (std::abs(units) < most_whole) middle[i] = std::round(units) * unit;
+    }
+    return middle;
+}
+
+/// The positions of a model as floats. A model is far away if the middle of its box (of the points
+/// that its faces name) is farther from the origin along an axis than 16 times the box's longest
+/// half side; the origin is then that middle, to a hundredth of that half side or better.
+/// @param file all its faces name positions that exist
+ObjPlaces obj_places(const ObjStatements& file) {
+    ObjPlaces made;
+    made.origin = origin_of(file);
+    made.places.reserve(file.positions.size());
+    for (const glm::dvec3& position : file.positions)
+        made.places.emplace_back(position - made.origin);
+    return made;
+}
 
 class ModelBuilder {
   public:

@@ -8,15 +8,16 @@
 #include <unordered_map>
 #include <utility>
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "base/enumerated.h"
 #include "base/files.h"
 #include "base/toml_input.h"
 #include "scene/look_at.h"
 #include "scene/read_surface.h"
-#include "scene/read_texture.h"
 
 namespace rasterwalk {
 
@@ -70,16 +71,14 @@ template <class Enum>
 void read_word(const TomlInput& input, std::string_view key, Enum& value) {
     if (input.find(key) == nullptr) return;
     const std::string given = input.text(key);
-    std::string known;
-    for (std::size_t i = 0; i < enum_words<Enum>.size(); ++i) {
-        if (enum_words<Enum>[i] == given) {
-            value = static_cast<Enum>(i);
-            return;
-        }
-        known.append(known.empty() ? "" : " or ").append(enum_words<Enum>[i]);
+    const std::optional<Enum> known = value_of_word<Enum>(given);
+    if (!known) {
+        const auto& words = enum_words<Enum>;
+        input.fail(*input.find(key),
+                   fmt::format("'{}' of {} is {}, not '{}'.", key, input.what(),
+                               enumerated({words.begin(), words.end()}, "or"), given));
     }
-    input.fail(*input.find(key), "'" + std::string(key) + "' of " + input.what() + " is " + known +
-                                     ", not '" + given + "'.");
+    value = *known;
 }
 
 void read_light(const TomlInput& input, Light& light) {

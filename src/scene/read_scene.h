@@ -13,7 +13,7 @@ namespace rasterwalk {
 /// Reads a scene from a TOML file. Throws AccessError if the file cannot be read, InputError with
 /// file:line for anything wrong in it: bad syntax, unknown keys, points that do not exist, numbers
 /// that are not finite, sizes out of range, more triangles than `max_triangles`, textures that
-/// cannot be used (see read_texture.h). Throws ReadingStopped if the watch stops it.
+/// cannot be used (see read_surface.h). Throws ReadingStopped if the watch stops it.
 /// @param stages names that `stage` may have; empty: any
 Scene read_scene(const std::string& path, std::span<const std::string_view> stages = {},
                  const ReadingWatch& watch = {});

@@ -1,10 +1,27 @@
 #include "scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace rasterwalk {
+
+namespace {
+
+/// The picture that a triangle's part names; null if it names none.
+const Texture* picture_of(const Scene& scene, int triangle, int Part::*index) {
+    if (scene.textures.empty()) return nullptr;
+    const int part = part_of(scene, triangle);
+    const int picture = part < 0 ? -1 : scene.parts[static_cast<std::size_t>(part)].*index;
+    return picture < 0 ? nullptr : &*scene.textures[static_cast<std::size_t>(picture)];
+}
+
+constexpr double smallest_radius = 1e-3;
+
+} // namespace
 
 glm::vec3 face_normal(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2) {
     const glm::vec3 across = glm::cross(v2 - v0, v1 - v0);
@@ -22,18 +39,6 @@ int part_of(const Scene& scene, int triangle) {
                          [](int number, const Part& part) { return number < part.first_triangle; });
     return static_cast<int>(behind - scene.parts.begin()) - 1;
 }
-
-namespace {
-
-/// The picture that a triangle's part names; null if it names none.
-const Texture* picture_of(const Scene& scene, int triangle, int Part::*index) {
-    if (scene.textures.empty()) return nullptr;
-    const int part = part_of(scene, triangle);
-    const int picture = part < 0 ? -1 : scene.parts[static_cast<std::size_t>(part)].*index;
-    return picture < 0 ? nullptr : &*scene.textures[static_cast<std::size_t>(picture)];
-}
-
-} // namespace
 
 const Texture* texture_of(const Scene& scene, int triangle) {
     return picture_of(scene, triangle, &Part::texture);
@@ -67,6 +72,22 @@ bool has_texture_alpha(const Scene& scene) {
 
 const std::string& part_name(const Scene& scene, int triangle) {
     return scene.parts[static_cast<std::size_t>(part_of(scene, triangle))].name;
+}
+
+double SceneBox::radius() const {
+    return std::max(0.5 * glm::length(high - low), smallest_radius);
+}
+
+SceneBox box_of(const Scene& scene) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    SceneBox box{glm::dvec3(infinity), glm::dvec3(-infinity)};
+    for (const Vertex& vertex : scene.mesh.vertices()) {
+        const glm::dvec3 place(vertex.position);
+        if (!std::isfinite(place.x + place.y + place.z)) continue;
+        box.low = glm::min(box.low, place);
+        box.high = glm::max(box.high, place);
+    }
+    return box.low.x <= box.high.x ? box : SceneBox();
 }
 
 } // namespace rasterwalk

@@ -83,4 +83,15 @@ class TextureFiles {
     std::size_t texels_ = 0; ///< of all unpacked files, and of further textures made from them
 };
 
+/// Is the picture mostly light blue, as normal maps are, and not grey?
+bool looks_like_normals(const Image& image);
+
+/// The normal map of a height map: a picture whose grey, the mean of red, green and blue, is a
+/// height. Slopes are differences between the texels on both sides; beyond its borders the picture
+/// repeats.
+///
+/// Source: J. F. Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978.
+/// @param height of white above black, texels; below 0 white is deeper
+Image normals_of_heights(const Image& heights, float height);
+
 } // namespace rasterwalk

@@ -32,4 +32,9 @@ std::vector<Term> read_glossary(const std::string& path) {
     return parse_glossary(read_file(path), path);
 }
 
+std::string section_words(std::string_view section) {
+    const bool is_beyond = section.starts_with("Beyond the lab");
+    return std::string(is_beyond ? "" : "lab: ").append(section);
+}
+
 } // namespace rasterwalk

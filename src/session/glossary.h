@@ -18,4 +18,8 @@ struct Term {
 std::vector<Term> read_glossary(const std::string& path);
 std::vector<Term> parse_glossary(std::string_view text, const std::string& path);
 
+/// The section of a term, a lesson or a stage in words: "lab: Drawing edges"; one beyond the lab
+/// unchanged, "Beyond the lab: textures".
+std::string section_words(std::string_view section);
+
 } // namespace rasterwalk

@@ -1,13 +1,25 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "pipeline/cursor.h"
-#include "session/selection.h"
 
 namespace rasterwalk {
 
 struct Session;
+
+/// What is looked at: the same in every panel. Counts from 0.
+struct Selection {
+    std::optional<int> triangle;
+    std::optional<int> vertex;       ///< of the triangle, 0..2
+    std::optional<int> row;          ///< row of the picture
+    std::optional<glm::ivec2> pixel; ///< column, row
+
+    friend bool operator==(const Selection&, const Selection&) = default;
+};
 
 /// Where the student looks: a moment, and what is selected. Back and forward return to it.
 struct Place {

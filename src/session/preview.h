@@ -9,8 +9,8 @@
 
 #include "base/image.h"
 #include "engines/engine_picture.h"
-#include "pipeline/run.h"
 #include "scene/scene.h"
+#include "session/second_run.h"
 #include "session/session.h"
 #include "settings/settings.h"
 

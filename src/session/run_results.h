@@ -13,9 +13,9 @@
 #include "pipeline/frame.h"
 #include "pipeline/frame_preparation.h"
 #include "pipeline/replay.h"
-#include "pipeline/run.h"
 #include "session/inspected.h"
 #include "session/preview.h"
+#include "session/second_run.h"
 #include "session/session.h"
 
 namespace rasterwalk {

@@ -12,12 +12,19 @@
 #include <vector>
 
 #include "base/enum_words.h"
-#include "pipeline/run.h"
 #include "scene/scene.h"
+#include "settings/settings.h"
 
 namespace rasterwalk {
 
 struct Session;
+
+/// One way to draw a scene.
+struct Run {
+    Settings settings;
+
+    friend bool operator==(const Run&, const Run&) = default;
+};
 
 /// How the two pictures are shown.
 enum class CompareView : std::uint8_t {

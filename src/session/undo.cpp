@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "scene/scene_bytes.h"
 #include "session/session.h"
 
 namespace rasterwalk {
@@ -46,6 +45,11 @@ void forget_oldest(UndoStack& stack) {
     stack.past.erase(stack.past.begin(), stack.past.end() - kept);
 }
 
+template <typename Element>
+std::size_t bytes_of(const std::vector<Element>& list) {
+    return list.capacity() * sizeof(Element);
+}
+
 } // namespace
 
 void note_choices(Session& session) {
@@ -69,6 +73,17 @@ bool undo(Session& session) {
 bool redo(Session& session) {
     note_choices(session);
     return move_between(session, session.undo.future, session.undo.past);
+}
+
+void SceneBytes::add(const Scene* scene) {
+    if (scene == nullptr || !counted_.insert(scene).second) return;
+    total_ += sizeof(Scene) + bytes_of(scene->mesh.vertices()) + bytes_of(scene->mesh.triangles()) +
+              bytes_of(scene->parts) + bytes_of(scene->polygons) + bytes_of(scene->examples);
+    for (const SharedTexture& texture : scene->textures) {
+        if (!counted_.insert(&*texture).second) continue;
+        for (const TextureLevel& level : (*texture).levels)
+            total_ += bytes_of(level.texels) + bytes_of(level.alphas);
+    }
 }
 
 } // namespace rasterwalk

@@ -3,12 +3,13 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "picture/overlay.h"
 #include "picture/view_image.h"
 #include "pipeline/framebuffer.h"
-#include "pipeline/run.h"
+#include "scene/scene.h"
 #include "session/second_run.h"
 
 namespace rasterwalk {
@@ -53,5 +54,18 @@ bool redo(Session& session);
 
 /// The most steps that are remembered; older ones are forgotten.
 inline constexpr std::size_t most_undo_steps = 200;
+
+/// Memory that scenes take, bytes. What several of them share counts once.
+class SceneBytes {
+  public:
+    /// Counts this scene too; null counts nothing.
+    void add(const Scene* scene);
+
+    std::size_t total() const { return total_; }
+
+  private:
+    std::set<const void*> counted_; ///< scenes and textures
+    std::size_t total_ = 0;
+};
 
 } // namespace rasterwalk

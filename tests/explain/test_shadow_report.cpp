@@ -5,7 +5,7 @@
 #include "pipeline/draw.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
-#include "session/shadow_outside.h"
+#include "session/outside_reports.h"
 #include "settings/setting_table.h"
 #include "support/bits.h"
 #include "support/recorder.h"

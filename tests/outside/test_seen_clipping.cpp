@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "outside/outside_marks.h"
-#include "session/clipping_outside.h"
+#include "session/outside_reports.h"
 #include "settings/setting_table.h"
 #include "stages/orthographic.h"
 #include "support/clipped_room.h"

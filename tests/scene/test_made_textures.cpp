@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/image.h"
-#include "scene/height_map.h"
+#include "scene/texture_files.h"
 #include "session/content.h"
 #include "support/painted.h"
 #include "tests/support/catch.h"

@@ -14,8 +14,8 @@
 #include "base/faults.h"
 #include "base/image.h"
 #include "base/limits.h"
-#include "scene/inside_out.h"
 #include "scene/model_notice.h"
+#include "scene/model_scene.h"
 #include "tests/support/catch.h"
 #include "tests/support/project_root.h"
 #include "tests/support/temporary_folder.h"
@@ -267,11 +267,7 @@ TEST_CASE("More faults than are kept are counted") {
 TEST_CASE("A model that is inside out is reported with the cure, and no other model is") {
     const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
     const auto notice_of = [&](const std::string& faces) {
-        ObjModel model = parse_obj(points + faces, "m.obj");
-        Scene scene;
-        scene.mesh = std::move(model.mesh);
-        scene.model_report = model.report;
-        return model_notice(scene);
+        return model_notice(scene_of_model(parse_obj(points + faces, "m.obj")));
     };
     CHECK(notice_of("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n").empty());
     CHECK_THAT(notice_of("f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n"),
@@ -279,8 +275,8 @@ TEST_CASE("A model that is inside out is reported with the cure, and no other mo
     CHECK(notice_of("f 1 2 3\n").empty());
     for (const char* name : {"cube", "globe", "knot", "sphere", "teapot", "torus"}) {
         INFO(name);
-        CHECK_FALSE(
-            is_inside_out(read_obj(project_root() + "/lessons/models/" + name + ".obj").mesh));
+        const ObjModel model = read_obj(project_root() + "/lessons/models/" + name + ".obj");
+        CHECK_THAT(model_notice(scene_of_model(model)), !ContainsSubstring("inward"));
     }
 }
 

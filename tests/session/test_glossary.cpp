@@ -1,7 +1,6 @@
 #include "base/error.h"
 #include "session/content.h"
 #include "session/glossary.h"
-#include "session/section_words.h"
 #include "tests/support/catch.h"
 
 namespace rasterwalk {

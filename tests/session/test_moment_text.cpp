@@ -1,4 +1,4 @@
-#include "session/moment_text.h"
+#include "session/moments.h"
 
 #include <regex>
 #include <string>

@@ -1,6 +1,5 @@
 #include "session/undo.h"
 
-#include "scene/scene_bytes.h"
 #include "session/session.h"
 #include "tests/support/catch.h"
 

@@ -7,7 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "mistakes/normal_map.h"
-#include "scene/height_map.h"
+#include "scene/texture_files.h"
 #include "support/painted.h"
 #include "support/random.h"
 #include "tests/support/catch.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "session/moment_text.h"
+#include "session/moments.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/outside.h"
 #include "ui/bars/bars.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "session/section_words.h"
+#include "session/glossary.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"

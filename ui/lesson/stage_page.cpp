@@ -4,7 +4,7 @@
 #include <string>
 
 #include "facts/facts.h"
-#include "session/section_words.h"
+#include "session/glossary.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/lesson/page_footer.h"

@@ -3,7 +3,7 @@
 #include <imgui.h>
 
 #include "base/letter_case.h"
-#include "session/section_words.h"
+#include "session/glossary.h"
 #include "ui/sheets/reading_sheet.h"
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "session/moment_text.h"
+#include "session/moments.h"
 #include "session/second_run.h"
 #include "session/walk.h"
 #include "settings/setting_table.h"
