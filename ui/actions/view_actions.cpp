@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "picture/view_image.h"
 #include "session/walk.h"
@@ -8,14 +9,46 @@
 #include "ui/actions/lecture.h"
 #include "ui/actions/open_tab.h"
 #include "ui/actions/outside.h"
-#include "ui/actions/zoom.h"
+#include "ui/actions/picture_fit.h"
 #include "ui/ui.h"
 #include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
+#include "view/view_state.h"
 
 namespace rasterwalk {
 
 namespace {
+
+/// Around the triangle, pixels of the picture.
+constexpr float room_around = 0.5f;
+
+/// Enlarges the triangle that the inspector shows, as far as it fits.
+void zoom_to_triangle(Ui& ui) {
+    const auto& widget = ui.widgets.find("canvas");
+    if (!ui.results.a.triangle || widget == ui.widgets.end()) return;
+    if (!ui.results.a.frame.is_drawn(*ui.results.a.triangle)) return;
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    PicturePart part{infinite, infinite, -infinite, -infinite};
+    for (const ScreenVertex& vertex :
+         ui.results.a.frame.triangle_vertices(*ui.results.a.triangle)) {
+        const auto column = static_cast<float>(vertex.column), row = static_cast<float>(vertex.row);
+        part = {std::min(part.left, column - room_around), std::min(part.top, row - room_around),
+                std::max(part.right, column + 1.0f + room_around),
+                std::max(part.bottom, row + 1.0f + room_around)};
+    }
+    const ImVec2 low = widget->second.top_left, high = widget->second.bottom_right;
+    const PicturePlace place = fit_part(ui, part, low, high).place;
+    // The middle of the triangle stays in its place, however the zoom is limited.
+    const float zoom = std::clamp(place.scale, smallest_zoom, largest_zoom);
+    const auto centre = [&](float middle, float origin, float from, float to) {
+        const float at = origin + place.scale * middle;
+        return middle + (0.5f * (from + to) - at) / zoom;
+    };
+    ui.session.canvas.zoom = zoom;
+    ui.session.canvas.centre = {
+        centre(0.5f * (part.left + part.right), place.origin.x, low.x, high.x),
+        centre(0.5f * (part.top + part.bottom), place.origin.y, low.y, high.y)};
+}
 
 void set_text_scale(Ui& ui, float scale) {
     ui.options.wished_text_scale = std::clamp(scale, smallest_text_scale, largest_text_scale);
@@ -84,8 +117,7 @@ std::vector<Action> turning_actions() {
                            [turn](Ui& ui) {
                                if (shown_on_canvas(ui) == CanvasShows::picture) return;
                                turn_outside(ui, turn.yaw, turn.pitch);
-                           },
-                           nullptr});
+                           }});
     }
     return actions;
 }
@@ -119,15 +151,13 @@ std::vector<Action> view_actions() {
              ui.session.canvas.zoom = 0.0f;
              ui.session.canvas.outside.distance = 0.0f;
              ui.session.canvas.outside.is_camera = false;
-         },
-         nullptr},
+         }},
         {"view.zoom_selection",
          "View",
          "Zoom to the triangle",
          "Enlarges the triangle that the inspector shows.",
          {'X'},
-         zoom_to_triangle,
-         nullptr},
+         zoom_to_triangle},
         {"view.settings",
          "View",
          "Settings",
@@ -166,8 +196,7 @@ std::vector<Action> view_actions() {
          "Normal text",
          "Sets the text back to 16 pixels.",
          {key::digit_0, true},
-         [](Ui& ui) { set_text_scale(ui, 1.0f); },
-         nullptr},
+         [](Ui& ui) { set_text_scale(ui, 1.0f); }},
         {"view.theme",
          "View",
          "Light theme",
@@ -192,8 +221,7 @@ std::vector<Action> stage_actions() {
                            std::string(info.title),
                            std::string(info.menu_help),
                            {'1' + static_cast<int>(actions.size())},
-                           [step](Ui& ui) { set_step(ui.session.a.settings, step); },
-                           nullptr});
+                           [step](Ui& ui) { set_step(ui.session.a.settings, step); }});
     }
     const std::vector<Action> switches{
         {"switch.perspective",

@@ -8,7 +8,7 @@
 #include "lessons/progress.h"
 #include "session/content.h"
 #include "ui/actions/view_files.h"
-#include "ui/start/way_pictures.h"
+#include "ui/start/start_pictures.h"
 #include "ui/start/ways.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"

@@ -3,7 +3,7 @@
 #include "ui/actions/lab.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
-#include "ui/start/stage_pictures.h"
+#include "ui/start/start_pictures.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
 

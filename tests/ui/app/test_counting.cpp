@@ -12,7 +12,6 @@
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "ui/actions/open_tab.h"
-#include "ui/actions/zoom.h"
 #include "ui/ui.h"
 
 using Catch::Matchers::ContainsSubstring;

@@ -1,4 +1,4 @@
-#include "ui/start/way_pictures.h"
+#include "ui/start/start_pictures.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,6 @@
 
 #include "picture/thumbnail.h"
 #include "pipeline/work.h"
-#include "ui/start/stage_pictures.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -16,6 +15,15 @@
 namespace rasterwalk {
 
 namespace {
+
+constexpr int largest_side = 400; ///< pixels
+
+/// The scene with these settings at a step of the strip. A point is one pixel large: points are
+/// drawn half as far apart, and shown at twice the size.
+Image stage_picture(const Scene& scene, Settings settings, const StripStep& step, int side) {
+    set_step(settings, step);
+    return thumbnail(scene, settings, step.stage == Stage::points ? std::max(1, side / 2) : side);
+}
 
 constexpr int pictures_of_way = 3;
 constexpr float picture_gap = 10.0f; ///< between two, design pixels
@@ -106,6 +114,29 @@ void renew_way_pictures(Ui& ui, int side) {
 }
 
 } // namespace
+
+void light_up(const Session& session, Settings& settings) {
+    for (const Preset& preset : session.presets) {
+        if (preset.name == "visible light") apply_preset(preset, settings);
+    }
+}
+
+void renew_stage_pictures(Ui& ui, int side) {
+    StagePictures& pictures = ui.start.pictures;
+    const std::shared_ptr<const Scene>& scene = ui.session.scene;
+    side = std::min(side, largest_side);
+    if (pictures.scene == scene && pictures.side == side) return;
+    pictures.scene = scene;
+    pictures.side = side;
+    Settings settings = default_settings(*scene);
+    light_up(ui.session, settings);
+    pictures.is_drawn = thumbnail_work(*scene, settings, side) * stage_count <= frame_limit.at_once;
+    if (!pictures.is_drawn) return;
+    for (std::size_t i = 0; i < pictures.textures.size(); ++i) {
+        const Image image = stage_picture(*scene, settings, stage_list()[i].step, side);
+        pictures.textures[i] = ui.host.textures->upload(pictures.textures[i], image);
+    }
+}
 
 void draw_way_pictures(Ui& ui, Way way, ImVec2 low, ImVec2 high, float most) {
     const float u = ui.options.text_scale;
