@@ -79,7 +79,7 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
     const bool differs = value_text(setting, ui.session.a.settings) != usual_text;
     const float begin = ImGui::GetCursorPosX();
     const float top = ImGui::GetCursorScreenPos().y;
-    const float indent = setting.part_of.empty() ? 0.0f : 14.0f * u;
+    const float indent = setting.ties.part_of.empty() ? 0.0f : 14.0f * u;
     const std::string title(setting.title);
     const bool fits = columns.reset - columns.name >= field_width(ui, setting) &&
                       columns.name - indent - 8.0f * u >= ImGui::CalcTextSize(title.c_str()).x;
