@@ -22,10 +22,6 @@ enum class Fate : std::uint8_t {
     back_facing,  ///< its normal points away from the camera, and such fragments are culled
     cut_out,      ///< its texture is more clear than opaque there: it is let through
 };
-template <>
-inline constexpr auto enum_words<Fate> = word_list("written", "depth_failed", "back_facing",
-                                                   "cut_out");
-static_assert(words_match<Fate>);
 
 /// Points and row ends that are put on the screen are reported as fragments.
 inline Fragment mark_of(const ScreenVertex& v) {
