@@ -8,6 +8,7 @@
 #include "base/faults.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 #include "lessons/choice_order.h"
 #include "lessons/lesson_blocks.h"
 #include "lessons/lesson_comment.h"

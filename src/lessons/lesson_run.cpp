@@ -10,6 +10,7 @@
 #include "base/minus_signs.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 #include "session/content.h"
 
 namespace rasterwalk {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/quoted.h"
+#include "base/text_parts.h"
 #include "text/markdown.h"
 #include "text/markdown_notes.h"
 #include "text/markdown_text.h"

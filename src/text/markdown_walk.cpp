@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/quoted.h"
+#include "base/text_parts.h"
 #include "text/markdown.h"
 #include "text/markdown_text.h"
 

@@ -8,7 +8,7 @@
 
 #include "base/minus_signs.h"
 #include "base/numbers.h"
-#include "base/quoted.h"
+#include "base/text_parts.h"
 #include "settings/value_words.h"
 #include "text/markdown_text.h"
 #include "ui/actions/compare.h"
