@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "session/section_words.h"
-#include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
+#include "ui/lesson/lesson_box.h"
 #include "ui/lesson/lesson_controls.h"
 #include "ui/lesson/lesson_end.h"
 #include "ui/lesson/lesson_predictions.h"
@@ -167,11 +167,7 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
         switch (part.kind) {
         case LessonPart::Kind::text: {
             const std::string name = "lesson.part" + std::to_string(i);
-            std::shared_ptr<MarkdownPage>& page = ui.lesson.pages[name];
-            const MarkdownEvents events =
-                draw_markdown(ui, page, with_footnotes(lesson, part.text), width, name + ".link.",
-                              ui.session.lesson_folder);
-            answer_links(ui, document_of(*page), events);
+            draw_marked(ui, name, ui.lesson.pages[name], with_footnotes(lesson, part.text), width);
             break;
         }
         case LessonPart::Kind::task:

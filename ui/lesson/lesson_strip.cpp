@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/lesson/fitting_sentences.h"
+#include "ui/lesson/lesson_box.h"
 #include "ui/lesson/lesson_cards.h"
 #include "ui/lesson/lesson_controls.h"
 #include "ui/lesson/lesson_page.h"
@@ -14,7 +14,6 @@
 #include "ui/lesson/lesson_tasks.h"
 #include "ui/lesson/stage_page.h"
 #include "ui/lesson/strip_buttons.h"
-#include "ui/page/markdown.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
@@ -115,10 +114,7 @@ void end_card_window(Ui& ui) {
 
 /// Some lines of a text.
 void draw_text_card(Ui& ui, const std::string& text, float width) {
-    std::shared_ptr<MarkdownPage>& page = ui.lesson.pages["strip"];
-    const MarkdownEvents events =
-        draw_markdown(ui, page, text, width, "lesson.strip.link.", ui.session.lesson_folder);
-    answer_links(ui, document_of(*page), events);
+    draw_marked(ui, "lesson.strip", ui.lesson.pages["strip"], text, width);
 }
 
 void draw_card(Ui& ui, const Lesson& lesson, const LessonStep& step, const LessonCard& card,

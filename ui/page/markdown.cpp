@@ -261,11 +261,10 @@ MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::s
     return events;
 }
 
-float markdown_height(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::string_view text,
-                      float width) {
-    if (!page) page = std::make_shared<MarkdownPage>();
-    prepare(ui, *page, text, width, {});
-    return page->layout.height;
+float markdown_height(Ui& ui, std::string_view text, float width) {
+    MarkdownPage page;
+    prepare(ui, page, text, width, {});
+    return page.layout.height;
 }
 
 const MarkdownDocument& document_of(const MarkdownPage& page) {
