@@ -129,16 +129,13 @@ void draw_clip_verdict(const ClipPage& page) {
     const bool is_culled = page.frame.settings.cull != Cull::none && page.history.cull.is_back;
     wrapped_text(verdict_of(page.history, page.frame.settings) +
                  (is_culled ? " It is left out because it faces away." : ""));
-    keep_text_whole(ui);
     name_widget(ui, "clip.verdict",
                 "What happens to the triangle between the vertex shader and the division by w.");
     if (!page.history.cuts && page.history.rejected == Rejection::none) draw_offer(ui);
     const int behind = vertex_behind(page.history);
     if (behind < 0) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
-    wrapped_text(behind_text(page.history, page.frame, behind));
-    keep_text_whole(ui);
-    ImGui::PopStyleColor();
+    wrapped_text_in(colour_of(Meaning::fail, ui.options.theme),
+                    behind_text(page.history, page.frame, behind));
     name_widget(ui, "clip.behind",
                 "Behind the camera, w is negative. The division by w turns a point behind the "
                 "camera into one in front of it, mirrored through the eye.");
@@ -191,9 +188,8 @@ void draw_clip_card(const ClipPage& page) {
     const float top = ImGui::GetCursorScreenPos().y;
     begin_card(ui);
     text_in(page.palette().dim, formula->help);
-    keep_beginning(ui, top, ImGui::GetItemRectMin().y + ImGui::GetTextLineHeight());
+    keep_beginning(top, ImGui::GetItemRectMin().y + ImGui::GetTextLineHeight());
     name_widget(ui, "clip.formula", formula->help);
-    keep_text_whole(ui);
     ImGui::PushFont(ui.inspector.is_low ? ui.fonts.small : ui.fonts.text);
     const std::optional<Source> clicked = draw_formula(ui, *formula, "clip.formula");
     ImGui::PopFont();
@@ -271,9 +267,7 @@ void draw_clip_panel(Ui& ui) {
         const char* const why = a.triangle ? "The scene is given in pixels, so it has no camera "
                                              "and nothing is clipped."
                                            : "The scene has no triangles.";
-        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        wrapped_text(why);
-        ImGui::PopStyleColor();
+        wrapped_text_in(palette(ui.options.theme).dim, why);
         return;
     }
     const ClipHistory& history = *a.inspected.clip;
@@ -286,12 +280,12 @@ void draw_clip_panel(Ui& ui) {
     draw_triangle_title(ui);
     ClipParts parts(page);
     if (!ui.inspector.has_card) {
-        begin_whole_lines(ui);
+        begin_whole_lines();
         parts.draw();
-        end_whole_lines(ui);
+        end_whole_lines();
     } else {
         draw_with_card(
-            ui, "clip", [&] { parts.draw(); }, [&] { draw_clip_card(page); });
+            "clip", [&] { parts.draw(); }, [&] { draw_clip_card(page); });
     }
     if (ui.inspector.clip.number != before) ui.inspector.formula_frame = ImGui::GetFrameCount();
 }

@@ -9,7 +9,6 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -74,11 +73,7 @@ void draw_shadow(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
     const std::string words = shadow_text(light.shadow, ui.results.a.frame);
     if (words.empty()) return;
     const bool is_dark = light.shadow.is_dark() || !light.shadow.is_asked;
-    ImGui::PushStyleColor(ImGuiCol_Text,
-                          colour_of(is_dark ? Meaning::fail : Meaning::pass, ui.options.theme));
-    wrapped_text(words);
-    keep_text_whole(ui);
-    ImGui::PopStyleColor();
+    wrapped_text_in(colour_of(is_dark ? Meaning::fail : Meaning::pass, ui.options.theme), words);
     name_widget(ui, "fragment.shadow",
                 "Whether the lamp's light arrives, according to the shadows setting. Where it does "
                 "not, there is no direct light.");
@@ -201,7 +196,6 @@ void draw_fragment_light(Ui& ui) {
     ImGui::PushFont(ui.fonts.small);
     ImGui::AlignTextToFramePadding();
     text_in(p.dim, "light");
-    keep_item_whole(ui);
     name_widget(ui, "fragment.light", "R = ρ (D + N), term by term; see the tooltips.");
     struct LightChoice {
         const char* name;

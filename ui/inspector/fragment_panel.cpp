@@ -13,7 +13,6 @@
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -48,7 +47,6 @@ bool link_at_right(Ui& ui, const char* name, const char* label, const char* help
     }
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));
     const bool clicked = button(ui, name, label, Look::link, help);
-    keep_item_whole(ui);
     ImGui::PopStyleVar();
     return clicked;
 }
@@ -113,8 +111,7 @@ void draw_title(Ui& ui) {
                          style.ItemInnerSpacing.x + text_width(parts.back());
     ImGui::PushFont(ui.fonts.bold);
     const bool has_room = text_width(title) + beside <= ImGui::GetContentRegionAvail().x;
-    ImGui::TextUnformatted((has_room ? title : short_title).c_str());
-    keep_item_whole(ui);
+    put_text(has_room ? title : short_title);
     ImGui::PopFont();
     name_widget(ui, "fragment.pixel",
                 is_picked ? "Column and row of the pixel that the fragment fell on."
@@ -127,14 +124,12 @@ void draw_title(Ui& ui) {
     const std::string shown = first_fitting(parts, ImGui::GetContentRegionAvail().x);
     text_in(p.dim, shown);
     ImGui::EndGroup();
-    keep_item_whole(ui);
     name_widget(ui, "fragment.part",
                 "The part of the scene that the triangle belongs to: " + part + ".");
     note_text(ui, "fragment.part", shown);
     const FragmentLinks links = links_of(ui);
     if (links.can_follow && !ui.inspector.is_low) draw_follow_link(ui);
     text_in(p.dim, place_of(report, ImGui::GetContentRegionAvail().x));
-    keep_item_whole(ui);
     name_widget(
         ui, "fragment.place",
         "Where the fragment belongs: its triangle, the entry of the triangle's row table, and how "
@@ -178,11 +173,8 @@ void draw_colours(Ui& ui) {
         ImGui::SameLine(start + ImGui::CalcTextSize("would be ").x);
         draw_swatch(ui, colour, 2.0f * ImGui::GetTextLineHeight());
         ImGui::SameLine();
-        ImGui::PushFont(ui.fonts.mono);
-        ImGui::TextUnformatted(numbers(colour).c_str());
-        ImGui::PopFont();
+        put_text(numbers(colour), ui.fonts.mono);
         ImGui::EndGroup();
-        keep_item_whole(ui);
         name_widget(ui, name, help);
     };
     draw("before", "fragment.before", report.before, "The pixel's colour before: red green blue.");
@@ -197,10 +189,7 @@ void draw_depth(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Palette& p = palette(ui.options.theme);
     begin_card(ui);
-    ImGui::PushFont(ui.fonts.small);
-    text_in(p.dim, "depth and colour");
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    text_in(p.dim, "depth and colour", ui.fonts.small);
     const bool tested = report.depth_test != DepthTest::off;
     if (tested) {
         const bool is_ndc = is_smaller_nearer(depth_kind(ui.results.a.frame));
@@ -211,10 +200,7 @@ void draw_depth(Ui& ui) {
             ? p.text
             : colour_of(report.fate == Fate::written ? Meaning::pass : Meaning::fail,
                         ui.options.theme);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    wrapped_text(verdict(ui, report));
-    keep_text_whole(ui);
-    ImGui::PopStyleColor();
+    wrapped_text_in(colour, verdict(ui, report));
     const Frame& frame = ui.results.a.frame;
     name_widget(
         ui, "fragment.fate",
@@ -234,12 +220,7 @@ void draw_formula_card(Ui& ui) {
     if (formula == nullptr) formula = find_formula(report.formulas, "zinv");
     begin_card(ui);
     // Where lines are few the tooltip of the number gives its name.
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    if (!ui.inspector.is_low) {
-        wrapped_text(formula->help);
-        keep_text_whole(ui);
-    }
-    ImGui::PopStyleColor();
+    if (!ui.inspector.is_low) wrapped_text_in(palette(ui.options.theme).dim, formula->help);
     const std::optional<Source> clicked = draw_formula(ui, *formula, "fragment.formula");
     end_card(ui);
     follow_source(ui, clicked);
@@ -277,9 +258,7 @@ void draw_no_fragment(Ui& ui) {
     } else {
         words = "Click a pixel of the picture, or step to a fragment.";
     }
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(words);
-    ImGui::PopStyleColor();
+    wrapped_text_in(palette(ui.options.theme).dim, words);
     name_widget(ui, "fragment.none");
     if (!has_fragments(frame.settings.stage) &&
         button(ui, "fragment.fill", "to Fill stage", Look::plain,
@@ -317,7 +296,7 @@ void draw_fragment_panel(Ui& ui) {
         return;
     }
     draw_with_card(
-        ui, "fragment",
+        "fragment",
         [&] {
             draw_title(ui);
             draw_fragment_values(ui);

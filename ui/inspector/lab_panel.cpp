@@ -39,6 +39,7 @@ void draw_line(Ui& ui, const Bug& bug) {
     const bool is_double = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
     if (can_double && is_double) turn_on(ui, bug, false);
     const bool is_made = !on && is_made_by(bug, ui.session.a.settings);
+    keep_selectable_whole();
     name_widget(ui, name,
                 bug.sentence +
                     (is_made ? "\nRun A makes this mistake with its current "
@@ -63,7 +64,6 @@ void draw_line(Ui& ui, const Bug& bug) {
     list->AddText({left, at.y}, packed(p.text), shortened(bug.name, room).c_str());
     list->AddText({right - width, at.y}, packed(ink), state.c_str());
     note_text(ui, name, state);
-    keep_whole(ui, at.y, at.y + ImGui::GetTextLineHeight());
 }
 
 /// The mistakes by the lab's sections.
@@ -74,13 +74,10 @@ void draw_list(Ui& ui, const std::function<void(const Bug&)>& below) {
         if (bug.section != section) {
             if (!section.empty()) ImGui::Spacing();
             section = bug.section;
-            ImGui::PushFont(ui.fonts.small);
-            text_in(palette(ui.options.theme).dim, section);
-            ImGui::PopFont();
+            text_in(palette(ui.options.theme).dim, section, ui.fonts.small);
             // Together with the first line below it.
             const float line = ImGui::GetTextLineHeight();
-            keep_beginning(ui, ImGui::GetItemRectMin().y, ImGui::GetCursorScreenPos().y + line);
-            keep_item_whole(ui);
+            keep_beginning(ImGui::GetItemRectMin().y, ImGui::GetCursorScreenPos().y + line);
         }
         draw_line(ui, bug);
         below(bug);
@@ -110,21 +107,15 @@ void draw_buttons(Ui& ui, const Bug& bug) {
                "Opens the scene that shows it best, and turns it on there: " + bug.scene)) {
         turn_on(ui, bug, true);
     }
-    keep_item_whole(ui);
 }
 
 void draw_card(Ui& ui, const Bug& bug) {
     begin_card(ui);
-    ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted((bug.id + "  " + bug.name).c_str());
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    put_text(bug.id + "  " + bug.name, ui.fonts.bold);
     draw_buttons(ui, bug);
     if (!is_on(ui.session, bug.id) && is_made_by(bug, ui.session.a.settings)) {
-        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        wrapped_text("Already on: the current settings make this mistake.");
-        keep_text_whole(ui);
-        ImGui::PopStyleColor();
+        wrapped_text_in(palette(ui.options.theme).dim,
+                        "Already on: the current settings make this mistake.");
         name_widget(ui, "lab.made", "Nothing needs to be turned on to see this mistake.");
     }
     const float width = ImGui::CalcItemWidth();
@@ -159,7 +150,7 @@ void draw_bugs(Ui& ui) {
         return;
     }
     draw_with_card(
-        ui, "lab",
+        "lab",
         [&] {
             draw_list(ui, [&](const Bug& bug) {
                 if (is_chosen(bug)) keep_in_sight(ui, bug, 0.0f);
@@ -189,7 +180,6 @@ void draw_modes(Ui& ui) {
                    mode.help)) {
             ui.lab.mode = mode.mode;
         }
-        keep_item_whole(ui);
     }
     ImGui::PopFont();
 }

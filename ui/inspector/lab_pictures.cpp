@@ -32,7 +32,7 @@ struct PairLayout {
 /// How high a picture may be, screen pixels: both are seen whole, together with the words below
 /// them if they stay large enough. If they would get too small, they are scrolled to.
 float picture_room(const Ui& ui) {
-    const float u = ui.options.text_scale, page = page_room(ui);
+    const float u = ui.options.text_scale, page = page_room();
     const float below = page - ImGui::GetCursorPosY() - pair_border * u;
     const float words = 4.0f * ui.fonts.small->FontSize;
     if (below - words >= good_side * u) return below - words;
@@ -81,10 +81,10 @@ void draw_captioned(Ui& ui, bool is_own, const PairLayout& layout, const Picture
     list->AddRect(low, high, packed(p.line));
     ImGui::PushFont(ui.fonts.small);
     text_in(p.text, broken_into_lines(caption.title, layout.column));
-    keep_item_whole(ui);
+    keep_item_whole();
     if (!caption.words.empty()) {
         text_in(p.dim, broken_into_lines(caption.words, layout.column));
-        keep_item_whole(ui);
+        keep_item_whole();
     }
     ImGui::PopFont();
     ImGui::EndGroup();

@@ -13,7 +13,6 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -66,10 +65,7 @@ void draw_texture_line(Ui& ui, const std::string& id) {
 void draw_texture_title(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Texture& texture = *texture_on_show(ui).surface.texture;
-    ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted(fmt::format("Pixel ({}, {})", report.pixel.x, report.pixel.y).c_str());
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    put_text(fmt::format("Pixel ({}, {})", report.pixel.x, report.pixel.y), ui.fonts.bold);
     name_widget(ui, "texture.pixel", "Column and row of the pixel that the fragment fell on.");
     const std::string size =
         fmt::format("{} × {} texels", texture.base().width, texture.base().height);
@@ -77,7 +73,6 @@ void draw_texture_title(Ui& ui) {
     text_in(palette(ui.options.theme).dim,
             first_fitting({texture.name + ", " + size, file + ", " + size, size},
                           ImGui::GetContentRegionAvail().x));
-    keep_item_whole(ui);
     name_widget(ui, "texture.name",
                 "The texture: the picture on the surface, " + texture.name +
                     ". Its pixels are called texels.");
@@ -151,7 +146,6 @@ void draw_texture_map(Ui& ui) {
     list->PopClipRect();
     list->AddCircle(at(place), ring * ui.options.text_scale, mark, 0, 2.0f * ui.options.text_scale);
     ImGui::Dummy(size);
-    keep_item_whole(ui);
     name_widget(
         ui, "texture.map",
         "The whole texture. The ring is where the pixel is, and the box around it is what the "
@@ -197,7 +191,6 @@ void draw_taken_texels(Ui& ui) {
         const std::string id = fmt::format("texture.texel.{}.weight", k);
         ImGui::SetCursorScreenPos(from);
         if (ImGui::InvisibleButton(id.c_str(), {side - u, side - u})) choose_texture_number(ui, id);
-        keep_item_whole(ui);
         name_widget(ui, fmt::format("texture.texel.{}", k),
                     fmt::format("Column {}, row {} of level {}; its weight is {}.\nClick to see "
                                 "how that was calculated.",
@@ -288,12 +281,7 @@ void draw_texture_formula(Ui& ui) {
     if (formula == nullptr)
         formula = find_formula(formulas, asks_for_level(ui) ? "texture.level" : "texture.x");
     begin_card(ui);
-    if (!ui.inspector.is_low) {
-        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        wrapped_text(formula->help);
-        keep_text_whole(ui);
-        ImGui::PopStyleColor();
-    }
+    if (!ui.inspector.is_low) wrapped_text_in(palette(ui.options.theme).dim, formula->help);
     const std::optional<Source> clicked = draw_formula(ui, *formula, "texture.formula");
     end_card(ui);
     follow_texture_source(ui, clicked);
@@ -312,9 +300,7 @@ void draw_no_texture(Ui& ui) {
         words = "This surface has no texture.";
     else if (ui.session.selection.pixel)
         words = "No fragment ever falls on this pixel. The History tab says why.";
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(words);
-    ImGui::PopStyleColor();
+    wrapped_text_in(palette(ui.options.theme).dim, words);
     name_widget(ui, "texture.none");
 }
 
@@ -332,7 +318,7 @@ void draw_texture_panel(Ui& ui) {
         return;
     }
     draw_with_card(
-        ui, "texture", [&] { draw_texture_page(ui); }, [&] { draw_texture_formula(ui); });
+        "texture", [&] { draw_texture_page(ui); }, [&] { draw_texture_formula(ui); });
 }
 
 } // namespace rasterwalk

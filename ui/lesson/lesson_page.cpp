@@ -49,11 +49,7 @@ void draw_heading(Ui& ui, const Lesson& lesson) {
         text.append(" · step ").append(std::to_string(ui.session.step));
         text.append(" of ").append(std::to_string(last));
     }
-    ImGui::PushFont(ui.fonts.small);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(text);
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
+    wrapped_text_in(palette(ui.options.theme).dim, text, ui.fonts.small);
     ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
 }
 
@@ -111,7 +107,7 @@ bool is_open(const Ui& ui, const Lesson& lesson, const LessonPart& part) {
 /// it is at the top.
 bool is_below(const Ui& ui, const PartArea& area) {
     const float furthest = std::min(scroll_at(ui, area, 0.0f), ImGui::GetScrollMaxY());
-    return is_cut_off(ui) && ImGui::GetScrollY() < furthest - 1.0f;
+    return is_cut_off() && ImGui::GetScrollY() < furthest - 1.0f;
 }
 
 /// Notes for the strip how far the student has scrolled the whole text.

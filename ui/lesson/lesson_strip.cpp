@@ -94,19 +94,19 @@ int draw_head(Ui& ui, const Head& head, float width, Area& words) {
 }
 
 /// The card has its own window, which scrolls below the head.
-void begin_card_window(Ui& ui, float width) {
+void begin_card_window(float width) {
     const float scroll_bar = ImGui::GetStyle().ScrollbarSize;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::BeginChild("lesson.strip.text", {width + scroll_bar, 0.0f}, false,
                       ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar();
     ImGui::PushTextWrapPos(width);
-    begin_whole_lines(ui);
+    begin_whole_lines();
 }
 
 void end_card_window(Ui& ui) {
     note_shown_lines(ui);
-    end_whole_lines(ui);
+    end_whole_lines();
     ImGui::PopTextWrapPos();
     const float card = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
     ui.lesson.strip.height = head_room(ui) + card;
@@ -176,7 +176,7 @@ int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, floa
     const int pressed = draw_part_words(ui, lesson, step, part, words);
     if (pressed >= 0) strip.card = card_of_part(strip, pressed);
     ImGui::SetCursorScreenPos(below);
-    begin_card_window(ui, width);
+    begin_card_window(width);
     if (strip.card != strip.scrolled_card) {
         ImGui::SetScrollY(0.0f);
         ui.lesson.pages_to_scroll = 0.0f;
@@ -201,7 +201,7 @@ int draw_stage(Ui& ui, const PageFooter& pages, float head_width, float width) {
         "stage " + std::to_string(pages.current + 1) + " of " + std::to_string(stage_count), pages};
     Area words{};
     const int wanted = draw_head(ui, head, head_width, words);
-    begin_card_window(ui, width);
+    begin_card_window(width);
     scroll_by_key(ui.lesson);
     const StageNote& note = ui.lesson.notes.find(note_name(ui.session));
     const std::string text =

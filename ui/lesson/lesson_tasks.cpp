@@ -9,7 +9,6 @@
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -49,8 +48,6 @@ void draw_hint(Ui& ui, const LessonTask& task, const std::string& name, float wi
         hints.insert(task.id);
         ui.lesson.fresh = name + ".hint";
         ui.lesson.frames_to_fresh = 2;
-    } else {
-        keep_item_whole(ui);
     }
 }
 

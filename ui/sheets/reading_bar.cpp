@@ -28,7 +28,7 @@ void draw_reading_bar(Ui& ui, ImVec2 window) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoNav |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::TextUnformatted(shortened("Reading " + name, bar).c_str());
+    put_text(shortened("Reading " + name, bar));
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette(ui.options.theme).accent);
     ImGui::ProgressBar(share_of(state), {bar, height * u}, "");
     ImGui::PopStyleColor();

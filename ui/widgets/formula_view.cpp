@@ -101,7 +101,6 @@ void FormulaLine::text(std::string_view words, const ImVec4& colour) {
                       ? 0.0f
                       : ImGui::CalcTextSize(visible.data(), visible.data() + visible.size()).x);
         text_in(colour, word);
-        keep_item_whole(ui_);
         words.remove_prefix(length);
     }
 }
@@ -116,7 +115,6 @@ bool FormulaLine::link(std::string_view label, const std::string& name, const st
     const bool hovered = ImGui::IsItemHovered();
     name_number(ui_, name.substr(0, name.find("##")), tooltip);
     note_text(ui_, name.substr(0, name.find("##")), label);
-    keep_item_whole(ui_);
     if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddText(at, packed(hovered ? p.link : colour), label.data(), label.data() + label.size());
@@ -199,7 +197,7 @@ std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const st
     return clicked;
 }
 
-void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
+void draw_with_card(const char* name, const std::function<void()>& page,
                     const std::function<void()>& card) {
     ImGuiStorage* const sizes = ImGui::GetStateStorage();
     const ImGuiID page_id = ImGui::GetID((std::string(name) + ".page").c_str());
@@ -213,13 +211,13 @@ void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
     const float whole = std::min(sizes->GetFloat(whole_id, left), left);
     ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), whole)}, false,
                       ImGuiWindowFlags_NoNav);
-    begin_whole_lines(ui, left);
+    begin_whole_lines(left);
     page();
     // A gap lower than a line is like any other, and the page keeps it.
-    const float blank = left - whole_height(ui);
+    const float blank = left - whole_height();
     sizes->SetFloat(
         whole_id, blank < ImGui::GetTextLineHeight() ? left : std::max(left - blank, 0.5f * left));
-    end_whole_lines(ui);
+    end_whole_lines();
     const float page_height = ImGui::GetCursorPosY();
     ImGui::EndChild();
     // A card without enough room scrolls separately, so that neither of the two is ever out of
@@ -230,9 +228,9 @@ void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
     ImGui::BeginChild(card_id, {0, std::max(scrolls ? card_room : card_height, 1.0f)}, false,
                       scrolls ? ImGuiWindowFlags_NoNav
                               : ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar);
-    begin_whole_lines(ui);
+    begin_whole_lines();
     card();
-    end_whole_lines(ui);
+    end_whole_lines();
     const float card_height_now = ImGui::GetCursorPosY();
     ImGui::EndChild();
     sizes->SetFloat(page_id, page_height);
@@ -251,13 +249,13 @@ bool number_cell(Ui& ui, const std::string& name, std::string_view text, const I
     const bool clicked =
         ImGui::Selectable(("##" + name).c_str(), is_chosen, 0, {room, ImGui::GetTextLineHeight()});
     ImGui::PopStyleVar();
-    name_number(ui, name, tooltip);
-    note_text(ui, name, text);
     // As high as the words next to it: both are seen, or neither.
     const float bottom = at.y + std::max(ImGui::GetTextLineHeight(), ui.fonts.text->FontSize);
-    keep_whole(ui, at.y, bottom);
+    keep_whole(at.y, bottom);
     // The highlight behind the chosen number begins above its line.
-    keep_beginning(ui, ImGui::GetItemRectMin().y, bottom);
+    keep_beginning(ImGui::GetItemRectMin().y, bottom);
+    name_number(ui, name, tooltip);
+    note_text(ui, name, text);
     const float width = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
     ImGui::GetWindowDrawList()->AddText({at.x + std::max(room - width, 0.0f), at.y}, packed(colour),
                                         text.data(), text.data() + text.size());

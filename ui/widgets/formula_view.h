@@ -50,7 +50,7 @@ std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const st
 /// A page that scrolls, and below it the part that must stay in view: the formula of what was
 /// clicked.
 /// @param name under which both keep their sizes from one frame to the next
-void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
+void draw_with_card(const char* name, const std::function<void()>& page,
                     const std::function<void()>& card);
 
 /// A number in a cell of a table, at its right edge, that can be clicked.
