@@ -87,8 +87,7 @@ void draw_scene_list(Ui& ui) {
                 ui.session.notice = fault.what();
             }
         }
-        name_widget(ui, name, "Opens this scene: " + file.filename().string());
-        note_text(ui, name, title);
+        name_widget(ui, name, "Opens this scene: " + file.filename().string(), title);
     }
 }
 
@@ -141,8 +140,7 @@ void draw_lesson_menu(Ui& ui) {
             fmt::format("{} of {} lessons; L lists all", shown, lessons.size());
         text_in(palette(ui.options.theme).dim, words);
         ImGui::PopFont();
-        name_widget(ui, "menu.lesson.count", "The ten lessons around the one that is open.");
-        note_text(ui, "menu.lesson.count", words);
+        name_widget(ui, "menu.lesson.count", "The ten lessons around the one that is open.", words);
     }
     if (!wanted.empty()) open_lesson(ui, wanted, ui.lesson.progress.of(wanted).last_step);
 }

@@ -81,8 +81,7 @@ bool draw_offer(Ui& ui, const ComparePair& pair, std::size_t index, ImVec2 low,
     ImGui::SetCursorScreenPos(low);
     const bool is_pressed = ImGui::InvisibleButton(name.c_str(), {card.width, card.height});
     const bool is_hovered = ImGui::IsItemHovered();
-    name_widget(ui, name, tooltip_of_pair(ui.session, pair, false));
-    note_text(ui, name, way.title);
+    name_widget(ui, name, tooltip_of_pair(ui.session, pair, false), way.title);
     const ImVec2 high{low.x + card.width, low.y + card.height};
     keep_card_whole(low.y, high.y);
     ImDrawList* const list = ImGui::GetWindowDrawList();

@@ -125,8 +125,7 @@ void draw_title(Ui& ui) {
     text_in(p.dim, shown);
     ImGui::EndGroup();
     name_widget(ui, "fragment.part",
-                "The part of the scene that the triangle belongs to: " + part + ".");
-    note_text(ui, "fragment.part", shown);
+                "The part of the scene that the triangle belongs to: " + part + ".", shown);
     const FragmentLinks links = links_of(ui);
     if (links.can_follow && !ui.inspector.is_low) draw_follow_link(ui);
     text_in(p.dim, place_of(report, ImGui::GetContentRegionAvail().x));

@@ -163,8 +163,8 @@ void draw_column_headers(Ui& ui, const std::array<ValueColumn, 4>& columns) {
         const std::string name = std::string("fragment.header.") + column.name;
         name_widget(ui, name,
                     std::string(column.help) +
-                        (column.in_force ? "\nThis is the method in use." : ""));
-        note_text(ui, name, title);
+                        (column.in_force ? "\nThis is the method in use." : ""),
+                    title);
     }
     ImGui::PopFont();
 }

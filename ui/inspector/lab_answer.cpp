@@ -25,8 +25,7 @@ void draw_sentence(Ui& ui, const std::string& name, const std::string& words,
                    const std::string& help) {
     if (words.empty()) return;
     wrapped_text(words);
-    name_widget(ui, name, help);
-    note_text(ui, name, words);
+    name_widget(ui, name, help, words);
 }
 
 void draw_headline(Ui& ui, const LabAnswer& answer) {
@@ -44,8 +43,7 @@ void draw_headline(Ui& ui, const LabAnswer& answer) {
         all += " " + headline.rest;
     }
     ImGui::EndGroup();
-    name_widget(ui, "lab.diagnosis", "The most likely cause.");
-    note_text(ui, "lab.diagnosis", all);
+    name_widget(ui, "lab.diagnosis", "The most likely cause.", all);
 }
 
 void draw_pictures(Ui& ui, const LabAnswer& answer) {
@@ -84,8 +82,7 @@ void draw_remedy(Ui& ui, const Diagnosis& diagnosis) {
     if (text.empty()) return;
     const MarkdownEvents events =
         draw_markdown(ui, ui.lab.remedy, text, ImGui::CalcItemWidth(), "lab.remedy.");
-    name_widget(ui, "lab.remedy", "What is likely wrong, and how to fix it.");
-    note_text(ui, "lab.remedy", text);
+    name_widget(ui, "lab.remedy", "What is likely wrong, and how to fix it.", text);
     ImGui::Spacing();
     answer_links(ui, document_of(*ui.lab.remedy), events);
 }
@@ -137,8 +134,8 @@ void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
     name_widget(ui, name,
                 "With this mistake, " + grouped(candidate.different) +
                     " still differ from your result; the mean distance is " +
-                    fixed(candidate.distance, 3) + " steps of 255.");
-    note_text(ui, name, candidate.ids().front());
+                    fixed(candidate.distance, 3) + " steps of 255.",
+                candidate.ids().front());
     ImGui::TableNextColumn();
     if (bug == nullptr) return;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4.0f * u, 0.0f));

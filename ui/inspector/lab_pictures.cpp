@@ -74,8 +74,8 @@ void draw_captioned(Ui& ui, bool is_own, const PairLayout& layout, const Picture
     const std::string name = is_own ? "lab.picture.own" : "lab.picture.beside";
     name_widget(ui, name,
                 is_own ? "The picture that you chose."
-                       : "What a correct program draws, in grey; orange where yours differs.");
-    note_text(ui, name, caption.title + (caption.words.empty() ? "" : ": " + caption.words));
+                       : "What a correct program draws, in grey; orange where yours differs.",
+                caption.title + (caption.words.empty() ? "" : ": " + caption.words));
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddImage(texture.id, low, high);
     list->AddRect(low, high, packed(p.line));

@@ -94,8 +94,7 @@ void draw_progress(Ui& ui) {
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, p.accent);
     ImGui::ProgressBar(pictures_part(lab), {-1.0f, 10.0f * ui.options.text_scale}, "");
     ImGui::PopStyleColor();
-    name_widget(ui, "lab.progress", progress_help);
-    note_text(ui, "lab.progress", words);
+    name_widget(ui, "lab.progress", progress_help, words);
     if (button(ui, "lab.stop", "Stop", Look::plain, stop_help(lab))) stop_diagnosis(ui);
 }
 
@@ -140,8 +139,8 @@ void draw_watch_line(Ui& ui) {
                 : is_fault  ? lab.result_fault + "\nIt is tried again when the file changes."
                             : "The file is being watched. Save it again, and it is checked against "
                               "the same reference. " +
-                                 lab.watched_path);
-    note_text(ui, "lab.watch", words);
+                                 lab.watched_path,
+                words);
     const float bottom = ImGui::GetItemRectMax().y;
     if (is_checking) {
         ImGui::GetWindowDrawList()->AddRectFilled(

@@ -88,8 +88,7 @@ void draw_lesson_control(Ui& ui, const LessonControl& control, float width) {
             wrapped_text(read_out);
         }
         ImGui::PopFont();
-        name_widget(ui, name + ".read_out", "The result of this setting.");
-        note_text(ui, name + ".read_out", read_out);
+        name_widget(ui, name + ".read_out", "The result of this setting.", read_out);
     }
     ImGui::PopID();
 }

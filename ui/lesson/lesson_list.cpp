@@ -64,8 +64,7 @@ bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const 
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height});
     const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, name, help);
-    note_text(ui, name, title);
+    name_widget(ui, name, help, title);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     if (hovered) {
         list->AddRectFilled(low, {low.x + width, low.y + height}, packed(p.row_lit), 4.0f * u);

@@ -203,8 +203,7 @@ void draw_verdict(Ui& ui, const LessonPrediction& prediction, const std::string&
     wrapped_text(mark + said);
     ImGui::PopFont();
     ImGui::PopStyleColor();
-    name_widget(ui, name + ".verdict");
-    note_text(ui, name + ".verdict", said);
+    name_widget(ui, name + ".verdict", {}, said);
     keep_item_whole();
 }
 
@@ -305,8 +304,7 @@ void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
         draw_verdict(ui, prediction, name);
         const std::string words = words_to_miss(view);
         draw_marked(ui, name, view.because, words, width);
-        name_widget(ui, name + ".says");
-        note_text(ui, name + ".says", words);
+        name_widget(ui, name + ".says", {}, words);
         ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
     }
     draw_answers(ui, lesson, prediction, name, side_by_side ? width : ImGui::CalcItemWidth(),

@@ -32,8 +32,7 @@ void draw_task_words(Ui& ui, const LessonTask& task, const std::string& name, bo
     const std::string& said = words->second.text;
     draw_marked(ui, name + ".words", ui.lesson.pages[name + ".words"],
                 done ? said : "**Not yet:** " + said, width);
-    name_widget(ui, name + ".words");
-    note_text(ui, name + ".words", said);
+    name_widget(ui, name + ".words", {}, said);
     scroll_to_fresh(ui, name + ".words");
 }
 

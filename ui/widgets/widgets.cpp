@@ -85,7 +85,7 @@ void outline_if_pointed_at(Ui& ui, std::string_view name, const ImRect& shown, b
 
 } // namespace
 
-void name_widget(Ui& ui, std::string_view name, std::string_view tooltip) {
+void name_widget(Ui& ui, std::string_view name, std::string_view tooltip, std::string_view text) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     ImRect shown(low, high);
@@ -96,7 +96,7 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip) {
     const bool is_whole =
         shown.Min.x <= low.x + 0.5f * spacing.x && shown.Min.y <= low.y + 0.5f * spacing.y &&
         shown.Max.x >= high.x - 0.5f * spacing.x && shown.Max.y >= high.y - 0.5f * spacing.y;
-    WidgetPlace place{shown.Min, shown.Max, visible, is_whole, !tooltip.empty(), {}};
+    WidgetPlace place{shown.Min, shown.Max, visible, is_whole, !tooltip.empty(), std::string(text)};
     place.order = static_cast<int>(ui.widgets.size());
     note_stop(place);
     ui.widgets[std::string(name)] = place;

@@ -15,7 +15,9 @@ struct Ui;
 
 /// Enters the last ImGui item in Ui::widgets under this name, and shows `tooltip` while the pointer
 /// rests on it (empty: none). In a window that ends with whole lines it stays whole.
-void name_widget(Ui& ui, std::string_view name, std::string_view tooltip = {});
+/// @param text the number or words that it shows, so that they can be looked up by name
+void name_widget(Ui& ui, std::string_view name, std::string_view tooltip = {},
+                 std::string_view text = {});
 
 /// A tooltip next to the last ImGui item, where it does not cover what it explains; over something
 /// large, next to the pointer.
