@@ -201,48 +201,26 @@ void draw_clip_card(const ClipPage& page) {
     go_to_source(ui, *clicked);
 }
 
-/// All parts; where lines are few, each is followed by the card of a number in it.
-class ClipParts {
-  public:
-    explicit ClipParts(const ClipPage& page) : page_(page) {}
-
-    void draw() {
-        draw_clip_verdict(page_);
-        draw_clip_corners(page_);
-        card_after("corner.");
-        draw_clip_codes(page_);
-        card_after("code.");
-        if (page_.history.cuts && page_.history.rejected == Rejection::none) draw_planes();
-        draw_clip_rest(page_);
-        card_after("pixel.");
-        draw_clip_culling(page_);
-        card_after("");
-        draw_clip_counts(page_);
-    }
-
-  private:
-    void draw_planes() {
-        draw_clip_plane_buttons(page_);
-        for (std::size_t p = 0; p < page_.history.codes.plane_count; ++p) {
-            const auto plane = static_cast<ClipPlane>(p);
-            draw_clip_plane(page_, plane);
+/// All parts, and which of them has the number that is explained.
+std::vector<PanelBlock> blocks_of(const ClipPage& page) {
+    const auto has = [&](const std::string& prefix) { return page.number.starts_with(prefix); };
+    std::vector<PanelBlock> blocks{{[&] { draw_clip_verdict(page); }},
+                                   {[&] { draw_clip_corners(page); }, has("corner.")},
+                                   {[&] { draw_clip_codes(page); }, has("code.")}};
+    if (page.history.cuts && page.history.rejected == Rejection::none) {
+        blocks.push_back({[&] { draw_clip_plane_buttons(page); }});
+        for (std::size_t p = 0; p < page.history.codes.plane_count; ++p) {
             const std::string place = std::to_string(p) + ".";
-            card_after("d." + place);
-            card_after("t." + place);
+            blocks.push_back({[&page, p] { draw_clip_plane(page, static_cast<ClipPlane>(p)); },
+                              has("d." + place) || has("t." + place)});
         }
-        card_after("new.");
+        blocks.back().has_chosen = blocks.back().has_chosen || has("new.");
     }
-    void card_after(const std::string& prefix) {
-        if (page_.ui.inspector.has_card || is_drawn_ || !page_.number.starts_with(prefix)) return;
-        is_drawn_ = true;
-        draw_clip_card(page_);
-        // The click was in the previous frame, where the formula was elsewhere.
-        if (page_.ui.inspector.formula_frame + 1 == ImGui::GetFrameCount()) scroll_here(1.0f);
-    }
-
-    const ClipPage& page_;
-    bool is_drawn_ = false;
-};
+    blocks.push_back({[&] { draw_clip_rest(page); }, has("pixel.")});
+    blocks.push_back({[&] { draw_clip_culling(page); }, true});
+    blocks.push_back({[&] { draw_clip_counts(page); }});
+    return blocks;
+}
 
 } // namespace
 
@@ -278,15 +256,12 @@ void draw_clip_panel(Ui& ui) {
         has_moved};
     const std::string before = ui.inspector.clip.number;
     draw_triangle_title(ui);
-    ClipParts parts(page);
-    if (!ui.inspector.has_card) {
-        begin_whole_lines();
-        parts.draw();
-        end_whole_lines();
-    } else {
-        draw_with_card(
-            "clip", [&] { parts.draw(); }, [&] { draw_clip_card(page); });
-    }
+    draw_panel(ui, "clip", blocks_of(page), [&] {
+        draw_clip_card(page);
+        // The click was in the previous frame, where the formula was elsewhere.
+        const bool is_new = ui.inspector.formula_frame + 1 == ImGui::GetFrameCount();
+        if (!ui.inspector.has_card && is_new) scroll_here(1.0f);
+    });
     if (ui.inspector.clip.number != before) ui.inspector.formula_frame = ImGui::GetFrameCount();
 }
 

@@ -213,16 +213,12 @@ void draw_depth(Ui& ui) {
     end_card(ui);
 }
 
-void draw_formula_card(Ui& ui) {
+/// How the chosen number was computed.
+void draw_chosen_number(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Formula* formula = find_formula(report.formulas, ui.inspector.chosen.fragment_number);
     if (formula == nullptr) formula = find_formula(report.formulas, "zinv");
-    begin_card(ui);
-    // Where lines are few the tooltip of the number gives its name.
-    if (!ui.inspector.is_low) wrapped_text_in(palette(ui.options.theme).dim, formula->help);
-    const std::optional<Source> clicked = draw_formula(ui, *formula, "fragment.formula");
-    end_card(ui);
-    follow_source(ui, clicked);
+    follow_source(ui, draw_formula_card(ui, *formula, "fragment.formula"));
 }
 
 /// For when the title has no room for them.
@@ -230,21 +226,6 @@ void draw_links_below(Ui& ui) {
     const FragmentLinks links = links_of(ui);
     if (links.can_go) draw_go_link(ui);
     if (links.can_follow) draw_follow_link(ui);
-}
-
-/// Where lines are few: the numbers first, then how the chosen one was computed, all in one scroll.
-/// Clicking a number brings its formula into view.
-void draw_as_one_page(Ui& ui) {
-    const std::string chosen = ui.inspector.chosen.fragment_number;
-    draw_title(ui);
-    draw_fragment_values(ui);
-    ImGui::Spacing();
-    const bool is_new = ui.inspector.chosen.fragment_number != chosen;
-    draw_formula_card(ui);
-    if (is_new) scroll_here(1.0f);
-    if (ui.inspector.is_low) draw_links_below(ui);
-    draw_fragment_light(ui);
-    draw_depth(ui);
 }
 
 void draw_no_fragment(Ui& ui) {
@@ -290,20 +271,24 @@ void draw_fragment_panel(Ui& ui) {
         draw_no_fragment(ui);
         return;
     }
-    if (!ui.inspector.has_card) {
-        draw_as_one_page(ui);
-        return;
-    }
-    draw_with_card(
-        "fragment",
-        [&] {
-            draw_title(ui);
-            draw_fragment_values(ui);
-            ImGui::Spacing();
-            draw_fragment_light(ui);
-            draw_depth(ui);
-        },
-        [&] { draw_formula_card(ui); });
+    const std::string chosen = ui.inspector.chosen.fragment_number;
+    const auto values = [&] {
+        draw_fragment_values(ui);
+        ImGui::Spacing();
+    };
+    const auto card = [&] {
+        const bool is_new = ui.inspector.chosen.fragment_number != chosen;
+        draw_chosen_number(ui);
+        // In the page it is brought into view by a click on its number.
+        if (!ui.inspector.has_card && is_new) scroll_here(1.0f);
+        if (ui.inspector.is_low) draw_links_below(ui);
+    };
+    draw_panel(
+        ui, "fragment",
+        {{[&] { draw_title(ui); }}, {values, true}, {[&] { draw_fragment_light(ui); }}, {[&] {
+             draw_depth(ui);
+         }}},
+        card);
 }
 
 } // namespace rasterwalk

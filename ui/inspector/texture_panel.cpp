@@ -280,11 +280,7 @@ void draw_texture_formula(Ui& ui) {
     const Formula* formula = is_shown ? find_formula(formulas, chosen) : nullptr;
     if (formula == nullptr)
         formula = find_formula(formulas, asks_for_level(ui) ? "texture.level" : "texture.x");
-    begin_card(ui);
-    if (!ui.inspector.is_low) wrapped_text_in(palette(ui.options.theme).dim, formula->help);
-    const std::optional<Source> clicked = draw_formula(ui, *formula, "texture.formula");
-    end_card(ui);
-    follow_texture_source(ui, clicked);
+    follow_texture_source(ui, draw_formula_card(ui, *formula, "texture.formula"));
 }
 
 void draw_no_texture(Ui& ui) {
@@ -312,13 +308,8 @@ void draw_texture_panel(Ui& ui) {
         draw_no_texture(ui);
         return;
     }
-    if (!ui.inspector.has_card) {
-        draw_texture_page(ui);
-        draw_texture_formula(ui);
-        return;
-    }
-    draw_with_card(
-        "texture", [&] { draw_texture_page(ui); }, [&] { draw_texture_formula(ui); });
+    draw_panel(ui, "texture", {{[&] { draw_texture_page(ui); }, true}},
+               [&] { draw_texture_formula(ui); });
 }
 
 } // namespace rasterwalk

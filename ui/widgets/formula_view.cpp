@@ -237,6 +237,33 @@ void draw_with_card(const char* name, const std::function<void()>& page,
     sizes->SetFloat(card_id, card_height_now);
 }
 
+void draw_panel(const Ui& ui, const char* name, const std::vector<PanelBlock>& blocks,
+                const std::function<void()>& card) {
+    bool is_card_due = !ui.inspector.has_card;
+    const auto page = [&] {
+        for (const PanelBlock& block : blocks) {
+            block.draw();
+            if (is_card_due && block.has_chosen) {
+                card();
+                is_card_due = false;
+            }
+        }
+    };
+    if (is_card_due) {
+        page();
+    } else {
+        draw_with_card(name, page, card);
+    }
+}
+
+std::optional<Source> draw_formula_card(Ui& ui, const Formula& formula, const std::string& name) {
+    begin_card(ui);
+    if (!ui.inspector.is_low) wrapped_text_in(palette(ui.options.theme).dim, formula.help);
+    const std::optional<Source> clicked = draw_formula(ui, formula, name);
+    end_card(ui);
+    return clicked;
+}
+
 bool number_cell(Ui& ui, const std::string& name, std::string_view text, const ImVec4& colour,
                  bool is_chosen, std::string_view tooltip) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
