@@ -4,7 +4,6 @@
 
 #include "base/element_names.h"
 #include "explain/depth_formulas.h"
-#include "picture/view_image.h"
 #include "session/walk.h"
 #include "ui/actions/go_to_source.h"
 #include "ui/inspector/fragment_parts.h"
@@ -13,26 +12,16 @@
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/swatch.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
 namespace {
 
-ImU32 screen_colour(const Ui& ui, const glm::vec3& colour) {
-    const glm::vec3 cut = shown_colour(colour, ui.results.a.frame.stages.screen);
-    return packed({cut.r, cut.g, cut.b, 1.0f});
-}
-
-/// A square of a colour, with a border so that black and white can be seen on any ground.
-void draw_swatch(const Ui& ui, const glm::vec3& colour, float width = 0.0f) {
-    const float size = ImGui::GetTextLineHeight();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 end{at.x + (width > 0.0f ? width : size), at.y + size};
-    ImDrawList* const list = ImGui::GetWindowDrawList();
-    list->AddRectFilled(at, end, screen_colour(ui, colour), 2.0f * ui.options.text_scale);
-    list->AddRect(at, end, packed(palette(ui.options.theme).dim), 2.0f * ui.options.text_scale);
-    ImGui::Dummy({end.x - at.x, size});
+void put_swatch(const Ui& ui, float width, const glm::vec3& colour) {
+    draw_swatch(ui, ImGui::GetCursorScreenPos(), width, colour);
+    ImGui::Dummy({width, ImGui::GetTextLineHeight()});
 }
 
 /// A link at the right edge of the line, or on the next line if there is no room for it.
@@ -119,7 +108,8 @@ void draw_title(Ui& ui) {
     ImGui::SameLine();
     ImGui::BeginGroup();
     const glm::vec3 reflectance = scene.corner(triangle, 0).reflectance;
-    draw_swatch(ui, report.texture ? reflectance * report.texture->colour : reflectance);
+    put_swatch(ui, ImGui::GetTextLineHeight(),
+               report.texture ? reflectance * report.texture->colour : reflectance);
     ImGui::SameLine(0.0f, style.ItemInnerSpacing.x);
     const std::string shown = first_fitting(parts, ImGui::GetContentRegionAvail().x);
     text_in(p.dim, shown);
@@ -170,7 +160,7 @@ void draw_colours(Ui& ui) {
         ImGui::BeginGroup();
         text_in(p.dim, word);
         ImGui::SameLine(start + ImGui::CalcTextSize("would be ").x);
-        draw_swatch(ui, colour, 2.0f * ImGui::GetTextLineHeight());
+        put_swatch(ui, 2.0f * ImGui::GetTextLineHeight(), colour);
         ImGui::SameLine();
         put_text(numbers(colour), ui.fonts.mono);
         ImGui::EndGroup();

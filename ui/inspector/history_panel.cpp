@@ -13,6 +13,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/swatch.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -97,8 +98,8 @@ void draw_title(Ui& ui, const PixelHistory& history) {
     const std::size_t at = ui.results.a.framebuffer->at(history.pixel.x, history.pixel.y);
     const float size = ImGui::GetTextLineHeight();
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    draw_history_swatch(ui, {start.x, start.y + ImGui::GetStyle().FramePadding.y}, size,
-                        ui.results.a.framebuffer->colour[at], 1.0f);
+    draw_swatch(ui, {start.x, start.y + ImGui::GetStyle().FramePadding.y}, size,
+                ui.results.a.framebuffer->colour[at], 1.0f, swatch_border);
     ImGui::SetCursorScreenPos({start.x + size + ImGui::GetStyle().ItemSpacing.x, start.y});
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(ui.fonts.bold);

@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 
 #include "explain/light_formulas.h"
-#include "picture/view_image.h"
 #include "ui/actions/go_to_source.h"
 #include "ui/inspector/fragment_parts.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/swatch.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -32,11 +32,6 @@ constexpr float ring = 5.0f, beside_map = 6.0f;
 
 const TextureReport& texture_on_show(const Ui& ui) {
     return *report_of(ui).texture;
-}
-
-ImU32 texel_colour(const Ui& ui, const glm::vec3& colour) {
-    const glm::vec3 cut = shown_colour(colour, ui.results.a.frame.stages.screen);
-    return packed({cut.r, cut.g, cut.b, 1.0f});
 }
 
 /// Black or white, whichever stands out; the weights of the channels are those of Rec. 709.
@@ -121,7 +116,7 @@ void draw_texture_map(Ui& ui) {
     for (int row = 0; row < level.height; ++row) {
         for (int column = 0; column < level.width; ++column) {
             list->AddRectFilled(corner(column, row), corner(column + 1, row + 1),
-                                texel_colour(ui, level.at(column, row)));
+                                screen_colour(ui, level.at(column, row)));
         }
     }
     const TextureWrap wrap = ui.results.a.frame.settings.texture_wrap;
@@ -195,7 +190,7 @@ void draw_taken_texels(Ui& ui) {
                     fmt::format("Column {}, row {} of level {}; its weight is {}.\nClick to see "
                                 "how that was calculated.",
                                 texel.column, texel.row, texel.level, shown({texel.weight})));
-        list->AddRectFilled(from, to, texel_colour(ui, texel.colour));
+        list->AddRectFilled(from, to, screen_colour(ui, texel.colour));
         const bool is_chosen = ui.inspector.chosen.texture_number == id;
         list->AddRect(
             from, to,
@@ -227,7 +222,7 @@ void draw_mixed_colour(Ui& ui) {
     const float size = ImGui::GetTextLineHeight();
     const ImVec2 from = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + 2.0f * size, from.y + size},
-                                              texel_colour(ui, report.colour));
+                                              screen_colour(ui, report.colour));
     ImGui::Dummy({2.0f * size, size});
     ImGui::SameLine();
     FormulaLine line(ui, 0.0f);
