@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <functional>
 #include <string>
+#include <vector>
 
 #include "base/numbers.h"
 #include "laboratory/quiz.h"
@@ -113,19 +113,15 @@ void draw_guesses(Ui& ui) {
     }
 }
 
-/// The possible answers: every mistake, each on a line; a tooltip describes the chosen one.
-/// @param below draws what is below the line of a mistake
-void draw_choices(Ui& ui, const std::function<void(const Bug&)>& below) {
-    for (const Bug& bug : lab_bugs(ui)) {
-        const std::string name = "lab.choice." + bug.id;
-        if (ImGui::Selectable((bug.id + "  " + bug.name + "###" + name).c_str(),
-                              ui.lab.chosen == bug.id)) {
-            ui.lab.chosen = bug.id;
-        }
-        keep_selectable_whole();
-        name_widget(ui, name, bug.sentence);
-        below(bug);
+/// A possible answer; its tooltip describes it.
+void draw_choice(Ui& ui, const Bug& bug) {
+    const std::string name = "lab.choice." + bug.id;
+    if (ImGui::Selectable((bug.id + "  " + bug.name + "###" + name).c_str(),
+                          ui.lab.chosen == bug.id)) {
+        ui.lab.chosen = bug.id;
     }
+    keep_selectable_whole();
+    name_widget(ui, name, bug.sentence);
 }
 
 void draw_question_card(Ui& ui) {
@@ -217,22 +213,21 @@ void draw_lab_quiz(Ui& ui) {
         finish_quiz(ui);
         return;
     }
-    if (ui.inspector.has_card) {
-        draw_with_card(
-            "quiz", [&] { draw_choices(ui, [](const Bug&) {}); }, [&] { draw_question_card(ui); });
-        return;
-    }
-    // One list that scrolls, with the card in it, like the list of mistakes.
+    // Where lines are few: one list that scrolls, with the card in it, like the list of mistakes.
+    const bool has_card = ui.inspector.has_card;
     const Bug* const chosen = bug_of(ui, ui.lab.chosen);
-    if (chosen == nullptr) {
-        ui.lab.in_sight.clear(); // the list of the mistakes may have shown the same one
-        draw_question_card(ui);
+    // The list of the mistakes may have shown the same one.
+    if (chosen == nullptr && !has_card) ui.lab.in_sight.clear();
+    std::vector<PanelBlock> choices{{[] {}, chosen == nullptr}};
+    for (const Bug& bug : lab_bugs(ui)) {
+        const bool is_chosen = &bug == chosen;
+        const auto draw = [&ui, &bug, is_kept = is_chosen && !has_card] {
+            draw_choice(ui, bug);
+            if (is_kept) keep_in_sight(ui, bug, height_of_card_head());
+        };
+        choices.push_back({draw, is_chosen});
     }
-    draw_choices(ui, [&](const Bug& bug) {
-        if (&bug != chosen) return;
-        keep_in_sight(ui, bug, height_of_card_head());
-        draw_question_card(ui);
-    });
+    draw_panel(ui, "quiz", choices, [&] { draw_question_card(ui); });
 }
 
 } // namespace rasterwalk

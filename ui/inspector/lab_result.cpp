@@ -174,23 +174,23 @@ void draw_result_answer(Ui& ui) {
 void draw_lab_result(Ui& ui) {
     const LabLook& lab = ui.lab;
     const bool is_asked = is_diagnosing(ui) || lab.answer || !lab.result_fault.empty();
-    // The answer is above the way to the next one, which stays in sight if there is room.
     if (!is_asked) {
         draw_intro(ui);
         draw_file(ui, false);
-    } else if (!ui.inspector.has_card) {
-        if (lab.answer) draw_watch_line(ui);
-        draw_result_answer(ui);
-        draw_file(ui, true);
-    } else {
-        // Below it, the line stays in sight when the answer is scrolled.
-        draw_with_card(
-            "result", [&] { draw_result_answer(ui); },
-            [&] {
-                if (lab.answer) draw_watch_line(ui);
-                draw_file(ui, true);
-            });
+        return;
     }
+    // The answer is above the way to the next one, which stays in sight if there is room. So does
+    // the line about the file, when the answer is scrolled.
+    const auto draw_watch_line_if = [&](bool is_here) {
+        if (lab.answer && is_here) draw_watch_line(ui);
+    };
+    draw_panel(ui, "result",
+               {{[&] { draw_watch_line_if(!ui.inspector.has_card); }},
+                {[&] { draw_result_answer(ui); }, true}},
+               [&] {
+                   draw_watch_line_if(ui.inspector.has_card);
+                   draw_file(ui, true);
+               });
 }
 
 } // namespace rasterwalk

@@ -175,17 +175,15 @@ void draw_vertices_panel(Ui& ui) {
         draw_as_one_page(ui, chosen, vertex, has_spaces);
         return;
     }
-    draw_with_card(
-        "vertices",
-        [&] {
-            if (begin_vertex_table(ui, "vertices", ImGui::GetContentRegionAvail().x)) {
-                draw_vertex_header(ui, chosen);
-                draw_vertex_lines(ui, chosen, vertex_lines());
-                end_vertex_table();
-            }
-            if (has_spaces) draw_spaces(ui, chosen);
-        },
-        [&] { draw_formula_card(ui, vertex); });
+    const auto numbers = [&] {
+        if (begin_vertex_table(ui, "vertices", ImGui::GetContentRegionAvail().x)) {
+            draw_vertex_header(ui, chosen);
+            draw_vertex_lines(ui, chosen, vertex_lines());
+            end_vertex_table();
+        }
+        if (has_spaces) draw_spaces(ui, chosen);
+    };
+    draw_panel(ui, "vertices", {{numbers, true}}, [&] { draw_formula_card(ui, vertex); });
 }
 
 } // namespace rasterwalk

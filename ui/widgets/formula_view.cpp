@@ -61,6 +61,48 @@ void name_number(Ui& ui, std::string_view name, std::string_view tooltip) {
     ImGui::PopFont();
 }
 
+/// A page that scrolls, and below it the part that must stay in view: the card.
+/// @param name under which both keep their sizes from one frame to the next
+void draw_with_card(const char* name, const std::function<void()>& page,
+                    const std::function<void()>& card) {
+    ImGuiStorage* const sizes = ImGui::GetStateStorage();
+    const ImGuiID page_id = ImGui::GetID((std::string(name) + ".page").c_str());
+    const ImGuiID card_id = ImGui::GetID((std::string(name) + ".card").c_str());
+    const ImGuiID whole_id = ImGui::GetID((std::string(name) + ".whole").c_str());
+    const float room = ImGui::GetContentRegionAvail().y;
+    const float spacing = ImGui::GetStyle().ItemSpacing.y;
+    const float card_height = sizes->GetFloat(card_id, 8.0f * ImGui::GetTextLineHeight());
+    const float left = std::max(room - card_height - spacing, 0.42f * room);
+    // The card follows the last whole line; a leftover strip of the room is below the card.
+    const float whole = std::min(sizes->GetFloat(whole_id, left), left);
+    ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), whole)}, false,
+                      ImGuiWindowFlags_NoNav);
+    begin_whole_lines(left);
+    page();
+    // A gap lower than a line is like any other, and the page keeps it.
+    const float blank = left - whole_height();
+    sizes->SetFloat(
+        whole_id, blank < ImGui::GetTextLineHeight() ? left : std::max(left - blank, 0.5f * left));
+    end_whole_lines();
+    const float page_height = ImGui::GetCursorPosY();
+    ImGui::EndChild();
+    // A card without enough room scrolls separately, so that neither of the two is ever out of
+    // sight. Its height is from the previous frame: what does not fit yet must not make the panel
+    // scroll.
+    const float card_room = std::max(room - left - spacing, 1.0f);
+    const bool scrolls = card_height > card_room + 1.0f && card_room > ImGui::GetTextLineHeight();
+    ImGui::BeginChild(card_id, {0, std::max(scrolls ? card_room : card_height, 1.0f)}, false,
+                      scrolls ? ImGuiWindowFlags_NoNav
+                              : ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar);
+    begin_whole_lines();
+    card();
+    end_whole_lines();
+    const float card_height_now = ImGui::GetCursorPosY();
+    ImGui::EndChild();
+    sizes->SetFloat(page_id, page_height);
+    sizes->SetFloat(card_id, card_height_now);
+}
+
 } // namespace
 
 FormulaLine::FormulaLine(Ui& in, float indented)
@@ -195,46 +237,6 @@ std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const st
         clicked = from_formula(formula.id);
     }
     return clicked;
-}
-
-void draw_with_card(const char* name, const std::function<void()>& page,
-                    const std::function<void()>& card) {
-    ImGuiStorage* const sizes = ImGui::GetStateStorage();
-    const ImGuiID page_id = ImGui::GetID((std::string(name) + ".page").c_str());
-    const ImGuiID card_id = ImGui::GetID((std::string(name) + ".card").c_str());
-    const ImGuiID whole_id = ImGui::GetID((std::string(name) + ".whole").c_str());
-    const float room = ImGui::GetContentRegionAvail().y;
-    const float spacing = ImGui::GetStyle().ItemSpacing.y;
-    const float card_height = sizes->GetFloat(card_id, 8.0f * ImGui::GetTextLineHeight());
-    const float left = std::max(room - card_height - spacing, 0.42f * room);
-    // The card follows the last whole line; a leftover strip of the room is below the card.
-    const float whole = std::min(sizes->GetFloat(whole_id, left), left);
-    ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), whole)}, false,
-                      ImGuiWindowFlags_NoNav);
-    begin_whole_lines(left);
-    page();
-    // A gap lower than a line is like any other, and the page keeps it.
-    const float blank = left - whole_height();
-    sizes->SetFloat(
-        whole_id, blank < ImGui::GetTextLineHeight() ? left : std::max(left - blank, 0.5f * left));
-    end_whole_lines();
-    const float page_height = ImGui::GetCursorPosY();
-    ImGui::EndChild();
-    // A card without enough room scrolls separately, so that neither of the two is ever out of
-    // sight. Its height is from the previous frame: what does not fit yet must not make the panel
-    // scroll.
-    const float card_room = std::max(room - left - spacing, 1.0f);
-    const bool scrolls = card_height > card_room + 1.0f && card_room > ImGui::GetTextLineHeight();
-    ImGui::BeginChild(card_id, {0, std::max(scrolls ? card_room : card_height, 1.0f)}, false,
-                      scrolls ? ImGuiWindowFlags_NoNav
-                              : ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar);
-    begin_whole_lines();
-    card();
-    end_whole_lines();
-    const float card_height_now = ImGui::GetCursorPosY();
-    ImGui::EndChild();
-    sizes->SetFloat(page_id, page_height);
-    sizes->SetFloat(card_id, card_height_now);
 }
 
 void draw_panel(const Ui& ui, const char* name, const std::vector<PanelBlock>& blocks,

@@ -48,12 +48,6 @@ std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::st
 std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name,
                                         std::string_view label = {}, bool warns = false);
 
-/// A page that scrolls, and below it the part that must stay in view: the formula of what was
-/// clicked.
-/// @param name under which both keep their sizes from one frame to the next
-void draw_with_card(const char* name, const std::function<void()>& page,
-                    const std::function<void()>& card);
-
 /// A part of a panel, from top to bottom.
 struct PanelBlock {
     std::function<void()> draw;
@@ -62,6 +56,7 @@ struct PanelBlock {
 
 /// A panel of numbers, and the card with the formula of the chosen one: below the page and always
 /// in view, or, where lines are few, in the page, after the first block that has that number.
+/// @param name under which page and card keep their sizes from one frame to the next
 void draw_panel(const Ui& ui, const char* name, const std::vector<PanelBlock>& blocks,
                 const std::function<void()>& card);
 
