@@ -11,7 +11,7 @@
 #include "explain/highlight_formulas.h"
 #include "explain/light_formulas.h"
 #include "explain/vertex_report.h"
-#include "pipeline/draw.h"
+#include "pipeline/event_source.h"
 #include "pipeline/surface.h"
 #include "stages/orthographic.h"
 
@@ -20,26 +20,6 @@ namespace rasterwalk {
 namespace {
 
 using Carried = std::array<Fragment, interpolation_count>; ///< indexed by Interpolation
-
-/// Keeps the event of one fragment, and the earlier writer of its pixel.
-class Watcher : public Observer {
-  public:
-    explicit Watcher(const Cursor& of) : wanted(of) {}
-
-    void fragment(const FragmentEvent& now) override {
-        if (now.cursor == wanted) {
-            event = now;
-        } else if (now.fate == Fate::written && !event) {
-            written_by = now.cursor;
-        }
-    }
-
-    std::optional<FragmentEvent> event;
-    std::optional<Cursor> written_by;
-
-  private:
-    Cursor wanted;
-};
 
 /// The true z, from what the row carries.
 Formula true_depth(const Fragment& fragment, float mix) {
@@ -415,19 +395,25 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
         report.pixel.y >= size.height) {
         return std::nullopt;
     }
-    Framebuffer one_pixel;
-    clear(one_pixel, frame, {1, 1}, report.pixel);
-    Watcher watcher(cursor);
+    std::optional<FragmentEvent> found;
+    std::optional<Cursor> written_by; // the earlier writer of its pixel
+    const Observer watch{.fragment = [&](const FragmentEvent& now) {
+        if (now.cursor == cursor) {
+            found = now;
+        } else if (now.fate == Fate::written && !found) {
+            written_by = now.cursor;
+        }
+    }};
     Cursor after = cursor;
     ++after.step;
-    draw(frame, {cursor_begin, after, {}}, one_pixel, &watcher);
-    if (!watcher.event) return std::nullopt;
-    const FragmentEvent& event = *watcher.event;
+    EventSource(frame).play({cursor_begin, after, only_pixel(report.pixel)}, watch);
+    if (!found) return std::nullopt;
+    const FragmentEvent& event = *found;
     report.fragment = event.fragment;
     report.depth = event.depth;
     report.stored = event.stored;
     report.has_cell = has_depth_cell(frame.stages, report.pixel.x, report.pixel.y, size);
-    if (report.has_cell) report.stored_by = watcher.written_by;
+    if (report.has_cell) report.stored_by = written_by;
     report.fate = event.fate;
     report.before = event.before;
     report.after = event.after;
@@ -463,31 +449,20 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     return report;
 }
 
-namespace {
-
-/// The last fragment written on a pixel.
-class LastWritten : public Observer {
-  public:
-    void fragment(const FragmentEvent& event) override {
-        if (event.fate == Fate::written) cursor = event.cursor;
-    }
-    std::optional<Cursor> cursor;
-};
-
-} // namespace
-
 std::optional<Cursor> fragment_on_pixel(const Frame& frame, const glm::ivec2& pixel,
                                         const Cursor& moment) {
     const Viewport size = frame.settings.viewport;
     const bool inside =
         pixel.x >= 0 && pixel.x < size.width && pixel.y >= 0 && pixel.y < size.height;
     if (!inside || !has_fragments(frame.settings.stage)) return std::nullopt;
-    Framebuffer one_pixel;
-    clear(one_pixel, frame, {1, 1}, pixel);
-    LastWritten watcher;
-    draw(frame, {cursor_begin, moment, {}}, one_pixel, &watcher);
-    if (!watcher.cursor) draw(frame, {moment, cursor_end, {}}, one_pixel, &watcher);
-    return watcher.cursor;
+    std::optional<Cursor> last;
+    const Observer keep_written{.fragment = [&](const FragmentEvent& event) {
+        if (event.fate == Fate::written) last = event.cursor;
+    }};
+    const EventSource source(frame);
+    source.play({cursor_begin, moment, only_pixel(pixel)}, keep_written);
+    if (!last) source.play({moment, cursor_end, only_pixel(pixel)}, keep_written);
+    return last;
 }
 
 } // namespace rasterwalk
