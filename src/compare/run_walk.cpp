@@ -78,8 +78,10 @@ void copy_row(const Frame& frame, const Framebuffer& picture, const Cursor& curs
 }
 
 Observer keep_in(PartEvents& part) {
-    Observer observer = observe_all([&](const auto& event) { part.events.emplace_back(event); });
-    observer.fragment = [&](const FragmentEvent& event) { part.fragments.push_back(event); };
+    Observer observer =
+        observe_all([&](const auto& event) { part.others.all.emplace_back(event); });
+    observer.pixel_test = [&](const TestEvent& event) { part.tests.all.push_back(event); };
+    observer.fragment = [&](const FragmentEvent& event) { part.fragments.all.push_back(event); };
     return observer;
 }
 
@@ -100,30 +102,17 @@ TableRows table_rows(const Frame& frame, int triangle) {
     return {box.top, box.bottom - 1};
 }
 
-Cursor PartEvents::next() const {
-    Cursor first = cursor_end;
-    if (next_event < events.size()) first = cursor_of(events[next_event]);
-    if (next_fragment < fragments.size()) first = std::min(first, fragments[next_fragment].cursor);
-    return first;
-}
-
 MomentEvents PartEvents::take(const Cursor& cursor) {
     MomentEvents taken;
-    const auto is_next = [&] {
-        return next_event < events.size() && cursor_of(events[next_event]) == cursor;
-    };
-    for (; is_next(); ++next_event) {
-        const Event* const event = &events[next_event];
-        if (const auto* vertex = std::get_if<VertexEvent>(event)) taken.vertex = vertex;
-        if (const auto* clip = std::get_if<ClipEvent>(event)) taken.clip = clip;
-        if (const auto* cull = std::get_if<CullEvent>(event)) taken.cull = cull;
-        if (const auto* sample = std::get_if<SampleEvent>(event)) taken.sample = sample;
-        if (const auto* test = std::get_if<TestEvent>(event)) taken.test = test;
+    for (const Event& event : others.take(cursor)) {
+        if (const auto* vertex = std::get_if<VertexEvent>(&event)) taken.vertex = vertex;
+        if (const auto* clip = std::get_if<ClipEvent>(&event)) taken.clip = clip;
+        if (const auto* cull = std::get_if<CullEvent>(&event)) taken.cull = cull;
+        if (const auto* sample = std::get_if<SampleEvent>(&event)) taken.sample = sample;
     }
-    const std::size_t first = next_fragment;
-    while (next_fragment < fragments.size() && fragments[next_fragment].cursor == cursor)
-        ++next_fragment;
-    taken.fragments = std::span(fragments).subspan(first, next_fragment - first);
+    for (const TestEvent& test : tests.take(cursor))
+        taken.test = &test;
+    taken.fragments = fragments.take(cursor);
     return taken;
 }
 
@@ -193,11 +182,12 @@ bool RunWalk::walk_part(const PairVisitor& visit) {
     if (!is_walked) return true;
     const Cursor end = std::min(next_, to_);
     const auto play = [&](const EventSource& source, PartEvents& part) {
-        part.events.clear();
+        part.others.clear();
+        part.tests.clear();
         part.fragments.clear();
-        part.next_event = part.next_fragment = 0;
         source.play({from, end, {}}, keep_in(part));
-        work_ += static_cast<std::int64_t>(part.events.size() + part.fragments.size()) +
+        work_ += static_cast<std::int64_t>(part.others.all.size() + part.tests.all.size() +
+                                           part.fragments.all.size()) +
                  remade_rows(*source.frame, from.triangle);
     };
     play(source_a_, events_a_);

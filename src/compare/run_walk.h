@@ -3,10 +3,12 @@
 // Two runs played in parallel, triangle by triangle, and what each does at every moment. Keeps the
 // work of a few rows, never that of a frame.
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "pipeline/event_source.h"
@@ -45,15 +47,44 @@ struct PairMoment {
 /// Called for every moment, in order; false ends the walk.
 using PairVisitor = std::function<bool(const PairMoment&)>;
 
-/// What a run does in a part of a frame, in order.
-struct PartEvents {
-    std::vector<Event> events;                     ///< but for fragments
-    std::vector<FragmentEvent> fragments;          ///< and marks
-    std::size_t next_event = 0, next_fragment = 0; ///< that have not been taken
+/// Events in order of time, from the first to the last.
+template <class Told>
+struct EventQueue {
+    std::vector<Told> all;
+    std::size_t next = 0; ///< that has not been taken
 
-    /// The next moment that has not been taken; the end if all have been.
-    Cursor next() const;
-    /// The events of that moment, which must not be before next().
+    /// The next moment; the end if all have been taken.
+    const Cursor& moment() const {
+        if (next == all.size()) return cursor_end;
+        if constexpr (std::is_same_v<Told, Event>)
+            return cursor_of(all[next]);
+        else
+            return all[next].cursor;
+    }
+    /// Takes those of a moment, which must not be before the next.
+    std::span<const Told> take(const Cursor& cursor) {
+        const std::size_t first = next;
+        while (next < all.size() && moment() == cursor)
+            ++next;
+        return std::span(all).subspan(first, next - first);
+    }
+    /// Empties it, and keeps its memory.
+    void clear() {
+        all.clear();
+        next = 0;
+    }
+};
+
+/// What a run does in a part of a frame. The kinds with many events are kept apart, in less memory.
+struct PartEvents {
+    EventQueue<Event> others;
+    EventQueue<TestEvent> tests;
+    EventQueue<FragmentEvent> fragments; ///< and marks
+
+    const Cursor& next() const {
+        return std::min(others.moment(), std::min(tests.moment(), fragments.moment()));
+    }
+    /// The events of a moment, which must not be before next().
     MomentEvents take(const Cursor& cursor);
 };
 
