@@ -202,10 +202,7 @@ void draw_depth(Ui& ui) {
     keep_item_whole(ui);
     ImGui::PopFont();
     const bool tested = report.depth_test != DepthTest::off;
-    if (tested) {
-        const bool is_ndc = is_smaller_nearer(depth_kind(ui.results.a.frame));
-        draw_fragment_line(ui, "margin", is_ndc ? "margin: stored − new" : "margin: new − stored");
-    }
+    draw_fragment_section(ui, "depth");
     const ImVec4 colour =
         !tested && report.fate == Fate::written
             ? p.text
@@ -222,27 +219,16 @@ void draw_depth(Ui& ui) {
             std::string(depth_words(ui.results.a.frame).nearer) +
             (report.depth_test == DepthTest::or_equal ? " or equal: margin ≥ " : ": margin > ") +
             margin_limit(depth_rules(frame.settings, frame.scene->space)) + ".");
-    for (const char* id : {"blend.red", "blend.green", "blend.blue"})
-        draw_fragment_line(ui, id, std::string(id).substr(std::string("blend.").size()));
+    draw_fragment_section(ui, "blend");
     draw_colours(ui);
     end_card(ui);
 }
 
-void draw_formula_card(Ui& ui) {
+void draw_chosen_number(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Formula* formula = find_formula(report.formulas, ui.inspector.chosen.fragment_number);
     if (formula == nullptr) formula = find_formula(report.formulas, "zinv");
-    begin_card(ui);
-    // Where lines are few the tooltip of the number gives its name.
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    if (!ui.inspector.is_low) {
-        wrapped_text(formula->help);
-        keep_text_whole(ui);
-    }
-    ImGui::PopStyleColor();
-    const std::optional<Source> clicked = draw_formula(ui, *formula, "fragment.formula");
-    end_card(ui);
-    follow_source(ui, clicked);
+    follow_source(ui, draw_formula_card(ui, *formula, "fragment.formula"));
 }
 
 /// For when the title has no room for them.
@@ -260,7 +246,7 @@ void draw_as_one_page(Ui& ui) {
     draw_fragment_values(ui);
     ImGui::Spacing();
     const bool is_new = ui.inspector.chosen.fragment_number != chosen;
-    draw_formula_card(ui);
+    draw_chosen_number(ui);
     if (is_new) scroll_here(1.0f);
     if (ui.inspector.is_low) draw_links_below(ui);
     draw_fragment_light(ui);
@@ -300,11 +286,8 @@ void follow_source(Ui& ui, const std::optional<Source>& source) {
     go_to_source(ui, *source);
 }
 
-void draw_fragment_line(Ui& ui, const std::string& id, std::string_view label, bool warns) {
-    const Formula* const formula = find_formula(report_of(ui).formulas, id);
-    if (formula != nullptr) {
-        follow_source(ui, draw_formula_line(ui, *formula, "fragment." + id, label, warns));
-    }
+void draw_fragment_section(Ui& ui, std::string_view section) {
+    follow_source(ui, draw_section(ui, report_of(ui).formulas, section, "fragment."));
 }
 
 void draw_fragment_panel(Ui& ui) {
@@ -325,7 +308,7 @@ void draw_fragment_panel(Ui& ui) {
             draw_fragment_light(ui);
             draw_depth(ui);
         },
-        [&] { draw_formula_card(ui); });
+        [&] { draw_chosen_number(ui); });
 }
 
 } // namespace rasterwalk

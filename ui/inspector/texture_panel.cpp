@@ -57,12 +57,6 @@ void follow_texture_source(Ui& ui, const std::optional<Source>& source) {
     go_to_source(ui, *source);
 }
 
-/// A formula on one line; clicking a number asks about it.
-void draw_texture_line(Ui& ui, const std::string& id) {
-    const Formula* const formula = find_formula(report_of(ui).formulas, id);
-    if (formula != nullptr) follow_texture_source(ui, draw_formula_line(ui, *formula, id));
-}
-
 void draw_texture_title(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Texture& texture = *texture_on_show(ui).surface.texture;
@@ -248,12 +242,6 @@ void draw_mixed_colour(Ui& ui) {
     }
 }
 
-/// Does the filter choose levels? The others take the texture itself.
-bool asks_for_level(const Ui& ui) {
-    const TextureFilter filter = ui.results.a.frame.settings.texture_filter;
-    return filter == TextureFilter::mipmap || filter == TextureFilter::trilinear;
-}
-
 void draw_texture_page(Ui& ui) {
     draw_texture_title(ui);
     ImGui::Spacing();
@@ -274,29 +262,20 @@ void draw_texture_page(Ui& ui) {
     draw_mixed_colour(ui);
     ImGui::Spacing();
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x);
-    for (const char* id : {"texture.x", "texture.y", "texture.right", "texture.down"})
-        draw_texture_line(ui, id);
-    if (asks_for_level(ui)) draw_texture_line(ui, "texture.level");
+    follow_texture_source(ui, draw_section(ui, report_of(ui).formulas, "texture", ""));
     ImGui::PopItemWidth();
 }
 
+/// The chosen number; the level first, if the filter chooses one.
 void draw_texture_formula(Ui& ui) {
     const std::vector<Formula>& formulas = report_of(ui).formulas;
+    const Formula* const level = find_formula(formulas, "texture.level");
+    const bool has_level = !level->section.empty();
     const std::string& chosen = ui.inspector.chosen.texture_number;
-    const bool is_shown = chosen != "texture.level" || asks_for_level(ui);
-    const Formula* formula = is_shown ? find_formula(formulas, chosen) : nullptr;
-    if (formula == nullptr)
-        formula = find_formula(formulas, asks_for_level(ui) ? "texture.level" : "texture.x");
-    begin_card(ui);
-    if (!ui.inspector.is_low) {
-        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        wrapped_text(formula->help);
-        keep_text_whole(ui);
-        ImGui::PopStyleColor();
-    }
-    const std::optional<Source> clicked = draw_formula(ui, *formula, "texture.formula");
-    end_card(ui);
-    follow_texture_source(ui, clicked);
+    const Formula* formula = find_formula(formulas, chosen);
+    if (formula == nullptr || (formula == level && !has_level))
+        formula = has_level ? level : find_formula(formulas, "texture.x");
+    follow_texture_source(ui, draw_formula_card(ui, *formula, "texture.formula"));
 }
 
 void draw_no_texture(Ui& ui) {

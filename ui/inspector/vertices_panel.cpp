@@ -73,7 +73,7 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
     ImGui::PopStyleColor();
 }
 
-void draw_formula_card(Ui& ui, const VertexReport& vertex) {
+void draw_vertex_card(Ui& ui, const VertexReport& vertex) {
     begin_card(ui);
     // A vertex behind the camera does not drop the triangle if it is clipped.
     const Rejection why = ui.results.a.frame.rejection(*ui.results.a.triangle);
@@ -141,7 +141,7 @@ void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex, bool has_s
     const ImGuiStyle& style = ImGui::GetStyle();
     const float row = ImGui::GetCursorScreenPos().y - style.ItemSpacing.y -
                       2.0f * style.CellPadding.y - ui.fonts.text->FontSize;
-    draw_formula_card(ui, vertex);
+    draw_vertex_card(ui, vertex);
     // The click was in the previous frame, where the formula was elsewhere.
     const int frame = ImGui::GetFrameCount();
     if (ui.inspector.formula_frame + 1 == frame) bring_into_sight(row);
@@ -190,7 +190,7 @@ void draw_vertices_panel(Ui& ui) {
             }
             if (has_spaces) draw_spaces(ui, chosen);
         },
-        [&] { draw_formula_card(ui, vertex); });
+        [&] { draw_vertex_card(ui, vertex); });
 }
 
 } // namespace rasterwalk

@@ -1,11 +1,12 @@
 #include "ui/widgets/formula_view.h"
-#include "ui/widgets/number_text.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/numbers.h"
 #include "ui/ui.h"
+#include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
@@ -175,26 +176,50 @@ std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::st
     return clicked;
 }
 
-std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name,
-                                        std::string_view label, bool warns) {
+std::optional<Source> draw_formula_card(Ui& ui, const Formula& formula, const std::string& name) {
+    begin_card(ui);
+    // Where lines are few the tooltip of the number gives its name.
+    if (!ui.inspector.is_low) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
+        wrapped_text(formula.help);
+        keep_text_whole(ui);
+        ImGui::PopStyleColor();
+    }
+    const std::optional<Source> clicked = draw_formula(ui, formula, name);
+    end_card(ui);
+    return clicked;
+}
+
+std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name) {
     const Palette& p = palette(ui.options.theme);
     ImGui::PushFont(ui.fonts.mono);
     const float indent = ImGui::CalcTextSize("   ").x;
     ImGui::PopFont();
     FormulaLine line(ui, indent);
-    line.text(std::string(label.empty() ? formula.name : label) + " ", p.dim);
+    line.text((formula.label.empty() ? formula.name : formula.label) + " ", p.dim);
     line.text("= ", p.dim);
     std::optional<Source> clicked = draw_numbers(line, p, formula, name);
     const std::string result = shown(formula.result);
     if (with_numbers(formula) == result) return clicked;
     line.text(" = ", p.dim);
-    const ImVec4 colour = warns ? colour_of(Meaning::fail, ui.options.theme) : p.text;
+    const ImVec4 colour = formula.warns ? colour_of(Meaning::fail, ui.options.theme) : p.text;
     if (line.link(result, name,
                   with_function_help(formula.help + "\n" + formula.name + " = " +
                                          formula.expression + " = " + exact_text(formula.result),
                                      formula),
                   colour)) {
         clicked = from_formula(formula.id);
+    }
+    return clicked;
+}
+
+std::optional<Source> draw_section(Ui& ui, const std::vector<Formula>& formulas,
+                                   std::string_view section, const std::string& owner) {
+    std::optional<Source> clicked;
+    for (const Formula& formula : formulas) {
+        if (formula.section != section) continue;
+        if (std::optional<Source> source = draw_formula_line(ui, formula, owner + formula.id))
+            clicked = std::move(source);
     }
     return clicked;
 }

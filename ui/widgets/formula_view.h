@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <imgui.h>
 
@@ -40,12 +41,18 @@ class FormulaLine {
 /// a link. Returns the source that was clicked.
 std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::string& name);
 
-/// A formula on one line: its name, the numbers, the result; each number a link. The result leads
+/// What a formula is, in a sentence if there is room, and the formula in full. Returns the source
+/// that was clicked.
+std::optional<Source> draw_formula_card(Ui& ui, const Formula& formula, const std::string& name);
+
+/// A formula on one line: its label, the numbers, the result; each number a link. The result leads
 /// to the formula itself.
-/// @param label replaces the formula's own name, unless it is empty
-/// @param warns marks the result as one that cannot be shown
-std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name,
-                                        std::string_view label = {}, bool warns = false);
+std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name);
+
+/// The formulas of a section, a line for each. Returns the source that was clicked.
+/// @param owner before the ids in the names of the widgets: "fragment."
+std::optional<Source> draw_section(Ui& ui, const std::vector<Formula>& formulas,
+                                   std::string_view section, const std::string& owner);
 
 /// A page that scrolls, and below it the part that must stay in view: the formula of what was
 /// clicked.
