@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "picture/overlay.h"
+#include "tests/support/catch.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
