@@ -77,6 +77,19 @@ int look_at_edges(Driver& driver) {
 
 } // namespace
 
+TEST_CASE("The Compare tab begins and ends with whole lines") {
+    for (const SmallWindow& window : test::some_of(all_windows(), 3)) {
+        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
+        Driver driver("lab-room.toml", window.size, window.text_scale);
+        driver.ui.session.tab = "compare";
+        driver.hand.frames(frames_to_rest + 2);
+        look_at_edges(driver);
+        toggle_compare(driver.ui);
+        driver.hand.frames(frames_to_rest + 2);
+        CHECK(look_at_edges(driver) > 3);
+    }
+}
+
 TEST_CASE("The row table ends with a whole row") {
     for (const ImVec2 size :
          {ImVec2(1280, 720), ImVec2(1366, 768), ImVec2(1600, 1000), ImVec2(1600, 933)}) {
