@@ -48,7 +48,6 @@ struct Ui {
     bool style_is_stale = true; ///< theme or text size changed: style and fonts must be made again
     std::unordered_map<std::string, WidgetPlace> widgets; ///< drawn in this frame, by name
     Focus focus;
-    std::vector<WholeLines> whole_lines;    ///< the last is the innermost
     std::shared_ptr<PictureShelf> pictures; ///< shown in the lessons
     bool follow_cursor = false; ///< the cursor moved: tables scroll to what was just written
     std::vector<SceneEntry> scene_files; ///< of the Scene menu, read when it opens

@@ -1,7 +1,9 @@
 #pragma once
 
-// The words of an enum. They are declared next to it; code that reads or prints them asks here.
+// The words of an enum: the names of its values, as they are spelled in the program. Code that
+// reads or prints them asks here.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -10,17 +12,44 @@
 
 namespace rasterwalk {
 
-/// The words of an enum in the order of its values, each spelled like the value. An enum that has
-/// words specializes this with a word_list() right below its declaration, and asserts
-/// words_match<Enum> there.
-template <class Enum>
-inline constexpr std::array<std::string_view, 0> enum_words{};
-
-/// The value of enum_words for one enum.
-template <class... Word>
-constexpr std::array<std::string_view, sizeof...(Word)> word_list(Word... word) {
-    return {std::string_view(word)...};
+/// A value, function or member as spelled in the program, without what it is a member of; empty if
+/// an enum has no such value.
+template <auto value>
+constexpr std::string_view spelling() {
+    // g++ and clang++ spell a value "Enum::name", and a number that is none "(Enum)7".
+    std::string_view text = __PRETTY_FUNCTION__;
+    constexpr std::string_view before = "value = ";
+    text.remove_prefix(text.find(before) + before.size());
+    text = text.substr(0, text.find_first_of(";]"));
+    text.remove_prefix(text.find_last_of(":)&") + 1); // npos + 1 is 0
+    return text.front() >= '0' && text.front() <= '9' ? std::string_view() : text;
 }
+
+/// The number of values of an enum whose values are 0, 1, 2 ...
+template <class Enum, std::size_t known = 0>
+constexpr std::size_t value_count() {
+    if constexpr (spelling<static_cast<Enum>(known)>().empty())
+        return known;
+    else
+        return value_count<Enum, known + 1>();
+}
+
+/// The spelling of a value on its own, ended by 0.
+template <auto value>
+inline constexpr auto spelled_value = [] {
+    constexpr std::string_view word = spelling<value>();
+    std::array<char, word.size() + 1> text{};
+    std::copy(word.begin(), word.end(), text.begin());
+    return text;
+}();
+
+/// The words of an enum in the order of its values.
+template <class Enum>
+inline constexpr auto enum_words = []<std::size_t... i>(std::index_sequence<i...>) {
+    return std::array<std::string_view, sizeof...(i)>{
+        spelled_value<static_cast<Enum>(i)>.data()...};
+}
+(std::make_index_sequence<value_count<Enum>()>());
 
 /// The word of a value.
 template <class Enum>
@@ -46,28 +75,5 @@ constexpr bool is_indexed_by(const std::array<Entry, count>& list, Enum Entry::*
     }
     return count == enum_words<Enum>.size();
 }
-
-/// The value as spelled in the program; empty if the enum has no such value.
-template <auto value>
-constexpr std::string_view spelling() {
-    // g++ and clang++ spell a value "Enum::name", and a number that is none "(Enum)7".
-    std::string_view text = __PRETTY_FUNCTION__;
-    constexpr std::string_view before = "value = ";
-    text.remove_prefix(text.find(before) + before.size());
-    text = text.substr(0, text.find_first_of(";]"));
-    return text.front() == '(' ? std::string_view() : text.substr(text.rfind(':') + 1);
-}
-
-template <class Enum, std::size_t... index>
-constexpr bool are_spelled_alike(std::index_sequence<index...>) {
-    constexpr bool none_is_missing = spelling<static_cast<Enum>(sizeof...(index))>().empty();
-    return none_is_missing &&
-           ((spelling<static_cast<Enum>(index)>() == enum_words<Enum>[index]) && ...);
-}
-
-/// Does every value of the enum have its word, in its place?
-template <class Enum>
-inline constexpr bool
-    words_match = are_spelled_alike<Enum>(std::make_index_sequence<enum_words<Enum>.size()>());
 
 } // namespace rasterwalk

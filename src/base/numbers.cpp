@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/quoted.h"
+#include "base/text_parts.h"
 
 namespace rasterwalk {
 

@@ -2,7 +2,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace rasterwalk {
 
@@ -17,15 +16,6 @@ std::string visible_line(std::string_view text);
 
 /// The text in quotes, fit for a message: visible, short, on one line.
 std::string in_quotes(std::string_view text);
-
-/// The text without blanks at its ends.
-std::string_view trimmed(std::string_view text);
-
-/// The parts of the text between separators, the empty ones too.
-std::vector<std::string_view> split(std::string_view text, char separator);
-
-/// Takes the first part off a text, up to the separator or the end, and the separator with it.
-std::string_view take_part(std::string_view& text, char separator);
 
 /// Is it UTF-8 from end to end?
 bool is_utf8(std::string_view text);

@@ -9,6 +9,7 @@
 #include "base/nearest_name.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 
 namespace rasterwalk {
 

@@ -116,6 +116,8 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
     triangle.add_option("N", line.triangle.triangle, "Number of the triangle, from 0")
         ->type_name("")
         ->required();
+    triangle.add_flag("--formulas", line.triangle.formulas,
+                      "Add each number of its vertices with its formula");
     add_json(triangle, line.triangle.json);
     add_view_options(triangle, line.triangle.view);
 
@@ -124,6 +126,8 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
     pixel.add_option("PIXEL", line.pixel.pixel, "Column and row of the picture")
         ->type_name("X,Y")
         ->required();
+    pixel.add_flag("--formulas", line.pixel.formulas,
+                   "Add each number of the fragment that stays with its formula");
     add_json(pixel, line.pixel.json);
     add_view_options(pixel, line.pixel.view);
 

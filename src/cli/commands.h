@@ -41,14 +41,16 @@ void rows_command(const RowsOptions& options, std::ostream& out, std::ostream& e
 
 struct TriangleOptions {
     ViewOptions view;
-    std::string triangle; ///< its number, from 0
+    std::string triangle;  ///< its number, from 0
+    bool formulas = false; ///< each number of its vertices with its formula
     bool json = false;
 };
 void triangle_command(const TriangleOptions& options, std::ostream& out);
 
 struct PixelOptions {
     ViewOptions view;
-    std::string pixel; ///< X,Y
+    std::string pixel;     ///< X,Y
+    bool formulas = false; ///< each number of the fragment that stays with its formula
     bool json = false;
 };
 void pixel_command(const PixelOptions& options, std::ostream& out);

@@ -10,6 +10,7 @@
 #include "base/element_names.h"
 #include "base/error.h"
 #include "base/numbers.h"
+#include "cli/formula_report.h"
 #include "cli/json.h"
 #include "explain/fragment_report.h"
 #include "explain/shadow_formulas.h"
@@ -202,11 +203,17 @@ void print_tests(const PixelHistory& history, const Cursor& to, std::ostream& ou
     }
 }
 
+/// The fragment that stays; null if none does.
+const PixelEntry* winner_of(const PixelHistory& history) {
+    return history.winner < 0 ? nullptr
+                              : &history.entries[static_cast<std::size_t>(history.winner)];
+}
+
 /// What the fragment that stays took from its texture.
 void print_texture(const Frame& frame, const PixelHistory& history, std::ostream& out) {
-    if (history.winner < 0) return;
-    const Cursor& cursor = history.entries[static_cast<std::size_t>(history.winner)].cursor;
-    const std::optional<TextureReport> texture = texture_report(frame, cursor);
+    const PixelEntry* const winner = winner_of(history);
+    if (winner == nullptr) return;
+    const std::optional<TextureReport> texture = texture_report(frame, winner->cursor);
     if (!texture) return;
     out << fmt::format("texture {}: u {:.6f}, v {:.6f}; reaches {:.3f} texels to the next column, "
                        "{:.3f} to the next row; level {:.4f}.\n",
@@ -222,9 +229,9 @@ void print_texture(const Frame& frame, const PixelHistory& history, std::ostream
 
 /// Whether the lamp's light arrives at the fragment that stays.
 void print_shadow(const Frame& frame, const PixelHistory& history, std::ostream& out) {
-    if (history.winner < 0) return;
-    const Cursor& cursor = history.entries[static_cast<std::size_t>(history.winner)].cursor;
-    if (const std::optional<ShadowTerms> shadow = shadow_of(frame, cursor))
+    const PixelEntry* const winner = winner_of(history);
+    if (winner == nullptr) return;
+    if (const std::optional<ShadowTerms> shadow = shadow_of(frame, winner->cursor))
         out << shadow_text(*shadow, frame) << ".\n";
 }
 
@@ -293,13 +300,20 @@ void pixel_command(const PixelOptions& options, std::ostream& out) {
     const glm::ivec2 pixel = pixel_of(options.pixel, session.a.settings.viewport);
     const Frame frame = prepare_frame(*session.scene, session.a.settings);
     const PixelHistory history = pixel_history(frame, pixel);
+    const PixelEntry* const winner = winner_of(history);
+    const std::optional<FragmentReport> report = options.formulas && winner != nullptr
+                                                     ? fragment_report(frame, winner->cursor)
+                                                     : std::nullopt;
     if (options.json) {
-        print_json(to_json(frame, history, session.cursor), out);
+        Json answer = to_json(frame, history, session.cursor);
+        if (report) answer["formulas"] = formulas_json(report->formulas);
+        print_json(answer, out);
     } else {
         print_text(frame, history, session.cursor, out);
         print_texture(frame, history, out);
         print_shadow(frame, history, out);
         print_tests(history, session.cursor, out);
+        if (report) print_formulas(out, report->formulas);
     }
 }
 

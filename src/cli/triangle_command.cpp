@@ -11,9 +11,11 @@
 #include "base/element_names.h"
 #include "base/error.h"
 #include "base/numbers.h"
+#include "cli/formula_report.h"
 #include "cli/json.h"
 #include "cli/row_json.h"
 #include "cli/spaces_report.h"
+#include "explain/vertex_report.h"
 #include "inspect/polygon_ways.h"
 #include "inspect/shared_edge.h"
 #include "inspect/triangle_report.h"
@@ -370,11 +372,21 @@ void triangle_command(const TriangleOptions& options, std::ostream& out) {
     const Frame frame = prepare_frame(*session.scene, session.a.settings);
     const int triangle = parse_triangle(options.triangle, *frame.scene);
     const TriangleReport report = triangle_report(frame, triangle, session.cursor);
+    std::vector<VertexReport> vertices;
+    for (int v = 0; options.formulas && v < triangle_corners; ++v)
+        vertices.push_back(vertex_report(frame, triangle, v));
     if (options.json) {
-        print_json(to_json(report, frame), out);
+        Json answer = to_json(report, frame);
+        for (const VertexReport& vertex : vertices)
+            answer["formulas"].push_back(formulas_json(vertex.formulas));
+        print_json(answer, out);
         return;
     }
     print_text(out, report, frame);
+    for (const VertexReport& vertex : vertices) {
+        out << '\n' << vertex_name(vertex.vertex) << '\n';
+        print_formulas(out, vertex.formulas);
+    }
     if (!has_spaces(frame)) return;
     print_spaces(out, frame, triangle);
     print_conventions(out, frame, triangle);

@@ -142,6 +142,16 @@ class ComparisonWork {
         FastPlanes fast;
         Replay steps{0}; ///< without copies of earlier moments
     };
+    /// Both runs drawn in parallel.
+    struct DrawnWalk {
+        DrawnWalk(const Frame& in_a, const Frame& in_b, const Cursor& to, Framebuffer cleared_a,
+                  Framebuffer cleared_b)
+            : a(in_a, std::move(cleared_a)), b(in_b, std::move(cleared_b)),
+              walk({in_a, a}, {in_b, b}, to) {}
+
+        DrawnEvents a, b;
+        RunWalk walk;
+    };
     struct PicturePair {
         PictureWork a, b;
     };
@@ -161,8 +171,8 @@ class ComparisonWork {
     Cursor to_;
     FrameWork work_a_, work_b_;
     ComparisonStage stage_ = ComparisonStage::done;
-    RunPictures cleared_;                   ///< what the walk will draw into
-    std::unique_ptr<RunWalk> walk_;         ///< for the stages `walked` and `counted`
+    Framebuffer cleared_a_, cleared_b_;     ///< what the walk will draw into
+    std::unique_ptr<DrawnWalk> walk_;       ///< for the stages `walked` and `counted`
     std::unique_ptr<PicturePair> pictures_; ///< in its place if only those are compared
     DivergenceCollector divergences_;
     PolygonRows rows_a_, rows_b_; ///< kept to save allocations

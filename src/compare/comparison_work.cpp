@@ -84,8 +84,8 @@ void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to) {
     found_ = {};
     const std::string no_moments = no_moments_text(a, b, to);
     if (no_moments.empty()) {
-        begin_clearing(cleared_.a, a);
-        begin_clearing(cleared_.b, b);
+        begin_clearing(cleared_a_, a);
+        begin_clearing(cleared_b_, b);
         return;
     }
     pictures_ = std::make_unique<PicturePair>();
@@ -102,10 +102,13 @@ void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to) {
 /// Keeps the memory of the pictures for the next comparison, unless it is too much.
 void ComparisonWork::end() {
     stage_ = ComparisonStage::done;
-    if (walk_ != nullptr) cleared_ = walk_->take_pictures();
+    if (walk_ != nullptr) {
+        cleared_a_ = walk_->a.take_picture();
+        cleared_b_ = walk_->b.take_picture();
+    }
     walk_ = nullptr;
     pictures_ = nullptr;
-    if (cleared_.a.bytes() + cleared_.b.bytes() > 2 * most_kept_bytes) cleared_ = {};
+    if (cleared_a_.bytes() + cleared_b_.bytes() > 2 * most_kept_bytes) cleared_a_ = cleared_b_ = {};
 }
 
 bool ComparisonWork::estimate(const WorkLimit& limit) {
@@ -118,18 +121,18 @@ bool ComparisonWork::estimate(const WorkLimit& limit) {
 }
 
 bool ComparisonWork::clear_pictures(const WorkLimit& limit) {
-    return clear_rows(cleared_.a, limit) && clear_rows(cleared_.b, limit);
+    return clear_rows(cleared_a_, limit) && clear_rows(cleared_b_, limit);
 }
 
 double ComparisonWork::missing_work() const {
-    const Cursor from{walk_->triangle(), Phase::vertices, 0, 0};
+    const Cursor from = beginning_of(walk_->walk.triangle());
     return compare_work_factor * (work_a_.before(to_) - work_a_.before(from) + work_b_.before(to_) -
                                   work_b_.before(from));
 }
 
 /// Counts the rows of the triangles that the walk has passed.
 void ComparisonWork::end_triangles() {
-    const int end = walk_->is_done() ? a_->triangle_count() : walk_->triangle();
+    const int end = walk_->walk.is_done() ? a_->triangle_count() : walk_->walk.triangle();
     for (; done_ < end && Cursor{done_, Phase::rows, 0, 0} < to_; ++done_) {
         make_rows(*a_, done_, rows_a_);
         make_rows(*b_, done_, rows_b_);
@@ -159,20 +162,20 @@ bool ComparisonWork::draw_pictures(const WorkLimit& limit) {
 /// Goes through the moments of both runs. False: some are left.
 bool ComparisonWork::walk(const WorkLimit& limit) {
     const bool is_little = missing_work() <= limit.at_once;
-    const auto end = static_cast<double>(walk_->work()) + limit.slice / compare_work_factor;
-    while (!walk_->is_done() && (is_little || static_cast<double>(walk_->work()) < end)) {
-        divergences_.walk_part(*a_, *b_, *walk_, found_.divergences);
+    const auto end = static_cast<double>(walk_->walk.work()) + limit.slice / compare_work_factor;
+    while (!walk_->walk.is_done() && (is_little || static_cast<double>(walk_->walk.work()) < end)) {
+        divergences_.walk_part(*a_, *b_, walk_->walk, found_.divergences);
         end_triangles();
     }
-    if (!walk_->is_done()) return false;
+    if (!walk_->walk.is_done()) return false;
     end_triangles();
     return true;
 }
 
 /// The pixels are counted when both pictures are drawn. False: some are left.
 bool ComparisonWork::count_pixels(const WorkLimit& limit) {
-    const Framebuffer& a = walk_ != nullptr ? walk_->picture_a() : pictures_->a.picture(to_);
-    const Framebuffer& b = walk_ != nullptr ? walk_->picture_b() : pictures_->b.picture(to_);
+    const Framebuffer& a = walk_ != nullptr ? walk_->a.picture() : pictures_->a.picture(to_);
+    const Framebuffer& b = walk_ != nullptr ? walk_->b.picture() : pictures_->b.picture(to_);
     const int rows = rows_within(limit, count_pixel_work, a.size, pixels_.rows());
     pixels_.count_to(a, b, pixels_.rows() + rows);
     if (pixels_.rows() < a.size.height) return false;
@@ -196,7 +199,8 @@ bool ComparisonWork::advance_stage(const WorkLimit& limit) {
         return true;
     case ComparisonStage::cleared:
         if (!clear_pictures(limit)) return false;
-        walk_ = std::make_unique<RunWalk>(*a_, *b_, to_, std::exchange(cleared_, {}));
+        walk_ = std::make_unique<DrawnWalk>(*a_, *b_, to_, std::exchange(cleared_a_, {}),
+                                            std::exchange(cleared_b_, {}));
         stage_ = ComparisonStage::walked;
         return true;
     case ComparisonStage::walked:

@@ -36,10 +36,9 @@ Apart colours_apart(const glm::vec3& a, const glm::vec3& b) {
     return most;
 }
 
-/// For the varyings that both runs carry.
-Apart varyings_apart(const VertexEvent& a, const VertexEvent& b) {
+/// @param compared the varyings that both runs carry
+Apart varyings_apart(const VertexEvent& a, const VertexEvent& b, VaryingSet compared) {
     Apart most = Apart::not_at_all;
-    const VaryingSet compared = a.compared & b.compared;
     for (int v = 0; v < varying_count; ++v) {
         if (!compared.has(v)) continue;
         const VaryingInfo& varying = varying_list[static_cast<std::size_t>(v)];
@@ -52,10 +51,11 @@ Apart varyings_apart(const VertexEvent& a, const VertexEvent& b) {
     return most;
 }
 
-Apart vertices_apart(const VertexEvent& a, const VertexEvent& b) {
-    if (a.has_pixel != b.has_pixel) return Apart::clearly;
-    if (a.pixel.column != b.pixel.column || a.pixel.row != b.pixel.row) return Apart::clearly;
-    return std::max(lengths_apart(a.pixel.depth, b.pixel.depth), varyings_apart(a, b));
+Apart vertices_apart(const VertexEvent& a, const VertexEvent& b, VaryingSet compared) {
+    if (a.vertex.has_pixel != b.vertex.has_pixel) return Apart::clearly;
+    const ScreenVertex &p = a.vertex.pixel, &q = b.vertex.pixel;
+    if (p.column != q.column || p.row != q.row) return Apart::clearly;
+    return std::max(lengths_apart(p.depth, q.depth), varyings_apart(a, b, compared));
 }
 
 /// By what they pass on: how far the corners are from a plane shows only there.
@@ -84,11 +84,12 @@ Apart tests_apart(const PixelTest& a, const PixelTest& b) {
     return same ? Apart::not_at_all : Apart::clearly;
 }
 
-/// The rules that decide whether the runs' pixels differ.
+/// The rules that decide whether the runs' pixels and vertices differ.
 struct SightRules {
     ScreenRules screen_a, screen_b; ///< how a channel is seen
     bool has_depth_a, has_depth_b;  ///< marks have none: the value in its place means nothing
     bool compares_samples, compares_tests; ///< both runs have them, of the same pixels
+    VaryingSet carried;                    ///< the varyings that both runs carry
 };
 
 Apart fragments_apart(const FragmentEvent& a, const FragmentEvent& b, const SightRules& rules) {
@@ -121,7 +122,8 @@ std::optional<Difference> difference_at(MomentEvents a, MomentEvents b, const Si
     if (a.fragments.size() > b.fragments.size()) return Difference{DivergenceKind::missing, false};
     if (a.fragments.size() < b.fragments.size()) return Difference{DivergenceKind::extra, false};
     Apart most = Apart::not_at_all;
-    if (a.vertex != nullptr && b.vertex != nullptr) most = vertices_apart(*a.vertex, *b.vertex);
+    if (a.vertex != nullptr && b.vertex != nullptr)
+        most = vertices_apart(*a.vertex, *b.vertex, rules.carried);
     if (a.clip != nullptr && b.clip != nullptr)
         most = std::max(most, steps_apart(a.clip->step, b.clip->step));
     if (a.sample != nullptr && b.sample != nullptr) {
@@ -142,7 +144,8 @@ SightRules sight_rules(const Frame& a, const Frame& b) {
             has_fragments(b.settings.stage),
             walks_edges(a.stages) == walks_edges(b.stages),
             tests_pixels(a.stages) == tests_pixels(b.stages) &&
-                a.stages.tested_columns == b.stages.tested_columns};
+                a.stages.tested_columns == b.stages.tested_columns,
+            carried_varyings(a) & carried_varyings(b)};
 }
 
 Divergence divergence_of(const Frame& a, const Frame& b, const PairMoment& moment,
@@ -198,16 +201,17 @@ void DivergenceCollector::walk_part(const Frame& a, const Frame& b, RunWalk& wal
     if (walk.is_done() || walk.triangle() != triangle) end_triangle(list);
 }
 
-std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const Cursor& from) {
-    if (!have_same_triangles(a, b)) return std::nullopt;
+std::optional<Divergence> next_divergence(const EventSource& a, const EventSource& b,
+                                          const Cursor& from) {
+    if (!have_same_triangles(*a.frame, *b.frame)) return std::nullopt;
     std::optional<Divergence> found;
     RunWalk walk(a, b, cursor_end);
     walk.skip_to(from.triangle);
-    const SightRules rules = sight_rules(a, b);
+    const SightRules rules = sight_rules(*a.frame, *b.frame);
     const PairVisitor visit = [&](const PairMoment& moment) {
         if (moment.cursor < from) return true;
         const std::optional<Difference> difference = difference_at(moment.a, moment.b, rules);
-        if (difference) found = divergence_of(a, b, moment, *difference);
+        if (difference) found = divergence_of(*a.frame, *b.frame, moment, *difference);
         return !found;
     };
     while (!walk.is_done() && walk.walk_part(visit)) {
@@ -215,12 +219,13 @@ std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const 
     return found;
 }
 
-std::optional<Divergence> previous_divergence(const Frame& a, const Frame& b, const Cursor& to) {
-    if (!have_same_triangles(a, b)) return std::nullopt;
+std::optional<Divergence> previous_divergence(const EventSource& a, const EventSource& b,
+                                              const Cursor& to) {
+    if (!have_same_triangles(*a.frame, *b.frame)) return std::nullopt;
     // Once forward to find where it is, and once more to get there and report it.
     std::optional<Cursor> last;
     RunWalk walk(a, b, to);
-    const SightRules rules = sight_rules(a, b);
+    const SightRules rules = sight_rules(*a.frame, *b.frame);
     const PairVisitor note_last = [&](const PairMoment& moment) {
         if (difference_at(moment.a, moment.b, rules)) last = moment.cursor;
         return true;

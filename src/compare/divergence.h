@@ -16,8 +16,7 @@
 #include <vector>
 
 #include "pipeline/cursor.h"
-#include "pipeline/frame.h"
-#include "pipeline/framebuffer.h"
+#include "pipeline/event_source.h"
 
 namespace rasterwalk {
 
@@ -85,11 +84,13 @@ std::optional<Divergence> divergence_at(const Frame& a, const Framebuffer& pictu
                                         const Frame& b, const Framebuffer& picture_b,
                                         const Cursor& cursor, Framebuffer& scratch);
 
-/// The first divergence at or after `from`; none if there is none. Costs drawing both frames up to
+/// The first divergence at or after `from`; none if there is none. Costs playing both runs up to
 /// there.
-std::optional<Divergence> next_divergence(const Frame& a, const Frame& b, const Cursor& from);
+std::optional<Divergence> next_divergence(const EventSource& a, const EventSource& b,
+                                          const Cursor& from);
 
 /// The last divergence before `to`; none if there is none.
-std::optional<Divergence> previous_divergence(const Frame& a, const Frame& b, const Cursor& to);
+std::optional<Divergence> previous_divergence(const EventSource& a, const EventSource& b,
+                                              const Cursor& to);
 
 } // namespace rasterwalk

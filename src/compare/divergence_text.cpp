@@ -117,14 +117,13 @@ std::string projection(const Frame& frame, const ShadedVertex& shaded, const Scr
 }
 
 /// The first varying carried by both runs that differs: "its light is (1, 1, 1) in A, ...".
-std::string varying_text(const VertexEvent& a, const VertexEvent& b) {
-    const VaryingSet compared = a.compared & b.compared;
+std::string varying_text(const Varyings& a, const Varyings& b, VaryingSet compared) {
     for (int v = 0; v < varying_count; ++v) {
         const VaryingInfo& varying = varying_list[static_cast<std::size_t>(v)];
         int digits = 0;
         bool differs = false;
         for (int i = 0; compared.has(v) && i < varying.count; ++i) {
-            const float p = varying.component(a.varyings, i), q = varying.component(b.varyings, i);
+            const float p = varying.component(a, i), q = varying.component(b, i);
             digits = std::max(digits, digits_for(p, q));
             differs = differs || p != q;
         }
@@ -135,8 +134,7 @@ std::string varying_text(const VertexEvent& a, const VertexEvent& b) {
                 text += (i > 0 ? ", " : "") + number(varying.component(of, i), digits);
             return text;
         };
-        return fmt::format("its {} is ({}) in A, ({}) in B.", varying.word, values(a.varyings),
-                           values(b.varyings));
+        return fmt::format("its {} is ({}) in A, ({}) in B.", varying.word, values(a), values(b));
     }
     return "the runs differ.";
 }
@@ -148,7 +146,7 @@ std::string_view depth_word(const Frame& a, const Frame& b) {
 
 std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment) {
     const std::string vertex = vertex_name(moment.cursor.index);
-    const VertexEvent &in_a = *moment.a.vertex, &in_b = *moment.b.vertex;
+    const ProjectedVertex &in_a = moment.a.vertex->vertex, &in_b = moment.b.vertex->vertex;
     if (in_a.has_pixel != in_b.has_pixel) {
         return fmt::format("{} has no pixel in {}: {}.", vertex, in_a.has_pixel ? "B" : "A",
                            rejection_text((in_a.has_pixel ? in_b : in_a).rejection));
@@ -166,7 +164,9 @@ std::string vertex_text(const Frame& a, const Frame& b, const PairMoment& moment
         return fmt::format("{}: {} is {} in A, {} in B.", vertex, depth_word(a, b),
                            number(in_a.pixel.depth, digits), number(in_b.pixel.depth, digits));
     }
-    return fmt::format("{}: {}", vertex, varying_text(in_a, in_b));
+    return fmt::format("{}: {}", vertex,
+                       varying_text(moment.a.vertex->varyings, moment.b.vertex->varyings,
+                                    carried_varyings(a) & carried_varyings(b)));
 }
 
 /// What one run does with an edge at a plane; `other` decides how many digits are needed.
@@ -399,11 +399,15 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
     const Stage first = std::min(a.settings.stage, b.settings.stage);
     switch (cursor.phase) {
     case Phase::vertices:
+        if (moment.a.vertex == nullptr || moment.b.vertex == nullptr)
+            return fmt::format("only {} has {}.", moment.b.vertex == nullptr ? "A" : "B",
+                               vertex_name(cursor.index));
         if (moment.a.fragments.size() != moment.b.fragments.size()) {
             if (step_of(a.settings) != step_of(b.settings) || one_is_idle) {
                 return mark_sentence(a, b, kind);
             }
-            return outside_sentence(kind, moment.a.vertex->pixel, moment.b.vertex->pixel);
+            return outside_sentence(kind, moment.a.vertex->vertex.pixel,
+                                    moment.b.vertex->vertex.pixel);
         }
         return vertex_text(a, b, moment);
     case Phase::clip:
@@ -413,7 +417,8 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
     case Phase::edges:
         if (one_is_idle && first < Stage::edges) return stage_sentence(a, b, "edges");
         if (walks_edges(a.stages) != walks_edges(b.stages)) return mark_sentence(a, b, kind);
-        if (!one_is_idle && moment.a.fragments.size() != moment.b.fragments.size() &&
+        if (moment.a.sample != nullptr && moment.b.sample != nullptr &&
+            moment.a.fragments.size() != moment.b.fragments.size() &&
             moment.a.sample->sample.fragment.column == moment.b.sample->sample.fragment.column &&
             moment.a.sample->sample.fragment.row == moment.b.sample->sample.fragment.row) {
             return step_of(a.settings) != step_of(b.settings)

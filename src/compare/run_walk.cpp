@@ -77,12 +77,21 @@ void copy_row(const Frame& frame, const Framebuffer& picture, const Cursor& curs
     copy_plane(picture.overdraw, copy.overdraw);
 }
 
+Observer keep_in(PartEvents& part) {
+    Observer observer =
+        observe_all([&](const auto& event) { part.others.all.emplace_back(event); });
+    observer.pixel_test = [&](const TestEvent& event) { part.tests.all.push_back(event); };
+    observer.fragment = [&](const FragmentEvent& event) { part.fragments.all.push_back(event); };
+    return observer;
+}
+
 void watch_moment(const Frame& frame, const Framebuffer& picture, const Cursor& cursor,
-                  Framebuffer& scratch, EventRecorder& recorder) {
+                  Framebuffer& scratch, PartEvents& events) {
     if (cursor.triangle < 0 || cursor.triangle >= frame.triangle_count()) return;
     if (!frame.has_moments(cursor.triangle)) return;
     copy_row(frame, picture, cursor, scratch);
-    draw(frame, {cursor, behind(cursor), {}}, scratch, &recorder);
+    const Observer keep = keep_in(events);
+    draw(frame, {cursor, behind(cursor), {}}, scratch, &keep);
 }
 
 } // namespace
@@ -93,68 +102,24 @@ TableRows table_rows(const Frame& frame, int triangle) {
     return {box.top, box.bottom - 1};
 }
 
-void EventRecorder::clear() {
-    vertices_.clear();
-    clips_.clear();
-    culls_.clear();
-    samples_.clear();
-    tests_.clear();
-    fragments_.clear();
-    vertex_ = clip_ = cull_ = sample_ = test_ = fragment_ = 0;
-}
-
-void EventRecorder::vertex(const Cursor& cursor, const ProjectedVertex& vertex) {
-    VertexEvent event{cursor, vertex.pixel, vertex.has_pixel, vertex.rejection, {}, {}};
-    event.compared = carried_varyings(frame_);
-    if (!(event.compared == VaryingSet{}))
-        event.varyings = frame_.given_clip_vertex(cursor.triangle, cursor.index).varyings;
-    vertices_.push_back(event);
-}
-
-namespace {
-
-/// The earlier of a moment and the moment of the next event of a list.
-template <class Event>
-const Cursor& earlier(const Cursor& cursor, const std::vector<Event>& events, std::size_t next) {
-    return next < events.size() ? std::min(cursor, events[next].cursor) : cursor;
-}
-
-/// The next event of a list if it belongs to this moment, or null.
-template <class Event>
-const Event* take_at(const Cursor& cursor, const std::vector<Event>& events, std::size_t& next) {
-    const bool is_there = next < events.size() && events[next].cursor == cursor;
-    return is_there ? &events[next++] : nullptr;
-}
-
-} // namespace
-
-Cursor EventRecorder::next() const {
-    const Cursor& vertex = earlier(cursor_end, vertices_, vertex_);
-    const Cursor& clip = earlier(vertex, clips_, clip_);
-    const Cursor& cull = earlier(clip, culls_, cull_);
-    const Cursor& sample = earlier(cull, samples_, sample_);
-    const Cursor& test = earlier(sample, tests_, test_);
-    return earlier(test, fragments_, fragment_);
-}
-
-MomentEvents EventRecorder::take(const Cursor& cursor) {
-    MomentEvents events;
-    events.vertex = take_at(cursor, vertices_, vertex_);
-    events.clip = take_at(cursor, clips_, clip_);
-    events.cull = take_at(cursor, culls_, cull_);
-    events.sample = take_at(cursor, samples_, sample_);
-    events.test = take_at(cursor, tests_, test_);
-    const std::size_t first = fragment_;
-    while (fragment_ < fragments_.size() && fragments_[fragment_].cursor == cursor)
-        ++fragment_;
-    events.fragments = std::span(fragments_).subspan(first, fragment_ - first);
-    return events;
+MomentEvents PartEvents::take(const Cursor& cursor) {
+    MomentEvents taken;
+    for (const Event& event : others.take(cursor)) {
+        if (const auto* vertex = std::get_if<VertexEvent>(&event)) taken.vertex = vertex;
+        if (const auto* clip = std::get_if<ClipEvent>(&event)) taken.clip = clip;
+        if (const auto* cull = std::get_if<CullEvent>(&event)) taken.cull = cull;
+        if (const auto* sample = std::get_if<SampleEvent>(&event)) taken.sample = sample;
+    }
+    for (const TestEvent& test : tests.take(cursor))
+        taken.test = &test;
+    taken.fragments = fragments.take(cursor);
+    return taken;
 }
 
 namespace {
 
 /// Reports the moments of both runs in order. False if the visitor has ended the walk.
-bool merge(EventRecorder& a, EventRecorder& b, const PairVisitor& visit) {
+bool merge(PartEvents& a, PartEvents& b, const PairVisitor& visit) {
     while (true) {
         const Cursor cursor = std::min(a.next(), b.next());
         if (cursor == cursor_end) return true;
@@ -164,25 +129,16 @@ bool merge(EventRecorder& a, EventRecorder& b, const PairVisitor& visit) {
 
 } // namespace
 
-RunWalk::RunWalk(const Frame& a, const Frame& b, const Cursor& to)
-    : RunWalk(a, b, to, RunPictures()) {
-    clear(pictures_.a, a);
-    clear(pictures_.b, b);
-}
-
-RunWalk::RunWalk(const Frame& a, const Frame& b, const Cursor& to, RunPictures pictures)
-    : a_(a), b_(b), to_(to), pictures_(std::move(pictures)), recorder_a_(a), recorder_b_(b) {}
+RunWalk::RunWalk(EventSource a, EventSource b, const Cursor& to)
+    : source_a_(std::move(a)), source_b_(std::move(b)), a_(*source_a_.frame), b_(*source_b_.frame),
+      to_(to) {}
 
 bool RunWalk::is_done() const {
     return next_.triangle >= a_.triangle_count() || next_ >= to_;
 }
 
 void RunWalk::skip_to(int triangle) {
-    const Cursor to = std::min(to_, {triangle, Phase::vertices, 0, 0});
-    if (next_ >= to) return;
-    draw(a_, {next_, to, {}}, pictures_.a);
-    draw(b_, {next_, to, {}}, pictures_.b);
-    next_ = {triangle, Phase::vertices, 0, 0};
+    next_ = std::max(next_, beginning_of(triangle));
 }
 
 /// In a box of many pixels, the end of the part that has as many tests as are kept; none if the
@@ -216,28 +172,33 @@ Cursor RunWalk::part_end() const {
     }
     row += rows_at_once;
     return row < last ? Cursor{next_.triangle, Phase::rows, row, 0}
-                      : Cursor{next_.triangle + 1, Phase::vertices, 0, 0};
+                      : beginning_of(next_.triangle + 1);
 }
 
 bool RunWalk::walk_part(const PairVisitor& visit) {
     const Cursor from = next_;
     const bool is_walked = a_.has_moments(from.triangle) || b_.has_moments(from.triangle);
-    next_ = is_walked ? part_end() : Cursor{from.triangle + 1, Phase::vertices, 0, 0};
+    next_ = is_walked ? part_end() : beginning_of(from.triangle + 1);
     if (!is_walked) return true;
     const Cursor end = std::min(next_, to_);
-    recorder_a_.clear();
-    recorder_b_.clear();
-    draw(a_, {from, end, {}}, pictures_.a, &recorder_a_);
-    draw(b_, {from, end, {}}, pictures_.b, &recorder_b_);
-    work_ += static_cast<std::int64_t>(recorder_a_.count() + recorder_b_.count()) +
-             remade_rows(a_, from.triangle) + remade_rows(b_, from.triangle);
-    return merge(recorder_a_, recorder_b_, visit);
+    const auto play = [&](const EventSource& source, PartEvents& part) {
+        part.others.clear();
+        part.tests.clear();
+        part.fragments.clear();
+        source.play({from, end, {}}, keep_in(part));
+        work_ += static_cast<std::int64_t>(part.others.all.size() + part.tests.all.size() +
+                                           part.fragments.all.size()) +
+                 remade_rows(*source.frame, from.triangle);
+    };
+    play(source_a_, events_a_);
+    play(source_b_, events_b_);
+    return merge(events_a_, events_b_, visit);
 }
 
 void visit_moment(const Frame& a, const Framebuffer& picture_a, const Frame& b,
                   const Framebuffer& picture_b, const Cursor& cursor, Framebuffer& scratch,
                   const PairVisitor& visit) {
-    EventRecorder of_a(a), of_b(b);
+    PartEvents of_a, of_b;
     watch_moment(a, picture_a, cursor, scratch, of_a);
     watch_moment(b, picture_b, cursor, scratch, of_b);
     merge(of_a, of_b, visit);

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <thread>
 
-#include "base/quoted.h"
+#include "base/text_parts.h"
 
 namespace rasterwalk {
 

@@ -20,9 +20,6 @@ enum class Workload : std::uint8_t {
     w2, ///< many small ones: the knot, light per pixel
     w3, ///< the knot, light per vertex
 };
-template <>
-inline constexpr auto enum_words<Workload> = word_list("w1", "w2", "w3");
-static_assert(words_match<Workload>);
 
 inline constexpr int workload_count = static_cast<int>(enum_words<Workload>.size());
 

@@ -324,6 +324,12 @@ std::string corner_formula_id(const CutCorner& corner, int coordinate) {
                            : fmt::format("corner.{}.{}", corner.vertex_index, name);
 }
 
+bool is_clip_formula(std::string_view id) {
+    constexpr std::array<std::string_view, 9> kinds{"corner", "changed", "left",  "code", "d",
+                                                    "t",      "new",     "pixel", "cull"};
+    return std::find(kinds.begin(), kinds.end(), first_part(id)) != kinds.end();
+}
+
 std::optional<Formula> clip_formula(const Frame& frame, const ClipHistory& history,
                                     std::string_view id) {
     const Maker maker{{frame, history}};

@@ -24,6 +24,9 @@ namespace rasterwalk {
 std::optional<Formula> clip_formula(const Frame& frame, const ClipHistory& history,
                                     std::string_view id);
 
+/// Can a triangle have a formula with this id? Looks only at its first part: "cull".
+bool is_clip_formula(std::string_view id);
+
 /// The id of a coordinate of a corner.
 /// @param coordinate 0..3: x y z w
 std::string corner_formula_id(const CutCorner& corner, int coordinate);

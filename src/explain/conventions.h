@@ -27,10 +27,6 @@ enum class Convention : std::uint8_t {
     negative_f,     ///< −f for f
     rows_up,        ///< rows are counted from the bottom
 };
-template <>
-inline constexpr auto enum_words<Convention> = word_list("column_vectors", "transposed", "y_up",
-                                                         "z_backward", "negative_f", "rows_up");
-static_assert(words_match<Convention>);
 
 inline constexpr std::size_t convention_count = enum_words<Convention>.size();
 
@@ -39,10 +35,6 @@ using Conventions = std::uint8_t;
 
 /// What a choice does to the picture.
 enum class PictureChange : std::uint8_t { same, half_turn, upside_down, mirrored, elsewhere };
-template <>
-inline constexpr auto enum_words<PictureChange> = word_list("same", "half_turn", "upside_down",
-                                                            "mirrored", "elsewhere");
-static_assert(words_match<PictureChange>);
 
 /// A point under some choices.
 struct ConventionPlace {

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "explain/along_row.h"
+#include "explain/formula_writer.h"
 #include "explain/projection_formulas.h"
+#include "explain/value_formulas.h"
 #include "stages/orthographic.h"
 
 namespace rasterwalk {
@@ -90,13 +91,40 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
         margin_help += "at 0 and above, the fragment is drawn.";
     else
         margin_help += fmt::format("above {}, the fragment is drawn.", margin_limit(rules));
-    report.formulas.push_back(
-        {"margin",
-         "margin",
-         margin_help,
-         is_smaller_nearer(kind) ? "stored − new" : "new − stored",
-         {{"new", {report.depth}, from_formula("depth")}, {"stored", {report.stored}, stored}},
-         {depth_ahead(report.depth, report.stored, kind)}});
+    FormulaWriter write(report.formulas);
+    Formula& margin = write.add("margin", "margin", margin_help,
+                                is_smaller_nearer(kind) ? "stored − new" : "new − stored",
+                                {write.input("new", "depth"), {"stored", {report.stored}, stored}},
+                                {depth_ahead(report.depth, report.stored, kind)});
+    if (report.depth_test == DepthTest::off) return;
+    margin.section = "depth";
+    margin.label = "margin: " + margin.expression;
+}
+
+void add_blend(FragmentReport& report, const Frame& frame) {
+    if (!(report.alpha < 1.0f) || report.fate != Fate::written) return;
+    const bool is_swapped = frame.settings.blend == Blend::swapped;
+    FormulaWriter write(report.formulas, "blend.");
+    for (int i = 0; i < 3; ++i) {
+        const std::string name = channel_name(i);
+        Formula& blended = write.add(
+            name, "blended " + name,
+            is_swapped ? "The surface blended over what was there, by mistake with the weights of "
+                         "the surface and the pixel swapped."
+                       : "The surface blended over what was there: a share α of the surface and "
+                         "the rest of the pixel.",
+            is_swapped ? "(1 − α) · S + α · D" : "α · S + (1 − α) · D",
+            {{"α",
+              {report.alpha},
+              from_words(report.texture_alpha == TextureAlpha::blend
+                             ? "the alpha of the surface times the alpha of its texture here"
+                             : "the alpha of the surface, as the scene gives it")},
+             {"S", {report.colour[i]}, from_words("the colour of the fragment by itself")},
+             {"D", {report.before[i]}, from_words("what the pixel showed before")}},
+            {report.after[i]});
+        blended.section = "blend";
+        blended.label = name;
+    }
 }
 
 } // namespace rasterwalk

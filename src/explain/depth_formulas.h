@@ -1,6 +1,6 @@
 #pragma once
 
-// The depth test of a fragment as formulas.
+// What a fragment does to its pixel as formulas: its depth test, and the blending after it.
 
 #include <string>
 
@@ -17,5 +17,9 @@ std::string margin_limit(const DepthRules& rules);
 /// buffer; and margin, how much nearer it is than the stored value. The formulas of 1/z and z, zinv
 /// and z.affine, must come before.
 void add_depth_test(FragmentReport& report, const Frame& frame);
+
+/// Appends blend.red ..., how the pixel's new colour is mixed, if the fragment is blended. After
+/// the colour of the fragment is known.
+void add_blend(FragmentReport& report, const Frame& frame);
 
 } // namespace rasterwalk

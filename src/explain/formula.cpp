@@ -305,6 +305,10 @@ std::string with_terms(const Formula& formula) {
     return text == with_numbers(formula) ? std::string() : text;
 }
 
+std::string_view first_part(std::string_view id) {
+    return id.substr(0, id.find('.'));
+}
+
 const Formula* find_formula(const std::vector<Formula>& formulas, std::string_view id) {
     const auto found = std::find_if(formulas.begin(), formulas.end(),
                                     [id](const Formula& formula) { return formula.id == id; });

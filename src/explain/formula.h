@@ -43,6 +43,11 @@ struct Formula {
     std::string expression; ///< with symbols: "int(f · x · zinv) + W/2"
     std::vector<FormulaInput> inputs;
     Number result; ///< the number in the drawing
+    /// Under which heading the number is listed by panels and commands: "pixel_light.lamp"; empty:
+    /// you get to it only from numbers that are made from it.
+    std::string section{};
+    std::string label{}; ///< its name in that list; empty: the same
+    bool warns = false;  ///< it cannot be shown as it is: light above 1
 };
 
 /// What the functions of an expression do, a line for each that is not obvious: "log2(x): the power
@@ -66,6 +71,9 @@ std::string with_numbers(const Formula& formula);
 /// One step further: every term of the sum and every argument of a function worked out, as in
 /// "int(249.875) + 250"; empty if that would say nothing new.
 std::string with_terms(const Formula& formula);
+
+/// The first part of an id: "bump" of "bump.normal.x".
+std::string_view first_part(std::string_view id);
 
 /// The formula of this id, or null.
 const Formula* find_formula(const std::vector<Formula>& formulas, std::string_view id);

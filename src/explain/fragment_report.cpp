@@ -1,17 +1,17 @@
 #include "explain/fragment_report.h"
 
-#include <cmath>
+#include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 
 #include "base/element_names.h"
-#include "explain/along_row.h"
-#include "explain/blend_formulas.h"
 #include "explain/depth_formulas.h"
 #include "explain/highlight_formulas.h"
 #include "explain/light_formulas.h"
+#include "explain/value_formulas.h"
 #include "explain/vertex_report.h"
-#include "pipeline/draw.h"
+#include "pipeline/event_source.h"
 #include "pipeline/surface.h"
 #include "stages/orthographic.h"
 
@@ -19,174 +19,6 @@ namespace rasterwalk {
 
 namespace {
 
-using Carried = std::array<Fragment, interpolation_count>; ///< indexed by Interpolation
-
-/// Keeps the event of one fragment, and the earlier writer of its pixel.
-class Watcher : public Observer {
-  public:
-    explicit Watcher(const Cursor& of) : wanted(of) {}
-
-    void fragment(const FragmentEvent& now) override {
-        if (now.cursor == wanted) {
-            event = now;
-        } else if (now.fate == Fate::written && !event) {
-            written_by = now.cursor;
-        }
-    }
-
-    std::optional<FragmentEvent> event;
-    std::optional<Cursor> written_by;
-
-  private:
-    Cursor wanted;
-};
-
-/// The true z, from what the row carries.
-Formula true_depth(const Fragment& fragment, float mix) {
-    Formula formula{"z.perspective",
-                    "z",
-                    "The true z: one over the interpolated 1/z.",
-                    "1 / (1/z)",
-                    {{"(1/z)", {fragment.inv_w}, from_formula("zinv")}},
-                    {fragment_depth(fragment, mix)}};
-    if (mix == 0.0f) return formula;
-    formula.inputs.push_back({"mix", {mix}, from_setting("projection_mix")});
-    formula.inputs[0].symbol = "(1/w)";
-    formula.help = "The true z, from one over the interpolated 1/w, which is (1 − mix) z + mix.";
-    formula.expression = "(1 / (1/w) − mix) / (1 − mix)";
-    if (mix == 1.0f) {
-        formula.help = "The true z; if rays are parallel it changes in equal steps.";
-        formula.expression = "z";
-        formula.inputs = {{"z", {fragment.z}, from_formula("z.affine")}};
-    }
-    return formula;
-}
-
-void add_depths(FragmentReport& report, const Frame& frame, const Carried& carried) {
-    add_weights(report, frame.settings.weight_edge);
-    const RowEnds& ends = report.row.under(Interpolation::perspective);
-    const Fragment& fragment = carried[0];
-    report.formulas.push_back(
-        {"column",
-         "column",
-         "Where in the picture: i columns to the right of the row's left end.",
-         "left + i",
-         {{"left",
-           {static_cast<float>(ends.left.column), true},
-           from_row_end(report.row.triangle, report.row.row, false)},
-          {"i", {static_cast<float>(report.step), true}, from_words(column_words(report.step))}},
-         {static_cast<float>(report.pixel.x), true}});
-    const QuantityInfo weight = quantity_in(frame, Quantity::zinv);
-    report.formulas.push_back(along_row(
-        report, "zinv", std::string(weight.words.name), std::string(weight.words.help),
-        Interpolation::perspective, [](const RowEnd& end) { return end.inv_w; }, fragment.inv_w));
-    report.formulas.push_back(along_row(
-        report, "z.affine", "z",
-        "z interpolated as if it changed in equal steps, which is wrong between the vertices.",
-        Interpolation::perspective, [](const RowEnd& end) { return end.z; }, fragment.z));
-    const float mix = vertex_rules(frame.settings, frame.scene->space).projection.mix;
-    report.formulas.push_back(true_depth(fragment, mix));
-}
-
-Formula difference(const QuantityInfo& info, Interpolation way, float wrong, float perspective) {
-    const std::string id(info.words.id);
-    Formula formula{id + ".off",
-                    std::string(info.words.name) + " off by",
-                    "How far the affine value is from the perspective-correct one.",
-                    "abs(affine − perspective)",
-                    {{"affine", {wrong}, from_formula(formula_id(info.quantity, way))},
-                     {"perspective", {perspective}, from_formula(id + ".perspective")}},
-                    {std::abs(wrong - perspective)}};
-    if (way == Interpolation::affine) return formula;
-    formula.help = fmt::format("How far the value {} is from the correct one.",
-                               way == Interpolation::zinv_twice  ? "divided by z once too often"
-                               : way == Interpolation::undivided ? "never divided by 1/z"
-                                                                 : "divided by 1/z twice");
-    formula.expression = "abs(wrong − perspective)";
-    formula.inputs[0].symbol = "wrong";
-    return formula;
-}
-
-/// How a value that is divided by z twice gets along the row, and what is recovered of it.
-void add_twice(FragmentReport& report, const QuantityInfo& info, const Carried& carried) {
-    const std::string id(info.words.id), name(info.words.name),
-        carried_name = std::string(info.words.carried_name);
-    const Quantity quantity = info.quantity;
-    const auto way = static_cast<std::size_t>(Interpolation::zinv_twice);
-    const float value = part_of(carried[way].varyings, quantity);
-    const EndPart part = part_of_ends(quantity);
-    report.formulas.push_back(along_row_twice(
-        report,
-        along_row(report, id + ".carried_twice", carried_name + "²",
-                  "What the row carries by mistake: the ends, already divided by z, are multiplied "
-                  "by their 1/z once more.",
-                  Interpolation::zinv_twice, part, value),
-        part));
-    report.formulas.push_back(
-        {id + ".zinv_twice",
-         name,
-         std::string(info.words.help) + " Divided by z twice, but multiplied by it only once here.",
-         "carried / (1/z)",
-         {{"carried", {value}, from_formula(id + ".carried_twice")},
-          {"(1/z)", {carried[way].inv_w}, from_formula("zinv")}},
-         {part_of(report.under(Interpolation::zinv_twice), quantity)}});
-}
-
-/// What is recovered of a value that the row carries correctly, if the pixel divides it by 1/z too
-/// few or too many times.
-void add_divided_wrongly(FragmentReport& report, const QuantityInfo& info, Interpolation way,
-                         float carried) {
-    const std::string id(info.words.id), symbol = "(" + std::string(info.words.carried_name) + ")";
-    Formula formula{id + "." + std::string(word_of(way)),
-                    std::string(info.words.name),
-                    std::string(info.words.help) +
-                        " Carried divided by z, and by mistake not divided by 1/z here.",
-                    symbol,
-                    {{symbol, {carried}, from_formula(id + ".carried")}},
-                    {part_of(report.under(way), info.quantity)}};
-    if (way == Interpolation::divided_twice) {
-        formula.help = std::string(info.words.help) +
-                       " Carried divided by z, and by mistake divided by 1/z twice here.";
-        formula.expression += " / ((1/z) · (1/z))";
-        formula.inputs.push_back({"(1/z)", {report.fragment.inv_w}, from_formula("zinv")});
-    }
-    report.formulas.push_back(formula);
-}
-
-void add_varying(FragmentReport& report, const QuantityInfo& info, const Carried& carried) {
-    const std::string id(info.words.id), name(info.words.name),
-        carried_name(info.words.carried_name);
-    const Quantity quantity = info.quantity;
-    const auto add_walk = [&](Interpolation way, const std::string& formula_of,
-                              const std::string& shown_name, const std::string& help) {
-        report.formulas.push_back(
-            along_row(report, formula_of, shown_name, help, way, part_of_ends(quantity),
-                      part_of(carried[static_cast<std::size_t>(way)].varyings, quantity)));
-    };
-    add_walk(Interpolation::affine, id + ".affine", name,
-             std::string(info.words.help) + " Interpolated as it is, which is wrong between the "
-                                            "vertices.");
-    add_walk(Interpolation::perspective, id + ".carried", carried_name,
-             "What a perspective-correct row carries: the value divided by z.");
-    const std::string symbol = "(" + carried_name + ")";
-    report.formulas.push_back(
-        {id + ".perspective",
-         name,
-         std::string(info.words.help) + " Carried divided by z, and multiplied by it again here.",
-         symbol + " / (1/z)",
-         {{symbol, {part_of(carried[0].varyings, quantity)}, from_formula(id + ".carried")},
-          {"(1/z)", {carried[0].inv_w}, from_formula("zinv")}},
-         {part_of(report.under(Interpolation::perspective), quantity)}});
-    const Interpolation wrong = report.interpolation == Interpolation::perspective
-                                    ? Interpolation::affine
-                                    : report.interpolation;
-    if (wrong == Interpolation::zinv_twice) add_twice(report, info, carried);
-    if (wrong == Interpolation::undivided || wrong == Interpolation::divided_twice)
-        add_divided_wrongly(report, info, wrong, part_of(carried[0].varyings, quantity));
-    report.formulas.push_back(
-        difference(info, wrong, part_of(report.under(wrong), quantity),
-                   part_of(report.under(Interpolation::perspective), quantity)));
-}
 
 /// The sources of a varying's components, if the report has their formulas.
 SourcedVector interpolated(const FragmentReport& report, glm::vec3 Varyings::*member,
@@ -201,24 +33,13 @@ SourcedVector interpolated(const FragmentReport& report, glm::vec3 Varyings::*me
 }
 
 /// A value that a triangle has once: its first vertex's.
-SourcedVector of_first_vertex(int triangle, const glm::vec3& value,
-                              const std::array<std::string, 3>& ids) {
+/// @param id of the vertex's formulas, without the names of the components
+SourcedVector of_first_vertex(int triangle, const glm::vec3& value, const std::string& id,
+                              const std::array<const char*, 3>& names) {
     SourcedVector vector{value, {}};
-    for (std::size_t i = 0; i < ids.size(); ++i)
-        vector.sources[i] = from_vertex(triangle, 0, ids[i]);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        vector.sources[i] = from_vertex(triangle, 0, id + "." + names[i]);
     return vector;
-}
-
-std::array<std::string, 3> light_normal_ids(const Frame& frame) {
-    return {light_normal_id(frame.settings, 0), light_normal_id(frame.settings, 1),
-            light_normal_id(frame.settings, 2)};
-}
-
-std::array<std::string, 3> reflectance_ids() {
-    std::array<std::string, 3> ids;
-    for (std::size_t i = 0; i < ids.size(); ++i)
-        ids[i] = std::string("reflectance.") + channel_names[i];
-    return ids;
 }
 
 /// What the fragment took from its texture.
@@ -249,7 +70,7 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     point.light = report.light =
         surface_light(place, rules.light, rules.rays, rules.occluders, frame.stages);
     point.position = interpolated(report, &Varyings::position_world, "");
-    point.reflectance = of_first_vertex(triangle, place.reflectance, reflectance_ids());
+    point.reflectance = of_first_vertex(triangle, place.reflectance, "reflectance", channel_names);
     if (surface.differences.colours)
         point.reflectance =
             interpolated(report, &Varyings::colour, "the colours of the vertices, interpolated");
@@ -258,7 +79,7 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
         for (std::size_t i = 0; i < 3; ++i)
             point.reflectance.sources[i] = from_formula(std::string("surface.") + channel_names[i]);
     }
-    point.normal = of_first_vertex(triangle, unbent, light_normal_ids(frame));
+    point.normal = of_first_vertex(triangle, unbent, light_normal_id(frame.settings), axis_names);
     if (surface.differences.normals) {
         append_normal_formulas(
             point,
@@ -272,27 +93,6 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     return point.reflectance;
 }
 
-/// A component of the middle of a triangle, the mean of its corners' components.
-Source add_mean(const FragmentReport& report, const std::string& id, const std::string& symbol,
-                const std::array<float, triangle_corners>& parts, float mean,
-                const std::string& vertex_id, std::vector<Formula>& formulas) {
-    Formula formula{id,
-                    symbol,
-                    "In the middle of the triangle, at the mean of its three corners.",
-                    "(a + b + c) / 3",
-                    {},
-                    {mean}};
-    constexpr std::array<const char*, triangle_corners> symbols{"a", "b", "c"};
-    for (std::size_t v = 0; v < parts.size(); ++v) {
-        formula.inputs.push_back(
-            {symbols[v],
-             {parts[v]},
-             from_vertex(report.cursor.triangle, static_cast<int>(v), vertex_id)});
-    }
-    formulas.push_back(formula);
-    return from_formula(id);
-}
-
 /// The light in the middle of the triangle, which flat shading applies to all of it.
 void add_triangle_light(const Frame& frame, FragmentReport& report) {
     const int triangle = report.cursor.triangle;
@@ -304,27 +104,33 @@ void add_triangle_light(const Frame& frame, FragmentReport& report) {
     point.shine = place.shine;
     point.light = report.light_per_triangle =
         surface_light(place, rules.light, rules.rays, rules.occluders, frame.stages);
+    FormulaWriter write(report.formulas, point.prefix);
     const auto mean_of = [&](glm::vec3 Vertex::*member, const glm::vec3& value,
                              const std::string& symbol, const std::string& vertex_id,
                              const std::array<const char*, 3>& names) {
         SourcedVector vector{value, {}};
         for (int i = 0; i < 3; ++i) {
-            const auto part = static_cast<std::size_t>(i);
-            std::array<float, triangle_corners> parts{};
-            for (int v = 0; v < triangle_corners; ++v)
-                parts[static_cast<std::size_t>(v)] = (frame.scene->corner(triangle, v).*member)[i];
-            vector.sources[part] = add_mean(report, point.prefix + symbol + "." + names[part],
-                                            symbol + "." + names[part], parts, value[i],
-                                            vertex_id + "." + names[part], report.formulas);
+            const std::string name = names[static_cast<std::size_t>(i)];
+            FormulaInputs inputs;
+            for (int v = 0; v < triangle_corners; ++v) {
+                inputs.push_back({std::string(1, static_cast<char>('a' + v)),
+                                  {(frame.scene->corner(triangle, v).*member)[i]},
+                                  from_vertex(triangle, v, vertex_id + "." + name)});
+            }
+            const std::string id = symbol + "." + name;
+            write.add(id, id, "In the middle of the triangle, at the mean of its three corners.",
+                      "(a + b + c) / 3", inputs, {value[i]});
+            vector.sources[static_cast<std::size_t>(i)] = from_formula(point.prefix + id);
         }
         return vector;
     };
     point.position = mean_of(&Vertex::position, place.position_world, "p", "world", axis_names);
-    point.reflectance = differs.colours
-                            ? mean_of(&Vertex::reflectance, place.reflectance, "reflectance",
-                                      "reflectance", channel_names)
-                            : of_first_vertex(triangle, place.reflectance, reflectance_ids());
-    point.normal = of_first_vertex(triangle, flat_normal(frame, triangle), light_normal_ids(frame));
+    point.reflectance = differs.colours ? mean_of(&Vertex::reflectance, place.reflectance,
+                                                  "reflectance", "reflectance", channel_names)
+                                        : of_first_vertex(triangle, place.reflectance,
+                                                          "reflectance", channel_names);
+    point.normal = of_first_vertex(triangle, flat_normal(frame, triangle),
+                                   light_normal_id(frame.settings), axis_names);
     if (differs.normals)
         point.normal.sources.fill(from_words("perpendicular to the plane of the triangle's "
                                              "corners"));
@@ -349,17 +155,20 @@ void add_light(const Frame& frame, FragmentReport& report) {
     std::array<FormulaInput, 3> by_vertex, own;
     for (int i = 0; i < 3; ++i) {
         const auto part = static_cast<std::size_t>(i);
-        FormulaInput& carried = by_vertex[part];
-        carried = {"R",
-                   {report.light_per_vertex[i]},
-                   from_formula(formula_id(colour[part], report.interpolation))};
+        FormulaWriter write(report.formulas);
+        const std::string id = formula_id(colour[part], report.interpolation);
+        by_vertex[part] = write.input("R", id);
+        Formula& light = write.formula(id);
+        light.section = "vertex_light.reflected";
+        light.label = "R " + channel_name(i);
+        light.warns = light.result.value > 1.0f;
         if (report.texture) {
-            carried = append_painted(
-                "vertex_light.",
-                "The light of the vertices, interpolated and multiplied by the texture.", i,
-                carried, report.texture->colour[i], report.formulas);
+            FormulaWriter of_light = write.under("vertex_light.");
+            by_vertex[part] = append_painted(
+                of_light, "The light of the vertices, interpolated and multiplied by the texture.",
+                i, by_vertex[part], report.texture->colour[i]);
         }
-        own[part] = {"ρ", {reflectance.value[i]}, reflectance.sources[part]};
+        own[part] = reflectance.part("ρ", i);
     }
     append_shown_colour("vertex_light.colour.", by_vertex,
                         "The light of the vertices, interpolated. ", frame, report.formulas);
@@ -377,26 +186,16 @@ std::string formula_id(Quantity quantity, Interpolation way) {
     return id + "." + std::string(word_of(is_varying(quantity) ? way : Interpolation::affine));
 }
 
-namespace {
-
-/// If w is not z, values are carried divided by w.
-void say_w_for_z(std::vector<Formula>& formulas) {
-    const auto put = [](std::string& text, std::string_view word, std::string_view by) {
-        for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += by.size())
-            text.replace(at, word.size(), by);
-    };
-    for (Formula& formula : formulas) {
-        put(formula.name, "/z", "/w");
-        put(formula.expression, "/z", "/w");
-        put(formula.help, "divided by z", "divided by w");
-        put(formula.help, "Divided by z", "Divided by w");
-        put(formula.help, "1/z", "1/w");
-        for (FormulaInput& input : formula.inputs)
-            put(input.symbol, "/z", "/w");
-    }
+bool is_fragment_formula(std::string_view id) {
+    constexpr std::array<std::string_view, 13> kinds{
+        "column",  "weight", "zinv", "depth",       "margin",         "blend",       "texture",
+        "surface", "bump",   "flat", "pixel_light", "triangle_light", "vertex_light"};
+    const std::string_view kind = first_part(id);
+    const std::span<const QuantityInfo> quantities = quantity_list();
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end() ||
+           std::any_of(quantities.begin(), quantities.end(),
+                       [&](const QuantityInfo& info) { return info.words.id == kind; });
 }
-
-} // namespace
 
 std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& cursor) {
     if (!has_fragments(frame.settings.stage) || cursor.phase != Phase::rows) return std::nullopt;
@@ -415,19 +214,25 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
         report.pixel.y >= size.height) {
         return std::nullopt;
     }
-    Framebuffer one_pixel;
-    clear(one_pixel, frame, {1, 1}, report.pixel);
-    Watcher watcher(cursor);
+    std::optional<FragmentEvent> found;
+    std::optional<Cursor> written_by; // the earlier writer of its pixel
+    const Observer watch{.fragment = [&](const FragmentEvent& now) {
+        if (now.cursor == cursor) {
+            found = now;
+        } else if (now.fate == Fate::written && !found) {
+            written_by = now.cursor;
+        }
+    }};
     Cursor after = cursor;
     ++after.step;
-    draw(frame, {cursor_begin, after, {}}, one_pixel, &watcher);
-    if (!watcher.event) return std::nullopt;
-    const FragmentEvent& event = *watcher.event;
+    EventSource(frame).play({cursor_begin, after, only_pixel(report.pixel)}, watch);
+    if (!found) return std::nullopt;
+    const FragmentEvent& event = *found;
     report.fragment = event.fragment;
     report.depth = event.depth;
     report.stored = event.stored;
     report.has_cell = has_depth_cell(frame.stages, report.pixel.x, report.pixel.y, size);
-    if (report.has_cell) report.stored_by = watcher.written_by;
+    if (report.has_cell) report.stored_by = written_by;
     report.fate = event.fate;
     report.before = event.before;
     report.after = event.after;
@@ -441,40 +246,13 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.alpha = event.alpha;
     report.texture_alpha = surface.texture_alpha;
 
-    Carried carried;
-    for (const Interpolation way : all_interpolations) {
-        const auto i = static_cast<std::size_t>(way);
-        carried[i] = report.row.at(way, report.step);
-        report.varyings[i] = recover_varyings(carried[i], report.row.stages[i]);
-    }
-    add_depths(report, frame, carried);
-    report.formulas.push_back(
-        difference(quantity_info(Quantity::z), Interpolation::affine, carried[0].z,
-                   find_formula(report.formulas, "z.perspective")->result.value));
-    for (const QuantityInfo& info : shown_quantities(frame)) {
-        if (is_varying(info.quantity)) add_varying(report, info, carried);
-    }
+    add_values(report, frame);
     add_texture(frame, report);
     add_light(frame, report);
     add_depth_test(report, frame);
     add_blend(report, frame);
-    if (vertex_rules(frame.settings, frame.scene->space).projection.mix > 0.0f)
-        say_w_for_z(report.formulas);
     return report;
 }
-
-namespace {
-
-/// The last fragment written on a pixel.
-class LastWritten : public Observer {
-  public:
-    void fragment(const FragmentEvent& event) override {
-        if (event.fate == Fate::written) cursor = event.cursor;
-    }
-    std::optional<Cursor> cursor;
-};
-
-} // namespace
 
 std::optional<Cursor> fragment_on_pixel(const Frame& frame, const glm::ivec2& pixel,
                                         const Cursor& moment) {
@@ -482,12 +260,14 @@ std::optional<Cursor> fragment_on_pixel(const Frame& frame, const glm::ivec2& pi
     const bool inside =
         pixel.x >= 0 && pixel.x < size.width && pixel.y >= 0 && pixel.y < size.height;
     if (!inside || !has_fragments(frame.settings.stage)) return std::nullopt;
-    Framebuffer one_pixel;
-    clear(one_pixel, frame, {1, 1}, pixel);
-    LastWritten watcher;
-    draw(frame, {cursor_begin, moment, {}}, one_pixel, &watcher);
-    if (!watcher.cursor) draw(frame, {moment, cursor_end, {}}, one_pixel, &watcher);
-    return watcher.cursor;
+    std::optional<Cursor> last;
+    const Observer keep_written{.fragment = [&](const FragmentEvent& event) {
+        if (event.fate == Fate::written) last = event.cursor;
+    }};
+    const EventSource source(frame);
+    source.play({cursor_begin, moment, only_pixel(pixel)}, keep_written);
+    if (!last) source.play({moment, cursor_end, only_pixel(pixel)}, keep_written);
+    return last;
 }
 
 } // namespace rasterwalk

@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -89,6 +90,9 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
 /// that it will finally show; none if no fragment is ever drawn there.
 std::optional<Cursor> fragment_on_pixel(const Frame& frame, const glm::ivec2& pixel,
                                         const Cursor& moment);
+
+/// Can a fragment have a formula with this id? Looks only at its first part: "pixel_light".
+bool is_fragment_formula(std::string_view id);
 
 /// The id of a quantity's formula under one interpolation: "x.affine", or "zinv", which is the
 /// same under both.

@@ -7,17 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "explain/formula.h"
+#include "explain/formula_writer.h"
 #include "pipeline/frame.h"
 #include "stages/surface_shader.h"
 
 namespace rasterwalk {
-
-/// A value with three components, and where each of them comes from.
-struct SourcedVector {
-    glm::vec3 value{0.0f};
-    std::array<Source, 3> sources;
-};
 
 /// A point whose light is worked out.
 struct LitPoint {
@@ -42,26 +36,18 @@ struct LitPoint {
 /// Does the light have a direction? At the lamp itself, or if the distance is NaN, it has none.
 bool has_direction(const LightTerms& terms);
 
-/// The names of the components: x y z, and red green blue.
-inline constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
-inline constexpr std::array<const char*, 3> channel_names{"red", "green", "blue"};
-
-/// The components of a vector as inputs: "n.x", "n.y", "n.z".
-std::vector<FormulaInput> parts_of_vector(const std::string& symbol, const SourcedVector& vector);
+/// Are all channels the same? Then one of them is enough to be listed.
+bool is_grey_light(const glm::vec3& light);
 
 /// The names of the axes of tangent space in ids and symbols.
 inline constexpr std::array<const char*, 3> tangent_names{"t", "b", "n"};
 
-/// One of the axes along which the light is worked out, whose components have the ids
-/// bump.square.t.x ...
-/// @param axis 0 to 2: t, b, n
-SourcedVector axis_of_space(const TangentFrame& axes, std::size_t axis);
-
-/// A component of a world vector along the axes of tangent space: their dot product.
-/// @param symbol of the vector; the formulas `way` + ".x" ... are its components
-Formula along_axis_formula(const std::string& id, const std::string& name, const std::string& help,
-                           const std::string& symbol, const SourcedVector& way,
-                           const TangentFrame& axes, std::size_t axis, float result);
+/// A world vector along the axes of tangent space: three dot products.
+/// @param id, symbol, help of the result; the help is followed by the name of the axis and a point
+/// @param from_symbol      of the vector
+SourcedVector add_along_axes(FormulaWriter& write, const std::string& id, const std::string& symbol,
+                             const std::string& help, const std::string& from_symbol,
+                             const SourcedVector& from, const glm::vec3& result);
 
 /// Appends how the normal gets to the lit side, if both are lit (light.sides=two): away, side (1,
 /// or -1: it is flipped) and lit_n.x lit_n.y lit_n.z, which are then the sources of the point's
@@ -80,11 +66,10 @@ void append_side_formulas(LitPoint& point, const SourcedVector& surface, const F
 void append_light_formulas(const LitPoint& point, const Frame& frame,
                            std::vector<Formula>& formulas);
 
-/// Appends a channel of light times the texture's, with the id `prefix` and painted.red ...
+/// Appends a channel of light times the texture's, with the id painted.red ...
 /// @return the same as an input
-FormulaInput append_painted(const std::string& prefix, const std::string& help, int channel,
-                            const FormulaInput& light, float texture,
-                            std::vector<Formula>& formulas);
+FormulaInput append_painted(FormulaWriter& write, const std::string& help, int channel,
+                            const FormulaInput& light, float texture);
 
 /// Appends a colour as the screen shows it, with the id `prefix` and red ...: each channel encoded,
 /// and clamped to 0..1 or wrapped. The first input of a formula is the channel that was worked out;

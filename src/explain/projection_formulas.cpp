@@ -24,26 +24,21 @@ FormulaInput mix_of(float mix) {
 
 void add_mixed_w(VertexMaker& made) {
     const ShadedVertex& shaded = made.report.shaded;
-    Formula w{"clip.w",
-              "w",
-              "What x and y are divided by: z under perspective, 1 under orthographic projection.",
-              "(1 − mix) · z + mix",
-              {mix_of(made.frame.settings.projection_mix),
-               {"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
-              {shaded.position_clip.w}};
+    Formula& w = made.write.add(
+        "clip.w", "w",
+        "What x and y are divided by: z under perspective, 1 under orthographic projection.",
+        "(1 − mix) · z + mix",
+        {mix_of(made.frame.settings.projection_mix), made.write.input("z", "rotated.z")},
+        {shaded.position_clip.w});
     if (made.is_by_matrices()) {
         w.expression = "w";
         w.inputs = {by_matrix("w", shaded.position_clip.w, "Tp · Tv · P")};
     }
-    made.add(w);
     if (!shaded.has_pixel) return;
-    made.add({"zinv",
-              "1/w",
-              "The weight used for interpolation; it is the same at all vertices if the rays are "
-              "parallel.",
-              "1 / w",
-              {{"w", {shaded.position_clip.w}, from_formula("clip.w")}},
-              {shaded.pixel.inv_w}});
+    made.write.add("zinv", "1/w",
+                   "The weight used for interpolation; it is the same at all vertices if the rays "
+                   "are parallel.",
+                   "1 / w", {made.write.input("w", "clip.w")}, {shaded.pixel.inv_w});
 }
 
 void set_clip_depth(Formula& formula, const VertexRules& rules, const FormulaInput& z) {
@@ -67,39 +62,31 @@ void set_clip_depth(Formula& formula, const VertexRules& rules, const FormulaInp
 void add_clip_depth(VertexMaker& made) {
     const ShadedVertex& shaded = made.report.shaded;
     const DepthWords& words = depth_words(made.frame);
-    Formula clip{"clip.z",
-                 "z'",
-                 fmt::format("This becomes {} when it is divided by w. {}", words.name, words.ends),
-                 "",
-                 {},
-                 {shaded.position_clip.z}};
-    set_clip_depth(clip, vertex_rules(made.frame),
-                   {"z", {shaded.in("rotated").z}, from_formula("rotated.z")});
+    Formula& clip = made.write.add(
+        "clip.z", "z'",
+        fmt::format("This becomes {} when it is divided by w. {}", words.name, words.ends), "", {},
+        {shaded.position_clip.z});
+    set_clip_depth(clip, vertex_rules(made.frame), made.write.input("z", "rotated.z"));
     if (made.is_by_matrices()) {
         clip.expression = "z'";
         clip.inputs = {by_matrix("z'", shaded.position_clip.z, "Tp · Tv · P")};
     }
-    made.add(clip);
     if (!shaded.has_pixel) return;
-    made.add(
-        {"depth",
-         std::string(words.name),
-         fmt::format("What the depth buffer holds, {}; {} is nearer.", words.name, words.nearer),
-         "z' · (1/w)",
-         {{"z'", {shaded.position_clip.z}, from_formula("clip.z")},
-          {"(1/w)", {shaded.pixel.inv_w}, from_formula("zinv")}},
-         {shaded.pixel.depth}});
+    made.write.add(
+        "depth", std::string(words.name),
+        fmt::format("What the depth buffer holds, {}; {} is nearer.", words.name, words.nearer),
+        "z' · (1/w)", {made.write.input("z'", "clip.z"), made.write.input("(1/w)", "zinv")},
+        {shaded.pixel.depth});
 }
 
 void add_clip_place(VertexMaker& made, int i) {
     const ShadedVertex& shaded = made.report.shaded;
     const Settings& settings = made.frame.settings;
-    const std::string axis = axis_names[i];
+    const std::string axis = axis_name(i);
     const int from = source_axis(settings, i);
-    const std::string source = axis_names[from];
-    Formula formula{
-        "clip." + axis,
-        axis + "'",
+    const std::string source = axis_name(from);
+    Formula& formula = made.write.add(
+        "clip." + axis, axis + "'",
         "In clip space: pixels from the middle of the picture, times w.",
         "f · ((1 − mix) · d + mix) / d · " + source,
         {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
@@ -108,51 +95,48 @@ void add_clip_place(VertexMaker& made, int i) {
           {orthographic_depth_rule(settings)},
           settings.orthographic_depth > 0.0f ? from_setting("orthographic_depth")
                                              : from_words("the depth of the world's origin")},
-         {source, {shaded.in("rotated")[from]}, from_formula("rotated." + source)}},
-        {shaded.position_clip[i]}};
+         made.write.part(source, "rotated", from)},
+        {shaded.position_clip[i]});
     if (settings.image_axes == ImageAxes::mirrored) formula.expression.insert(0, minus_sign);
     if (made.is_by_matrices()) {
         formula.expression = axis + "'";
         formula.inputs = {by_matrix(axis + "'", shaded.position_clip[i], "Ts · Tp · Tv · P")};
     }
-    made.add(formula);
 }
 
 void add_projected(VertexMaker& made, int i) {
     const ShadedVertex& shaded = made.report.shaded;
     const Settings& settings = made.frame.settings;
-    const std::string axis = axis_names[i];
+    const std::string axis = axis_name(i);
     const std::string word(rounding_function(settings.vertex_rounding));
     const bool is_bench = made.is_bench();
     const int from = source_axis(settings, i);
-    const std::string source = axis_names[from];
-    Formula projected{
-        "projected." + axis,
-        axis,
+    const std::string source = axis_name(from);
+    Formula& projected = made.write.add(
+        "projected." + axis, axis,
         "Pixels from the middle of the picture, before rounding. The program multiplies by 1/z.",
         "f · " + source + " · 1/z",
         {{"f", {settings.camera.focal_length}, from_setting("camera.focal_length")},
-         {source, {shaded.in("rotated")[from]}, from_formula("rotated." + source)},
-         {"1/z", {shaded.pixel.inv_w}, from_formula("zinv")}},
-        {i == 0 ? shaded.in("projected").x : shaded.in("projected").y}};
+         made.write.part(source, "rotated", from),
+         made.write.input("1/z", "zinv")},
+        {i == 0 ? shaded.in("projected").x : shaded.in("projected").y});
     if (settings.image_axes == ImageAxes::mirrored) projected.expression.insert(0, minus_sign);
     if (made.is_by_matrices() || made.is_mixed()) {
         projected.help = "Pixels from the middle of the picture, before rounding.";
         projected.expression = axis + "' · (1/w)";
-        projected.inputs = {{axis + "'", {shaded.position_clip[i]}, from_formula("clip." + axis)},
-                            {"(1/w)", {shaded.pixel.inv_w}, from_formula("zinv")}};
+        projected.inputs = {made.write.part(axis + "'", "clip", i),
+                            made.write.input("(1/w)", "zinv")};
     }
     if (is_bench) {
         projected.help = "The bench gives its vertices in pixels.";
         projected.expression = axis;
-        projected.inputs = {{axis, {shaded.in("rotated")[i]}, from_formula("rotated." + axis)}};
+        projected.inputs = {made.write.part(axis, "rotated", i)};
     }
-    Formula pixel{i == 0 ? "pixel.column" : "pixel.row",
-                  i == 0 ? "column" : "row",
-                  how_made_whole(settings, made.frame.scene->space),
-                  word + "(" + projected.expression + ")",
-                  projected.inputs,
-                  {static_cast<float>(i == 0 ? shaded.pixel.column : shaded.pixel.row), true}};
+    const std::string name = i == 0 ? "column" : "row";
+    Formula& pixel =
+        made.write.add("pixel." + name, name, how_made_whole(settings, made.frame.scene->space),
+                       word + "(" + projected.expression + ")", projected.inputs,
+                       {static_cast<float>(i == 0 ? shaded.pixel.column : shaded.pixel.row), true});
     if (!is_bench && settings.image_axes != ImageAxes::uncentred) {
         const int side = i == 0 ? settings.viewport.width : settings.viewport.height;
         const int middle = side / 2;
@@ -173,8 +157,6 @@ void add_projected(VertexMaker& made, int i) {
                                 {static_cast<float>(i == 0 ? size.width : size.height), true},
                                 from_setting("viewport.size")});
     }
-    made.add(projected);
-    made.add(pixel);
 }
 
 } // namespace rasterwalk

@@ -36,11 +36,11 @@ int line_of(const TakenTexel& texel, const TextureAxis& axis) {
 }
 
 std::string level_id(int level, const std::string& what) {
-    return fmt::format("texture.level.{}.{}", level, what);
+    return fmt::format("level.{}.{}", level, what);
 }
 
 std::string texel_id(int number, const std::string& what) {
-    return fmt::format("texture.texel.{}.{}", number, what);
+    return fmt::format("texel.{}.{}", number, what);
 }
 
 FormulaInput whole_input(std::string symbol, int value, const std::string& words) {
@@ -53,12 +53,13 @@ class TextureFormulas {
     TextureFormulas(const TextureReport& report, const Frame& frame, int triangle,
                     std::array<std::string, 2> coordinate_ids, std::vector<Formula>& formulas)
         : report_(report), frame_(frame), triangle_(triangle),
-          coordinate_ids_(std::move(coordinate_ids)), formulas_(formulas) {}
+          coordinate_ids_(std::move(coordinate_ids)), formulas_(formulas),
+          write_(formulas, "texture.") {}
 
     void append() {
         const TextureLevel& base = report_.surface.texture->base();
         for (const TextureAxis& axis : texture_axes)
-            add_place(std::string("texture.") + axis.place, axis, base, "the texture");
+            add_place(axis.place, axis, base, "the texture").section = "texture";
         add_side("right", "the next column", report_.place.footprint.right,
                  report_.surface.texture_slope.texcoord_right,
                  report_.surface.texture_slope.weight_right, report_.right);
@@ -97,18 +98,17 @@ class TextureFormulas {
                            rule == TexelRule::whole_centres ? " + 1/2" : "");
     }
 
-    void add_place(const std::string& id, const TextureAxis& axis, const TextureLevel& level,
-                   const std::string& of) {
+    Formula& add_place(const std::string& id, const TextureAxis& axis, const TextureLevel& level,
+                       const std::string& of) {
         const int count = size_of(level, axis);
         const float place = among(axis, count);
-        Formula formula{
-            id,
-            axis.place,
+        Formula& formula = write_.add(
+            id, axis.place,
             fmt::format("The position in {}, counted in texels; texel i goes from i to i + 1.", of),
             among_expression(axis),
             {coordinate(axis),
              whole_input(axis.count, count, fmt::format("{} of {}, texels", axis.count, of))},
-            {place}};
+            {place});
         if (evaluate(formula) != place) {
             formula.help = "The position is not a number that can be counted in texels, so 0 is "
                            "used.";
@@ -116,7 +116,7 @@ class TextureFormulas {
                 frame_.settings.texel_rule == TexelRule::whole_centres ? "1/2" : "0";
             formula.inputs.clear();
         }
-        formulas_.push_back(formula);
+        return formula;
     }
 
     /// How far u and v move from one pixel to the next, and how far that is in texels.
@@ -129,58 +129,57 @@ class TextureFormulas {
         const TextureLevel& base = report_.surface.texture->base();
         for (const TextureAxis& axis : texture_axes) {
             const std::string u = axis.coordinate;
-            formulas_.push_back(
-                {fmt::format("texture.{}.{}", name, u),
-                 fmt::format("d{}/d{}", u, name == "right" ? "x" : "y"),
-                 fmt::format("How fast {} changes toward {}: the derivative of a quotient.", u,
-                             next),
-                 fmt::format("(d − {} · e) / w", u),
-                 {{"d",
-                   {slope[axis.index]},
-                   from_words(
-                       fmt::format("how much {} grows by to {}, the same over the whole triangle",
-                                   is_divided ? u + "/z" : u, next))},
-                  coordinate(axis),
-                  {"e",
-                   {weight_slope},
-                   from_words(is_squared ? "how much 1/z times 1/z grows by to " + next +
-                                               ", as if in equal steps"
-                              : has_weight ? "how much 1/z grows by to " + next
-                                           : "there is no weight to change")},
-                  {"w",
-                   {report_.weight},
-                   is_squared   ? from_words("1/z times 1/z, by mistake")
-                   : has_weight ? from_formula("zinv")
-                   : is_divided ? from_words("nothing is divided, by mistake")
-                                : from_words("affine values have no weight")}},
-                 {side[axis.index]}});
+            write_.add(fmt::format("{}.{}", name, u),
+                       fmt::format("d{}/d{}", u, name == "right" ? "x" : "y"),
+                       fmt::format("How fast {} changes toward {}: the derivative of a quotient.",
+                                   u, next),
+                       fmt::format("(d − {} · e) / w", u),
+                       {{"d",
+                         {slope[axis.index]},
+                         from_words(fmt::format(
+                             "how much {} grows by to {}, the same over the whole triangle",
+                             is_divided ? u + "/z" : u, next))},
+                        coordinate(axis),
+                        {"e",
+                         {weight_slope},
+                         from_words(is_squared ? "how much 1/z times 1/z grows by to " + next +
+                                                     ", as if in equal steps"
+                                    : has_weight ? "how much 1/z grows by to " + next
+                                                 : "there is no weight to change")},
+                        {"w",
+                         {report_.weight},
+                         is_squared   ? from_words("1/z times 1/z, by mistake")
+                         : has_weight ? from_formula("zinv")
+                         : is_divided ? from_words("nothing is divided, by mistake")
+                                      : from_words("affine values have no weight")}},
+                       {side[axis.index]});
         }
-        formulas_.push_back(
-            {"texture." + name,
-             name,
-             fmt::format("How far a pixel reaches toward {}, in texels of the texture.", next),
-             "sqrt(du · width · (du · width) + dv · height · (dv · height))",
-             {{"du", {side.x}, from_formula(fmt::format("texture.{}.u", name))},
-              whole_input("width", base.width, "width of the texture, texels"),
-              {"dv", {side.y}, from_formula(fmt::format("texture.{}.v", name))},
-              whole_input("height", base.height, "height of the texture, texels")},
-             {length}});
+        write_
+            .add(name, name,
+                 fmt::format("How far a pixel reaches toward {}, in texels of the texture.", next),
+                 "sqrt(du · width · (du · width) + dv · height · (dv · height))",
+                 {write_.input("du", name + ".u"),
+                  whole_input("width", base.width, "width of the texture, texels"),
+                  write_.input("dv", name + ".v"),
+                  whole_input("height", base.height, "height of the texture, texels")},
+                 {length})
+            .section = "texture";
     }
 
     void add_level() {
-        formulas_.push_back(
-            {"texture.level",
-             "level",
-             "The mip level whose texels are as large as the pixel. Each level is half as wide "
-             "and high as the previous one.",
-             "min(log2(max(1, max(right, down))), last)",
-             {{"right", {report_.right}, from_formula("texture.right")},
-              {"down", {report_.down}, from_formula("texture.down")},
-              whole_input("last", report_.surface.texture->last_level(),
-                          "the last level, of one texel")},
-             {report_.level}});
+        Formula& level = write_.add(
+            "level", "level",
+            "The mip level whose texels are as large as the pixel. Each level is half as wide and "
+            "high as the previous one.",
+            "min(log2(max(1, max(right, down))), last)",
+            {write_.input("right", "right"), write_.input("down", "down"),
+             whole_input("last", report_.surface.texture->last_level(),
+                         "the last level, of one texel")},
+            {report_.level});
+        const TextureFilter filter = frame_.settings.texture_filter;
+        if (filter == TextureFilter::mipmap || filter == TextureFilter::trilinear)
+            level.section = "texture";
         if (frame_.settings.texel_rule != TexelRule::level_along_x) return;
-        Formula& level = formulas_.back();
         level.help += " By mistake only the reach toward the next column counts.";
         level.expression = "min(log2(max(1, right)), last)";
         level.inputs.erase(level.inputs.begin() + 1);
@@ -206,32 +205,26 @@ class TextureFormulas {
         const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(number)];
         const TextureLevel& level =
             report_.surface.texture->levels[static_cast<std::size_t>(texel.level)];
-        const int count = size_of(level, axis);
         const std::string x = axis.place;
-        const std::string id = offset < 0 ? "texture." + x : level_id(texel.level, x);
+        const std::string id = offset < 0 ? x : level_id(texel.level, x);
         const std::string place = offset < 0    ? fmt::format("floor({})", x)
                                   : offset == 0 ? fmt::format("floor({} − 1/2)", x)
                                                 : fmt::format("(floor({} − 1/2) + 1)", x);
-        formulas_.push_back(
-            {texel_id(number, axis.line),
-             fmt::format("{} of texel {}", axis.line, number),
-             offset < 0 ? "The texel that contains the position, wrapped at the borders."
-                        : "A texel whose centre is next to the position, wrapped at the borders.",
-             wrapped(place),
-             {{x, {among(axis, count)}, from_formula(id)},
-              whole_input("n", count, fmt::format("{} of the level, texels", axis.count))},
-             {static_cast<float>(line_of(texel, axis)), true}});
+        write_.add(
+            texel_id(number, axis.line), fmt::format("{} of texel {}", axis.line, number),
+            offset < 0 ? "The texel that contains the position, wrapped at the borders."
+                       : "A texel whose centre is next to the position, wrapped at the borders.",
+            wrapped(place),
+            {write_.input(x, id), whole_input("n", size_of(level, axis),
+                                              fmt::format("{} of the level, texels", axis.count))},
+            {static_cast<float>(line_of(texel, axis)), true});
     }
 
     void add_nearest() {
         for (const TextureAxis& axis : texture_axes)
             add_line(0, axis, -1);
-        formulas_.push_back({texel_id(0, "weight"),
-                             "weight of texel 0",
-                             "One texel alone colours the pixel.",
-                             "1",
-                             {},
-                             {1.0f, true}});
+        write_.add(texel_id(0, "weight"), "weight of texel 0", "One texel alone colours the pixel.",
+                   "1", {}, {1.0f, true});
     }
 
     /// How far the position lies beyond the centre of the previous texel.
@@ -261,71 +254,58 @@ class TextureFormulas {
         for (const TextureAxis& axis : texture_axes) {
             const std::string x = axis.place;
             add_place(level_id(level, x), axis, texels, fmt::format("level {}", level));
-            formulas_.push_back(
-                {level_id(level, "f" + x),
-                 "f" + x,
-                 "How far the position is beyond the centre of the previous texel: 0 is that "
-                 "centre, 1 is the next.",
-                 fmt::format("{0} − 1/2 − floor({0} − 1/2)", x),
-                 {{x, {among(axis, size_of(texels, axis))}, from_formula(level_id(level, x))}},
-                 {beyond_centre(level, axis)}});
+            write_.add(level_id(level, "f" + x), "f" + x,
+                       "How far the position is beyond the centre of the previous texel: 0 is that "
+                       "centre, 1 is the next.",
+                       fmt::format("{0} − 1/2 − floor({0} − 1/2)", x),
+                       {write_.input(x, level_id(level, x))}, {beyond_centre(level, axis)});
         }
     }
 
     void add_weight(int number) {
         const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(number)];
         const bool is_right = number % 2 == 1, is_below = number / 2 % 2 == 1;
-        Formula formula{
-            texel_id(number, "weight"),
-            fmt::format("weight of texel {}", number),
+        Formula& formula = write_.add(
+            texel_id(number, "weight"), fmt::format("weight of texel {}", number),
             "How close the position is to the texel's centre, along both directions.",
             fmt::format("{} · {}", is_right ? "fx" : "(1 − fx)", is_below ? "fy" : "(1 − fy)"),
-            {{"fx",
-              {beyond_centre(texel.level, texture_axes[0])},
-              from_formula(level_id(texel.level, "fx"))},
-             {"fy",
-              {beyond_centre(texel.level, texture_axes[1])},
-              from_formula(level_id(texel.level, "fy"))}},
-            {texel.weight}};
+            {write_.input("fx", level_id(texel.level, "fx")),
+             write_.input("fy", level_id(texel.level, "fy"))},
+            {texel.weight});
         if (frame_.settings.texture_filter == TextureFilter::trilinear) {
             formula.help += " Times the weight of its level, that is, how close it is to the level "
                             "wanted.";
             const bool is_first = number < 4;
             formula.expression +=
                 is_first ? " · (1 − (level − floor(level)))" : " · (level − floor(level))";
-            formula.inputs.push_back({"level", {report_.level}, from_formula("texture.level")});
+            formula.inputs.push_back(write_.input("level", "level"));
         }
-        formulas_.push_back(formula);
     }
 
     void add_colour(int channel) {
-        const std::string name = channel_names[static_cast<std::size_t>(channel)];
-        Formula mean{"texture." + name,
-                     "texture's " + name,
-                     "The texels that were taken, each multiplied by its weight.",
-                     "",
-                     {},
-                     {report_.colour[channel]}};
+        const std::string name = channel_name(channel);
+        std::string expression;
+        FormulaInputs inputs;
         for (int k = 0; k < report_.taken.count; ++k) {
             const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(k)];
             const std::string colour = fmt::format("c{}", k), weight = fmt::format("w{}", k);
-            mean.expression += fmt::format("{}{} · {}", k > 0 ? " + " : "", colour, weight);
-            mean.inputs.push_back(
+            expression += fmt::format("{}{} · {}", k > 0 ? " + " : "", colour, weight);
+            inputs.push_back(
                 {colour,
                  {texel.colour[channel]},
                  from_words(fmt::format("{} of the texel in column {}, row {} of level {}", name,
                                         texel.column, texel.row, texel.level))});
-            mean.inputs.push_back({weight, {texel.weight}, from_formula(texel_id(k, "weight"))});
+            inputs.push_back(write_.input(weight, texel_id(k, "weight")));
         }
-        formulas_.push_back(mean);
+        write_.add(name, "texture's " + name,
+                   "The texels that were taken, each multiplied by its weight.", expression, inputs,
+                   {report_.colour[channel]});
         const float reflectance = report_.reflectance[channel];
-        formulas_.push_back({"surface." + name,
-                             "surface's " + name,
-                             "The reflectance of the surface, multiplied by its texture.",
-                             "ρ · t",
-                             {{"ρ", {reflectance}, reflectance_source(channel, name)},
-                              {"t", {report_.colour[channel]}, from_formula("texture." + name)}},
-                             {reflectance * report_.colour[channel]}});
+        write_.under("surface.")
+            .add(name, "surface's " + name,
+                 "The reflectance of the surface, multiplied by its texture.", "ρ · t",
+                 {{"ρ", {reflectance}, reflectance_source(channel, name)}, write_.input("t", name)},
+                 {reflectance * report_.colour[channel]});
     }
 
     /// Where the colour of the surface itself comes from.
@@ -343,7 +323,8 @@ class TextureFormulas {
     const Frame& frame_;
     int triangle_;
     std::array<std::string, 2> coordinate_ids_;
-    std::vector<Formula>& formulas_;
+    const std::vector<Formula>& formulas_;
+    FormulaWriter write_;
 };
 
 } // namespace

@@ -3,9 +3,8 @@
 // Tools for the formulas of a vertex.
 
 #include <string>
-#include <utility>
 
-#include "explain/formula.h"
+#include "explain/formula_writer.h"
 #include "explain/vertex_report.h"
 #include "pipeline/frame.h"
 
@@ -17,8 +16,8 @@ struct VertexMaker {
     const Vertex& vertex;
     const glm::mat3& rotation; ///< the camera's
     VertexReport& report;
+    FormulaWriter write{report.formulas};
 
-    void add(Formula formula) { report.formulas.push_back(std::move(formula)); }
     bool is_bench() const { return frame.scene->space == SceneSpace::pixels; }
     bool is_by_matrices() const {
         return !is_bench() && frame.settings.transform == Transform::matrices;

@@ -1,5 +1,7 @@
 #include "explain/vertex_report.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/element_names.h"
@@ -20,12 +22,9 @@ std::string given_text(const VertexMaker& made) {
 void add_given(VertexMaker& made, const std::string& space, const std::array<const char*, 3>& names,
                const glm::vec3& value, const std::string& help) {
     for (int i = 0; i < 3; ++i) {
-        made.add({space + "." + names[i],
-                  names[i],
-                  help,
-                  "v",
-                  {{"v", {value[i]}, from_words(given_text(made))}},
-                  {value[i]}});
+        const std::string name = names[static_cast<std::size_t>(i)];
+        made.write.add(space + "." + name, name, help, "v",
+                       {{"v", {value[i]}, from_words(given_text(made))}}, {value[i]});
     }
 }
 
@@ -43,15 +42,14 @@ std::string rotation_symbol(int row, int column) {
 void set_turned(const VertexMaker& made, const std::string& symbol, const std::string& space, int i,
                 Formula& formula) {
     const bool is_row_vector = made.frame.settings.rotation == Rotation::row_vector;
+    formula.expression.clear();
     for (int k = 0; k < 3; ++k) {
-        const std::string axis = axis_names[k], d = symbol + "." + axis;
+        const std::string d = symbol + "." + axis_name(k);
         const int row = is_row_vector ? k : i, column = is_row_vector ? i : k;
         const std::string r = rotation_symbol(row, column);
         formula.expression += (k == 0 ? "" : " + ") + d + " · " + r;
-        formula.inputs.push_back(
-            {d, {made.report.shaded.in(space)[k]}, from_formula(space + "." + axis)});
-        formula.inputs.push_back(
-            {r, {made.rotation[column][row]}, from_formula(rotation_id(row, column))});
+        formula.inputs.push_back(made.write.part(d, space, k));
+        formula.inputs.push_back(made.write.input(r, rotation_id(row, column)));
     }
 }
 
@@ -59,29 +57,28 @@ void set_turned(const VertexMaker& made, const std::string& symbol, const std::s
 /// @param space where the point is before the move
 void set_moved(const VertexMaker& made, const std::string& symbol, const std::string& space,
                const char* sign, int i, Formula& formula) {
-    const std::string axis = axis_names[i], point = symbol + "." + axis, camera = "C." + axis;
+    const std::string point = symbol + "." + axis_name(i), camera = "C." + axis_name(i);
     formula.expression = point + " " + sign + " " + camera;
     formula.inputs = {
-        {point, {made.report.shaded.in(space)[i]}, from_formula(space + "." + axis)},
+        made.write.part(point, space, i),
         {camera, {made.frame.settings.camera.position[i]}, from_setting("camera.position")}};
 }
 
+/// A scene in pixels has no camera: its points stay.
+void set_unmoved(const VertexMaker& made, int i, Formula& formula) {
+    formula.help = "The bench gives its vertices in pixels, so there is no camera.";
+    formula.expression = "P." + axis_name(i);
+    formula.inputs = {made.write.part(formula.expression, "world", i)};
+}
+
 void add_camera_space(VertexMaker& made) {
-    const ShadedVertex& shaded = made.report.shaded;
     for (int i = 0; i < 3; ++i) {
-        const std::string axis = axis_names[i];
-        Formula formula{"minus_camera." + axis,
-                        axis,
-                        "The world moved so that the camera is at the origin: P − C.",
-                        "",
-                        {},
-                        {shaded.in("minus_camera")[i]}};
+        Formula& formula =
+            made.write.add("minus_camera." + axis_name(i), axis_name(i),
+                           "The world moved so that the camera is at the origin: P − C.", "", {},
+                           {made.report.shaded.in("minus_camera")[i]});
         if (made.is_bench()) {
-            formula.help = "The bench gives its vertices in pixels, so there is no camera.";
-            formula.expression = "P." + axis;
-            formula.inputs = {
-                {"P." + axis, {shaded.in("world")[i]}, from_formula("world." + axis)}};
-            made.add(formula);
+            set_unmoved(made, i, formula);
             continue;
         }
         switch (camera_move_rule(made.frame.settings)) {
@@ -97,7 +94,6 @@ void add_camera_space(VertexMaker& made) {
             set_turned(made, "P", "world", i, formula);
             break;
         }
-        made.add(formula);
     }
 }
 
@@ -111,28 +107,19 @@ void add_rotation(VertexMaker& made) {
     const Camera& camera = made.frame.settings.camera;
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
-            if (camera.aim == CameraAim::look_at) {
-                const std::string axis = fmt::format("{}.{}", axes[column], axis_names[row]);
-                made.add({rotation_id(row, column),
-                          rotation_symbol(row, column),
-                          "An entry of R, the camera's rotation, by row and column; the columns of "
-                          "R are the camera's right, down and forward axes in the world.",
-                          axis,
-                          {{axis,
-                            {made.rotation[column][row]},
-                            from_words("forward points to the target, right is forward × up, and "
-                                       "down is forward × right")}},
-                          {made.rotation[column][row]}});
-                continue;
-            }
-            made.add({rotation_id(row, column),
-                      rotation_symbol(row, column),
-                      "An entry of R, the camera's rotation, by row and column; the columns of R "
-                      "are the camera's right, down and forward axes in the world.",
-                      expressions[row][column],
-                      {{"yaw", {camera.yaw}, from_setting("camera.yaw")},
-                       {"pitch", {camera.pitch}, from_setting("camera.pitch")}},
-                      {made.rotation[column][row]}});
+            Formula& formula = made.write.add(
+                rotation_id(row, column), rotation_symbol(row, column),
+                "An entry of R, the camera's rotation, by row and column; the columns of R are the "
+                "camera's right, down and forward axes in the world.",
+                expressions[row][column],
+                {{"yaw", {camera.yaw}, from_setting("camera.yaw")},
+                 {"pitch", {camera.pitch}, from_setting("camera.pitch")}},
+                {made.rotation[column][row]});
+            if (camera.aim != CameraAim::look_at) continue;
+            formula.expression = fmt::format("{}.{}", axes[column], axis_name(row));
+            formula.inputs = {{formula.expression, formula.result,
+                               from_words("forward points to the target, right is forward × up, "
+                                          "and down is forward × right")}};
         }
     }
 }
@@ -141,101 +128,77 @@ constexpr const char* transposed_help =
     "Turned by R d, with d = P − C: the same turn as d R, but the other way round";
 
 void add_rotated(VertexMaker& made) {
-    const ShadedVertex& shaded = made.report.shaded;
+    const Settings& settings = made.frame.settings;
+    const CameraMove move = camera_move_rule(settings);
     for (int i = 0; i < 3; ++i) {
-        const std::string axis = axis_names[i];
-        Formula formula{"rotated." + axis,
-                        axis,
-                        "Turned so that the camera looks along +z: d R, with d = P − C.",
-                        "",
-                        {},
-                        {shaded.in("rotated")[i]}};
-        if (i == 2) formula.help += " How far in front of the camera.";
+        const std::string axis = axis_name(i);
+        Formula& formula =
+            made.write.add("rotated." + axis, axis,
+                           "Turned so that the camera looks along +z: d R, with d = P − C.", "", {},
+                           {made.report.shaded.in("rotated")[i]});
+        const std::string distance_help = i == 2 ? " How far in front of the camera." : "";
         if (made.is_bench()) {
-            formula.help = "The bench gives its vertices in pixels, so there is no camera.";
-            formula.expression = "P." + axis;
-            formula.inputs = {
-                {"P." + axis, {shaded.in("world")[i]}, from_formula("world." + axis)}};
-            made.add(formula);
+            set_unmoved(made, i, formula);
             continue;
         }
         if (made.is_by_matrices()) {
+            formula.help += distance_help;
             formula.expression = axis;
-            formula.inputs = {by_matrix(axis, shaded.in("rotated")[i], "Tv · P")};
-            made.add(formula);
+            formula.inputs = {by_matrix(axis, formula.result.value, "Tv · P")};
             continue;
         }
-        const CameraMove move = camera_move_rule(made.frame.settings);
-        const std::string distance_help = i == 2 ? " How far in front of the camera." : "";
         if (move == CameraMove::rotated_first) {
-            formula.help = "By mistake, moved after it was turned, by a C that was not turned." +
-                           distance_help;
+            formula.help = "By mistake, moved after it was turned, by a C that was not turned.";
             set_moved(made, "d", "minus_camera", "−", i, formula);
         } else {
-            const bool is_row_vector = made.frame.settings.rotation == Rotation::row_vector;
-            if (!is_row_vector) formula.help.replace(0, formula.help.find('.'), transposed_help);
+            if (settings.rotation != Rotation::row_vector)
+                formula.help.replace(0, formula.help.find('.'), transposed_help);
             if (move == CameraMove::added)
                 formula.help.replace(formula.help.find("P − C"), std::string("P − C").size(),
                                      "P + C");
             set_turned(made, "d", "minus_camera", i, formula);
         }
-        made.add(formula);
+        formula.help += distance_help;
     }
 }
 
 void add_inverse_z(VertexMaker& made) {
-    const ShadedVertex& shaded = made.report.shaded;
-    Formula formula{"zinv",
-                    "1/z",
-                    made.has_own_depth() ? "The weight used for interpolation."
-                                         : "What the depth buffer holds; larger is nearer.",
-                    "1 / z",
-                    {{"z", {shaded.in("rotated").z}, from_formula("rotated.z")}},
-                    {shaded.pixel.inv_w}};
-    if (!made.is_bench() && divided_by_rule(made.frame.settings) == DividedBy::distance) {
-        formula.help += " By mistake it is 1 over the distance from the camera.";
-        formula.expression = "1 / sqrt(x² + y² + z²)";
-        for (const char* const axis : {"x", "y"}) {
-            const int i = *axis == 'x' ? 0 : 1;
-            formula.inputs.push_back(
-                {axis, {shaded.in("rotated")[i]}, from_formula(std::string("rotated.") + axis)});
-        }
-    }
-    made.add(formula);
+    Formula& formula = made.write.add(
+        "zinv", "1/z",
+        made.has_own_depth() ? "The weight used for interpolation."
+                             : "What the depth buffer holds; larger is nearer.",
+        "1 / z", {made.write.input("z", "rotated.z")}, {made.report.shaded.pixel.inv_w});
+    if (made.is_bench() || divided_by_rule(made.frame.settings) != DividedBy::distance) return;
+    formula.help += " By mistake it is 1 over the distance from the camera.";
+    formula.expression = "1 / sqrt(x² + y² + z²)";
+    formula.inputs.push_back(made.write.input("x", "rotated.x"));
+    formula.inputs.push_back(made.write.input("y", "rotated.y"));
 }
 
 /// The normal as the light has it, if it was transformed to camera space as a point.
 void add_moved_normal(VertexMaker& made, const glm::vec3& normal) {
     for (int i = 0; i < 3; ++i) {
-        const std::string axis = axis_names[i];
-        made.add(
-            {light_normal_id(made.frame.settings, i),
-             axis,
-             "Taken to camera space with w = 1 and so moved as if it were a position, then made "
-             "unit length again. A direction has w = 0.",
-             axis,
-             {{axis, {normal[i]}, from_words("(n − C) / |n − C|")}},
-             {normal[i]}});
+        const std::string axis = axis_name(i);
+        made.write.add(
+            light_normal_id(made.frame.settings, i), axis,
+            "Taken to camera space with w = 1 and so moved as if it were a position, then made "
+            "unit length again. A direction has w = 0.",
+            axis, {{axis, {normal[i]}, from_words("(n − C) / |n − C|")}}, {normal[i]});
     }
 }
 
-void add_light(VertexMaker& made, const glm::vec3& normal) {
-    VertexReport& report = made.report;
+void add_light(VertexMaker& made) {
     LitPoint point;
     point.prefix = "light.";
-    point.position.value = made.vertex.position;
-    point.normal.value = normal;
+    point.position = made.write.vector("world");
+    point.normal = made.write.vector(light_normal_id(made.frame.settings));
     point.reflectance.value = made.vertex.reflectance;
-    point.shine = made.vertex.shine;
-    point.light = report.light;
-    for (std::size_t i = 0; i < 3; ++i) {
-        point.position.sources[i] = from_formula(std::string("world.") + axis_names[i]);
-        point.normal.sources[i] =
-            from_formula(light_normal_id(made.frame.settings, static_cast<int>(i)));
+    for (std::size_t i = 0; i < 3; ++i)
         point.reflectance.sources[i] = from_formula(std::string("reflectance.") + channel_names[i]);
-    }
-    append_side_formulas(point, SourcedVector(point.normal), made.frame, report.formulas);
-    append_light_formulas(point, made.frame, report.formulas);
+    point.shine = made.vertex.shine;
+    point.light = made.report.light;
+    append_side_formulas(point, SourcedVector(point.normal), made.frame, made.report.formulas);
+    append_light_formulas(point, made.frame, made.report.formulas);
 }
 
 } // namespace
@@ -260,8 +223,8 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     VertexMaker made{frame, given, rotation, report};
     add_given(made, "world", axis_names, report.shaded.in("world"),
               "The vertex, where the scene places it.");
+    if (!made.is_bench()) add_rotation(made); // a mistake turns before it moves
     add_camera_space(made);
-    if (!made.is_bench()) add_rotation(made);
     add_rotated(made);
     if (made.is_mixed()) add_mixed_w(made);
     if (made.is_mixed() || made.is_by_matrices()) {
@@ -280,8 +243,17 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     if (frame.settings.normal_w == NormalW::one) add_moved_normal(made, normal);
     add_given(made, "reflectance", channel_names, given.reflectance,
               "The fraction of the light that the surface reflects.");
-    add_light(made, normal);
+    for (Formula& formula : report.formulas)
+        formula.section = "vertex";
+    add_light(made);
     return report;
+}
+
+bool is_vertex_formula(std::string_view id) {
+    constexpr std::array<std::string_view, 13> kinds{
+        "world",     "minus_camera", "R",      "rotated",      "zinv",        "clip", "depth",
+        "projected", "pixel",        "normal", "light_normal", "reflectance", "light"};
+    return std::find(kinds.begin(), kinds.end(), first_part(id)) != kinds.end();
 }
 
 Number vertex_number(const ShadedVertex& vertex, std::string_view id) {
@@ -304,9 +276,12 @@ Number vertex_number(const ShadedVertex& vertex, std::string_view id) {
     return {};
 }
 
+std::string light_normal_id(const Settings& settings) {
+    return settings.normal_w == NormalW::zero ? "normal" : "light_normal";
+}
+
 std::string light_normal_id(const Settings& settings, int axis) {
-    const char* const normal = settings.normal_w == NormalW::zero ? "normal." : "light_normal.";
-    return std::string(normal) + axis_names[axis];
+    return light_normal_id(settings) + "." + axis_name(axis);
 }
 
 bool depends_on_rotation(std::string_view id) {

@@ -34,8 +34,13 @@ struct VertexReport {
 /// The report on vertex 0, 1 or 2 of a triangle, drawn or left out.
 VertexReport vertex_report(const Frame& frame, int triangle, int vertex);
 
-/// The id of the formula for the normal, axis 0 to 2, as the light has it: "normal.x", or
-/// "light_normal.x" if it was moved by mistake.
+/// Can a vertex have a formula with this id? Looks only at its first part: "world".
+bool is_vertex_formula(std::string_view id);
+
+/// The ids of the formulas for the normal as the light has it: "normal", or "light_normal" if it
+/// was moved by mistake.
+std::string light_normal_id(const Settings& settings);
+/// With an axis, 0 to 2: "normal.x".
 std::string light_normal_id(const Settings& settings, int axis);
 
 /// The number with this id in a vertex computed another way; only for ids of world, minus_camera,

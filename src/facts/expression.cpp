@@ -53,8 +53,8 @@ bool is_unnumbered_phase(std::string_view text) {
     });
 }
 
-/// The length of the moment at the front of the text: `end`, or with its slashes `t12/r37/c5`,
-/// `t12/k`; 0 if there is none.
+/// The length of the moment at the front of the text: `end`, or with its
+/// slashes `t12/r37/c5`, `t12/k`; 0 if there is none.
 std::size_t moment_length(std::string_view text) {
     constexpr std::string_view end = "end";
     const auto ends_at = [&](std::size_t place) {
@@ -90,8 +90,8 @@ std::string type_word(ValueType type) {
     return {};
 }
 
-/// Finds out what the parts of a tree mean, from left to right, the inner ones first. A word stays
-/// a word until it is clear what it is compared with.
+/// Finds out what the parts of a tree mean, from left to right, the inner ones
+/// first. A word stays a word until it is clear what it is compared with.
 class Resolver {
   public:
     explicit Resolver(Expression& expression) : expression_(expression), tree_(expression.tree) {
@@ -222,7 +222,8 @@ class Resolver {
         throw UsageError(in_quotes(node(index).text) + " is not a condition by itself.");
     }
 
-    /// Makes sure that two sides can be compared: a word must be a value of the other side's name.
+    /// Makes sure that two sides can be compared: a word must be a value of the
+    /// other side's name.
     void match(int left, int right, SyntaxKind kind) {
         take_as_word(left, right);
         take_as_word(right, left);

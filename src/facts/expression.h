@@ -1,11 +1,13 @@
 #pragma once
 
-// Conditions and expressions of lessons: `pixel.light_error > 0.2 and interpolation == affine`.
+// Conditions and expressions of lessons: `pixel.light_error > 0.2 and
+// interpolation == affine`.
 //
-//     or   and   not   == != < <= > >=   + -   * /   -   ( )   abs(a) min(a, b) max(a, b)
+//     or   and   not   == != < <= > >=   + -   * /   -   ( )   abs(a) min(a, b)
+//     max(a, b)
 //
-// Numbers, words (`stage == depth`), moments (`cursor > t0/r4`), `end`, `none`; names from
-// find_name().
+// Numbers, words (`stage == depth`), moments (`cursor > t0/r4`), `end`, `none`;
+// names from find_name().
 
 #include <cstdint>
 #include <functional>
@@ -44,18 +46,22 @@ struct Expression {
 /// Returns the value of a name; no value if it is not there.
 using FactReader = std::function<Value(std::string_view name)>;
 
-/// Reads an expression that gives a number. Throws UsageError with one sentence: what is not
-/// understood, which name does not exist and which is close.
+/// Reads an expression that gives a number. Throws UsageError with one
+/// sentence: what is not understood, which name does not exist and which is
+/// close.
 Expression parse_expression(std::string_view text);
 
-/// Reads a condition: a comparison, or a number, which holds if it is not 0. Throws UsageError.
+/// Reads a condition: a comparison, or a number, which holds if it is not 0.
+/// Throws UsageError.
 Expression parse_condition(std::string_view text);
 
-/// Its number; none if a value it needs is not there, or the result is not finite.
+/// Its number; none if a value it needs is not there, or the result is not
+/// finite.
 std::optional<double> number_of(const Expression& expression, const FactReader& fact);
 
-/// Does it hold? A missing value makes a comparison neither true nor false: `x or y` can still hold
-/// by y, `not x` does not hold. `name == none` tests whether a value is missing.
+/// Does it hold? A missing value makes a comparison neither true nor false: `x
+/// or y` can still hold by y, `not x` does not hold. `name == none` tests
+/// whether a value is missing.
 bool holds(const Expression& condition, const FactReader& fact);
 
 /// The comparisons in it that can never hold, with a sentence for each.

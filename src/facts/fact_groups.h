@@ -2,12 +2,67 @@
 
 // The groups of the table of facts, one for each subject.
 
+#include <functional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "explain/formula_writer.h"
 #include "facts/fact_values.h"
 #include "facts/facts.h"
 
 namespace rasterwalk {
+
+/// A number or word as a value; 1 and 0 for true and false.
+template <class T>
+Value as_value(const T& value) {
+    if constexpr (std::is_same_v<T, bool>)
+        return number(value ? 1 : 0);
+    else if constexpr (std::is_convertible_v<T, std::string_view>)
+        return std::string(value);
+    else if constexpr (requires { number(value); })
+        return number(value);
+    else
+        return value;
+}
+
+/// Adds facts about one thing to a table: `add("pixel.u", "u of ...", real(),
+/// read)`.
+/// @tparam about gives the thing, or null if it is not there, and then none of
+/// the facts has a value
+template <auto about>
+class FactAdder {
+  public:
+    explicit FactAdder(std::vector<Fact>& table) : table_(table) {}
+
+    /// @param read a lambda without captures, of the thing and, if facts are
+    /// alike, the number
+    template <class Read>
+    void operator()(std::string name, std::string help, ValueRange range, Read,
+                    int number = 0) const {
+        table_.push_back({std::move(name), std::move(help), std::move(range), value<Read>, number});
+    }
+
+  private:
+    template <class Read>
+    static Value value(const Facts& facts, int number) {
+        const auto thing = std::invoke(about, facts);
+        if (!thing) return {};
+        if constexpr (std::is_invocable_v<Read, decltype(*thing), int>)
+            return as_value(Read{}(*thing, number));
+        else
+            return as_value(Read{}(*thing));
+    }
+
+    std::vector<Fact>& table_;
+};
+
+/// For facts that need the session or several results.
+inline const Facts* everything(const Facts& facts) {
+    return &facts;
+}
 
 // In frame_facts.cpp:
 /// The moment: what comes next.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "explain/clip_report.h"
 #include "facts/fact_values.h"
 #include "facts/facts.h"
 
@@ -89,6 +90,37 @@ const Fact* find_fact(std::string_view name) {
     return nullptr;
 }
 
+/// The id of the formula that a name stands for, and what it belongs to; empty
+/// if for none.
+struct FormulaName {
+    std::string_view owner, id;
+};
+
+FormulaName find_formula_name(std::string_view name) {
+    const std::string_view owner = first_part(name);
+    if (owner.size() == name.size()) return {};
+    const std::string_view id = name.substr(owner.size() + 1);
+    const bool exists = (owner == "pixel" && is_fragment_formula(id)) ||
+                        (owner == "vertex" && is_vertex_formula(id)) ||
+                        (owner == "triangle" && is_clip_formula(id));
+    return exists ? FormulaName{owner, id} : FormulaName{};
+}
+
+/// The number of the formula; none if it does not exist at the moment.
+Value formula_value(const Facts& facts, const FormulaName& name) {
+    const Formula* formula = nullptr;
+    std::optional<Formula> of_triangle;
+    if (name.owner == "pixel" && facts.fragment() != nullptr)
+        formula = find_formula(facts.fragment()->formulas, name.id);
+    if (name.owner == "vertex" && facts.vertex() != nullptr)
+        formula = find_formula(facts.vertex()->formulas, name.id);
+    if (name.owner == "triangle" && facts.clip() != nullptr) {
+        of_triangle = clip_formula(facts.results().a.frame, *facts.clip(), name.id);
+        if (of_triangle) formula = &*of_triangle;
+    }
+    return formula != nullptr ? number(formula->result.value) : Value();
+}
+
 } // namespace
 
 SettingName find_setting_name(std::string_view name) {
@@ -108,8 +140,9 @@ SettingName find_setting_name(std::string_view name) {
 std::optional<ValueRange> find_name(std::string_view name) {
     if (const Fact* fact = find_fact(name)) return fact->range;
     const SettingName found = find_setting_name(name);
-    if (found.setting == nullptr) return std::nullopt;
-    return std::visit(SettingRange{}, found.setting->kind);
+    if (found.setting != nullptr) return std::visit(SettingRange{}, found.setting->kind);
+    if (!find_formula_name(name).id.empty()) return real();
+    return std::nullopt;
 }
 
 std::string meant_name(std::string_view name, std::string_view word) {
@@ -120,7 +153,7 @@ std::string meant_name(std::string_view name, std::string_view word) {
 Value Facts::operator()(std::string_view name) const {
     if (const Fact* fact = find_fact(name)) return fact->read(*this, fact->number);
     const SettingName found = find_setting_name(name);
-    if (found.setting == nullptr) return {};
+    if (found.setting == nullptr) return formula_value(*this, find_formula_name(name));
     return std::visit(SettingValue{session_->a.settings, found.part}, found.setting->kind);
 }
 

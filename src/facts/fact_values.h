@@ -1,6 +1,7 @@
 #pragma once
 
-// How facts and settings become values, and what is known about them in advance.
+// How facts and settings become values, and what is known about them in
+// advance.
 
 #include <charconv>
 #include <concepts>

@@ -252,25 +252,29 @@ const TextureReport* Facts::texture() const {
     return known.texture ? &*known.texture : nullptr;
 }
 
-const FragmentReport* Facts::light() const {
-    const Frame& frame = results_->a.frame;
+const FragmentReport* Facts::fragment() const {
     const PixelEntry* const entry = winner();
-    if (entry == nullptr || shading_rule(frame.settings) == Shading::unlit) return nullptr;
+    if (entry == nullptr) return nullptr;
     FactCache& known = cache();
-    if (known.light_at != entry->cursor) {
-        known.light = fragment_report(frame, entry->cursor);
-        known.light_at = entry->cursor;
+    if (known.fragment_at != entry->cursor) {
+        known.fragment = fragment_report(results_->a.frame, entry->cursor);
+        known.fragment_at = entry->cursor;
     }
-    return known.light ? &*known.light : nullptr;
+    return known.fragment ? &*known.fragment : nullptr;
 }
 
-const ShadedVertex* Facts::vertex() const {
+const FragmentReport* Facts::light() const {
+    const bool is_lit = shading_rule(results_->a.frame.settings) != Shading::unlit;
+    return is_lit ? fragment() : nullptr;
+}
+
+const VertexReport* Facts::vertex() const {
     const std::optional<int>& vertex = session_->selection.vertex;
     const std::vector<VertexReport>& reports = results_->a.inspected.vertices;
     if (!vertex || *vertex < 0 || static_cast<std::size_t>(*vertex) >= reports.size()) {
         return nullptr;
     }
-    return &reports[static_cast<std::size_t>(*vertex)].shaded;
+    return &reports[static_cast<std::size_t>(*vertex)];
 }
 
 } // namespace rasterwalk

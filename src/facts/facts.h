@@ -1,7 +1,7 @@
 #pragma once
 
-// What lessons can ask for by name: the one table of facts about the session and its results, and
-// every setting under its own name.
+// What lessons can ask for by name: the one table of facts about the session
+// and its results, and every setting under its own name.
 
 #include <cstdint>
 #include <optional>
@@ -63,22 +63,24 @@ struct FactCache {
     std::optional<LineDecision> decision;
     std::optional<Cursor> error_at;
     std::optional<InterpolationError> error;
-    std::optional<Cursor> light_at;
-    std::optional<FragmentReport> light;
+    std::optional<Cursor> fragment_at;
+    std::optional<FragmentReport> fragment;
     std::optional<FrameShadows> shadows;
     std::optional<Cursor> texture_at;
     std::optional<TextureReport> texture;
 };
 
-/// Answers questions about a session and its results; both must outlive it, and the results must be
-/// up to date. Counts from 0, as everywhere.
+/// Answers questions about a session and its results; both must outlive it, and
+/// the results must be up to date. Counts from 0, as everywhere.
 class Facts {
   public:
-    /// @param cache kept by the caller between uses, so that nothing is worked out twice; null: it
+    /// @param cache kept by the caller between uses, so that nothing is worked
+    /// out twice; null: it
     ///              lives as long as this
     Facts(const Session& session, const Results& results, FactCache* cache = nullptr);
 
-    /// The value of a fact or a setting; none if it is not there, or there is no such name.
+    /// The value of a fact or a setting; none if it is not there, or there is no
+    /// such name.
     Value operator()(std::string_view name) const;
 
     // For the table of facts:
@@ -88,10 +90,11 @@ class Facts {
     const FrameStats& frame_stats() const;
     /// What clipping and culling do to the triangle shown; null without one.
     const ClipHistory* clip() const;
-    /// The polygon of the scene that the triangle shown belongs to; null if there is none.
+    /// The polygon of the scene that the triangle shown belongs to; null if there
+    /// is none.
     const PolygonWays* outline() const;
-    /// The edge that the triangle shown shares with a neighbour, the nearest to the picked pixel;
-    /// null if it shares none, or no fill rule is used.
+    /// The edge that the triangle shown shares with a neighbour, the nearest to
+    /// the picked pixel; null if it shares none, or no fill rule is used.
     const CountedEdge* shared_edge() const;
     /// Whether the edges of the frame reach their ends.
     const EdgeEnds& edge_ends() const;
@@ -99,33 +102,39 @@ class Facts {
     const FrameShadows& shadows() const;
     /// Pixels that two neighbours of the frame have both drawn.
     std::int64_t drawn_twice() const;
-    /// The triangle that each pixel of the picked pixel's column finally shows, from the top;
-    /// -1: none. A pixel must be picked.
+    /// The triangle that each pixel of the picked pixel's column finally shows,
+    /// from the top; -1: none. A pixel must be picked.
     const std::vector<int>& column_owners() const;
     /// Is there a second run, and does it cut the scene into the same triangles?
     bool has_same_triangles_in_b() const;
-    /// Edge samples on a different pixel in run B, for the whole frame and for an edge of the
-    /// triangle shown; none without such a run, or without such an edge.
+    /// Edge samples on a different pixel in run B, for the whole frame and for an
+    /// edge of the triangle shown; none without such a run, or without such an
+    /// edge.
     std::optional<std::int64_t> different_samples() const;
     std::optional<std::int64_t> different_samples(int edge) const;
-    /// What the line decides at the next edge sample; none if there is none, or it decides nothing.
+    /// What the line decides at the next edge sample; none if there is none, or
+    /// it decides nothing.
     std::optional<LineDecision> decision() const;
-    /// The results of edge functions for the pixel they test next; none if there is none.
+    /// The results of edge functions for the pixel they test next; none if there
+    /// is none.
     std::optional<PixelTest> pixel_test() const;
     /// The finished row table of the triangle shown; null if it has none.
     const RowHistory* table() const;
-    /// The selected row in that table; none if no row is selected, or the table does not have it.
+    /// The selected row in that table; none if no row is selected, or the table
+    /// does not have it.
     std::optional<int> table_row() const;
     /// The fragment that the picked pixel finally shows; null if there is none.
     const PixelEntry* winner() const;
     /// The error of that fragment; none if it belongs to no row.
     std::optional<InterpolationError> interpolation_error() const;
-    /// The light of that fragment, term by term; null if there is none, or no light is computed.
+    /// Everything about that fragment; null if there is none.
+    const FragmentReport* fragment() const;
+    /// The same if light is computed; otherwise null.
     const FragmentReport* light() const;
     /// What it took from its texture; null if it shows none.
     const TextureReport* texture() const;
     /// The selected vertex of the triangle shown; null if none is selected.
-    const ShadedVertex* vertex() const;
+    const VertexReport* vertex() const;
 
   private:
     FactCache& cache() const;
@@ -143,14 +152,20 @@ struct Fact {
     std::string help; ///< one sentence
     ValueRange range;
     Value (*read)(const Facts&, int number);
-    int number = 0; ///< passed to `read` if facts are alike: which overlay, edge, component
+    int number = 0; ///< passed to `read` if facts are alike: which overlay, edge,
+                    ///< component
 };
 
 /// Every fact, grouped by the part before the point.
 std::span<const Fact> fact_table();
 
-/// What a name stands for, fact or setting; none if there is no such name. Settings with several
-/// numbers have parts: `camera.position.z`, `light.power.red`, `viewport.width`.
+/// What a name stands for, fact, setting or formula; none if there is no such
+/// name. Settings with several numbers have parts: `camera.position.z`,
+/// `light.power.red`, `viewport.width`. A formula is named by its id after the
+/// thing it belongs to: `pixel.pixel_light.cosine` of what the picked pixel
+/// finally shows, `vertex.rotated.z` of the selected vertex,
+/// `triangle.cull.area` of the triangle shown; see the reports of `explain` for
+/// the ids. Whether it exists depends on the settings: it is a number, or none.
 std::optional<ValueRange> find_name(std::string_view name);
 
 /// A setting, or one part of it, as conditions name it.
@@ -162,8 +177,8 @@ struct SettingName {
 /// The setting behind a name; null if it stands for none.
 SettingName find_setting_name(std::string_view name);
 
-/// The name that is meant when one is compared with a word: another setting's if the word has moved
-/// there, or the same.
+/// The name that is meant when one is compared with a word: another setting's
+/// if the word has moved there, or the same.
 std::string meant_name(std::string_view name, std::string_view word);
 
 /// The names of all facts and settings: for messages.

@@ -21,239 +21,224 @@ constexpr auto phase_words = [] {
     return words;
 }();
 
+/// The cursor, if there is one before the end.
+const Cursor* cursor_before_end(const Facts& facts) {
+    const Cursor& cursor = facts.results().a.cursor;
+    return cursor != cursor_end ? &cursor : nullptr;
+}
+
 /// The cursor, if it is in this phase of a triangle.
-const Cursor* cursor_in(const Facts& facts, Phase phase) {
-    const Cursor& cursor = facts.results().a.cursor;
-    return cursor != cursor_end && cursor.phase == phase ? &cursor : nullptr;
-}
-
-Value cursor_phase(const Facts& facts, int) {
-    const Cursor& cursor = facts.results().a.cursor;
-    return std::string(cursor == cursor_end ? phase_words.back() : phase_info(cursor.phase).word);
-}
-
-Value cursor_plane(const Facts& facts, int) {
-    const Cursor* const at = cursor_in(facts, Phase::clip);
-    if (at == nullptr) return {};
-    return std::string(word_of(static_cast<ClipPlane>(at->index)));
+template <Phase phase>
+const Cursor* cursor_in(const Facts& facts) {
+    const Cursor* const cursor = cursor_before_end(facts);
+    return cursor != nullptr && cursor->phase == phase ? cursor : nullptr;
 }
 
 /// Row or column of the picture where the next fragment falls.
-Value cursor_pixel(const Facts& facts, int axis) {
+std::optional<int> cursor_pixel(const Facts& facts, int axis) {
     if (const std::optional<PixelTest> test = facts.pixel_test())
-        return number(axis == 1 ? test->row : test->column);
-    const Cursor* const cursor = cursor_in(facts, Phase::rows);
-    if (cursor == nullptr) return {};
+        return axis == 1 ? test->row : test->column;
+    const Cursor* const cursor = cursor_in<Phase::rows>(facts);
+    if (cursor == nullptr) return std::nullopt;
     const Timeline timeline(facts.results().a.frame);
     const PolygonRows& rows = timeline.moments(cursor->triangle).rows;
-    if (axis == 1) return number(rows.first_row + cursor->index);
-    return number(rows.left[static_cast<std::size_t>(cursor->index)].column + cursor->step);
+    if (axis == 1) return rows.first_row + cursor->index;
+    return rows.left[static_cast<std::size_t>(cursor->index)].column + cursor->step;
 }
 
-template <class Number>
-void add_frame_fact(std::vector<Fact>& table, const char* name, const char* help, Number) {
-    table.push_back(
-        {name, help, natural(), [](const Facts& f, int) { return Number{}(f.frame_stats()); }});
+const FrameStats* stats_of(const Facts& facts) {
+    return &facts.frame_stats();
+}
+
+const ObjReport* model_report(const Facts& facts) {
+    const std::optional<ObjReport>& report = facts.session().scene->model_report;
+    return report ? &*report : nullptr;
 }
 
 } // namespace
 
 void add_cursor_facts(std::vector<Fact>& table) {
-    table.push_back({"cursor", "The moment, that is, what comes next; `end` after everything.",
-                     moment(), [](const Facts& f, int) { return Value(f.results().a.cursor); }});
-    table.push_back(
-        {"cursor.triangle", "Triangle of the moment, from 0.", natural(), [](const Facts& f, int) {
-             const Cursor& cursor = f.results().a.cursor;
-             return cursor == cursor_end ? Value() : number(cursor.triangle);
-         }});
-    table.push_back(
-        {"cursor.phase", "What kind of work comes next.", words(phase_words), cursor_phase});
-    table.push_back(
-        {"cursor.vertex", "Vertex that comes next, 0 to 2.", whole(0, 2), [](const Facts& f, int) {
-             const Cursor* const at = cursor_in(f, Phase::vertices);
-             return at != nullptr ? number(at->index) : Value();
-         }});
-    table.push_back({"cursor.plane", "Clipping plane at which an edge is handled next.",
-                     words(enum_words<ClipPlane>), cursor_plane});
-    table.push_back({"cursor.clip_edge", "Edge that is handled next at that plane, from 0.",
-                     whole(0, most_polygon_corners - 1), [](const Facts& f, int) {
-                         const Cursor* const at = cursor_in(f, Phase::clip);
-                         return at != nullptr ? number(at->step) : Value();
-                     }});
-    table.push_back({"cursor.edge",
-                     "Edge whose sample comes next; 0 to 2 for a triangle that is not cut.",
-                     whole(0, most_polygon_corners - 1), [](const Facts& f, int) {
-                         const Cursor* const at = cursor_in(f, Phase::edges);
-                         return at != nullptr ? number(at->index) : Value();
-                     }});
-    table.push_back({"cursor.sample", "Sample of that edge, from 0, as in line[...].", natural(),
-                     [](const Facts& f, int) {
-                         const Cursor* const at = cursor_in(f, Phase::edges);
-                         return at != nullptr ? number(at->step) : Value();
-                     }});
-    table.push_back(
-        {"cursor.decision",
-         "Decision variable at that sample, for the DDA its float; Interpolate has none.", real(),
-         [](const Facts& f, int) {
-             const std::optional<LineDecision> decision = f.decision();
-             return decision ? number(decision->before) : Value();
-         }});
-    table.push_back({"cursor.diagonal",
-                     "1 if the line steps diagonally from that sample, 0 if it goes straight.",
-                     yes_or_no(), [](const Facts& f, int) {
-                         const std::optional<LineDecision> decision = f.decision();
-                         if (!decision || decision->step == PixelStep::none) return Value();
-                         return number(decision->step == PixelStep::diagonal ? 1 : 0);
-                     }});
-    table.push_back({"cursor.column",
-                     "Column of the picture in which the next fragment falls, or of the pixel that "
-                     "edge functions test next.",
-                     whole(-endless, endless), cursor_pixel, 0});
-    table.push_back({"cursor.row",
-                     "Row of the picture in which the next fragment falls, or of the pixel that "
-                     "edge functions test next.",
-                     whole(-endless, endless), cursor_pixel, 1});
+    const FactAdder<everything> add(table);
+    const FactAdder<cursor_before_end> add_before_end(table);
+    const FactAdder<cursor_in<Phase::vertices>> add_in_vertices(table);
+    const FactAdder<cursor_in<Phase::clip>> add_in_clip(table);
+    const FactAdder<cursor_in<Phase::edges>> add_in_edges(table);
+    const FactAdder<&Facts::decision> add_of_decision(table);
+    add("cursor", "The moment, that is, what comes next; `end` after everything.", moment(),
+        [](const Facts& f) { return Value(f.results().a.cursor); });
+    add_before_end("cursor.triangle", "Triangle of the moment, from 0.", natural(),
+                   [](const Cursor& at) { return at.triangle; });
+    add("cursor.phase", "What kind of work comes next.", words(phase_words), [](const Facts& f) {
+        const Cursor* const at = cursor_before_end(f);
+        return at == nullptr ? phase_words.back() : phase_info(at->phase).word;
+    });
+    add_in_vertices("cursor.vertex", "Vertex that comes next, 0 to 2.", whole(0, 2),
+                    [](const Cursor& at) { return at.index; });
+    add_in_clip("cursor.plane", "Clipping plane at which an edge is handled next.",
+                words(enum_words<ClipPlane>),
+                [](const Cursor& at) { return word_of(static_cast<ClipPlane>(at.index)); });
+    add_in_clip("cursor.clip_edge", "Edge that is handled next at that plane, from 0.",
+                whole(0, most_polygon_corners - 1), [](const Cursor& at) { return at.step; });
+    add_in_edges("cursor.edge",
+                 "Edge whose sample comes next; 0 to 2 for a triangle that is not cut.",
+                 whole(0, most_polygon_corners - 1), [](const Cursor& at) { return at.index; });
+    add_in_edges("cursor.sample", "Sample of that edge, from 0, as in line[...].", natural(),
+                 [](const Cursor& at) { return at.step; });
+    add_of_decision("cursor.decision",
+                    "Decision variable at that sample, for the DDA its float; "
+                    "Interpolate has none.",
+                    real(), [](const LineDecision& decision) { return decision.before; });
+    add_of_decision("cursor.diagonal",
+                    "1 if the line steps diagonally from that sample, 0 if it goes straight.",
+                    yes_or_no(), [](const LineDecision& decision) {
+                        if (decision.step == PixelStep::none) return Value();
+                        return as_value(decision.step == PixelStep::diagonal);
+                    });
+    add(
+        "cursor.column",
+        "Column of the picture in which the next fragment falls, or of the pixel "
+        "that edge "
+        "functions test next.",
+        whole(-endless, endless), [](const Facts& f, int axis) { return cursor_pixel(f, axis); },
+        0);
+    add(
+        "cursor.row",
+        "Row of the picture in which the next fragment falls, or of the pixel "
+        "that edge functions "
+        "test next.",
+        whole(-endless, endless), [](const Facts& f, int axis) { return cursor_pixel(f, axis); },
+        1);
 }
 
 void add_test_facts(std::vector<Fact>& table) {
-    table.push_back({"test.inside",
-                     "1 if the pixel that edge functions test next lies inside, 0 if not.",
-                     yes_or_no(), [](const Facts& f, int) {
-                         const std::optional<PixelTest> test = f.pixel_test();
-                         return test ? number(test->is_inside ? 1 : 0) : Value();
-                     }});
+    const FactAdder<&Facts::pixel_test> add(table);
+    add("test.inside", "1 if the pixel that edge functions test next lies inside, 0 if not.",
+        yes_or_no(), [](const PixelTest& test) { return test.is_inside; });
     for (int i = 0; i < static_cast<int>(edge_function_count); ++i) {
-        table.push_back({fmt::format("test.e{}", i),
-                         fmt::format("Edge function {} of the triangle, or of the triangle of the "
-                                     "fan, at that pixel's centre, in square pixels.",
-                                     i),
-                         real(),
-                         [](const Facts& f, int edge) {
-                             const std::optional<PixelTest> test = f.pixel_test();
-                             if (!test) return Value();
-                             return number(
-                                 in_square_pixels(test->e[static_cast<std::size_t>(edge)]));
-                         },
-                         i});
-        table.push_back({fmt::format("test.weight{}", i),
-                         fmt::format("Weight of corner {} of that triangle at that pixel's "
-                                     "centre.",
-                                     i),
-                         real(),
-                         [](const Facts& f, int corner) {
-                             const std::optional<PixelTest> test = f.pixel_test();
-                             if (!test) return Value();
-                             // All digits of the float: a lesson shows its ninth digit.
-                             return number(double{test->weights[static_cast<std::size_t>(corner)]});
-                         },
-                         i});
+        add(
+            fmt::format("test.e{}", i),
+            fmt::format("Edge function {} of the triangle, or of the triangle of "
+                        "the fan, at that "
+                        "pixel's centre, in square pixels.",
+                        i),
+            real(),
+            [](const PixelTest& test, int edge) {
+                return in_square_pixels(test.e[static_cast<std::size_t>(edge)]);
+            },
+            i);
+        add(
+            fmt::format("test.weight{}", i),
+            fmt::format("Weight of corner {} of that triangle at that pixel's centre.", i), real(),
+            // All digits of the float: a lesson shows its ninth digit.
+            [](const PixelTest& test, int corner) {
+                return double{test.weights[static_cast<std::size_t>(corner)]};
+            },
+            i);
     }
 }
 
 void add_session_facts(std::vector<Fact>& table) {
-    table.push_back({"triangle", "Selected triangle, from 0.", natural(),
-                     [](const Facts& f, int) { return number(f.session().selection.triangle); }});
-    table.push_back(
-        {"triangle.count", "Triangles of the scene, after tessellation if it cuts them.", natural(),
-         [](const Facts& f, int) { return number(f.results().a.frame.triangle_count()); }});
-    table.push_back({"triangle.shown",
-                     "Triangle that the inspector shows, from 0: the selected triangle, or the one "
-                     "that was just drawn.",
-                     natural(),
-                     [](const Facts& f, int) { return number(f.results().a.triangle); }});
-    table.push_back({"row", "Selected row of the picture.", whole(-endless, endless),
-                     [](const Facts& f, int) { return number(f.session().selection.row); }});
-    table.push_back({"vertex", "Selected vertex of the triangle shown, 0 to 2.", whole(0, 2),
-                     [](const Facts& f, int) { return number(f.session().selection.vertex); }});
-    table.push_back({"tab", "Open tab of the inspector.", words(tab_names()),
-                     [](const Facts& f, int) { return Value(f.session().tab); }});
-    table.push_back(
-        {"view", "Plane of the picture that is shown.", words(enum_words<View>),
-         [](const Facts& f, int) { return Value(std::string(word_of(f.session().view))); }});
-    table.push_back(
-        {"canvas", "What the canvas shows: the picture, the scene from outside, or both.",
-         words(enum_words<CanvasShows>), [](const Facts& f, int) {
-             const Session& session = f.session();
-             return Value(std::string(word_of(shown_on_canvas(session.canvas, *session.scene))));
-         }});
+    const FactAdder<everything> add(table);
+    add("triangle", "Selected triangle, from 0.", natural(),
+        [](const Facts& f) { return f.session().selection.triangle; });
+    add("triangle.count", "Triangles of the scene, after tessellation if it cuts them.", natural(),
+        [](const Facts& f) { return f.results().a.frame.triangle_count(); });
+    add("triangle.shown",
+        "Triangle that the inspector shows, from 0: the selected triangle, or "
+        "the one that was "
+        "just drawn.",
+        natural(), [](const Facts& f) { return f.results().a.triangle; });
+    add("row", "Selected row of the picture.", whole(-endless, endless),
+        [](const Facts& f) { return f.session().selection.row; });
+    add("vertex", "Selected vertex of the triangle shown, 0 to 2.", whole(0, 2),
+        [](const Facts& f) { return f.session().selection.vertex; });
+    add("tab", "Open tab of the inspector.", words(tab_names()),
+        [](const Facts& f) { return f.session().tab; });
+    add("view", "Plane of the picture that is shown.", words(enum_words<View>),
+        [](const Facts& f) { return word_of(f.session().view); });
+    add("canvas", "What the canvas shows: the picture, the scene from outside, or both.",
+        words(enum_words<CanvasShows>), [](const Facts& f) {
+            return word_of(shown_on_canvas(f.session().canvas, *f.session().scene));
+        });
     for (const OverlayInfo& info : overlay_list()) {
-        table.push_back({"overlay." + std::string(info.name),
-                         "1 while the overlay '" + std::string(info.title) + "' is on.",
-                         yes_or_no(),
-                         [](const Facts& f, int overlay) {
-                             const auto which = static_cast<Overlay>(overlay);
-                             return number(f.session().overlays.has(which) ? 1 : 0);
-                         },
-                         static_cast<int>(info.overlay)});
+        add(
+            "overlay." + std::string(info.name),
+            "1 while the overlay '" + std::string(info.title) + "' is on.", yes_or_no(),
+            [](const Facts& f, int overlay) {
+                return f.session().overlays.has(static_cast<Overlay>(overlay));
+            },
+            static_cast<int>(info.overlay));
     }
-    table.push_back({"zoom",
-                     "Screen pixels for each pixel of the picture; 0 if it is fitted to "
-                     "the window.",
-                     real(0, 64),
-                     [](const Facts& f, int) { return number(f.session().canvas.zoom); }});
+    add("zoom",
+        "Screen pixels for each pixel of the picture; 0 if it is fitted to the "
+        "window.",
+        real(0, 64), [](const Facts& f) { return f.session().canvas.zoom; });
 }
 
 void add_frame_facts(std::vector<Fact>& table) {
-    add_frame_fact(
-        table, "frame.fragments",
-        "Fragments that fall inside the picture, drawn or not; before the fill stage, marks.",
-        [](const FrameStats& s) { return number(s.fragments); });
-    add_frame_fact(table, "frame.fragments_outside", "Fragments that fall outside the picture.",
-                   [](const FrameStats& s) { return number(s.fragments_outside); });
-    add_frame_fact(table, "frame.pixels_tested",
-                   "Pixels of the picture that edge functions test, one triangle after another.",
-                   [](const FrameStats& s) { return number(s.pixels_tested); });
-    add_frame_fact(table, "frame.shaded", "Fragments whose colour is computed.",
-                   [](const FrameStats& s) { return number(s.shaded); });
-    add_frame_fact(table, "frame.clipped", "Triangles that clipping has cut.",
-                   [](const FrameStats& s) { return number(s.clipped); });
-    add_frame_fact(table, "frame.clip_triangles",
-                   "Triangles after clipping, including uncut ones; a polygon counts as the "
-                   "triangles of its fan.",
-                   [](const FrameStats& s) { return number(s.clip_triangles); });
-    add_frame_fact(
-        table, "frame.culled", "Triangles left out because they face away.",
-        [](const FrameStats& s) { return number(s.left_out.of(Rejection::back_facing)); });
-    add_frame_fact(table, "frame.rejected",
-                   "Triangles left out because all their vertices lie beyond the same plane.",
-                   [](const FrameStats& s) { return number(s.left_out.of(Rejection::outside)); });
-    add_frame_fact(table, "frame.triangles", "Triangles that are drawn.",
-                   [](const FrameStats& s) { return number(s.triangles - s.left_out.total()); });
-    add_frame_fact(table, "frame.left_out", "Triangles that are left out.",
-                   [](const FrameStats& s) { return number(s.left_out.total()); });
-    table.push_back({"frame.edges", "Edges of the triangles that are drawn.", natural(),
-                     [](const Facts& f, int) { return number(f.edge_ends().edges); }});
-    table.push_back({"frame.ends_missed",
-                     "Edges whose last sample is not on the pixel of their end vertex.", natural(),
-                     [](const Facts& f, int) { return number(f.edge_ends().missed); }});
-    add_frame_fact(table, "frame.max_overdraw", "Most fragments on one pixel.",
-                   [](const FrameStats& s) { return number(std::int64_t{s.max_overdraw}); });
-    add_frame_fact(table, "frame.uncovered", "Pixels on which nothing falls.",
-                   [](const FrameStats& s) { return number(s.uncovered); });
-    table.push_back({"frame.drawn_twice",
-                     "Pixels that two triangles with a common edge both draw, where neither is "
-                     "folded over the other.",
-                     natural(), [](const Facts& f, int) { return number(f.drawn_twice()); }});
-    add_frame_fact(table, "frame.rows_outside",
-                   "Edge samples that fall outside their triangle's row table.",
-                   [](const FrameStats& s) { return number(s.rows_outside); });
-    add_frame_fact(table, "frame.rows_outside_triangles", "Triangles that have such samples.",
-                   [](const FrameStats& s) { return number(s.rows_outside_triangles); });
+    const FactAdder<everything> add(table);
+    const FactAdder<stats_of> add_counted(table);
+    using Stats = const FrameStats&;
+    add_counted("frame.fragments",
+                "Fragments that fall inside the picture, drawn or not; before "
+                "the fill stage, "
+                "marks.",
+                natural(), [](Stats s) { return s.fragments; });
+    add_counted("frame.fragments_outside", "Fragments that fall outside the picture.", natural(),
+                [](Stats s) { return s.fragments_outside; });
+    add_counted("frame.pixels_tested",
+                "Pixels of the picture that edge functions test, one triangle "
+                "after another.",
+                natural(), [](Stats s) { return s.pixels_tested; });
+    add_counted("frame.shaded", "Fragments whose colour is computed.", natural(),
+                [](Stats s) { return s.shaded; });
+    add_counted("frame.clipped", "Triangles that clipping has cut.", natural(),
+                [](Stats s) { return s.clipped; });
+    add_counted("frame.clip_triangles",
+                "Triangles after clipping, including uncut ones; a polygon "
+                "counts as the triangles "
+                "of its fan.",
+                natural(), [](Stats s) { return s.clip_triangles; });
+    add_counted("frame.culled", "Triangles left out because they face away.", natural(),
+                [](Stats s) { return s.left_out.of(Rejection::back_facing); });
+    add_counted("frame.rejected",
+                "Triangles left out because all their vertices lie beyond the "
+                "same plane.",
+                natural(), [](Stats s) { return s.left_out.of(Rejection::outside); });
+    add_counted("frame.triangles", "Triangles that are drawn.", natural(),
+                [](Stats s) { return s.triangles - s.left_out.total(); });
+    add_counted("frame.left_out", "Triangles that are left out.", natural(),
+                [](Stats s) { return s.left_out.total(); });
+    add("frame.edges", "Edges of the triangles that are drawn.", natural(),
+        [](const Facts& f) { return f.edge_ends().edges; });
+    add("frame.ends_missed", "Edges whose last sample is not on the pixel of their end vertex.",
+        natural(), [](const Facts& f) { return f.edge_ends().missed; });
+    add_counted("frame.max_overdraw", "Most fragments on one pixel.", natural(),
+                [](Stats s) { return s.max_overdraw; });
+    add_counted("frame.uncovered", "Pixels on which nothing falls.", natural(),
+                [](Stats s) { return s.uncovered; });
+    add("frame.drawn_twice",
+        "Pixels that two triangles with a common edge both draw, where neither "
+        "is folded over the "
+        "other.",
+        natural(), [](const Facts& f) { return f.drawn_twice(); });
+    add_counted("frame.rows_outside", "Edge samples that fall outside their triangle's row table.",
+                natural(), [](Stats s) { return s.rows_outside; });
+    add_counted("frame.rows_outside_triangles", "Triangles that have such samples.", natural(),
+                [](Stats s) { return s.rows_outside_triangles; });
 }
 
 void add_model_facts(std::vector<Fact>& table) {
+    const FactAdder<model_report> add(table);
     for (std::size_t i = 0; i < obj_count_list.size(); ++i) {
         const ObjCountInfo& info = obj_count_list[i];
-        table.push_back({fmt::format("model.{}", info.name),
-                         fmt::format("For the model that is open: {}.", info.help), natural(),
-                         [](const Facts& f, int which) {
-                             const std::optional<ObjReport>& report =
-                                 f.session().scene->model_report;
-                             if (!report) return Value();
-                             const auto row = static_cast<std::size_t>(which);
-                             return number(report->counts.*obj_count_list[row].count);
-                         },
-                         static_cast<int>(i)});
+        add(
+            fmt::format("model.{}", info.name),
+            fmt::format("For the model that is open: {}.", info.help), natural(),
+            [](const ObjReport& report, int which) {
+                return report.counts.*obj_count_list[static_cast<std::size_t>(which)].count;
+            },
+            static_cast<int>(i));
     }
 }
 

@@ -15,7 +15,8 @@ namespace rasterwalk {
 
 enum class ValueType : std::uint8_t { number, word, moment, truth };
 
-/// A value; std::monostate if there is none, like the pixel when none is picked.
+/// A value; std::monostate if there is none, like the pixel when none is
+/// picked.
 using Value = std::variant<std::monostate, double, std::string, Cursor, bool>;
 
 /// Is there a value?

@@ -1,7 +1,6 @@
 #include "inspect/event_list.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 #include <fmt/format.h>
@@ -14,42 +13,31 @@ namespace rasterwalk {
 
 namespace {
 
-std::string vertex_event(const EventList& list, int index) {
-    const ProjectedVertex& vertex = list.vertices[static_cast<std::size_t>(index)];
+/// Is it told at this moment? Each moment of the list has one event.
+const Event* find_event(const EventList& list, const Cursor& cursor) {
+    const auto at = std::lower_bound(
+        list.events.begin(), list.events.end(), cursor,
+        [](const Event& event, const Cursor& wanted) { return cursor_of(event) < wanted; });
+    return at != list.events.end() && cursor_of(*at) == cursor ? &*at : nullptr;
+}
+
+std::string text_of(const VertexEvent& event) {
+    const ProjectedVertex& vertex = event.vertex;
+    const int index = event.cursor.index;
     if (!vertex.has_pixel)
         return fmt::format("vertices[{}]: no pixel, {}", index, words(vertex.rejection).sentence);
     return fmt::format("vertices[{}]: column {}, row {}", index, vertex.pixel.column,
                        vertex.pixel.row);
 }
 
-std::string clip_event(const EventList& list, int number) {
-    const ClipStep& step = list.clip_steps[static_cast<std::size_t>(number)].step;
+std::string text_of(const ClipEvent& event) {
+    const ClipStep& step = event.step;
     return fmt::format("{}, edge {}: {}", plane_name(static_cast<int>(step.plane)), step.from,
                        clip_step_text(step));
 }
 
-/// Keeps the steps of one triangle with their moments.
-class StepList : public ClipSink {
-  public:
-    explicit StepList(EventList& into) : list_(into) {}
-
-    void clip_step(const ClipStep& step) override {
-        const auto plane = static_cast<std::size_t>(step.plane);
-        const Cursor cursor{list_.triangle, Phase::clip, static_cast<int>(plane), told_[plane]++};
-        list_.clip_steps.push_back({cursor, step});
-    }
-
-  private:
-    EventList& list_;
-    std::array<int, clip_plane_count> told_{};
-};
-
-/// The steps in order of time, even if a stage gets to the planes in a different order.
-void list_clip_steps(const Frame& frame, EventList& list) {
-    StepList steps(list);
-    tell_clipping(frame, list.triangle, steps);
-    std::sort(list.clip_steps.begin(), list.clip_steps.end(),
-              [](const ClipEvent& a, const ClipEvent& b) { return a.cursor < b.cursor; });
+std::string text_of(const CullEvent& event) {
+    return culling_text(event.test);
 }
 
 /// The effect of a sample on its row.
@@ -59,45 +47,50 @@ std::string_view sample_effect(const RowWrite& write) {
     return write.left ? "left end" : write.right ? "right end" : "between the ends";
 }
 
-std::string sample_event(const EventList& list, int ordinal) {
-    const EdgeSample& sample = list.samples[static_cast<std::size_t>(ordinal)];
+std::string text_of(const SampleEvent& event) {
+    const EdgeSample& sample = event.sample;
     return fmt::format("edge {}, sample {}: ({:.3f}, {:.3f}) is column {}, row {}: {}", sample.edge,
                        sample.sample, sample.x, sample.y, sample.fragment.column,
                        sample.fragment.row, sample_effect(sample.write));
 }
 
-std::string test_event(const EventList& list, const Cursor& cursor) {
-    const PixelTest test =
-        test_at_step(list.moments.rows.tested, cursor.index, cursor.step, list.stages);
+std::string text_of(const TestEvent& event) {
+    const PixelTest& test = event.test;
     return fmt::format("column {}, row {}: {}", test.column, test.row, pixel_test_text(test));
+}
+
+std::string fragment_text(int column, int row) {
+    return fmt::format("fragment: column {}, row {}", column, row);
+}
+
+std::string text_of(const FragmentEvent& event) {
+    return fragment_text(event.fragment.column, event.fragment.row);
 }
 
 std::string row_event(const EventList& list, const Cursor& cursor) {
     const PolygonRows& rows = list.moments.rows;
     const auto index = static_cast<std::size_t>(cursor.index);
     const int row = rows.first_row + cursor.index, left = rows.left[index].column;
-    if (list.has_fragments) {
-        return fmt::format("fragment: column {}, row {}", left + cursor.step, row);
-    }
+    if (list.has_fragments) return fragment_text(left + cursor.step, row);
     return fmt::format("row {}: from column {} to {}", row, left, rows.right[index].column);
 }
 
 } // namespace
 
-EventList list_events(const Frame& frame, int triangle) {
+EventList list_events(const EventSource& source, int triangle) {
     EventList list;
     list.triangle = triangle;
-    if (triangle < 0 || triangle >= frame.triangle_count() || !frame.has_moments(triangle)) {
-        return list;
-    }
-    list.moments = Timeline(frame).moments(triangle);
-    for (int v = 0; v < triangle_corners; ++v)
-        list.vertices.push_back(frame.given_vertex(triangle, v));
-    list_clip_steps(frame, list);
-    if (frame.is_cull_asked(triangle)) list.cull = cull_test(frame, triangle);
-    if (frame.is_drawn(triangle)) list.samples = edge_samples(frame, triangle);
-    list.stages = frame.stages;
-    list.has_fragments = has_fragments(frame.settings.stage);
+    if (triangle < 0 || triangle >= source.frame->triangle_count()) return list;
+    list.moments = source.moments(triangle);
+    list.stages = source.frame->stages;
+    list.has_fragments = has_fragments(source.frame->settings.stage);
+    Observer keep = observe_all([&](const auto& event) { list.events.emplace_back(event); });
+    keep.fragment = nullptr; // the row table knows them, and perhaps the box the tested pixels
+    if (list.has_box() || list.moments.of(Phase::tests).count() == 0) keep.pixel_test = nullptr;
+    source.play({beginning_of(triangle), {triangle, Phase::rows, 0, 0}, {}}, keep);
+    // A stage may get to the planes in a different order.
+    std::stable_sort(list.events.begin(), list.events.end(),
+                     [](const Event& a, const Event& b) { return cursor_of(a) < cursor_of(b); });
     return list;
 }
 
@@ -113,32 +106,21 @@ Cursor event_cursor(const EventList& list, int ordinal) {
         return {list.triangle, info.phase, static_cast<int>(piece),
                 phase.pieces[piece].first + ordinal - phase.before[piece]};
     }
-    return {list.triangle + 1, Phase::vertices, 0, 0};
+    return beginning_of(list.triangle + 1);
 }
 
 std::string event_text(const EventList& list, int ordinal) {
     const Cursor cursor = event_cursor(list, ordinal);
-    std::string text = to_text(cursor) + "  ";
-    int in_phase = ordinal; // its number among those of its phase
-    for (const PhaseInfo& info : phase_list) {
-        if (info.phase == cursor.phase) break;
-        in_phase -= list.moments.of(info.phase).count();
+    const std::string moment = to_text(cursor) + "  ";
+    if (cursor.phase == Phase::rows) return moment + row_event(list, cursor);
+    if (cursor.phase == Phase::tests && list.has_box()) {
+        const TestedPolygon& tested = list.moments.rows.tested;
+        const PixelTest test = test_at_step(tested, cursor.index, cursor.step, list.stages);
+        return moment + text_of(TestEvent{cursor, test});
     }
-    switch (cursor.phase) {
-    case Phase::vertices:
-        return text + vertex_event(list, cursor.index);
-    case Phase::edges:
-        return text + sample_event(list, in_phase);
-    case Phase::tests:
-        return text + test_event(list, cursor);
-    case Phase::rows:
-        return text + row_event(list, cursor);
-    case Phase::clip:
-        return text + clip_event(list, in_phase);
-    case Phase::cull:
-        return text + culling_text(list.cull);
-    }
-    return text;
+    const Event* const event = find_event(list, cursor);
+    if (event == nullptr) return moment;
+    return moment + std::visit([](const auto& of_kind) { return text_of(of_kind); }, *event);
 }
 
 std::vector<int> find_events(const EventList& list, const std::string& words, int first,

@@ -5,28 +5,25 @@
 #include <string>
 #include <vector>
 
-#include "inspect/row_history.h"
-#include "pipeline/observer.h"
-#include "pipeline/timeline.h"
+#include "pipeline/event_source.h"
 
 namespace rasterwalk {
 
 /// All moments of a triangle. Their lines are made on demand.
 struct EventList {
     int triangle = -1;
-    TriangleMoments moments;               ///< none if the triangle is left out
-    std::vector<ProjectedVertex> vertices; ///< as in the scene
-    std::vector<ClipEvent> clip_steps;     ///< in order of time
-    CullTest cull;                         ///< if it has a moment
-    std::vector<EdgeSample> samples;       ///< of all edges, in order
-    Stages stages;                         ///< for testing pixels
-    bool has_fragments = false;            ///< rows are filled, not only bounded
+    TriangleMoments moments;    ///< none if the triangle is left out
+    std::vector<Event> events;  ///< before the rows, in order of time; no tests if it has_box()
+    Stages stages;              ///< for testing pixels
+    bool has_fragments = false; ///< rows are filled, not only bounded
 
     int count() const { return moments.count; }
+    /// Is the box known whose pixels are tested? Then each test can be made again.
+    bool has_box() const { return !moments.rows.tested.triangles.empty(); }
 };
 
 /// @param triangle of the scene
-EventList list_events(const Frame& frame, int triangle);
+EventList list_events(const EventSource& source, int triangle);
 
 /// A moment of the list.
 /// @param ordinal 0 to count() - 1

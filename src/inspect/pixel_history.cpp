@@ -3,45 +3,30 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/draw.h"
 #include "stages/orthographic.h"
 
 namespace rasterwalk {
 
 namespace {
 
-class Collector : public Observer {
-  public:
-    Collector(PixelHistory& into, const Projection& projection)
-        : entries(into.entries), tests_(into.tests), projection_(projection) {}
-
-    bool wants_pixel_tests() const override { return true; }
-    void pixel_test(const TestEvent& event) override { tests_.push_back(event); }
-
-    void fragment(const FragmentEvent& event) override {
-        PixelEntry entry;
-        entry.cursor = event.cursor;
-        if (event.cursor.phase == Phase::rows) {
-            entry.row = event.cursor.index;
-            entry.column = event.cursor.step;
-        }
-        entry.zinv = event.fragment.inv_w;
-        entry.z = fragment_depth(event.fragment, projection_.mix);
-        entry.depth = event.depth;
-        entry.stored = event.stored;
-        entry.margin = depth_ahead(event.depth, event.stored, projection_.clip_depth);
-        entry.fate = event.fate;
-        entry.alpha = event.alpha;
-        entry.colour_before = event.before;
-        entry.colour_after = event.after;
-        entries.push_back(entry);
+PixelEntry entry_of(const FragmentEvent& event, const Projection& projection) {
+    PixelEntry entry;
+    entry.cursor = event.cursor;
+    if (event.cursor.phase == Phase::rows) {
+        entry.row = event.cursor.index;
+        entry.column = event.cursor.step;
     }
-
-  private:
-    std::vector<PixelEntry>& entries;
-    std::vector<TestEvent>& tests_;
-    Projection projection_;
-};
+    entry.zinv = event.fragment.inv_w;
+    entry.z = fragment_depth(event.fragment, projection.mix);
+    entry.depth = event.depth;
+    entry.stored = event.stored;
+    entry.margin = depth_ahead(event.depth, event.stored, projection.clip_depth);
+    entry.fate = event.fate;
+    entry.alpha = event.alpha;
+    entry.colour_before = event.before;
+    entry.colour_after = event.after;
+    return entry;
+}
 
 /// The cost of seeing that a triangle does not reach the pixel.
 constexpr double look_work = 5;
@@ -55,7 +40,8 @@ void find_columns_of_row_ends(const Frame& frame, PixelHistory& history) {
     PolygonRows rows;
     for (PixelEntry& entry : history.entries) {
         compute_rows(frame, entry.cursor.triangle, rows);
-        entry.column = history.pixel.x - rows.left[entry.row].column;
+        if (entry.row >= 0 && entry.row < rows.size())
+            entry.column = history.pixel.x - rows.left[entry.row].column;
     }
 }
 
@@ -89,16 +75,16 @@ void keep_the_near(std::vector<NearTriangle>& nearest) {
 
 } // namespace
 
-PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel) {
-    HistoryWork work(frame, pixel);
+PixelHistory pixel_history(const EventSource& source, const glm::ivec2& pixel) {
+    HistoryWork work(source, pixel);
     work.advance();
     return work.take();
 }
 
-HistoryWork::HistoryWork(const Frame& frame, const glm::ivec2& pixel) : frame_(&frame) {
+HistoryWork::HistoryWork(EventSource source, const glm::ivec2& pixel)
+    : source_(std::move(source)), frame_(source_.frame) {
     history_.pixel = pixel;
-    history_.depth_tested = depth_rule(frame.settings) != DepthTest::off;
-    clear(one_pixel_, frame, {1, 1}, pixel);
+    history_.depth_tested = depth_rule(frame_->settings) != DepthTest::off;
 }
 
 void HistoryWork::advance(const WorkLimit& limit) {
@@ -130,10 +116,15 @@ void HistoryWork::advance(const WorkLimit& limit) {
 }
 
 void HistoryWork::draw_part(int triangles) {
-    Collector collector(history_, projection_of(*frame_));
-    const Cursor from{drawn_, Phase::vertices, 0, 0};
+    const Observer keep_all{
+        .pixel_test = [this](const TestEvent& event) { history_.tests.push_back(event); },
+        .fragment =
+            [this, projection = projection_of(*frame_)](const FragmentEvent& event) {
+                history_.entries.push_back(entry_of(event, projection));
+            }};
+    const Cursor from = beginning_of(drawn_);
     drawn_ += triangles;
-    draw(*frame_, {from, behind_triangle(drawn_ - 1), {}}, one_pixel_, &collector);
+    source_.play({from, beginning_of(drawn_), only_pixel(history_.pixel)}, keep_all);
 }
 
 /// Completes what is known only when everything has been drawn.
@@ -144,7 +135,7 @@ void HistoryWork::find_winner() {
     }
     const float winning = history_.winner >= 0
                               ? history_.entries[static_cast<std::size_t>(history_.winner)].depth
-                              : one_pixel_.depth.front();
+                              : depth_clear_rule(frame_->settings, frame_->scene->space);
     const Projection projection = projection_of(*frame_);
     for (PixelEntry& entry : history_.entries)
         entry.margin_to_winner = depth_ahead(entry.depth, winning, projection.clip_depth);

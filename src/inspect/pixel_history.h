@@ -1,6 +1,6 @@
 #pragma once
 
-// Everything that fell on one pixel: found by drawing the frame again into just that pixel.
+// Everything that fell on one pixel: found by playing the frame again for just that pixel.
 
 #include <optional>
 #include <utility>
@@ -11,9 +11,7 @@
 
 #include "inspect/uncovered.h"
 #include "pipeline/cursor.h"
-#include "pipeline/frame.h"
-#include "pipeline/framebuffer.h"
-#include "pipeline/observer.h"
+#include "pipeline/event_source.h"
 #include "pipeline/work.h"
 
 namespace rasterwalk {
@@ -51,13 +49,13 @@ struct PixelHistory {
 
 /// The history of a pixel of the picture. Costs drawing the triangles whose box it lies in, and a
 /// look at the others. The pixel must lie in the picture.
-PixelHistory pixel_history(const Frame& frame, const glm::ivec2& pixel);
+PixelHistory pixel_history(const EventSource& source, const glm::ivec2& pixel);
 
 /// The same in parts.
 class HistoryWork {
   public:
-    /// The frame must outlive this.
-    HistoryWork(const Frame& frame, const glm::ivec2& pixel);
+    /// The source's frame must outlive this.
+    HistoryWork(EventSource source, const glm::ivec2& pixel);
 
     /// Goes on as far as the limit allows; always makes progress.
     void advance(const WorkLimit& limit = {});
@@ -75,9 +73,9 @@ class HistoryWork {
     void draw_part(int triangles);
     void find_winner();
 
+    EventSource source_;
     const Frame* frame_;
     PixelHistory history_;
-    Framebuffer one_pixel_;
     int drawn_ = 0;                        ///< see triangles_done()
     std::optional<NearestSearch> nearest_; ///< once it is known that nothing fell there
     bool is_done_ = false;

@@ -38,9 +38,6 @@ std::optional<PolygonWays> polygon_ways(const Frame& frame, int triangle);
 
 /// The ways to cover a polygon.
 enum class PolygonWay : std::uint8_t { table, fan, active_edges };
-template <>
-inline constexpr auto enum_words<PolygonWay> = word_list("table", "fan", "active_edges");
-static_assert(words_match<PolygonWay>);
 
 inline constexpr std::size_t polygon_way_count = enum_words<PolygonWay>.size();
 

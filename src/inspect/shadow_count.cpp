@@ -1,33 +1,11 @@
 #include "inspect/shadow_count.h"
 
-#include <optional>
-
 #include "pipeline/draw.h"
-#include "pipeline/observer.h"
 #include "pipeline/surface.h"
 
 namespace rasterwalk {
 
 namespace {
-
-/// The fragment that each pixel finally shows.
-class LastFragments : public Observer {
-  public:
-    explicit LastFragments(Viewport size)
-        : width_(static_cast<std::size_t>(size.width)),
-          fragments_(width_ * static_cast<std::size_t>(size.height)) {}
-
-    void fragment(const FragmentEvent& event) override {
-        if (event.fate != Fate::written) return;
-        fragments_[static_cast<std::size_t>(event.fragment.row) * width_ +
-                   static_cast<std::size_t>(event.fragment.column)] = event.fragment;
-    }
-    const Fragment& at(std::size_t pixel) const { return fragments_[pixel]; }
-
-  private:
-    std::size_t width_;
-    std::vector<Fragment> fragments_;
-};
 
 /// The light at the point that a fragment shows; under flat shading in the middle of its triangle.
 SurfaceLight light_there(const Frame& frame, const Fragment& fragment, int triangle,
@@ -68,8 +46,13 @@ FrameShadows count_shadows(const Frame& frame) {
     if (!has_fragments(frame.settings.stage)) return result;
     Framebuffer picture;
     clear(picture, frame);
-    LastFragments last(frame.settings.viewport);
-    draw(frame, {}, picture, &last);
+    std::vector<Fragment> shown(picture.owner.size()); // finally, by each pixel
+    const Observer keep_last{.fragment = [&](const FragmentEvent& event) {
+        const Fragment& fragment = event.fragment;
+        if (event.fate == Fate::written)
+            shown[picture.at(fragment.column, fragment.row)] = fragment;
+    }};
+    draw(frame, {}, picture, &keep_last);
     const PixelRules rules = pixel_rules(frame);
     int known = -1;
     Surface surface;
@@ -81,7 +64,7 @@ FrameShadows count_shadows(const Frame& frame) {
             known = triangle;
         }
         ShadowCount one;
-        add(light_there(frame, last.at(i), triangle, surface, rules), frame, one);
+        add(light_there(frame, shown[i], triangle, surface, rules), frame, one);
         result.all += one;
         const int part = part_of(*frame.scene, triangle);
         if (part >= 0) result.parts[static_cast<std::size_t>(part)] += one;

@@ -15,18 +15,6 @@ constexpr double work_of_row = 6.0;
 /// The cost of testing whether a triangle reaches the part.
 constexpr double work_of_triangle = 0.5;
 
-class FateCollector : public Observer {
-  public:
-    explicit FateCollector(std::vector<FragmentFate>& into) : fates_(into) {}
-
-    void fragment(const FragmentEvent& event) override {
-        fates_.push_back({{event.fragment.column, event.fragment.row}, event.cursor, event.fate});
-    }
-
-  private:
-    std::vector<FragmentFate>& fates_;
-};
-
 /// The work of the triangles from `first` up to and including `last` in a part of the picture; if
 /// it is more than `most`, some number above `most`.
 double work_between(const Frame& frame, int first, int last, const Rectangle& part, double most) {
@@ -46,10 +34,6 @@ double work_between(const Frame& frame, int first, int last, const Rectangle& pa
                                static_cast<double>(box.right) - static_cast<double>(box.left));
     }
     return work;
-}
-
-Cursor beginning_of(int triangle) {
-    return {triangle, Phase::vertices, 0, 0};
 }
 
 /// The part of it that lies in the picture.
@@ -82,8 +66,10 @@ const std::vector<FragmentFate>& FateFinder::find(const Frame& frame, std::uint6
               {inside.left, inside.top});
     }
     draw(frame, {beginning_of(first), beginning_of(triangle), {}}, planes_);
-    FateCollector collector(fates_);
-    draw(frame, {beginning_of(triangle), beginning_of(triangle + 1), {}}, planes_, &collector);
+    const Observer keep_fates{.fragment = [this](const FragmentEvent& event) {
+        fates_.push_back({{event.fragment.column, event.fragment.row}, event.cursor, event.fate});
+    }};
+    draw(frame, {beginning_of(triangle), beginning_of(triangle + 1), {}}, planes_, &keep_fates);
     planes_place_ = place;
     drawn_ = triangle + 1;
     return fates_;

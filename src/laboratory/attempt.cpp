@@ -29,7 +29,8 @@ void add_bugs(const std::vector<Bug>& bugs, std::vector<Change>& changes) {
 void add_choices(const Scene& scene, std::vector<Change>& changes) {
     for (const Setting& setting : setting_table()) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
-        if (choice == nullptr || setting.name == "stage" || setting.part_of == "stage") continue;
+        if (choice == nullptr || setting.name == "stage" || setting.ties.part_of == "stage")
+            continue;
         if (setting.name == "engine" || is_of_equal_rules(setting.name) ||
             !is_of_use(setting, scene))
             continue;

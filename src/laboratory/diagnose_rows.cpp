@@ -194,7 +194,7 @@ Diagnosis diagnose_rows(const std::vector<PrintedRow>& rows, const std::vector<g
         }
         for (const Setting& setting : setting_table()) {
             const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
-            if (choice == nullptr || !setting.part_of.empty()) continue;
+            if (choice == nullptr || !setting.ties.part_of.empty()) continue;
             for (const std::string_view word : choice->words) {
                 Settings settings = reference;
                 set_value(settings, setting, word);

@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 #include "base/image_format.h"
-#include "base/quoted.h"
+#include "base/text_parts.h"
 
 namespace rasterwalk {
 

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 #include "facts/facts.h"
 #include "lessons/lesson_control.h"
 #include "lessons/lesson_link.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "base/quoted.h"
+#include "base/text_parts.h"
 #include "base/toml_input.h"
 
 namespace rasterwalk {

@@ -1,5 +1,6 @@
 #include "lessons/lesson_lines.h"
 
+#include <algorithm>
 #include <string>
 
 #include "base/quoted.h"
@@ -17,16 +18,6 @@ bool is_clean(std::string_view line) {
 }
 
 } // namespace
-
-std::vector<std::string_view> split_lines(std::string_view text) {
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        std::string_view line = take_part(text, '\n');
-        if (line.ends_with('\r')) line.remove_suffix(1);
-        lines.push_back(line);
-    }
-    return lines;
-}
 
 bool check_lines(const std::vector<std::string_view>& lines, FaultList& faults) {
     const auto refuse_lines = [&](auto is_good, const std::string& sentence) {

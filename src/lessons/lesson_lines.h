@@ -1,6 +1,6 @@
 #pragma once
 
-// The lines of a lesson's file, and checks before they are read.
+// Checks of the lines of a lesson's file before they are read.
 
 #include <string_view>
 #include <vector>
@@ -8,9 +8,6 @@
 #include "base/faults.h"
 
 namespace rasterwalk {
-
-/// The lines of a text without their ends, which may be those of Windows.
-std::vector<std::string_view> split_lines(std::string_view text);
 
 /// Are the lines few and short enough, and all of them UTF-8 without control characters? If not,
 /// the file is refused.

@@ -8,6 +8,7 @@
 #include "base/faults.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 #include "lessons/choice_order.h"
 #include "lessons/lesson_blocks.h"
 #include "lessons/lesson_comment.h"
@@ -106,19 +107,15 @@ class Reader {
     }
 
     void look_through(std::string_view text, int line) {
-        InlineParts parts = find_inline_parts(text, line, faults_);
-        const auto move_all = [](auto& from, auto& to) {
-            to.insert(to.end(), from.begin(), from.end());
-        };
-        for (const LinkPlace& link : parts.links) {
+        std::size_t next = step().links.size();
+        add_inline_parts(text, line, step(), faults_);
+        for (; next < step().links.size(); ++next) {
             if (++links_ <= most_lesson_links) continue;
-            faults_.refuse(link.line, "a lesson may have at most " +
-                                          std::to_string(most_lesson_links) + " links.");
+            faults_.refuse(step().links[next].line, "a lesson may have at most " +
+                                                        std::to_string(most_lesson_links) +
+                                                        " links.");
             return;
         }
-        move_all(parts.links, step().links);
-        move_all(parts.formulas, step().formulas);
-        move_all(parts.footnotes, step().footnotes);
     }
 
     // --- headings

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 #include "session/content.h"
 
 namespace rasterwalk {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/quoted.h"
-#include "text/markdown_parts.h"
+#include "text/markdown.h"
 
 namespace rasterwalk {
 
@@ -13,24 +13,24 @@ namespace {
 using PartKind = MarkdownPart::Kind;
 
 /// Nothing of a lesson whose text cannot be drawn is shown.
-void refuse_fault(const MarkdownParts& found, int first_line, FaultList& faults) {
+void refuse_fault(const MarkdownDocument& found, int first_line, FaultList& faults) {
     if (found.fault.empty()) return;
     std::string sentence = found.fault;
     sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));
     faults.refuse(first_line + found.fault_line, std::move(sentence));
 }
 
-void take_part(const MarkdownPart& part, int line, InlineParts& parts, FaultList& faults) {
+void add_part(const MarkdownPart& part, int line, LessonStep& step, FaultList& faults) {
     switch (part.kind) {
     case PartKind::link:
     case PartKind::picture:
-        parts.links.push_back({part.text, part.words, line, part.kind == PartKind::picture});
+        step.links.push_back({part.text, part.words, line, part.kind == PartKind::picture});
         break;
     case PartKind::formula:
-        parts.formulas.push_back({part.text, line});
+        step.formulas.push_back({part.text, line});
         break;
     case PartKind::footnote:
-        parts.footnotes.push_back({part.text, line});
+        step.footnotes.push_back({part.text, line});
         break;
     case PartKind::address:
         faults.add(line, "write a link as [words](target), not " + in_quotes(part.text) + ".");
@@ -59,13 +59,11 @@ void take_part(const MarkdownPart& part, int line, InlineParts& parts, FaultList
 
 } // namespace
 
-InlineParts find_inline_parts(std::string_view text, int first_line, FaultList& faults) {
-    const MarkdownParts found = find_markdown_parts(text, deepest_lesson);
-    InlineParts parts;
+void add_inline_parts(std::string_view text, int first_line, LessonStep& step, FaultList& faults) {
+    const MarkdownDocument found = parse_as_written(text, deepest_lesson);
     for (const MarkdownPart& part : found.parts)
-        take_part(part, first_line + part.line, parts, faults);
+        add_part(part, first_line + part.line, step, faults);
     refuse_fault(found, first_line, faults);
-    return parts;
 }
 
 } // namespace rasterwalk

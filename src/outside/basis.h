@@ -18,9 +18,6 @@ namespace rasterwalk {
 
 /// Whose axes they are.
 enum class BasisOf : std::uint8_t { world, camera, object, surface };
-template <>
-inline constexpr auto enum_words<BasisOf> = word_list("world", "camera", "object", "surface");
-static_assert(words_match<BasisOf>);
 
 inline constexpr int axis_count = 3;
 

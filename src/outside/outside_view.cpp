@@ -6,7 +6,7 @@
 
 #include "base/limits.h"
 #include "base/numbers.h"
-#include "base/quoted.h"
+#include "base/text_parts.h"
 
 namespace rasterwalk {
 

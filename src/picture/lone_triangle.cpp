@@ -8,8 +8,8 @@ namespace rasterwalk {
 
 bool LoneTriangle::draw(const Frame& frame, const FrameWork& work, std::uint64_t number,
                         int triangle, const Cursor& cursor, const WorkLimit& limit) {
-    const Cursor from{triangle, Phase::vertices, 0, 0};
-    const Cursor to = std::clamp(cursor, from, behind_triangle(triangle));
+    const Cursor from = beginning_of(triangle);
+    const Cursor to = std::clamp(cursor, from, beginning_of(triangle + 1));
     const bool is_same = number == number_ && triangle == triangle_;
     if (is_same && to == to_ && !is_drawing()) return false;
     if (!is_same || to < at_) {

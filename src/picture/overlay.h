@@ -34,12 +34,6 @@ enum class Overlay : std::uint8_t {
     affine_error, ///< how far off affine interpolation puts the visible point
 };
 
-template <>
-inline constexpr auto enum_words<Overlay> = word_list("wireframe", "alone", "owner", "overdraw",
-                                                      "drawn_twice", "depth", "uncovered",
-                                                      "over_one", "affine_error");
-static_assert(words_match<Overlay>);
-
 inline constexpr int overlay_count = static_cast<int>(enum_words<Overlay>.size());
 
 /// An overlay's words in the interface.

@@ -104,16 +104,16 @@ Neighbours find_neighbours(const Frame& frame) {
 }
 
 /// Notes the planes while the frame is drawn.
-class FactsObserver : public Observer {
+class FactsWriter {
   public:
-    FactsObserver(const Frame& frame, PixelFacts& facts)
+    FactsWriter(const Frame& frame, PixelFacts& facts)
         : frame_(frame), facts_(facts), width_(frame.settings.viewport.width) {
         if (!facts.drawn_twice.empty()) neighbours_ = find_neighbours(frame);
         if (!facts.affine_error.empty())
             positions.assign(facts.affine_error.size(), glm::vec3(0.0f));
     }
 
-    void fragment(const FragmentEvent& event) override {
+    void note(const FragmentEvent& event) {
         const Fragment& f = event.fragment;
         const std::size_t pixel = static_cast<std::size_t>(f.row) * width_ + f.column;
         if (!facts_.drawn_twice.empty()) note_neighbours(event.cursor.triangle, f, pixel);
@@ -167,9 +167,10 @@ class FactsObserver : public Observer {
 std::vector<glm::vec3> draw_again(const Frame& frame, const Cursor& to, PixelFacts& facts) {
     Framebuffer framebuffer;
     clear(framebuffer, frame);
-    FactsObserver observer(frame, facts);
+    FactsWriter writer(frame, facts);
+    const Observer observer{.fragment = [&](const FragmentEvent& event) { writer.note(event); }};
     draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, framebuffer, &observer);
-    return std::move(observer.positions);
+    return std::move(writer.positions);
 }
 
 } // namespace

@@ -21,10 +21,6 @@ namespace rasterwalk {
 /// Which plane is shown.
 enum class View : std::uint8_t { colour, depth, triangle, overdraw };
 
-template <>
-inline constexpr auto enum_words<View> = word_list("colour", "depth", "triangle", "overdraw");
-static_assert(words_match<View>);
-
 inline constexpr int view_count = static_cast<int>(enum_words<View>.size());
 
 /// A view's words in the interface.

@@ -78,6 +78,11 @@ inline constexpr Cursor cursor_begin{};
 /// The moment after the last of every frame.
 inline constexpr Cursor cursor_end{INT_MAX, Phase::vertices, 0, 0, INT_MAX};
 
+/// Where the moments of a triangle begin; those of earlier triangles have ended.
+constexpr Cursor beginning_of(int triangle) {
+    return {triangle, Phase::vertices, 0, 0};
+}
+
 /// The text form: `t12/v1`, `t12/p0/s2`, `t12/k`, `t12/e2/s14`, `t12/b4/c7`, `t12/r37/c5`, `end`;
 /// with the pass in front if it is not 0: `p1:t12/v1`.
 std::string to_text(const Cursor& cursor);

@@ -72,7 +72,7 @@ Rectangle scissor_rectangle(const DrawWindow& window, const Framebuffer& target)
 void cover(Drawing& d, int triangle) {
     EdgeDrawing edges(d, triangle);
     compute_rows(d.frame, triangle, d.rows, edges.is_wanted() ? &edges : nullptr, d.carried);
-    if (d.window.from <= Cursor{triangle, Phase::vertices, 0, 0}) {
+    if (d.window.from <= beginning_of(triangle)) {
         count_rows(d.frame, d.rows, triangle, d.draws_unset, d.tally);
     }
     tell_pixel_tests(d, triangle);
@@ -102,7 +102,7 @@ void clear(Framebuffer& framebuffer, const Frame& frame, Viewport size, glm::ive
 }
 
 DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& framebuffer,
-               Observer* observer) {
+               const Observer* observer) {
     const Settings& settings = frame.settings;
     const Rectangle scissor = scissor_rectangle(window, framebuffer);
     // An observer sees every varying; without one, only those that the shader reads are walked.
@@ -131,10 +131,12 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
               .fragments = {},
               .tally = {}};
     const Viewport picture = settings.viewport;
-    const bool draws_part = !(scissor == Rectangle{0, 0, picture.width, picture.height});
-    const int count = frame.triangle_count();
-    const int last = std::min(window.to.triangle, count - 1);
-    for (int t = std::max(window.from.triangle, 0); t <= last; ++t) {
+    const bool draws_part = !(scissor == Rectangle{0, 0, picture.width, picture.height}) &&
+                            !(framebuffer.size == Viewport{0, 0});
+    const auto begins_in_time = [&](int triangle) {
+        return triangle < frame.triangle_count() && beginning_of(triangle) < window.to;
+    };
+    for (int t = std::max(window.from.triangle, 0); begins_in_time(t); ++t) {
         if (frame.has_moments(t) && (!draws_part || can_reach(d, t))) draw_polygon(d, t);
     }
     return d.tally;

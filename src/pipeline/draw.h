@@ -17,9 +17,10 @@ void clear(Framebuffer& framebuffer, const Frame& frame, Viewport size, glm::ive
 /// the whole picture or a window of it. The driver of the whole pipeline: read it first.
 ///
 /// If the framebuffer or the scissor leaves less than the whole picture, triangles that cannot
-/// reach it are skipped: neither the tally nor the observer hears of them.
+/// reach it are skipped: neither the tally nor the observer hears of them. Only a framebuffer
+/// without pixels skips none: the observer then hears what happens to triangles before the pixels.
 DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& framebuffer,
-               Observer* observer = nullptr);
+               const Observer* observer = nullptr);
 
 /// The whole frame from a black framebuffer.
 Framebuffer draw_frame(const Frame& frame);

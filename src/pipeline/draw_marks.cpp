@@ -22,7 +22,7 @@ void put_mark(Drawing& d, const Cursor& cursor, glm::ivec2 place, const glm::vec
     d.target.colour[pixel] = colour;
     d.target.depth[pixel] = depth;
     d.target.owner[pixel] = cursor.triangle;
-    if (d.observer == nullptr) return;
+    if (d.observer == nullptr || !d.observer->fragment) return;
     d.observer->fragment({cursor, told(), Fate::written, depth, stored, before, colour});
 }
 
@@ -41,7 +41,8 @@ void show_vertices(Drawing& d, int triangle) {
     for (int v = range.first; v < range.last; ++v) {
         const Cursor cursor{triangle, Phase::vertices, v, 0};
         const ProjectedVertex& vertex = d.frame.given_vertex(triangle, v);
-        if (d.observer != nullptr) d.observer->vertex(cursor, vertex);
+        if (d.observer != nullptr && d.observer->vertex)
+            d.observer->vertex({cursor, vertex, d.frame.given_clip_vertex(triangle, v).varyings});
         if (!is_shown || !vertex.has_pixel) continue;
         put_mark(d, cursor, {vertex.pixel.column, vertex.pixel.row}, white,
                  [&] { return mark_of(vertex.pixel); });
@@ -50,7 +51,7 @@ void show_vertices(Drawing& d, int triangle) {
 
 EdgeDrawing::EdgeDrawing(Drawing& drawing, int triangle)
     : d_(drawing), triangle_(triangle), shown_(d_.frame.settings.stage == Stage::edges),
-      watched_(d_.observer != nullptr && d_.observer->wants_edge_samples()) {}
+      watched_(d_.observer != nullptr && d_.observer->edge_sample != nullptr) {}
 
 bool EdgeDrawing::is_wanted() const {
     return (shown_ || watched_) && d_.window.from < Cursor{triangle_, Phase::rows, 0, 0} &&

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <algorithm>
-#include <climits>
 #include <optional>
+
+#include <glm/vec2.hpp>
 
 #include "pipeline/cursor.h"
 #include "stages/rectangle.h"
@@ -17,9 +18,9 @@ struct DrawWindow {
     std::optional<Rectangle> scissor;
 };
 
-/// The end of a window that holds a triangle up to its last moment, and nothing of the next.
-constexpr Cursor behind_triangle(int triangle) {
-    return {triangle, phase_list.back().phase, INT_MAX, 0};
+/// A scissor that leaves one pixel of the picture.
+constexpr Rectangle only_pixel(const glm::ivec2& pixel) {
+    return {pixel.x, pixel.y, pixel.x + 1, pixel.y + 1};
 }
 
 /// The part [first, last) of `count` pieces of a phase that begin in the window. `piece` is the

@@ -29,7 +29,7 @@ struct Drawing {
     bool skips_hidden; ///< rows that are completely hidden go without varyings: nothing reads them
     RowKernel row_kernel; ///< draws a row at a time; null: each fragment is drawn separately
     Framebuffer& target;
-    Observer* observer;
+    const Observer* observer;
     PolygonRows rows;                  ///< the row table of the triangle
     std::vector<LineSample> fragments; ///< of the row, and room for longer ones
     DrawTally tally;

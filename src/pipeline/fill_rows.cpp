@@ -170,7 +170,7 @@ void fill_rows(Drawing& d, int triangle) {
         const std::span<const LineSample> fragments =
             interpolate_row(d, r, span, columns, d.carried);
         const Cursor cursor{triangle, Phase::rows, r, columns.first};
-        if (d.observer == nullptr)
+        if (d.observer == nullptr || !d.observer->fragment)
             draw_fragments<false>(d, cursor, fragments, surface);
         else
             draw_fragments<true>(d, cursor, fragments, surface);

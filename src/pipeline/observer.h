@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <variant>
 
 #include <glm/vec3.hpp>
 
@@ -22,10 +24,6 @@ enum class Fate : std::uint8_t {
     back_facing,  ///< its normal points away from the camera, and such fragments are culled
     cut_out,      ///< its texture is more clear than opaque there: it is let through
 };
-template <>
-inline constexpr auto enum_words<Fate> = word_list("written", "depth_failed", "back_facing",
-                                                   "cut_out");
-static_assert(words_match<Fate>);
 
 /// Points and row ends that are put on the screen are reported as fragments.
 inline Fragment mark_of(const ScreenVertex& v) {
@@ -34,6 +32,14 @@ inline Fragment mark_of(const ScreenVertex& v) {
 inline Fragment mark_of(const RowEnd& end, int row) {
     return {end.column, row, end.depth, end.inv_w, end.z, end.varyings};
 }
+
+/// One vertex of the scene before clipping, at the moment it is projected. One behind the camera
+/// has no pixel.
+struct VertexEvent {
+    Cursor cursor;
+    ProjectedVertex vertex;
+    Varyings varyings; ///< as q, however the pixel carries them
+};
 
 /// One fragment, at the moment it is drawn. Points, edge samples and row ends that are put on the
 /// screen are fragments too.
@@ -77,23 +83,29 @@ struct CullEvent {
     CullTest test;
 };
 
-/// Receives what draw() does. Watching never changes what is drawn.
-class Observer {
-  public:
-    virtual ~Observer() = default;
-    /// A vertex of the scene, before clipping; one behind the camera has no pixel.
-    virtual void vertex(const Cursor&, const ProjectedVertex&) {}
-    virtual void clip_step(const ClipEvent&) {}
-    virtual void cull(const CullEvent&) {}
-    virtual void edge_sample(const SampleEvent&) {}
-    virtual void pixel_test(const TestEvent&) {}
-    virtual void fragment(const FragmentEvent&) {}
-    /// False saves draw() the work of reporting edge samples.
-    virtual bool wants_edge_samples() const { return false; }
-    /// False saves draw() the work of reporting tested pixels.
-    virtual bool wants_pixel_tests() const { return false; }
-    /// False saves draw() the work of reporting clipping and culling.
-    virtual bool wants_clipping() const { return false; }
+/// What draw() and other sources of events tell, see EventSource.
+using Event =
+    std::variant<VertexEvent, ClipEvent, CullEvent, SampleEvent, TestEvent, FragmentEvent>;
+
+inline const Cursor& cursor_of(const Event& event) {
+    return std::visit([](const auto& of_kind) -> const Cursor& { return of_kind.cursor; }, event);
+}
+
+/// Receives what draw() does. Watching never changes what is drawn. A kind without a function saves
+/// draw() the work of reporting it.
+struct Observer {
+    std::function<void(const VertexEvent&)> vertex = nullptr;
+    std::function<void(const ClipEvent&)> clip_step = nullptr;
+    std::function<void(const CullEvent&)> cull = nullptr;
+    std::function<void(const SampleEvent&)> edge_sample = nullptr;
+    std::function<void(const TestEvent&)> pixel_test = nullptr;
+    std::function<void(const FragmentEvent&)> fragment = nullptr;
 };
+
+/// Calls a function with events of every kind.
+template <class Hear>
+Observer observe_all(const Hear& hear) {
+    return {hear, hear, hear, hear, hear, hear};
+}
 
 } // namespace rasterwalk

@@ -29,14 +29,6 @@ Rectangle whole_picture(const Frame& frame) {
     return {0, 0, frame.settings.viewport.width, frame.settings.viewport.height};
 }
 
-/// The same moment; at the beginning of a triangle, as a cursor after the previous triangle, so
-/// that draw() leaves the row table of this one alone.
-Cursor behind_triangles_before(const Cursor& cursor) {
-    const bool is_begin = cursor.phase == Phase::vertices && cursor.index <= 0 && cursor.step <= 0;
-    if (!is_begin || cursor.triangle <= 0 || cursor == cursor_end) return cursor;
-    return behind_triangle(cursor.triangle - 1);
-}
-
 } // namespace
 
 void Replay::begin(const Frame& frame) {
@@ -277,7 +269,7 @@ void Replay::draw_on(const Cursor& cursor) {
         cursor_ = to;
     }
     if (cursor_ < cursor) {
-        tally_ += draw(*frame_, {cursor_, behind_triangles_before(cursor), {}}, framebuffer_);
+        tally_ += draw(*frame_, {cursor_, cursor, {}}, framebuffer_);
         cursor_ = tallied_ = cursor;
     }
 }

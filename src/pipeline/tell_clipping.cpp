@@ -30,13 +30,14 @@ class ClipTelling : public ClipSink {
 } // namespace
 
 void tell_clip_and_cull(const Drawing& d, int triangle) {
-    if (d.observer == nullptr || !d.observer->wants_clipping()) return;
+    if (d.observer == nullptr) return;
     const Cursor cull{triangle, Phase::cull, 0, 0};
-    if (d.window.to > Cursor{triangle, Phase::clip, 0, 0} && d.window.from < cull) {
+    if (d.observer->clip_step && d.window.to > Cursor{triangle, Phase::clip, 0, 0} &&
+        d.window.from < cull) {
         ClipTelling telling(d, triangle);
         tell_clipping(d.frame, triangle, telling);
     }
-    if (d.frame.is_cull_asked(triangle) && is_in_window(d.window, cull))
+    if (d.observer->cull && d.frame.is_cull_asked(triangle) && is_in_window(d.window, cull))
         d.observer->cull({cull, cull_test(d.frame, triangle)});
 }
 

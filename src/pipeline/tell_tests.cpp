@@ -5,7 +5,7 @@
 namespace rasterwalk {
 
 void tell_pixel_tests(const Drawing& d, int triangle) {
-    if (d.observer == nullptr || !d.observer->wants_pixel_tests()) return;
+    if (d.observer == nullptr || !d.observer->pixel_test) return;
     const TestedPolygon& tested = d.rows.tested;
     const PieceRange rows = clamp_to_window(d.window, {triangle, Phase::tests, 0, 0},
                                             &Cursor::index, tested_row_count(tested));

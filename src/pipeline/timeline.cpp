@@ -80,10 +80,6 @@ bool has_steps(Phase phase) {
     return phase_info(phase).step_letter != 0;
 }
 
-Cursor begin_of(int triangle) {
-    return {triangle, Phase::vertices, 0, 0};
-}
-
 /// The beginning of the piece of size `step` that holds the moment; its first moment is at or
 /// after.
 Cursor piece_begin(Cursor cursor, Granularity step) {
@@ -98,7 +94,7 @@ Cursor piece_begin(Cursor cursor, Granularity step) {
         cursor.index = cursor.step = 0;
         break;
     case Granularity::triangle:
-        return begin_of(cursor.triangle);
+        return beginning_of(cursor.triangle);
     }
     return cursor;
 }
@@ -119,7 +115,7 @@ Cursor behind_piece(Cursor cursor, Granularity step) {
         cursor.step = 0;
         break;
     case Granularity::triangle:
-        return begin_of(cursor.triangle + 1);
+        return beginning_of(cursor.triangle + 1);
     }
     return cursor;
 }
@@ -158,7 +154,7 @@ Cursor cursor_at(int ordinal, const TriangleMoments& m) {
         return {m.triangle, info.phase, static_cast<int>(piece),
                 phase.pieces[piece].first + ordinal - phase.before[piece]};
     }
-    return begin_of(m.triangle + 1);
+    return beginning_of(m.triangle + 1);
 }
 
 } // namespace
@@ -206,7 +202,7 @@ Cursor Timeline::at_or_after(const Cursor& cursor) const {
     Cursor wanted = cursor;
     for (int t = std::max(cursor.triangle, 0); t < frame_->triangle_count(); ++t) {
         if (frame_->has_moments(t)) {
-            if (t != cursor.triangle) wanted = begin_of(t);
+            if (t != cursor.triangle) wanted = beginning_of(t);
             const TriangleMoments& m = moments(t);
             const int ordinal = ordinal_at_or_after(wanted, m);
             if (ordinal < m.count) return cursor_at(ordinal, m);
@@ -262,12 +258,13 @@ Cursor Timeline::at_place(double place) const {
     const double at = std::clamp(place, 0.0, 1.0) * triangles;
     if (!(at < triangles)) return cursor_end;
     const int triangle = static_cast<int>(at);
-    if (!frame_->has_moments(triangle)) return at_or_after(begin_of(triangle));
+    if (!frame_->has_moments(triangle)) return at_or_after(beginning_of(triangle));
     // place() and its inverse lose a little; no more than this fraction of a moment.
     constexpr double slack = 0.01;
     const int count = moments(triangle).count;
     const int ordinal = static_cast<int>((at - triangle) * count + slack);
-    return ordinal < count ? at_ordinal(triangle, ordinal) : at_or_after(begin_of(triangle + 1));
+    return ordinal < count ? at_ordinal(triangle, ordinal)
+                           : at_or_after(beginning_of(triangle + 1));
 }
 
 } // namespace rasterwalk

@@ -30,10 +30,6 @@ enum class Granularity : std::uint8_t {
     phase,    ///< from vertices to edges to rows to the next triangle
 };
 
-template <>
-inline constexpr auto enum_words<Granularity> = word_list("moment", "line", "triangle", "phase");
-static_assert(words_match<Granularity>);
-
 /// The moments of one phase of a triangle.
 struct PhaseMoments {
     /// The steps of a piece that are moments: for a row, the columns, counted from its left end,

@@ -35,10 +35,6 @@ enum class ModelStepKind : std::uint8_t {
     rotate_y,  ///< about the y axis: z toward x
     rotate_z,  ///< about the z axis: x toward y, clockwise in the picture, since y runs down
 };
-template <>
-inline constexpr auto enum_words<ModelStepKind> = word_list("translate", "scale", "rotate_x",
-                                                            "rotate_y", "rotate_z");
-static_assert(words_match<ModelStepKind>);
 
 struct ModelStep {
     ModelStepKind kind = ModelStepKind::translate;

@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "base/limits.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 #include "scene/beside_file.h"
 #include "scene/obj_words.h"
 

@@ -106,13 +106,6 @@ enum class ObjFaultKind : std::uint8_t {
     strange_normal,      ///< the same
     strange_corner,      ///< a corner names more than there is to name
 };
-template <>
-inline constexpr auto enum_words<ObjFaultKind> = word_list("position", "colour", "texcoord",
-                                                           "normal", "normal_of_no_length",
-                                                           "missing_texcoord", "missing_normal",
-                                                           "strange_texcoord", "strange_normal",
-                                                           "strange_corner");
-static_assert(words_match<ObjFaultKind>);
 
 /// Fills a report while a model and its materials are read.
 class ObjReporter {

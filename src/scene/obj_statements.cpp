@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 #include "scene/obj_words.h"
 #include "scene/point_colours.h"
 

@@ -7,6 +7,7 @@
 
 #include "base/limits.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 
 namespace rasterwalk {
 

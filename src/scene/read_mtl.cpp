@@ -12,6 +12,7 @@
 #include "base/letter_case.h"
 #include "base/limits.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 #include "scene/beside_file.h"
 #include "scene/obj_words.h"
 

@@ -43,9 +43,6 @@ enum class CameraAim : std::uint8_t {
     angles,  ///< by yaw and pitch: the lab
     look_at, ///< by a point that it looks at, and a direction that is up
 };
-template <>
-inline constexpr auto enum_words<CameraAim> = word_list("angles", "look_at");
-static_assert(words_match<CameraAim>);
 
 /// A pinhole camera; P_camera = (P_world - position) * R, row vectors (lab section "Moving the
 /// camera").
@@ -66,18 +63,12 @@ enum class LightModel : std::uint8_t {
     lambert,     ///< the same in all directions: the lab
     blinn_phong, ///< plus a highlight, if the material has one
 };
-template <>
-inline constexpr auto enum_words<LightModel> = word_list("lambert", "blinn_phong");
-static_assert(words_match<LightModel>);
 
 /// Where the lamp is.
 enum class LampPlace : std::uint8_t {
     fixed,  ///< at its position
     camera, ///< where the camera is, like a flashlight on a helmet
 };
-template <>
-inline constexpr auto enum_words<LampPlace> = word_list("fixed", "camera");
-static_assert(words_match<LampPlace>);
 
 /// One point light and one constant indirect light (lab section "Illumination").
 struct Light {

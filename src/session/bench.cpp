@@ -10,6 +10,7 @@
 #include "base/limits.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 
 namespace rasterwalk {
 

@@ -20,9 +20,6 @@ enum class CanvasShows : std::uint8_t {
     outside, ///< the scene, the camera and the picture, from outside
     both,    ///< side by side
 };
-template <>
-inline constexpr auto enum_words<CanvasShows> = word_list("picture", "outside", "both");
-static_assert(words_match<CanvasShows>);
 
 inline constexpr int canvas_shows_count = static_cast<int>(enum_words<CanvasShows>.size());
 
@@ -48,10 +45,6 @@ enum class CellNumbers : std::uint8_t {
     edge_values, ///< values of the edge functions of the triangle shown
     weights,     ///< of its corners
 };
-template <>
-inline constexpr auto enum_words<CellNumbers> = word_list("none", "ends", "depth", "owner",
-                                                          "overdraw", "edge_values", "weights");
-static_assert(words_match<CellNumbers>);
 
 inline constexpr int cell_numbers_count = static_cast<int>(enum_words<CellNumbers>.size());
 

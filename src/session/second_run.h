@@ -36,11 +36,6 @@ enum class CompareView : std::uint8_t {
     blink, ///< one after the other
 };
 
-template <>
-inline constexpr auto enum_words<CompareView> = word_list("run_a", "run_b", "difference",
-                                                          "side_by_side", "wipe", "blink");
-static_assert(words_match<CompareView>);
-
 inline constexpr int compare_view_count = static_cast<int>(enum_words<CompareView>.size());
 
 /// The interface's words for a way to show them.

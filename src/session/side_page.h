@@ -13,8 +13,4 @@ enum class SidePage : std::uint8_t {
     list,   ///< the list of lessons
 };
 
-template <>
-inline constexpr auto enum_words<SidePage> = word_list("lesson", "stage", "list");
-static_assert(words_match<SidePage>);
-
 } // namespace rasterwalk

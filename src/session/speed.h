@@ -19,10 +19,6 @@ enum class SpeedUnit : std::uint8_t {
     unlimited, ///< as fast as it can be drawn
 };
 
-template <>
-inline constexpr auto enum_words<SpeedUnit> = word_list("steps", "frame", "unlimited");
-static_assert(words_match<SpeedUnit>);
-
 /// A speed of playback. By default a whole frame takes a quarter of a minute.
 struct Speed {
     SpeedUnit unit = SpeedUnit::frame;

@@ -21,9 +21,6 @@ struct Settings;
 
 /// What the tabs of the inspector are about.
 enum class TabGroup : std::uint8_t { triangle, pixel, runs };
-template <>
-inline constexpr auto enum_words<TabGroup> = word_list("triangle", "pixel", "runs");
-static_assert(words_match<TabGroup>);
 
 inline constexpr std::size_t tab_group_count = enum_words<TabGroup>.size();
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // The settings that choose a function for a slot of the table of stages, the right one or a
-// mistake, each with its words. choose_stages.cpp says which function a word means.
+// mistake, each with its words. stage_functions.cpp says which function a word means.
 
 #include <array>
 #include <cstdint>
@@ -15,9 +15,6 @@ enum class Engine : std::uint8_t {
     steps, ///< this pipeline: you can walk through all its moments
     fast,  ///< src/engines/fast: no moments, but the same picture in a fraction of the time
 };
-template <>
-inline constexpr auto enum_words<Engine> = word_list("steps", "fast");
-static_assert(words_match<Engine>);
 
 /// What happens to triangles that reach out of the view volume.
 enum class Clip : std::uint8_t {
@@ -32,11 +29,6 @@ enum class Clip : std::uint8_t {
     clamped,        ///< vertices behind the near plane are moved onto it: mistake B33
     uncut_varyings, ///< cut by the near plane, but not what travels with the position: mistake B82
 };
-template <>
-inline constexpr auto enum_words<Clip> = word_list("leave_out", "none", "near", "all", "guard_band",
-                                                   "whole_only", "wrong_t", "after_division",
-                                                   "clamped", "uncut_varyings");
-static_assert(words_match<Clip>);
 
 /// Which triangles are rejected as outside before they are clipped.
 enum class Reject : std::uint8_t {
@@ -44,9 +36,6 @@ enum class Reject : std::uint8_t {
     outcodes, ///< those whose vertices are all beyond the same plane of the view volume
     cheap,    ///< the same, and of the rest all that is outside the picture: cheap clipping
 };
-template <>
-inline constexpr auto enum_words<Reject> = word_list("none", "outcodes", "cheap");
-static_assert(words_match<Reject>);
 
 /// What is left out because it faces away: triangles, or single fragments.
 enum class Cull : std::uint8_t {
@@ -58,65 +47,42 @@ enum class Cull : std::uint8_t {
     view_axis,       ///< triangles whose normal points the way the camera looks: mistake B34
     lamp,            ///< triangles whose normal points away from the lamp: mistake B81
 };
-template <>
-inline constexpr auto enum_words<Cull> = word_list("none", "face_normal", "screen_area",
-                                                   "vertex_normals", "fragment_normal", "view_axis",
-                                                   "lamp");
-static_assert(words_match<Cull>);
 
 /// How a vertex behind the camera is marked.
 enum class BehindMark : std::uint8_t {
     none,      ///< it has no pixel
     minus_one, ///< by column -1, which other vertices can have too: mistake B14
 };
-template <>
-inline constexpr auto enum_words<BehindMark> = word_list("none", "minus_one");
-static_assert(words_match<BehindMark>);
 
 /// What happens to a vertex whose pixel is outside the picture.
 enum class OutsidePicture : std::uint8_t {
     kept,    ///< it stays where it is
     clamped, ///< it is moved to the picture's border: mistake B15
 };
-template <>
-inline constexpr auto enum_words<OutsidePicture> = word_list("kept", "clamped");
-static_assert(words_match<OutsidePicture>);
 
 /// How a vertex gets from the world to clip space.
 enum class Transform : std::uint8_t {
     lab,      ///< (v - C) R, then times f, in float
     matrices, ///< by a matrix for each space, in double
 };
-template <>
-inline constexpr auto enum_words<Transform> = word_list("lab", "matrices");
-static_assert(words_match<Transform>);
 
 /// Where the view matrix has the translation, written for column vectors.
 enum class Translation : std::uint8_t {
     last_column, ///< where w = 1 adds it to x, y and z
     bottom_row,  ///< where it spoils w and moves nothing: mistake B35
 };
-template <>
-inline constexpr auto enum_words<Translation> = word_list("last_column", "bottom_row");
-static_assert(words_match<Translation>);
 
 /// The w that a normal is given on its way to camera space.
 enum class NormalW : std::uint8_t {
     zero, ///< as a direction, which is only turned
     one,  ///< as a position, which is moved as well: mistake B36
 };
-template <>
-inline constexpr auto enum_words<NormalW> = word_list("zero", "one");
-static_assert(words_match<NormalW>);
 
 /// The two ends of `projection_mix`.
 enum class ProjectionKind : std::uint8_t {
     perspective,  ///< divided by z: the lab
     orthographic, ///< not divided: parallel rays
 };
-template <>
-inline constexpr auto enum_words<ProjectionKind> = word_list("perspective", "orthographic");
-static_assert(words_match<ProjectionKind>);
 
 /// What the depth buffer holds: a float of 32 bits, or a whole number of 24 or 16.
 enum class DepthFormat : std::uint8_t {
@@ -130,29 +96,18 @@ enum class DepthFormat : std::uint8_t {
     reversed_24,
     reversed_16,
 };
-template <>
-inline constexpr auto enum_words<DepthFormat> = word_list("inv_z", "inv_z_24", "inv_z_16", "ndc_32",
-                                                          "ndc_24", "ndc_16", "reversed_32",
-                                                          "reversed_24", "reversed_16");
-static_assert(words_match<DepthFormat>);
 
 /// Which side of a matrix the vector is on.
 enum class MatrixOrder : std::uint8_t {
     row_vectors,    ///< v M, from left to right: the lab
     column_vectors, ///< M v, from right to left: most books, and glm
 };
-template <>
-inline constexpr auto enum_words<MatrixOrder> = word_list("row_vectors", "column_vectors");
-static_assert(words_match<MatrixOrder>);
 
 /// How the camera's rotation is applied.
 enum class Rotation : std::uint8_t {
     row_vector, ///< v R
     transposed, ///< R v, which turns the other way: mistake B24
 };
-template <>
-inline constexpr auto enum_words<Rotation> = word_list("row_vector", "transposed");
-static_assert(words_match<Rotation>);
 
 /// How the world is moved to the camera, by the lab's lines.
 enum class CameraMove : std::uint8_t {
@@ -160,9 +115,6 @@ enum class CameraMove : std::uint8_t {
     added,         ///< (v + C) R: mistake B70
     rotated_first, ///< v R - C: mistake B71
 };
-template <>
-inline constexpr auto enum_words<CameraMove> = word_list("subtracted", "added", "rotated_first");
-static_assert(words_match<CameraMove>);
 
 /// How the axes of the picture run.
 enum class ImageAxes : std::uint8_t {
@@ -171,19 +123,12 @@ enum class ImageAxes : std::uint8_t {
     exchanged, ///< x down, y right: mistake B73
     uncentred, ///< counted from the upper left corner, without + W/2 and + H/2: mistake B74
 };
-template <>
-inline constexpr auto enum_words<ImageAxes> = word_list("right_way", "mirrored", "exchanged",
-                                                        "uncentred");
-static_assert(words_match<ImageAxes>);
 
 /// What the w of clip space is, under perspective and with the lab's lines of code.
 enum class DividedBy : std::uint8_t {
     z,        ///< how far in front of the camera
     distance, ///< the distance from the camera: mistake B75
 };
-template <>
-inline constexpr auto enum_words<DividedBy> = word_list("z", "distance");
-static_assert(words_match<DividedBy>);
 
 /// How the pixels of a polygon are found.
 enum class Coverage : std::uint8_t {
@@ -192,10 +137,6 @@ enum class Coverage : std::uint8_t {
     scan_conversion, ///< row by row between a left and a right side
     active_edges,    ///< row by row between the edges that reach it, of any polygon
 };
-template <>
-inline constexpr auto enum_words<Coverage> = word_list("rows", "edge_functions", "scan_conversion",
-                                                       "active_edges");
-static_assert(words_match<Coverage>);
 
 /// Who gets a pixel whose centre is exactly on an edge.
 enum class FillRule : std::uint8_t {
@@ -204,10 +145,6 @@ enum class FillRule : std::uint8_t {
     top_left,  ///< the polygon whose top or left edge it is: exactly one
     left_only, ///< the polygon whose left edge it is; top edges are forgotten: mistake B40c
 };
-template <>
-inline constexpr auto enum_words<FillRule> = word_list("inclusive", "exclusive", "top_left",
-                                                       "left_only");
-static_assert(words_match<FillRule>);
 
 /// The grid that the corners of a polygon are on.
 enum class Snap : std::uint8_t {
@@ -215,36 +152,24 @@ enum class Snap : std::uint8_t {
     sixteenth, ///< 16ths of a pixel
     subpixel,  ///< 256ths of a pixel
 };
-template <>
-inline constexpr auto enum_words<Snap> = word_list("pixel", "sixteenth", "subpixel");
-static_assert(words_match<Snap>);
 
 /// The point at which a pixel is tested for coverage.
 enum class PixelSample : std::uint8_t {
     centre, ///< at its centre
     corner, ///< at its upper left corner: mistake B41, the picture moves by half a pixel
 };
-template <>
-inline constexpr auto enum_words<PixelSample> = word_list("centre", "corner");
-static_assert(words_match<PixelSample>);
 
 /// Which pixels of a triangle's box edge functions test. The picture is the same, the work is not.
 enum class BoxWalk : std::uint8_t {
     all,      ///< every pixel of the box
     interval, ///< in each row only those between the points where the edges cross it
 };
-template <>
-inline constexpr auto enum_words<BoxWalk> = word_list("all", "interval");
-static_assert(words_match<BoxWalk>);
 
 /// The edge whose function gives the weight of a corner.
 enum class WeightEdge : std::uint8_t {
     opposite, ///< the edge that does not touch it
     own,      ///< the edge that begins at it: mistake B42
 };
-template <>
-inline constexpr auto enum_words<WeightEdge> = word_list("opposite", "own");
-static_assert(words_match<WeightEdge>);
 
 /// How the samples of an edge are found.
 enum class LineAlgorithm : std::uint8_t {
@@ -253,10 +178,6 @@ enum class LineAlgorithm : std::uint8_t {
     midpoint,    ///< the sign of the implicit line at the middle between two pixels
     dda,         ///< one float addition per step, rounded to the nearest
 };
-template <>
-inline constexpr auto enum_words<LineAlgorithm> = word_list("interpolate", "bresenham", "midpoint",
-                                                            "dda");
-static_assert(words_match<LineAlgorithm>);
 
 /// How Bresenham's line is written.
 enum class BresenhamRule : std::uint8_t {
@@ -264,9 +185,6 @@ enum class BresenhamRule : std::uint8_t {
     first_octant, ///< only for lines that go right and gently down: mistake B38
     wrong_term,   ///< a diagonal step adds -2 l to the decision, not 2 s - 2 l: mistake B39
 };
-template <>
-inline constexpr auto enum_words<BresenhamRule> = word_list("right", "first_octant", "wrong_term");
-static_assert(words_match<BresenhamRule>);
 
 /// How the value of sample i of a line is computed from the two ends.
 enum class LineWalk : std::uint8_t {
@@ -277,10 +195,6 @@ enum class LineWalk : std::uint8_t {
     short_step,   ///< each step divided by the number of samples, not of steps: mistake B92
     zinv_falls,   ///< along rows 1/z falls where it should rise: mistake B89
 };
-template <>
-inline constexpr auto enum_words<LineWalk> = word_list("accumulate", "multiply", "exact",
-                                                       "integer_step", "short_step", "zinv_falls");
-static_assert(words_match<LineWalk>);
 
 /// How many samples an edge has.
 enum class EdgeSamples : std::uint8_t {
@@ -290,10 +204,6 @@ enum class EdgeSamples : std::uint8_t {
     without_last, ///< like the lab, but the last sample is not entered: mistake B91
     no_last_edge, ///< like the lab, but no sample of the last edge is entered: mistake B94
 };
-template <>
-inline constexpr auto enum_words<EdgeSamples> = word_list("longest_axis", "rows", "shifted",
-                                                          "without_last", "no_last_edge");
-static_assert(words_match<EdgeSamples>);
 
 /// The initial row table: the two ends of a row without samples, and the number of rows.
 enum class RowStart : std::uint8_t {
@@ -301,9 +211,6 @@ enum class RowStart : std::uint8_t {
     window,    ///< left at the picture's width, right at 0: mistake B6, phantom pixels outside it
     row_short, ///< like the lab, but without the last row: mistake B95
 };
-template <>
-inline constexpr auto enum_words<RowStart> = word_list("extreme", "window", "row_short");
-static_assert(words_match<RowStart>);
 
 /// How an edge sample finds its row in the table, and what the row takes from it.
 enum class RowSearch : std::uint8_t {
@@ -312,19 +219,12 @@ enum class RowSearch : std::uint8_t {
     clamped,     ///< by its number; beyond the table the nearest row is taken: mistake B93
     column_only, ///< by its number; the row takes the column and no other value: mistake B90
 };
-template <>
-inline constexpr auto enum_words<RowSearch> = word_list("indexed", "all_rows", "clamped",
-                                                        "column_only");
-static_assert(words_match<RowSearch>);
 
 /// What happens to a row of the table that no edge sample has reached.
 enum class EmptyRows : std::uint8_t {
     skipped,  ///< nothing
     overflow, ///< it is drawn like any other: mistake B7
 };
-template <>
-inline constexpr auto enum_words<EmptyRows> = word_list("skipped", "overflow");
-static_assert(words_match<EmptyRows>);
 
 /// Which fragments of a row are drawn.
 enum class Spans : std::uint8_t {
@@ -332,9 +232,6 @@ enum class Spans : std::uint8_t {
     single_skipped, ///< none if both ends are the same pixel: mistake B8
     last_dropped,   ///< all but the last: mistake B9
 };
-template <>
-inline constexpr auto enum_words<Spans> = word_list("inclusive", "single_skipped", "last_dropped");
-static_assert(words_match<Spans>);
 
 /// How varyings are carried between vertices.
 enum class Interpolation : std::uint8_t {
@@ -344,10 +241,6 @@ enum class Interpolation : std::uint8_t {
     undivided,   ///< q/z is interpolated and used as q at the pixel: mistake B86
     divided_twice, ///< q/z is interpolated and divided by 1/z twice at the pixel: mistake B87
 };
-template <>
-inline constexpr auto enum_words<Interpolation> = word_list("perspective", "affine", "zinv_twice",
-                                                            "undivided", "divided_twice");
-static_assert(words_match<Interpolation>);
 
 inline constexpr std::size_t interpolation_count = enum_words<Interpolation>.size();
 
@@ -367,10 +260,6 @@ enum class TexelRule : std::uint8_t {
     remainder,     ///< texel % count if the texture is repeated: mistake B67
     level_along_x, ///< the mip level only from the side of the footprint along x: mistake B97
 };
-template <>
-inline constexpr auto enum_words<TexelRule> = word_list("right", "upside_down", "whole_centres",
-                                                        "remainder", "level_along_x");
-static_assert(words_match<TexelRule>);
 
 /// How a colour of a normal map becomes a normal.
 enum class NormalMapRule : std::uint8_t {
@@ -379,10 +268,6 @@ enum class NormalMapRule : std::uint8_t {
     mirror_missed, ///< the same side even where the texture is mirrored: mistake B56
     undecoded,     ///< the colour itself: mistake B57
 };
-template <>
-inline constexpr auto enum_words<NormalMapRule> = word_list("right", "green_turned",
-                                                            "mirror_missed", "undecoded");
-static_assert(words_match<NormalMapRule>);
 
 /// The space in which light meets the normals of a normal map. The picture is the same except for
 /// rounding.
@@ -390,9 +275,6 @@ enum class NormalMapSpace : std::uint8_t {
     world,   ///< the normal is taken from tangent space to the world
     tangent, ///< the lamp and the eye are taken to tangent space
 };
-template <>
-inline constexpr auto enum_words<NormalMapSpace> = word_list("world", "tangent");
-static_assert(words_match<NormalMapSpace>);
 
 /// Which comes first, the depth test or the colour of a fragment. The picture is the same, the work
 /// is not.
@@ -400,9 +282,6 @@ enum class DepthOrder : std::uint8_t {
     after_depth_test,  ///< a colour is computed only for fragments that are drawn
     before_depth_test, ///< for every fragment: mistake B18
 };
-template <>
-inline constexpr auto enum_words<DepthOrder> = word_list("after_depth_test", "before_depth_test");
-static_assert(words_match<DepthOrder>);
 
 /// The vector whose cosine with the normal is taken.
 enum class LightDirection : std::uint8_t {
@@ -411,10 +290,6 @@ enum class LightDirection : std::uint8_t {
     not_normalized, ///< to the lamp, but not made unit length: mistake B20
     with_w,         ///< to the lamp, with w = 1 counted in its length: mistake B76
 };
-template <>
-inline constexpr auto enum_words<LightDirection> = word_list("to_light", "from_light",
-                                                             "not_normalized", "with_w");
-static_assert(words_match<LightDirection>);
 
 /// The area over which the lamp's power is spread.
 enum class LightFalloff : std::uint8_t {
@@ -426,10 +301,6 @@ enum class LightFalloff : std::uint8_t {
     pi_of_atan, ///< 4 pi r^2 with pi = atan(1) / 4, a sixteenth of pi: mistake B77
     pi_three,   ///< 4 pi r^2 with pi = 3: mistake B77
 };
-template <>
-inline constexpr auto enum_words<LightFalloff> = word_list("sphere", "no_4pi", "linear", "none",
-                                                           "cubed", "pi_of_atan", "pi_three");
-static_assert(words_match<LightFalloff>);
 
 /// How direct light D, indirect light N and reflectance are combined.
 enum class LightSum : std::uint8_t {
@@ -437,19 +308,12 @@ enum class LightSum : std::uint8_t {
     reflectance_plus,  ///< D + reflectance: mistake B21
     reflectance_twice, ///< reflectance * reflectance * (D + N): mistake B78
 };
-template <>
-inline constexpr auto enum_words<LightSum> = word_list("reflectance_times", "reflectance_plus",
-                                                       "reflectance_twice");
-static_assert(words_match<LightSum>);
 
 /// What happens to an interpolated normal.
 enum class Renormalize : std::uint8_t {
     on,  ///< it is made unit length again
     off, ///< it stays short: mistake B23
 };
-template <>
-inline constexpr auto enum_words<Renormalize> = word_list("on", "off");
-static_assert(words_match<Renormalize>);
 
 /// How the highlight is computed.
 enum class HighlightRule : std::uint8_t {
@@ -457,18 +321,12 @@ enum class HighlightRule : std::uint8_t {
     unasked,   ///< without testing n . l: mistake B50
     long_half, ///< with h = l + v, up to 2 long: mistake B51
 };
-template <>
-inline constexpr auto enum_words<HighlightRule> = word_list("right", "unasked", "long_half");
-static_assert(words_match<HighlightRule>);
 
 /// Which sides of a surface are lit.
 enum class LightSides : std::uint8_t {
     one, ///< the one to which the normal points: the lab
     two, ///< the one that the camera sees
 };
-template <>
-inline constexpr auto enum_words<LightSides> = word_list("one", "two");
-static_assert(words_match<LightSides>);
 
 /// The rules for computing light; the defaults are the lab's.
 struct LightRules {
@@ -488,27 +346,18 @@ enum class Shadows : std::uint8_t {
     rays, ///< a ray from the point to the lamp
     map,  ///< the depths that the lamp sees
 };
-template <>
-inline constexpr auto enum_words<Shadows> = word_list("off", "rays", "map");
-static_assert(words_match<Shadows>);
 
 /// How far the ray to the lamp goes.
 enum class ShadowRay : std::uint8_t {
     to_lamp,   ///< as far as the lamp
     past_lamp, ///< without end: mistake B60
 };
-template <>
-inline constexpr auto enum_words<ShadowRay> = word_list("to_lamp", "past_lamp");
-static_assert(words_match<ShadowRay>);
 
 /// How many texels of the map a point is compared with.
 enum class ShadowFilter : std::uint8_t {
     nearest, ///< the one it falls in
     four,    ///< the four around it: percentage closer filtering, PCF
 };
-template <>
-inline constexpr auto enum_words<ShadowFilter> = word_list("nearest", "four");
-static_assert(words_match<ShadowFilter>);
 
 /// What decides which fragment is nearer.
 enum class DepthTest : std::uint8_t {
@@ -518,10 +367,6 @@ enum class DepthTest : std::uint8_t {
     reversed,  ///< smaller 1/z wins: mistake B17a
     or_equal,  ///< larger 1/z wins, and of two equal ones the later: mistake B88a
 };
-template <>
-inline constexpr auto enum_words<DepthTest> = word_list("inverse_z", "linear_z", "off", "reversed",
-                                                        "or_equal");
-static_assert(words_match<DepthTest>);
 
 /// How a half-transparent fragment is laid over what its pixel shows.
 enum class Blend : std::uint8_t {
@@ -529,27 +374,18 @@ enum class Blend : std::uint8_t {
     off,     ///< not at all: it is drawn as if it were opaque
     swapped, ///< the shares the wrong way round: mistake B63
 };
-template <>
-inline constexpr auto enum_words<Blend> = word_list("over", "off", "swapped");
-static_assert(words_match<Blend>);
 
 /// Which cell of the depth buffer belongs to the pixel (x, y).
 enum class DepthIndex : std::uint8_t {
     row_major,  ///< [y][x]: row y, column x
     transposed, ///< [x][y]: mistake B17c; if the picture is not square, some pixels have no cell
 };
-template <>
-inline constexpr auto enum_words<DepthIndex> = word_list("row_major", "transposed");
-static_assert(words_match<DepthIndex>);
 
 /// Which positions are in the picture.
 enum class Bounds : std::uint8_t {
     inside,        ///< 0 <= x < W and 0 <= y < H
     excludes_zero, ///< 0 < x < W and 0 < y < H: mistake B10
 };
-template <>
-inline constexpr auto enum_words<Bounds> = word_list("inside", "excludes_zero");
-static_assert(words_match<Bounds>);
 
 /// The number that is sent to the screen for an amount of light.
 enum class Encoding : std::uint8_t {
@@ -557,26 +393,17 @@ enum class Encoding : std::uint8_t {
     srgb,   ///< by the sRGB transfer function, which a screen undoes
     gamma,  ///< to the power of 1/2.2, although linear numbers are wanted: mistake B80
 };
-template <>
-inline constexpr auto enum_words<Encoding> = word_list("linear", "srgb", "gamma");
-static_assert(words_match<Encoding>);
 
 /// The order in which the channels go to the screen.
 enum class ChannelOrder : std::uint8_t {
     rgb, ///< red first
     bgr, ///< blue first, so that red and blue change places: mistake B79
 };
-template <>
-inline constexpr auto enum_words<ChannelOrder> = word_list("rgb", "bgr");
-static_assert(words_match<ChannelOrder>);
 
 /// What a channel above 1 is shown as.
 enum class ColourOverOne : std::uint8_t {
     clamp, ///< as 1
     wrap,  ///< as the lowest 8 bits of 255 c: mistake B22
 };
-template <>
-inline constexpr auto enum_words<ColourOverOne> = word_list("clamp", "wrap");
-static_assert(words_match<ColourOverOne>);
 
 } // namespace rasterwalk

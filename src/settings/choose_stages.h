@@ -5,8 +5,8 @@
 
 namespace rasterwalk {
 
-/// The table of stages that these settings choose. The only place where a word of a setting becomes
-/// a function.
+/// The table of stages that these settings choose: the lab's, with the functions of the registry
+/// (stage_functions.h) in their slots.
 Stages choose_stages(const Settings& settings);
 
 /// The table of stages for a scene: if corners differ in what the lab has once per triangle, or if

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 #include "settings/value_words.h"
 
@@ -12,38 +13,36 @@ namespace {
 /// A setting that only some ways of finding pixels use.
 struct CoverageSetting {
     std::string_view name;
-    bool by_rows, by_edge_functions, by_spans; ///< scan conversion and active edges make spans
+    std::span<const Coverage> users;
 };
+
+constexpr Coverage row_table[]{Coverage::rows};
+constexpr Coverage box_tests[]{Coverage::edge_functions};
+constexpr Coverage tests_of_centres[]{Coverage::edge_functions, Coverage::scan_conversion,
+                                      Coverage::active_edges};
+// Values along a row too; edge functions mix those of the corners.
+constexpr Coverage walks_along_rows[]{Coverage::rows, Coverage::scan_conversion,
+                                      Coverage::active_edges};
 
 constexpr CoverageSetting coverage_settings[] = {
-    {"line_rounding", true, false, false},
-    {"fill_rule", false, true, true},
-    {"snap", false, true, true},
-    {"pixel_sample", false, true, true},
-    // Only edge functions use a box and mix by weights.
-    {"box_walk", false, true, false},
-    {"weight_edge", false, true, false},
-    {"line", true, false, false},
-    {"bresenham_rule", true, false, false},
-    {"line_walk", true, false, true}, // values along a row too; edge functions mix the corners'
-    {"edge_samples", true, false, false},
-    {"row_start", true, false, false},
-    {"row_search", true, false, false},
-    {"empty_rows", true, false, false},
-    {"spans", true, false, false},
+    {"line_rounding", row_table},
+    {"fill_rule", tests_of_centres},
+    {"snap", tests_of_centres},
+    {"pixel_sample", tests_of_centres},
+    {"box_walk", box_tests},
+    {"weight_edge", box_tests},
+    {"line", row_table},
+    {"bresenham_rule", row_table},
+    {"line_walk", walks_along_rows},
+    {"edge_samples", row_table},
+    {"row_start", row_table},
+    {"row_search", row_table},
+    {"empty_rows", row_table},
+    {"spans", row_table},
 };
 
-bool is_asked(const CoverageSetting& setting, Coverage coverage) {
-    switch (coverage) {
-    case Coverage::rows:
-        return setting.by_rows;
-    case Coverage::edge_functions:
-        return setting.by_edge_functions;
-    case Coverage::scan_conversion:
-    case Coverage::active_edges:
-        break;
-    }
-    return setting.by_spans;
+bool uses(Coverage coverage, const CoverageSetting& setting) {
+    return std::find(setting.users.begin(), setting.users.end(), coverage) != setting.users.end();
 }
 
 } // namespace
@@ -65,7 +64,7 @@ std::string idle_reason(const Setting& setting, const Settings& settings) {
         std::find_if(std::begin(coverage_settings), std::end(coverage_settings),
                      [&](const CoverageSetting& one) { return one.name == setting.name; });
     const Coverage coverage = coverage_rule(settings);
-    if (found == std::end(coverage_settings) || is_asked(*found, coverage)) return {};
+    if (found == std::end(coverage_settings) || uses(coverage, *found)) return {};
     if (coverage != settings.coverage) return "before the Rows stage";
     return "while pixels are found by " + said_value(*find_setting("coverage"), settings);
 }

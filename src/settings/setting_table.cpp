@@ -19,32 +19,18 @@ constexpr float largest_depth_epsilon = 10.0f;
 constexpr float smallest_near = 1e-6f;
 constexpr float smallest_view_side = 1e-6f; ///< of view_box
 
-/// A choice among the words of an enum, which is one member of Settings.
-template <auto member>
+/// The value at the end of a path of members: at<&Settings::camera, &Camera::yaw>.
+template <auto... path>
+auto& at(Settings& s) {
+    return (s.*....*path);
+}
+
+/// A choice among the words of the enum at the end of a path of members.
+template <auto... path>
 ChoiceSetting choice() {
-    using Enum = std::remove_cvref_t<decltype(std::declval<Settings>().*member)>;
-    static_assert(words_match<Enum>);
-    return {enum_words<Enum>, [](const Settings& s) { return static_cast<int>(s.*member); },
-            [](Settings& s, int index) { s.*member = static_cast<Enum>(index); }};
-}
-
-/// The same for a member of the rules of light.
-template <auto member>
-ChoiceSetting light_choice() {
-    using Enum = std::remove_cvref_t<decltype(std::declval<LightRules>().*member)>;
-    static_assert(words_match<Enum>);
-    return {enum_words<Enum>,
-            [](const Settings& s) { return static_cast<int>(s.light_rules.*member); },
-            [](Settings& s, int index) { s.light_rules.*member = static_cast<Enum>(index); }};
-}
-
-/// The same for a member of the lamp.
-template <auto member>
-ChoiceSetting lamp_choice() {
-    using Enum = std::remove_cvref_t<decltype(std::declval<Light>().*member)>;
-    static_assert(words_match<Enum>);
-    return {enum_words<Enum>, [](const Settings& s) { return static_cast<int>(s.light.*member); },
-            [](Settings& s, int index) { s.light.*member = static_cast<Enum>(index); }};
+    using Enum = std::remove_cvref_t<decltype(at<path...>(std::declval<Settings&>()))>;
+    return {enum_words<Enum>, [](const Settings& s) { return static_cast<int>((s.*....*path)); },
+            [](Settings& s, int index) { at<path...>(s) = static_cast<Enum>(index); }};
 }
 
 /// The steps of the strip: each sets a stage and a shading.
@@ -85,6 +71,20 @@ ChoiceSetting projection_choice() {
             [](Settings& s, int index) { s.projection_mix = static_cast<float>(index); }};
 }
 
+// What a setting needs, to be of use.
+
+bool is_in_world(const Scene& scene) {
+    return scene.space == SceneSpace::world;
+}
+bool has_textures(const Scene& scene) {
+    return !scene.textures.empty();
+}
+bool has_bumps(const Scene& scene) {
+    return has_textures(scene) && has_normal_map(scene);
+}
+bool has_any_alpha(const Scene& scene) {
+    return has_alpha(scene) || has_texture_alpha(scene);
+}
 bool has_shadow_rays(const Settings& s) {
     return s.shadows == Shadows::rays;
 }
@@ -99,42 +99,34 @@ std::vector<Setting> make_table() {
         {"shading", "Light computed", "Stage",
          "Where light is computed once all other stages are done: nowhere, once per triangle "
          "(flat), at the vertices (Gouraud) or at every pixel (Phong).",
-         "Light per pixel", "", choice<&Settings::shading>(), "stage", "depth_order"},
-        {.name = "engine",
-         .title = "Picture drawn by",
-         .group = "Stage",
-         .help = "What draws the whole picture: the steps, which you can walk through, or the fast "
-                 "engine, which has no steps and takes a fraction of the time. It tests the "
-                 "centres of pixels. While you walk through time, the steps draw.",
-         .section = "All sections",
-         .unit = "",
-         .kind = choice<&Settings::engine>(),
-         .needs_world = true},
-        {"tessellation",
-         "Triangles cut into",
-         "Stage",
+         "Light per pixel", "", choice<&Settings::shading>(),
+         SettingTies{.part_of = "stage", .words_moved_to = "depth_order"}},
+        {"engine", "Picture drawn by", "Stage",
+         "What draws the whole picture: the steps, which you can walk through, or the fast "
+         "engine, which has no steps and takes a fraction of the time. It tests the "
+         "centres of pixels. While you walk through time, the steps draw.",
+         "All sections", "", choice<&Settings::engine>(), SettingTies{.needs_scene = is_in_world}},
+        {"tessellation", "Triangles cut into", "Stage",
          "How many parts each edge of the scene is cut into before anything else happens. n parts "
          "turn each triangle into n², and these are what is drawn and counted: triangles[t] of the "
          "scene becomes triangles[t n²] and the next ones, n² in all. The surfaces stay where "
          "they are, but there are more vertices at which light can be computed.",
-         "Light per vertex",
-         "parts",
-         WholeSetting{[](Settings& s) -> int& { return s.tessellation; }, 1, largest_tessellation},
-         {},
-         {},
-         false,
-         true},
+         "Light per vertex", "parts",
+         WholeSetting{at<&Settings::tessellation>, 1, largest_tessellation},
+         SettingTies{.needs_scene = is_in_world}},
         {"rounding", "Rounding", "Rows and edges",
          "How a real coordinate becomes a whole pixel: int() cuts toward zero.", "Drawing edges",
          "", rounding_choice()},
         {"vertex_rounding", "Rounding of vertices", "Rows and edges",
          "How a projected vertex becomes a pixel: rounded while it is still counted from the "
          "middle of the picture; or (truncate_sum) moved to the middle first, int(f x/z + W/2).",
-         "Drawing points", "", choice<&Settings::vertex_rounding>(), "rounding"},
+         "Drawing points", "", choice<&Settings::vertex_rounding>(),
+         SettingTies{.part_of = "rounding"}},
         {"line_rounding", "Rounding of samples", "Rows and edges",
          "How a sample of an edge becomes a pixel. Used only if the line algorithm is interpolate; "
          "the others take the nearest pixel.",
-         "Drawing edges", "", choice<&Settings::line_rounding>(), "rounding"},
+         "Drawing edges", "", choice<&Settings::line_rounding>(),
+         SettingTies{.part_of = "rounding"}},
         {"coverage", "Fill algorithm", "Rows and edges",
          "How the pixels of a triangle are found: by the row table that the samples of its edges "
          "fill, by edge functions that test the pixels of its box (Pineda), by scan conversion row "
@@ -215,15 +207,14 @@ std::vector<Setting> make_table() {
          "What the depth buffer starts with, measured from the value of the farthest depth: for "
          "1/z, 0 is infinitely far and 1 is one unit away; NDC z starts at 1 minus this.",
          "Depth buffer", "1/z or NDC z",
-         NumberSetting{[](Settings& s) -> float& { return s.depth_clear; }, -largest_depth_clear,
-                       largest_depth_clear, 0.01f}},
+         NumberSetting{at<&Settings::depth_clear>, -largest_depth_clear, largest_depth_clear,
+                       0.01f}},
         {"depth_epsilon", "Nearer by more than", "Depth and interpolation",
          "How much nearer than the stored depth a fragment must be, in 1/z or whatever the depth "
          "buffer holds. A fragment that is only just nearer counts as a tie, and the one drawn "
          "first stays. Only the correct depth test uses it.",
          "Depth buffer", "1/z or NDC z",
-         NumberSetting{[](Settings& s) -> float& { return s.depth_epsilon; }, 0.0f,
-                       largest_depth_epsilon, 1e-6f}},
+         NumberSetting{at<&Settings::depth_epsilon>, 0.0f, largest_depth_epsilon, 1e-6f}},
         {"depth_index", "Depth buffer index", "Depth and interpolation",
          "Which cell of the depth buffer belongs to a pixel: [y][x], or by mistake [x][y].",
          "Depth buffer", "", choice<&Settings::depth_index>()},
@@ -237,187 +228,108 @@ std::vector<Setting> make_table() {
          "multiplied by 1/z twice and divided by it once, or divided by 1/z twice, or not at all, "
          "at the pixel.",
          "Light per pixel", "", choice<&Settings::interpolation>()},
-        {"texture",
-         "Textures",
-         "Texture",
+        {"texture", "Textures", "Texture",
          "Whether surfaces show the textures that the scene gives them. Without one a surface has "
          "its own colour.",
-         "Light per pixel",
-         "",
-         choice<&Settings::texture>(),
-         {},
-         {},
-         true},
-        {"texture_filter",
-         "Texture filter",
-         "Texture",
+         "Light per pixel", "", choice<&Settings::texture>(),
+         SettingTies{.needs_scene = has_textures}},
+        {"texture_filter", "Texture filter", "Texture",
          "Which texels (the pixels of a texture) colour a pixel: the one it falls in; the four "
          "around it; those four in a smaller copy of the texture that matches the size of the "
          "pixel (mipmap); or the four in each of the two copies nearest to that size (trilinear).",
-         "Light per pixel",
-         "",
-         choice<&Settings::texture_filter>(),
-         {},
-         {},
-         true},
-        {"texture_wrap",
-         "Texture wrapping",
-         "Texture",
+         "Light per pixel", "", choice<&Settings::texture_filter>(),
+         SettingTies{.needs_scene = has_textures}},
+        {"texture_wrap", "Texture wrapping", "Texture",
          "What lies beyond the borders of a texture: the texture again, the texels of its border, "
          "or the texture with every second copy mirrored.",
-         "Light per pixel",
-         "",
-         choice<&Settings::texture_wrap>(),
-         {},
-         {},
-         true},
-        {"texture_alpha",
-         "Texture alpha",
-         "Texture",
+         "Light per pixel", "", choice<&Settings::texture_wrap>(),
+         SettingTies{.needs_scene = has_textures}},
+        {"texture_alpha", "Texture alpha", "Texture",
          "What the alpha of a texture does: it cuts holes where it is below 1/2, as in leaves and "
          "fences; it blends each pixel over what was there; or it does nothing. Shadows are always "
          "those of the whole triangle.",
-         "Beyond the lab",
-         "",
-         choice<&Settings::texture_alpha>(),
-         {},
-         {},
-         true,
-         false,
-         false,
-         false,
-         nullptr,
-         true},
-        {"texel_rule",
-         "Texel number",
-         "Texture",
+         "Beyond the lab", "", choice<&Settings::texture_alpha>(),
+         SettingTies{.needs_scene = has_texture_alpha}},
+        {"texel_rule", "Texel number", "Texture",
          "How a position in a texture becomes the number of a texel: correctly, or by mistake with "
          "v from the bottom, with the centres of texels at whole numbers, with a remainder that "
          "may be below 0 (only if texture_wrap is repeat), or with a mip level that depends on x "
          "alone (only if texture_filter uses levels).",
-         "Light per pixel",
-         "",
-         choice<&Settings::texel_rule>(),
-         {},
-         {},
-         true},
-        {"normal_map",
-         "Normal maps",
-         "Texture",
+         "Light per pixel", "", choice<&Settings::texel_rule>(),
+         SettingTies{.needs_scene = has_textures}},
+        {"normal_map", "Normal maps", "Texture",
          "Whether normal maps bend the normals of the surfaces that have them. This needs light "
          "per pixel, because only then is a normal looked up at each one.",
-         "Beyond the lab",
-         "",
-         choice<&Settings::normal_map>(),
-         {},
-         {},
-         true,
-         false,
-         false,
-         true},
-        {"normal_map_rule",
-         "Reading normal maps",
-         "Texture",
+         "Beyond the lab", "", choice<&Settings::normal_map>(),
+         SettingTies{.needs_scene = has_bumps}},
+        {"normal_map_rule", "Reading normal maps", "Texture",
          "How a colour of a normal map becomes a normal: correctly, as 2 c - 1 with green up; or "
          "by mistake with green down, with the same bitangent even where the texture is mirrored, "
          "or with the colour as it is.",
-         "Beyond the lab",
-         "",
-         choice<&Settings::normal_map_rule>(),
-         {},
-         {},
-         true,
-         false,
-         false,
-         true},
-        {.name = "normal_map_space",
-         .title = "Bumps lit in",
-         .group = "Texture",
-         .help = "The space in which light meets the normal of a normal map: the world, into which "
-                 "the normal is transformed, or tangent space, into which the lamp and the eye are "
-                 "transformed. The picture is the same except for rounding.",
-         .section = "Beyond the lab",
-         .unit = "",
-         .kind = choice<&Settings::normal_map_space>(),
-         .needs_texture = true,
-         .needs_normal_map = true},
-        {"blend",
-         "Half-transparent",
-         "Depth and interpolation",
+         "Beyond the lab", "", choice<&Settings::normal_map_rule>(),
+         SettingTies{.needs_scene = has_bumps}},
+        {"normal_map_space", "Bumps lit in", "Texture",
+         "The space in which light meets the normal of a normal map: the world, into which "
+         "the normal is transformed, or tangent space, into which the lamp and the eye are "
+         "transformed. The picture is the same except for rounding.",
+         "Beyond the lab", "", choice<&Settings::normal_map_space>(),
+         SettingTies{.needs_scene = has_bumps}},
+        {"blend", "Half-transparent", "Depth and interpolation",
          "How a half-transparent surface is drawn: blended by its alpha over what the pixel shows "
          "(Porter-Duff's over); as if it were opaque; or, by mistake, with the two weights "
          "swapped.",
-         "Beyond the lab",
-         "",
-         choice<&Settings::blend>(),
-         {},
-         {},
-         false,
-         false,
-         true},
+         "Beyond the lab", "", choice<&Settings::blend>(),
+         SettingTies{.needs_scene = has_any_alpha}},
         {"camera.position", "Camera position", "Camera",
          "Where the camera is: x right, y down, z forward.", "Moving the camera", "world units",
-         VectorSetting{[](Settings& s) -> glm::vec3& { return s.camera.position; }, -largest_place,
-                       largest_place, 0.01f, false}},
+         VectorSetting{at<&Settings::camera, &Camera::position>, -largest_place, largest_place,
+                       0.01f, false}},
         {"camera.yaw", "Turn (yaw)", "Camera", "How far the camera is turned about the y axis.",
          "Moving the camera", "radians",
-         NumberSetting{[](Settings& s) -> float& { return s.camera.yaw; }, -largest_yaw,
-                       largest_yaw, 0.005f}},
+         NumberSetting{at<&Settings::camera, &Camera::yaw>, -largest_yaw, largest_yaw, 0.005f}},
         {"camera.pitch", "Tilt (pitch)", "Camera",
          "How far the camera is turned about the x axis, after the yaw.", "Moving the camera",
          "radians",
-         NumberSetting{[](Settings& s) -> float& { return s.camera.pitch; }, -largest_pitch,
-                       largest_pitch, 0.005f}},
+         NumberSetting{at<&Settings::camera, &Camera::pitch>, -largest_pitch, largest_pitch,
+                       0.005f}},
         {"camera.focal_length", "Focal length", "Camera",
          "Distance from the camera to the picture; doubling it makes everything twice as large.",
          "Drawing points", "pixels",
-         NumberSetting{[](Settings& s) -> float& { return s.camera.focal_length; },
-                       smallest_focal_length, largest_focal_length, 1.0f}},
+         NumberSetting{at<&Settings::camera, &Camera::focal_length>, smallest_focal_length,
+                       largest_focal_length, 1.0f}},
         {"camera.aim", "Camera aimed by", "Camera",
          "What sets the direction in which the camera looks: turn and tilt, or a target point.",
-         "Moving the camera", "",
-         ChoiceSetting{
-             enum_words<CameraAim>,
-             [](const Settings& s) { return static_cast<int>(s.camera.aim); },
-             [](Settings& s, int index) { s.camera.aim = static_cast<CameraAim>(index); }}},
+         "Moving the camera", "", choice<&Settings::camera, &Camera::aim>()},
         {"camera.target", "Looks at", "Camera",
          "The point in the middle of the picture, if the camera is aimed at a target.",
          "Moving the camera", "world units",
-         VectorSetting{[](Settings& s) -> glm::vec3& { return s.camera.target; }, -largest_place,
-                       largest_place, 0.01f, false}},
+         VectorSetting{at<&Settings::camera, &Camera::target>, -largest_place, largest_place, 0.01f,
+                       false}},
         {"camera.up", "Up", "Camera",
          "The direction that points up in the picture, if the camera is aimed at a target.",
          "Moving the camera", "",
-         VectorSetting{[](Settings& s) -> glm::vec3& { return s.camera.up; }, -largest_place,
-                       largest_place, 0.01f, false}},
+         VectorSetting{at<&Settings::camera, &Camera::up>, -largest_place, largest_place, 0.01f,
+                       false}},
         {"rotation", "Rotation applied as", "Camera",
          "How the camera's rotation R is applied: v R, or by mistake R v.", "Moving the camera", "",
          choice<&Settings::rotation>()},
-        {.name = "camera_move",
-         .title = "Move to the camera",
-         .group = "Camera",
-         .help = "How the camera's position C is applied: subtracted before the rotation, (v − C) "
-                 "R; or by mistake added, (v + C) R, or subtracted after the rotation, v R − C. "
-                 "Used only if transform is lab.",
-         .section = "Moving the camera",
-         .unit = "",
-         .kind = choice<&Settings::camera_move>(),
-         .needs_world = true},
+        {"camera_move", "Move to the camera", "Camera",
+         "How the camera's position C is applied: subtracted before the rotation, (v − C) "
+         "R; or by mistake added, (v + C) R, or subtracted after the rotation, v R − C. "
+         "Used only if transform is lab.",
+         "Moving the camera", "", choice<&Settings::camera_move>(),
+         SettingTies{.needs_scene = is_in_world}},
         {"image_axes", "Picture axes", "Camera",
          "Which way the picture's axes run: x to the right and y down from its middle; or by "
          "mistake both reversed (a negative focal length), x and y swapped, or both from the upper "
          "left corner (without adding half the picture's size).",
          "Drawing points", "", choice<&Settings::image_axes>()},
-        {.name = "divided_by",
-         .title = "x and y divided by",
-         .group = "Camera",
-         .help = "What x and y are divided by, and whose reciprocal the depth buffer holds: z, how "
-                 "far a point is in front of the camera; or by mistake its distance from the "
-                 "camera. Used only in perspective and if transform is lab.",
-         .section = "Drawing points",
-         .unit = "",
-         .kind = choice<&Settings::divided_by>(),
-         .needs_world = true},
+        {"divided_by", "x and y divided by", "Camera",
+         "What x and y are divided by, and whose reciprocal the depth buffer holds: z, how "
+         "far a point is in front of the camera; or by mistake its distance from the "
+         "camera. Used only in perspective and if transform is lab.",
+         "Drawing points", "", choice<&Settings::divided_by>(),
+         SettingTies{.needs_scene = is_in_world}},
         {"behind_mark", "Vertices behind camera", "Camera",
          "How a vertex on or behind the camera plane is marked: it has no pixel, or by mistake the "
          "column −1.",
@@ -447,32 +359,28 @@ std::vector<Setting> make_table() {
          "Drawing points", "", projection_choice()},
         {"projection_mix", "Orthographic mix", "Spaces",
          "0 is perspective, 1 is orthographic; between them w is (1 − mix) z + mix.",
-         "Drawing points", "",
-         NumberSetting{[](Settings& s) -> float& { return s.projection_mix; }, 0.0f, 1.0f, 0.005f},
-         "projection"},
+         "Drawing points", "", NumberSetting{at<&Settings::projection_mix>, 0.0f, 1.0f, 0.005f},
+         SettingTies{.part_of = "projection"}},
         {"orthographic_depth", "Reference depth d", "Spaces",
          "Orthographic projection divides x and y by this one depth instead of z, so things at "
          "this depth keep their size. 0 takes the depth of the world's origin.",
          "Drawing points", "world units",
-         NumberSetting{[](Settings& s) -> float& { return s.orthographic_depth; }, 0.0f,
-                       largest_place, 0.01f}},
+         NumberSetting{at<&Settings::orthographic_depth>, 0.0f, largest_place, 0.01f}},
         {"near", "Near plane", "View volume",
          "How far in front of the camera the view begins; anything nearer is cut off.",
          "Drawing points", "world units",
-         NumberSetting{[](Settings& s) -> float& { return s.near; }, smallest_near, largest_place,
-                       0.01f}},
+         NumberSetting{at<&Settings::near>, smallest_near, largest_place, 0.01f}},
         {"far", "Far plane", "View volume",
          "How far in front of the camera the view ends; anything farther is cut off.",
          "Drawing points", "world units",
-         NumberSetting{[](Settings& s) -> float& { return s.far; }, smallest_near, largest_place,
-                       0.1f}},
+         NumberSetting{at<&Settings::far>, smallest_near, largest_place, 0.1f}},
         {"view_box", "Box at near: l, r, b, t", "View volume",
          "The window on the near plane, which fills the picture, in place of the focal length: "
          "left,right,bottom,top with y up, as glFrustum and glOrtho take them, or auto for the "
          "focal length. It may be off-centre. Used only if transform is matrices.",
          "Beyond the lab", "world units",
-         BoxSetting{[](Settings& s) -> std::optional<ViewBox>& { return s.view_box; },
-                    -largest_place, largest_place, smallest_view_side, 0.001f}},
+         BoxSetting{at<&Settings::view_box>, -largest_place, largest_place, smallest_view_side,
+                    0.001f}},
         {"reject", "Rejected before clipping", "View volume",
          "Which triangles are found to lie entirely outside: none, or those whose vertices all lie "
          "beyond the same plane, as their outcodes show (Cohen-Sutherland). Cheap clipping does "
@@ -491,159 +399,93 @@ std::vector<Setting> make_table() {
          "Drawing points", "", choice<&Settings::cull>()},
         {"light.position", "Lamp position", "Light",
          "Where the lamp is: x right, y down, z into the picture.", "Illumination", "world units",
-         VectorSetting{[](Settings& s) -> glm::vec3& { return s.light.position; }, -largest_place,
-                       largest_place, 0.01f, false}},
+         VectorSetting{at<&Settings::light, &Light::position>, -largest_place, largest_place, 0.01f,
+                       false}},
         {"light.power", "Lamp power", "Light",
          "Power of the lamp, which spreads over a sphere of 4 pi r^2.", "Illumination", "",
-         VectorSetting{[](Settings& s) -> glm::vec3& { return s.light.power; }, 0.0f, largest_power,
-                       0.05f, true}},
+         VectorSetting{at<&Settings::light, &Light::power>, 0.0f, largest_power, 0.05f, true}},
         {"light.indirect", "Indirect light", "Light",
          "Light that comes from everywhere, the same at every point.", "Illumination", "",
-         VectorSetting{[](Settings& s) -> glm::vec3& { return s.light.indirect; }, 0.0f,
-                       largest_indirect, 0.005f, true}},
+         VectorSetting{at<&Settings::light, &Light::indirect>, 0.0f, largest_indirect, 0.005f,
+                       true}},
         {"light.place", "Lamp is", "Light",
          "Where the lamp is: at its position, or at the camera, like a flashlight.", "Illumination",
-         "", lamp_choice<&Light::place>()},
+         "", choice<&Settings::light, &Light::place>()},
         {"light.model", "Reflection model", "Light",
          "How a surface reflects light: the same in all directions (Lambert), or also with a "
          "highlight, if its material has one (Blinn-Phong).",
-         "Illumination", "", lamp_choice<&Light::model>()},
+         "Illumination", "", choice<&Settings::light, &Light::model>()},
         {"light.direction", "Light direction", "Light",
          "The vector that is compared with the normal: the one to the lamp, made unit length; or "
          "by mistake the one from the lamp, the one to the lamp at its full length, or the one to "
          "the lamp divided by a length that includes w = 1.",
-         "Illumination", "", light_choice<&LightRules::direction>()},
+         "Illumination", "", choice<&Settings::light_rules, &LightRules::direction>()},
         {"light.falloff", "Falloff", "Light",
          "What the power is divided by: 4 pi r^2, r^2, r, nothing, or by mistake 4 pi r^3, or 4 pi "
          "r^2 with a wrong pi.",
-         "Illumination", "", light_choice<&LightRules::falloff>()},
+         "Illumination", "", choice<&Settings::light_rules, &LightRules::falloff>()},
         {"light.sum", "Light formula", "Light",
          "How the light is combined: reflectance times (D + N); or by mistake D plus "
          "reflectance, or reflectance times itself times (D + N).",
-         "Illumination", "", light_choice<&LightRules::sum>()},
+         "Illumination", "", choice<&Settings::light_rules, &LightRules::sum>()},
         {"light.renormalize", "Normals made unit length", "Light",
          "Whether an interpolated normal is made unit length again at the pixel. This matters only "
          "on surfaces whose corners have normals of their own.",
-         "Light per pixel", "", light_choice<&LightRules::renormalize>()},
+         "Light per pixel", "", choice<&Settings::light_rules, &LightRules::renormalize>()},
         {"light.highlight", "Highlight", "Light",
          "How the highlight is computed: correctly, or by mistake also on sides that face away "
          "from the lamp, or with a half vector that is not made unit length. Used only if "
          "light.model is blinn_phong.",
-         "Illumination", "", light_choice<&LightRules::highlight>()},
+         "Illumination", "", choice<&Settings::light_rules, &LightRules::highlight>()},
         {"light.sides", "Lit sides", "Light",
          "How many sides of a surface are lit: the one its normal points to, or both. With both, a "
          "normal that points away from the eye is turned toward it before the light is computed, "
          "so the back of a surface is lit as its front would be.",
-         "Beyond the lab", "", light_choice<&LightRules::sides>()},
-        {"shadows",
-         "Shadows",
-         "Shadow",
+         "Beyond the lab", "", choice<&Settings::light_rules, &LightRules::sides>()},
+        {"shadows", "Shadows", "Shadow",
          "How the program finds out whether something is between a point and the lamp: not at all, "
          "by a ray from the point to the lamp, or by a map of the depths that the lamp sees.",
-         "Beyond the lab",
-         "",
-         choice<&Settings::shadows>(),
-         {},
-         {},
-         false,
-         true},
-        {"shadow_offset",
-         "Ray offset",
-         "Shadow",
+         "Beyond the lab", "", choice<&Settings::shadows>(),
+         SettingTies{.needs_scene = is_in_world}},
+        {"shadow_offset", "Ray offset", "Shadow",
          "How far above its surface the ray to the lamp starts, along the normal. A point that "
          "rounding has moved below the surface would otherwise be in that surface's own shadow.",
-         "Beyond the lab",
-         "world units",
-         NumberSetting{[](Settings& s) -> float& { return s.shadow_rules.offset; }, 0.0f,
-                       largest_place, 0.0005f},
-         {},
-         {},
-         false,
-         true,
-         false,
-         false,
-         has_shadow_rays},
-        {"shadow_ray",
-         "Ray goes",
-         "Shadow",
+         "Beyond the lab", "world units",
+         NumberSetting{at<&Settings::shadow_rules, &ShadowRules::offset>, 0.0f, largest_place,
+                       0.0005f},
+         SettingTies{.needs_scene = is_in_world, .needs = has_shadow_rays}},
+        {"shadow_ray", "Ray goes", "Shadow",
          "How far the ray goes: as far as the lamp, or by mistake beyond it, so that things behind "
          "the lamp cast shadows too.",
-         "Beyond the lab",
-         "",
-         choice<&Settings::shadow_ray>(),
-         {},
-         {},
-         false,
-         true,
-         false,
-         false,
-         has_shadow_rays},
-        {"shadow_resolution",
-         "Map size",
-         "Shadow",
-         "The number of texels along each side of the map's six faces.",
-         "Beyond the lab",
-         "texels",
-         WholeSetting{[](Settings& s) -> int& { return s.shadow_resolution; },
-                      smallest_shadow_resolution, largest_shadow_resolution},
-         {},
-         {},
-         false,
-         true,
-         false,
-         false,
-         has_shadow_map},
-        {"shadow_bias",
-         "Bias",
-         "Shadow",
+         "Beyond the lab", "", choice<&Settings::shadow_ray>(),
+         SettingTies{.needs_scene = is_in_world, .needs = has_shadow_rays}},
+        {"shadow_resolution", "Map size", "Shadow",
+         "The number of texels along each side of the map's six faces.", "Beyond the lab", "texels",
+         WholeSetting{at<&Settings::shadow_resolution>, smallest_shadow_resolution,
+                      largest_shadow_resolution},
+         SettingTies{.needs_scene = is_in_world, .needs = has_shadow_map}},
+        {"shadow_bias", "Bias", "Shadow",
          "How far behind the depth in the map a point may lie and still be lit. With too little "
          "bias, surfaces shadow themselves in stripes; with too much, shadows come loose from "
          "whatever casts them.",
-         "Beyond the lab",
-         "world units",
-         NumberSetting{[](Settings& s) -> float& { return s.shadow_rules.bias; }, 0.0f,
-                       largest_place, 0.0005f},
-         {},
-         {},
-         false,
-         true,
-         false,
-         false,
-         has_shadow_map},
-        {"shadow_slope_bias",
-         "Slope bias",
-         "Shadow",
+         "Beyond the lab", "world units",
+         NumberSetting{at<&Settings::shadow_rules, &ShadowRules::bias>, 0.0f, largest_place,
+                       0.0005f},
+         SettingTies{.needs_scene = is_in_world, .needs = has_shadow_map}},
+        {"shadow_slope_bias", "Slope bias", "Shadow",
          "Added to the bias: this many texels, times how steeply the surface slopes away from the "
          "lamp (the tangent of the angle between the light and the normal).",
-         "Beyond the lab",
-         "texels",
-         NumberSetting{[](Settings& s) -> float& { return s.shadow_rules.slope_bias; }, 0.0f,
+         "Beyond the lab", "texels",
+         NumberSetting{at<&Settings::shadow_rules, &ShadowRules::slope_bias>, 0.0f,
                        largest_slope_bias, 0.01f},
-         {},
-         {},
-         false,
-         true,
-         false,
-         false,
-         has_shadow_map},
-        {"shadow_filter",
-         "Texels compared",
-         "Shadow",
+         SettingTies{.needs_scene = is_in_world, .needs = has_shadow_map}},
+        {"shadow_filter", "Texels compared", "Shadow",
          "How many texels of the map a point is compared with: the one it falls in, or the four "
          "around it, so that the edge of a shadow has steps of a quarter (PCF).",
-         "Beyond the lab",
-         "",
-         choice<&Settings::shadow_filter>(),
-         {},
-         {},
-         false,
-         true,
-         false,
-         false,
-         has_shadow_map},
+         "Beyond the lab", "", choice<&Settings::shadow_filter>(),
+         SettingTies{.needs_scene = is_in_world, .needs = has_shadow_map}},
         {"viewport.size", "Picture size", "Picture", "Width and height of the picture.",
-         "Drawing points", "pixels",
-         SizeSetting{[](Settings& s) -> Viewport& { return s.viewport; }, largest_viewport}},
+         "Drawing points", "pixels", SizeSetting{at<&Settings::viewport>, largest_viewport}},
         {"bounds", "In the picture", "Picture",
          "Which columns and rows count as inside the picture: those from 0 up, or by mistake only "
          "those above 0.",
@@ -672,15 +514,12 @@ std::span<const Setting> setting_table() {
 }
 
 bool is_of_use(const Setting& setting, const Scene& scene) {
-    if (setting.needs_world && scene.space != SceneSpace::world) return false;
-    if (setting.needs_alpha && !has_alpha(scene) && !has_texture_alpha(scene)) return false;
-    if (setting.needs_texture_alpha && !has_texture_alpha(scene)) return false;
-    if (setting.needs_normal_map && !has_normal_map(scene)) return false;
-    return !setting.needs_texture || !scene.textures.empty();
+    return setting.ties.needs_scene == nullptr || setting.ties.needs_scene(scene);
 }
 
 bool is_of_use(const Setting& setting, const Scene& scene, const Settings& settings) {
-    return is_of_use(setting, scene) && (setting.needs == nullptr || setting.needs(settings));
+    return is_of_use(setting, scene) &&
+           (setting.ties.needs == nullptr || setting.ties.needs(settings));
 }
 
 const Setting* find_setting(std::string_view name) {

@@ -65,6 +65,20 @@ struct BoxSetting {
 /// Is every number in range, and the window wide and high enough? False for NaN.
 bool is_allowed(const ViewBox& box, const BoxSetting& kind);
 
+/// What ties a setting to others and to the scene; most have no ties.
+struct SettingTies {
+    /// The whole that sets this one too: `rounding` sets `vertex_rounding` and `line_rounding`. It
+    /// comes before its parts. Empty: none does.
+    std::string_view part_of{};
+    /// The setting that now has words which this one used to take; given here, they set that one.
+    /// Empty: no such words.
+    std::string_view words_moved_to{};
+    /// Of no use in a scene for which this is false; null: of use in all.
+    bool (*needs_scene)(const Scene&) = nullptr;
+    /// Of no use while this is false for the other settings; null: always of use.
+    bool (*needs)(const Settings&) = nullptr;
+};
+
 /// One setting: its name, its meaning, its values.
 struct Setting {
     std::string_view name;    ///< lower_case with dots: `light.power`
@@ -75,19 +89,7 @@ struct Setting {
     std::string_view unit;    ///< "pixels", "radians" ...; empty for words
     std::variant<ChoiceSetting, NumberSetting, WholeSetting, VectorSetting, SizeSetting, BoxSetting>
         kind;
-    /// The whole that sets this one too: `rounding` sets `vertex_rounding` and `line_rounding`. It
-    /// comes before its parts. Empty: none does.
-    std::string_view part_of{};
-    /// The setting that now has words which this one used to take; given here, they set that one.
-    /// Empty: no such words.
-    std::string_view words_moved_to{};
-    bool needs_texture = false;    ///< of no use in a scene without textures
-    bool needs_world = false;      ///< of no use in a scene in pixels
-    bool needs_alpha = false;      ///< of no use in a scene without anything half transparent
-    bool needs_normal_map = false; ///< of no use in a scene without normal maps
-    /// Of no use while this is false for the other settings; null: always of use.
-    bool (*needs)(const Settings&) = nullptr;
-    bool needs_texture_alpha = false; ///< of no use in a scene whose textures are all opaque
+    SettingTies ties{};
 };
 
 /// Every setting, in the order of the sheet of settings.

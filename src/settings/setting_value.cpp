@@ -10,6 +10,7 @@
 #include "base/nearest_name.h"
 #include "base/numbers.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 
 namespace rasterwalk {
 
@@ -246,15 +247,15 @@ std::string value_text(const Setting& setting, const Settings& settings) {
 }
 
 bool is_said_by_whole(const Setting& part, const Settings& settings) {
-    if (part.part_of.empty()) return false;
+    if (part.ties.part_of.empty()) return false;
     Settings said = settings;
-    copy_value(*find_setting(part.part_of), settings, said);
-    return !value_text(*find_setting(part.part_of), settings).empty() &&
+    copy_value(*find_setting(part.ties.part_of), settings, said);
+    return !value_text(*find_setting(part.ties.part_of), settings).empty() &&
            has_same_value(part, settings, said);
 }
 
 bool is_word_of_whole(const Setting& part, std::string_view word) {
-    const Setting* const whole = find_setting(part.part_of);
+    const Setting* const whole = find_setting(part.ties.part_of);
     const auto* const choice =
         whole != nullptr ? std::get_if<ChoiceSetting>(&whole->kind) : nullptr;
     return choice != nullptr && find_word(*choice, word) != no_word;
@@ -262,7 +263,7 @@ bool is_word_of_whole(const Setting& part, std::string_view word) {
 
 bool must_be_said(const Setting& setting, const Settings& a, const Settings& b) {
     const bool is_same = has_same_value(setting, a, b);
-    const Setting* const whole = find_setting(setting.part_of);
+    const Setting* const whole = find_setting(setting.ties.part_of);
     if (whole != nullptr && must_be_said(*whole, a, b)) {
         return !is_said_by_whole(setting, b) || (!is_same && !is_said_by_whole(setting, a));
     }
@@ -270,7 +271,7 @@ bool must_be_said(const Setting& setting, const Settings& a, const Settings& b) 
 }
 
 const Setting& meant_setting(const Setting& setting, std::string_view value) {
-    const Setting* const heir = find_setting(setting.words_moved_to);
+    const Setting* const heir = find_setting(setting.ties.words_moved_to);
     const auto* const choice = heir != nullptr ? std::get_if<ChoiceSetting>(&heir->kind) : nullptr;
     return choice != nullptr && find_word(*choice, value) != no_word ? *heir : setting;
 }

@@ -34,10 +34,6 @@ namespace rasterwalk {
 
 /// The planes of the view volume, in the order they cut.
 enum class ClipPlane : std::uint8_t { near, far, left, right, top, bottom };
-template <>
-inline constexpr auto enum_words<ClipPlane> = word_list("near", "far", "left", "right", "top",
-                                                        "bottom");
-static_assert(words_match<ClipPlane>);
 
 inline constexpr std::size_t clip_plane_count = enum_words<ClipPlane>.size();
 

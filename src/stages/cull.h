@@ -21,7 +21,7 @@
 // Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates", Graphics Hardware 1997.
 
 #include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "stages/fragment.h"
@@ -31,8 +31,8 @@ namespace rasterwalk {
 
 /// What a way of culling has looked at, and what it decided. Only reports ask for it.
 struct CullTest {
-    std::string_view measure; ///< what the values are: "dot(n, p - C)"; empty: nothing was measured
-    std::string_view reason;  ///< why it is a front or a back, after a colon
+    std::string measure; ///< what the values are: "dot(n, p - C)"; empty: nothing was measured
+    std::string reason;  ///< why it is a front or a back, after a colon
     std::vector<float> values; ///< of the polygon, or of each corner tested
     bool is_back = false;      ///< it is culled
 };

@@ -32,9 +32,6 @@ enum class Rounding : std::uint8_t {
     floor,    ///< toward minus infinity
     round,    ///< to the nearest, halves upward: floor(x + 0.5)
 };
-template <>
-inline constexpr auto enum_words<Rounding> = word_list("truncate", "floor", "round");
-static_assert(words_match<Rounding>);
 
 /// A whole pixel from a real coordinate; |value| must be below 2^31.
 int to_pixel(float value, Rounding rounding);

@@ -39,9 +39,6 @@ enum class PixelStep : std::uint8_t {
     straight, ///< one pixel along the longer axis
     diagonal, ///< and one along the shorter axis too
 };
-template <>
-inline constexpr auto enum_words<PixelStep> = word_list("none", "straight", "diagonal");
-static_assert(words_match<PixelStep>);
 
 /// What a line decides at a sample. Bresenham's decision variable is twice the midpoint line's; the
 /// DDA's is the float that it adds up, in pixels along the shorter axis.

@@ -45,9 +45,6 @@ namespace rasterwalk {
 
 /// Do surfaces have the bumps of the normal maps that the scene gives them?
 enum class NormalMapUse : std::uint8_t { on, off };
-template <>
-inline constexpr auto enum_words<NormalMapUse> = word_list("on", "off");
-static_assert(words_match<NormalMapUse>);
 
 /// How far, and which way, you go in the world when you cross the texture of a triangle once along
 /// u and once along v; world units. Both 0 if the triangle has no area in the texture.

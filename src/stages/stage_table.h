@@ -2,8 +2,8 @@
 
 // The one table of the functions that carry out the pipeline. The code that draws and the code that
 // shows the drawing both use this table, so a different function in a slot changes both alike. The
-// laboratory's mistakes are such functions, in src/mistakes; settings/choose_stages.h puts
-// them in the table according to the settings.
+// laboratory's mistakes are such functions, in src/mistakes; settings/stage_functions.h says
+// which word of which setting puts which of them in the table.
 
 #include "stages/blend.h"
 #include "stages/clip.h"

@@ -37,9 +37,6 @@ namespace rasterwalk {
 
 /// Do surfaces show the textures that the scene gives them?
 enum class TextureUse : std::uint8_t { on, off };
-template <>
-inline constexpr auto enum_words<TextureUse> = word_list("on", "off");
-static_assert(words_match<TextureUse>);
 
 /// Which texels colour a fragment.
 enum class TextureFilter : std::uint8_t {
@@ -48,10 +45,6 @@ enum class TextureFilter : std::uint8_t {
     mipmap,    ///< the four around it, in the level nearest to its footprint
     trilinear, ///< the four around it in each of the two levels next to its footprint
 };
-template <>
-inline constexpr auto enum_words<TextureFilter> = word_list("nearest", "bilinear", "mipmap",
-                                                            "trilinear");
-static_assert(words_match<TextureFilter>);
 
 /// What comes beyond the borders of a texture.
 enum class TextureWrap : std::uint8_t {
@@ -59,9 +52,6 @@ enum class TextureWrap : std::uint8_t {
     clamp,  ///< the texels of its border
     mirror, ///< the texture again, every second time flipped
 };
-template <>
-inline constexpr auto enum_words<TextureWrap> = word_list("repeat", "clamp", "mirror");
-static_assert(words_match<TextureWrap>);
 
 /// What the alpha of a texture does to a fragment.
 enum class TextureAlpha : std::uint8_t {
@@ -70,9 +60,6 @@ enum class TextureAlpha : std::uint8_t {
     blend,   ///< it multiplies the alpha that the fragment is blended with
     off,     ///< nothing: every texel is opaque
 };
-template <>
-inline constexpr auto enum_words<TextureAlpha> = word_list("cut_out", "blend", "off");
-static_assert(words_match<TextureAlpha>);
 
 /// With less alpha than this a fragment is cut out: the alpha test of OpenGL 1.0, with GL_GEQUAL
 /// and this reference value.

@@ -42,9 +42,6 @@ enum class Shading : std::uint8_t {
     gouraud, ///< at the vertices, and interpolated between them
     phong,   ///< at every pixel, from interpolated positions and normals
 };
-template <>
-inline constexpr auto enum_words<Shading> = word_list("unlit", "flat", "gouraud", "phong");
-static_assert(words_match<Shading>);
 
 /// How a projected vertex becomes a pixel. The first three are those of Rounding: they work on the
 /// position counted from the middle of the picture, and then the middle is added.
@@ -57,10 +54,6 @@ enum class VertexRounding : std::uint8_t {
     /// width.
     truncate_sum,
 };
-template <>
-inline constexpr auto enum_words<VertexRounding> = word_list("truncate", "floor", "round",
-                                                             "truncate_sum");
-static_assert(words_match<VertexRounding>);
 
 /// What the third coordinate of clip space becomes after the division: the depth buffer's values.
 enum class ClipDepth : std::uint8_t {
@@ -70,9 +63,6 @@ enum class ClipDepth : std::uint8_t {
     /// perspective nearly all of the view lies
     reversed,
 };
-template <>
-inline constexpr auto enum_words<ClipDepth> = word_list("inv_z", "ndc", "reversed");
-static_assert(words_match<ClipDepth>);
 
 /// Is a smaller depth of this kind nearer?
 constexpr bool is_smaller_nearer(ClipDepth kind) {

@@ -1,6 +1,7 @@
 #pragma once
 
-// Markdown, the format of lessons, notes and descriptions, as a tree of blocks.
+// Markdown, the format of lessons, notes and descriptions, as a tree of blocks. What is drawn and
+// what is checked are one parse.
 
 #include <cstddef>
 #include <cstdint>
@@ -52,18 +53,47 @@ struct MarkdownBlock {
     std::vector<MarkdownBlock> children;
 };
 
-/// A page of Markdown, ready to be laid out.
+/// What a check looks at: a link, a picture or the like, or what looks like one but is drawn as
+/// written.
+struct MarkdownPart {
+    enum class Kind : std::uint8_t {
+        link,         ///< `text`: its target
+        picture,      ///< `text`: its target
+        formula,      ///< `text`: TeX, without the dollar signs
+        footnote,     ///< `text`: the label of a reference [^label]
+        address,      ///< a link without separate words; `text`: <address>
+        split_target, ///< [words](with blanks), which is no link; `text`: between the parentheses
+        comment,      ///< <!-- within a line
+        definition,   ///< [label]: target, which is not drawn
+        table,        ///< `columns`
+        nesting,      ///< emphasis or brackets nested too deep
+    };
+    Kind kind = Kind::link;
+    std::string text;
+    std::string words; ///< of a link or picture, without styles
+    int columns = 0;   ///< of a table
+    int line = 0;      ///< of the text, from 0: where its words end, otherwise where it begins
+};
+
+/// A page of Markdown, ready to be laid out and to be checked.
 struct MarkdownDocument {
     std::vector<MarkdownBlock> blocks;
-    std::vector<std::string> links; ///< targets, in the order of the page; `note:1` is a footnote
-    std::vector<std::string> notes; ///< the footnotes, plain text; they are also at the end
-    std::string fault;              ///< why the page cannot be shown, a sentence; it is then empty
+    std::vector<std::string> links;  ///< targets, in the order of the page; `note:1` is a footnote
+    std::vector<std::string> notes;  ///< the footnotes, plain text; they are also at the end
+    std::vector<MarkdownPart> parts; ///< as far as the page was read; definitions at the end
+    std::string fault;  ///< why the page cannot be shown, a sentence; it then has no blocks
+    int fault_line = 0; ///< of the text, from 0
 };
 
 /// Reads Markdown (CommonMark with tables, footnotes and formulas between dollars, without HTML).
 /// Never fails: odd bytes become U+FFFD, and a text beyond the limits below gives a document with a
 /// fault.
 MarkdownDocument parse_markdown(std::string_view text);
+
+/// The same parse of a text whose footnotes are left as they are written, so that each line keeps
+/// its number, for checks.
+/// @param deepest nesting of quotes and lists, of emphasis, and of brackets that are not links
+MarkdownDocument parse_as_written(std::string_view text, int deepest);
 
 /// The largest text that is read, bytes, and the deepest nesting of lists and quotes.
 inline constexpr std::size_t largest_markdown = std::size_t{1} << 20;

@@ -4,7 +4,7 @@
 #include <map>
 #include <string_view>
 
-#include "base/quoted.h"
+#include "base/text_parts.h"
 #include "text/markdown_text.h"
 
 namespace rasterwalk {
@@ -46,13 +46,6 @@ std::map<std::string, std::string> take_definitions(std::vector<std::string_view
     }
     lines = std::move(kept);
     return definitions;
-}
-
-std::vector<std::string_view> split_lines(std::string_view text) {
-    std::vector<std::string_view> lines;
-    while (!text.empty())
-        lines.push_back(take_part(text, '\n'));
-    return lines;
 }
 
 /// Replaces the references in one line by links.

@@ -1,63 +1,48 @@
 #include "text/markdown.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "base/text_parts.h"
+#include "text/markdown_builder.h"
 #include "text/markdown_notes.h"
 #include "text/markdown_text.h"
-#include "text/markdown_walk.h"
-#include "text/math.h"
-#include "text/math_runs.h"
 
 namespace rasterwalk {
 
 namespace {
 
 using BlockKind = MarkdownBlock::Kind;
+using PartKind = MarkdownPart::Kind;
 
-/// Builds the page from what the walk reports.
-class Builder final : public MarkdownListener {
-  public:
-    explicit Builder(MarkdownDocument& document) : document_(document) {
-        open_.push_back({&root_, false});
+/// The parser looks through all lines of a paragraph for each bracket in it; this many take about a
+/// tenth of a second.
+constexpr std::size_t most_bracket_looks = 200'000'000;
+
+/// Would the parser look through lines for brackets more often than allowed?
+bool is_bracket_swamp(std::string_view text) {
+    std::size_t lines = 0, brackets = 0, looks = 0;
+    while (!text.empty()) {
+        const std::string_view line = take_part(text, '\n');
+        if (line.find_first_not_of(" \t") == std::string_view::npos) {
+            looks += lines * brackets;
+            lines = brackets = 0;
+        } else {
+            ++lines;
+            brackets += static_cast<std::size_t>(std::count(line.begin(), line.end(), '['));
+        }
     }
+    return looks + lines * brackets > most_bracket_looks;
+}
 
-    bool enter(MD_BLOCKTYPE type, const void* detail) override;
-    bool leave(MD_BLOCKTYPE type) override;
-    bool enter_span(MD_SPANTYPE type, const void* detail) override;
-    bool leave_span(MD_SPANTYPE type) override;
-    bool text(MD_TEXTTYPE type, std::string_view text) override;
+bool is_container(MD_BLOCKTYPE type) {
+    return type == MD_BLOCK_QUOTE || type == MD_BLOCK_UL || type == MD_BLOCK_OL ||
+           type == MD_BLOCK_LI;
+}
 
-    /// The blocks of the page.
-    std::vector<MarkdownBlock> take() { return std::move(root_.children); }
+} // namespace
 
-  private:
-    struct Open {
-        MarkdownBlock* block;
-        bool has_loose_text; ///< its last child is a paragraph for text directly in it
-    };
-
-    MarkdownBlock& push(BlockKind kind);
-    MarkdownBlock& text_block();
-    MarkdownRun& run();
-    void leave_paragraph(MarkdownBlock& block);
-
-    MarkdownDocument& document_;
-    MarkdownBlock root_;
-    // Pointers stay valid: only the children of the innermost block grow.
-    std::vector<Open> open_;
-    int emphasis_ = 0, strong_ = 0, code_ = 0;
-    int link_ = -1;
-    std::size_t target_bytes_ = 0;
-    std::string formula_; ///< TeX of the formula being read
-    /// The picture or formula that the paragraph begins with; if it is all, it becomes a block.
-    struct Lead {
-        BlockKind kind = BlockKind::paragraph;
-        std::string source;
-        std::size_t runs = 0; ///< of the paragraph, when it ended
-    } lead_;
-};
-
-MarkdownBlock& Builder::push(BlockKind kind) {
+MarkdownBlock& MarkdownBuilder::push(BlockKind kind) {
     Open& parent = open_.back();
     parent.has_loose_text = false;
     MarkdownBlock& block = parent.block->children.emplace_back();
@@ -67,7 +52,7 @@ MarkdownBlock& Builder::push(BlockKind kind) {
 }
 
 /// Items of a tight list hold their text without a paragraph around it.
-MarkdownBlock& Builder::text_block() {
+MarkdownBlock& MarkdownBuilder::text_block() {
     Open& open = open_.back();
     switch (open.block->kind) {
     case BlockKind::list:
@@ -86,7 +71,7 @@ MarkdownBlock& Builder::text_block() {
 }
 
 /// The run that text in the present style belongs to.
-MarkdownRun& Builder::run() {
+MarkdownRun& MarkdownBuilder::run() {
     std::vector<MarkdownRun>& runs = text_block().runs;
     const bool emphasis = emphasis_ > 0, strong = strong_ > 0, code = code_ > 0;
     if (!runs.empty()) {
@@ -99,10 +84,14 @@ MarkdownRun& Builder::run() {
     return runs.emplace_back(MarkdownRun{{}, emphasis, strong, code, link_, 0});
 }
 
-bool Builder::enter(MD_BLOCKTYPE type, const void* detail) {
-    if (open_.size() > static_cast<std::size_t>(deepest_markdown)) {
-        document_.fault = nesting_fault(deepest_markdown);
-        return false;
+bool MarkdownBuilder::enter(MD_BLOCKTYPE type, const void* detail) {
+    if (is_too_deep_) return true;
+    brackets_ = 0;
+    open_links_.clear();
+    if (is_container(type)) ++containers_;
+    if (containers_ > deepest_ || open_.size() > static_cast<std::size_t>(deepest_markdown)) {
+        is_too_deep_ = true;
+        return true;
     }
     switch (type) {
     case MD_BLOCK_QUOTE:
@@ -140,6 +129,7 @@ bool Builder::enter(MD_BLOCKTYPE type, const void* detail) {
         break;
     case MD_BLOCK_TABLE:
         push(BlockKind::table);
+        columns_ = static_cast<int>(static_cast<const MD_BLOCK_TABLE_DETAIL*>(detail)->col_count);
         break;
     case MD_BLOCK_TR:
         push(BlockKind::row);
@@ -162,8 +152,11 @@ bool Builder::enter(MD_BLOCKTYPE type, const void* detail) {
     return true;
 }
 
-bool Builder::leave(MD_BLOCKTYPE type) {
-    if (type == MD_BLOCK_DOC || type == MD_BLOCK_THEAD || type == MD_BLOCK_TBODY) return true;
+void MarkdownBuilder::leave(MD_BLOCKTYPE type) {
+    if (is_too_deep_) return;
+    if (is_container(type)) --containers_;
+    if (type == MD_BLOCK_THEAD && columns_ > 0) add_table(places_.line_ahead());
+    if (type == MD_BLOCK_DOC || type == MD_BLOCK_THEAD || type == MD_BLOCK_TBODY) return;
     MarkdownBlock& block = *open_.back().block;
     open_.pop_back();
     if (block.kind == BlockKind::code && !block.runs.empty()) {
@@ -171,54 +164,16 @@ bool Builder::leave(MD_BLOCKTYPE type) {
         if (text.ends_with('\n')) text.pop_back();
     }
     if (type == MD_BLOCK_P) leave_paragraph(block);
-    if (block.kind != BlockKind::quote || block.children.size() < 2) return true;
+    if (block.kind != BlockKind::quote || block.children.size() < 2) return;
     const MarkdownBlock& first = block.children.front();
     if (first.kind == BlockKind::paragraph && first.runs.size() == 1 && first.runs[0].strong) {
         block.label = first.runs[0].text;
         block.children.erase(block.children.begin());
     }
-    return true;
-}
-
-bool Builder::enter_span(MD_SPANTYPE type, const void* detail) {
-    switch (type) {
-    case MD_SPAN_STRONG:
-        ++strong_;
-        break;
-    case MD_SPAN_CODE:
-        ++code_;
-        break;
-    case MD_SPAN_A: {
-        const MD_ATTRIBUTE& href = static_cast<const MD_SPAN_A_DETAIL*>(detail)->href;
-        target_bytes_ += href.size;
-        if (target_bytes_ > largest_targets) {
-            document_.fault = targets_fault;
-            return false;
-        }
-        link_ = static_cast<int>(document_.links.size());
-        document_.links.push_back(attribute_text(href));
-        break;
-    }
-    case MD_SPAN_LATEXMATH:
-    case MD_SPAN_LATEXMATH_DISPLAY:
-        formula_.clear();
-        break;
-    case MD_SPAN_IMG:
-        if (text_block().runs.empty()) {
-            lead_ = {BlockKind::picture,
-                     attribute_text(static_cast<const MD_SPAN_IMG_DETAIL*>(detail)->src), 0};
-        }
-        ++emphasis_; // within a text, a picture's alternative text
-        break;
-    default:
-        ++emphasis_;
-        break;
-    }
-    return true;
 }
 
 /// A picture or a formula that is all of its paragraph becomes a block of its own.
-void Builder::leave_paragraph(MarkdownBlock& block) {
+void MarkdownBuilder::leave_paragraph(MarkdownBlock& block) {
     const bool is_alone = lead_.kind != BlockKind::paragraph && block.runs.size() == lead_.runs;
     if (is_alone && lead_.kind == BlockKind::picture) {
         block.kind = BlockKind::picture;
@@ -230,7 +185,33 @@ void Builder::leave_paragraph(MarkdownBlock& block) {
     lead_ = {};
 }
 
-bool Builder::leave_span(MD_SPANTYPE type) {
+bool MarkdownBuilder::enter_span(MD_SPANTYPE type, const void* detail) {
+    if (is_too_deep_) return true;
+    switch (type) {
+    case MD_SPAN_STRONG:
+        ++strong_;
+        return true;
+    case MD_SPAN_CODE:
+        ++code_;
+        return true;
+    case MD_SPAN_A:
+        return begin_link(false, static_cast<const MD_SPAN_A_DETAIL*>(detail)->href);
+    case MD_SPAN_IMG:
+        ++emphasis_; // within a text, a picture's alternative text
+        return begin_link(true, static_cast<const MD_SPAN_IMG_DETAIL*>(detail)->src);
+    case MD_SPAN_LATEXMATH:
+    case MD_SPAN_LATEXMATH_DISPLAY:
+        formula_.clear();
+        formula_at_.reset();
+        return true;
+    default:
+        ++emphasis_;
+        return true;
+    }
+}
+
+void MarkdownBuilder::leave_span(MD_SPANTYPE type) {
+    if (is_too_deep_) return;
     switch (type) {
     case MD_SPAN_STRONG:
         --strong_;
@@ -240,35 +221,41 @@ bool Builder::leave_span(MD_SPANTYPE type) {
         break;
     case MD_SPAN_A:
         link_ = -1;
+        end_link(PartKind::link);
         break;
-    case MD_SPAN_LATEXMATH:
-    case MD_SPAN_LATEXMATH_DISPLAY: {
-        std::vector<MarkdownRun>& runs = text_block().runs;
-        const bool is_lead = runs.empty() && type == MD_SPAN_LATEXMATH_DISPLAY;
-        for (MarkdownRun& part : math_runs(parse_math(formula_))) {
-            part.link = link_;
-            runs.push_back(std::move(part));
-        }
-        if (is_lead) lead_ = {BlockKind::math, formula_, runs.size()};
-        break;
-    }
     case MD_SPAN_IMG:
         --emphasis_;
         if (lead_.kind == BlockKind::picture && lead_.runs == 0)
             lead_.runs = text_block().runs.size();
+        end_link(PartKind::picture);
+        break;
+    case MD_SPAN_LATEXMATH:
+    case MD_SPAN_LATEXMATH_DISPLAY:
+        end_formula(type == MD_SPAN_LATEXMATH_DISPLAY);
         break;
     default:
         --emphasis_;
         break;
     }
+}
+
+bool MarkdownBuilder::text(MD_TEXTTYPE type, std::string_view text) {
+    const std::optional<std::size_t> at = places_.find(text);
+    if (is_too_deep_) {
+        if (at) document_.fault_line = places_.line_at(*at);
+        return !at;
+    }
+    if (type == MD_TEXT_LATEXMATH) {
+        formula_ += text;
+    } else {
+        append_text(type, text);
+        if (!open_links_.empty()) open_links_.back().words += text;
+    }
+    if (at) look_at(type, text, *at);
     return true;
 }
 
-bool Builder::text(MD_TEXTTYPE type, std::string_view text) {
-    if (type == MD_TEXT_LATEXMATH) {
-        formula_ += text;
-        return true;
-    }
+void MarkdownBuilder::append_text(MD_TEXTTYPE type, std::string_view text) {
     std::string& out = run().text;
     const bool in_code_block = text_block().kind == BlockKind::code;
     switch (type) {
@@ -295,28 +282,77 @@ bool Builder::text(MD_TEXTTYPE type, std::string_view text) {
             }
         }
     }
-    return true;
+}
+
+MarkdownDocument MarkdownBuilder::build() {
+    MD_PARSER parser{};
+    parser.flags = MD_FLAG_TABLES | MD_FLAG_NOHTML | MD_FLAG_LATEXMATHSPANS;
+    // md4c ignores positive answers.
+    constexpr int goes_on = 0, ends = -1;
+    parser.enter_block = [](MD_BLOCKTYPE type, void* detail, void* data) {
+        return static_cast<MarkdownBuilder*>(data)->enter(type, detail) ? goes_on : ends;
+    };
+    parser.leave_block = [](MD_BLOCKTYPE type, void*, void* data) {
+        static_cast<MarkdownBuilder*>(data)->leave(type);
+        return goes_on;
+    };
+    parser.enter_span = [](MD_SPANTYPE type, void* detail, void* data) {
+        return static_cast<MarkdownBuilder*>(data)->enter_span(type, detail) ? goes_on : ends;
+    };
+    parser.leave_span = [](MD_SPANTYPE type, void*, void* data) {
+        static_cast<MarkdownBuilder*>(data)->leave_span(type);
+        return goes_on;
+    };
+    parser.text = [](MD_TEXTTYPE type, const MD_CHAR* part, MD_SIZE size, void* data) {
+        return static_cast<MarkdownBuilder*>(data)->text(type, {part, size}) ? goes_on : ends;
+    };
+    const bool is_read =
+        md_parse(page_.data(), static_cast<MD_SIZE>(page_.size()), &parser, this) == 0;
+    if (is_too_deep_) {
+        if (is_read) document_.fault_line = places_.line_ahead();
+        document_.fault = "The text is nested deeper than " + std::to_string(deepest_) + " levels.";
+    } else if (!is_read && document_.fault.empty()) {
+        document_.fault = "The text could not be read.";
+    }
+    if (document_.fault.empty()) {
+        document_.blocks = std::move(root_.children);
+        for (const int line : places_.definitions())
+            add(PartKind::definition, {}, line);
+    } else {
+        document_.links.clear();
+    }
+    return std::move(document_);
+}
+
+namespace {
+
+/// @param with_notes takes the footnotes out of the text
+MarkdownDocument parse(std::string_view text, int deepest, bool with_notes) {
+    MarkdownDocument document;
+    if (text.size() > largest_markdown) {
+        document.fault = "The text is longer than 1 MB.";
+        return document;
+    }
+    std::string page = clean_text(text);
+    std::vector<std::string> notes;
+    if (with_notes) notes = take_footnotes(page);
+    if (is_bracket_swamp(page)) {
+        document.fault = "A paragraph has too many lines and brackets.";
+    } else {
+        document = MarkdownBuilder(page, deepest).build();
+    }
+    document.notes = std::move(notes);
+    return document;
 }
 
 } // namespace
 
 MarkdownDocument parse_markdown(std::string_view text) {
-    MarkdownDocument document;
-    document.fault = size_fault(text);
-    if (!document.fault.empty()) return document;
-    std::string source = clean_text(text);
-    document.notes = take_footnotes(source);
-    document.fault = walk_fault(source);
-    if (!document.fault.empty()) return document;
-    Builder builder(document);
-    const bool is_read = walk_markdown(source, builder);
-    if (!is_read && document.fault.empty()) document.fault = "The text could not be read.";
-    if (document.fault.empty()) {
-        document.blocks = builder.take();
-    } else {
-        document.links.clear();
-    }
-    return document;
+    return parse(text, deepest_markdown, true);
+}
+
+MarkdownDocument parse_as_written(std::string_view text, int deepest) {
+    return parse(text, deepest, false);
 }
 
 } // namespace rasterwalk

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "base/quoted.h"
+#include "base/text_parts.h"
 
 namespace rasterwalk {
 

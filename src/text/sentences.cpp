@@ -3,28 +3,29 @@
 #include <algorithm>
 #include <cctype>
 
-#include "base/quoted.h"
+#include "base/text_parts.h"
 
 namespace rasterwalk {
 
 namespace {
 
-bool is_blank(std::string_view line) {
-    return line.find_first_not_of(" \t\r") == line.npos;
-}
-
 bool begins_code(std::string_view line) {
     return line.starts_with("```") || line.starts_with("~~~");
+}
+
+bool is_list_item(std::string_view line) {
+    const std::size_t digits = std::min(line.find_first_not_of("0123456789"), line.size());
+    return line.starts_with("- ") || line.starts_with("* ") || line.starts_with("+ ") ||
+           (digits > 0 && line.substr(digits).starts_with(". "));
 }
 
 /// Does this line begin a block that is not running text?
 bool begins_other_block(std::string_view line) {
     for (const std::string_view mark :
-         {"#", "|", ">", "- ", "* ", "+ ", "![", "<!--", "$$", "    ", "\t", "---", "***", "[^"}) {
+         {"#", "|", ">", "![", "<!--", "$$", "    ", "\t", "---", "***", "[^"}) {
         if (line.starts_with(mark)) return true;
     }
-    const std::size_t digits = std::min(line.find_first_not_of("0123456789"), line.size());
-    return digits > 0 && line.substr(digits).starts_with(". ");
+    return is_list_item(line);
 }
 
 /// A part of a text between blank lines, or between the fences of code.
@@ -33,12 +34,6 @@ struct Block {
     bool is_paragraph = false;
     bool is_list = false;
 };
-
-bool is_list_item(std::string_view line) {
-    const std::size_t digits = std::min(line.find_first_not_of("0123456789"), line.size());
-    return line.starts_with("- ") || line.starts_with("* ") || line.starts_with("+ ") ||
-           (digits > 0 && line.substr(digits).starts_with(". "));
-}
 
 /// Adds a line to a block.
 void append_line(std::string& text, std::string_view line) {
@@ -64,7 +59,7 @@ std::vector<Block> blocks_of(std::string_view text) {
                 is_open = !begins_code(code);
             }
             end_block();
-        } else if (is_blank(line)) {
+        } else if (trimmed(line).empty()) {
             end_block();
         } else {
             // A line without its own mark belongs to the block it is in.
@@ -152,7 +147,7 @@ std::vector<std::string> sentences_of(const std::string& text) {
             is_ended = false;
         }
     }
-    if (start < text.size() && !is_blank(std::string_view(text).substr(start))) {
+    if (start < text.size() && !trimmed(std::string_view(text).substr(start)).empty()) {
         sentences.push_back(text.substr(start));
     }
     return sentences;
@@ -214,7 +209,7 @@ CutTable cut_table(std::string_view markdown) {
         const bool is_of_table = !is_code && line.starts_with('|') && cut.after.empty();
         if (!is_of_table) {
             std::string& text = lines == 0 ? cut.before : cut.after;
-            if (!text.empty() || !is_blank(line)) append_line(text, line);
+            if (!text.empty() || !trimmed(line).empty()) append_line(text, line);
         } else if (lines++ < 2) {
             append_line(cut.head, line);
         } else {

@@ -6,6 +6,7 @@
 #include "base/files.h"
 #include "base/letter_case.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 #include "base/toml_input.h"
 
 namespace rasterwalk {

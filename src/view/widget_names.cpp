@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "base/nearest_name.h"
 #include "base/quoted.h"
+#include "base/text_parts.h"
 #include "picture/overlay.h"
 #include "session/content.h"
 #include "session/tabs.h"

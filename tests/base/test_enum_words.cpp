@@ -1,42 +1,42 @@
 #include "base/enum_words.h"
 
 #include <cstdint>
+#include <string>
 
 #include "tests/support/catch.h"
 
-namespace rasterwalk {
+using namespace rasterwalk;
 
 namespace {
 
-enum class Right : std::uint8_t { one, two };
-enum class TooShort : std::uint8_t { one, two, three };
-enum class TooLong : std::uint8_t { one };
-enum class Swapped : std::uint8_t { one, two };
-enum class Wordless : std::uint8_t { one };
+enum class Pair : std::uint8_t { one, two };
+enum class Single : std::uint8_t { ndc_32 };
+
+int answer() {
+    return 42;
+}
 
 } // namespace
 
-template <>
-inline constexpr auto enum_words<Right> = word_list("one", "two");
-template <>
-inline constexpr auto enum_words<TooShort> = word_list("one", "two");
-template <>
-inline constexpr auto enum_words<TooLong> = word_list("one", "two");
-template <>
-inline constexpr auto enum_words<Swapped> = word_list("two", "one");
+TEST_CASE("The words of an enum are the names of its values, in their order") {
+    CHECK(word_of(Pair::one) == "one");
+    CHECK(word_of(Pair::two) == "two");
+    CHECK(enum_words<Pair>.size() == 2);
+    CHECK(enum_words<Single>.size() == 1);
+    CHECK(word_of(Single::ndc_32) == "ndc_32");
+}
 
-// What must not compile when asserted next to an enum.
-static_assert(words_match<Right>);
-static_assert(!words_match<TooShort>);
-static_assert(!words_match<TooLong>);
-static_assert(!words_match<Swapped>);
-static_assert(!words_match<Wordless>);
+TEST_CASE("A word is a text that ends with 0") {
+    CHECK(std::string(enum_words<Pair>[0].data()) == "one");
+    CHECK(std::string(enum_words<Single>[0].data()) == "ndc_32");
+}
 
-} // namespace rasterwalk
+TEST_CASE("A value is found by its word") {
+    CHECK(value_of_word<Pair>("two") == Pair::two);
+    CHECK_FALSE(value_of_word<Pair>("three").has_value());
+    CHECK_FALSE(value_of_word<Pair>("").has_value());
+}
 
-using namespace rasterwalk;
-
-TEST_CASE("A value of an enum has the word at its position in the list") {
-    CHECK(word_of(Right::one) == "one");
-    CHECK(word_of(Right::two) == "two");
+TEST_CASE("A function is spelled as in the program") {
+    CHECK(spelling<answer>() == "answer");
 }

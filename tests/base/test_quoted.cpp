@@ -34,19 +34,3 @@ TEST_CASE("A name in quotes is short, visible and on one line") {
     CHECK(in_quotes("a\nb\x1b[0m") == "'a b\\u001b[0m'");
     CHECK(in_quotes(std::string(100, 'x')) == "'" + std::string(60, 'x') + "...'");
 }
-
-TEST_CASE("A text is split at each separator, and nothing is lost") {
-    CHECK(split("a,b", ',') == std::vector<std::string_view>{"a", "b"});
-    CHECK(split(",a,,", ',') == std::vector<std::string_view>{"", "a", "", ""});
-    CHECK(split("", ',') == std::vector<std::string_view>{""});
-}
-
-TEST_CASE("Parts are taken off a text until it is empty") {
-    std::string_view text = "one\n\ntwo";
-    CHECK(take_part(text, '\n') == "one");
-    CHECK(text == "\ntwo");
-    CHECK(take_part(text, '\n').empty());
-    CHECK(take_part(text, '\n') == "two");
-    CHECK(text.empty());
-    CHECK(take_part(text, '\n').empty());
-}

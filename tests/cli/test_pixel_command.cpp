@@ -215,3 +215,26 @@ TEST_CASE("pixel says whether the lamp's light arrives, and what blocks it") {
     CHECK_THAT(
         map, ContainsSubstring("\"texels\":[{\"column\":383,\"lit\":false,\"row\":224,\"z\":0.90"));
 }
+
+TEST_CASE("pixel --formulas explains the fragment that stays, section by section") {
+    const std::string text = run({"pixel", "240,300", "--formulas"}).out;
+    CHECK_THAT(text, ContainsSubstring("\nvalues\n  column = left + i = "));
+    CHECK_THAT(text, ContainsSubstring("\npixel light: lamp\n  r² = r.x² + r.y² + r.z² = "));
+    CHECK_THAT(text, ContainsSubstring("\n  D = P · (cosine / area) = "));
+    CHECK_THAT(text, ContainsSubstring("\ndepth\n  margin: new − stored = new − stored = "));
+    // What you only get to from other numbers is not listed.
+    CHECK_THAT(text, !ContainsSubstring("r.x = "));
+    CHECK(run({"pixel", "0,0", "--formulas", "--stage", "points"}).exit_code == 0);
+}
+
+TEST_CASE("pixel --json --formulas adds each formula to what --json prints") {
+    const std::string plain = run({"pixel", "240,300", "--json"}).out;
+    const std::string json = run({"pixel", "240,300", "--json", "--formulas"}).out;
+    const std::string formulas = without_blanks(json);
+    CHECK_THAT(formulas, ContainsSubstring("\"id\":\"pixel_light.r.x\""));
+    CHECK_THAT(formulas, ContainsSubstring("\"section\":\"pixel_light.lamp\""));
+    CHECK_THAT(formulas, ContainsSubstring("{\"from\":\"pixel_light.cosine\",\"symbol\":\"cosine\""));
+    // All that comes before the formulas, without the end of the object.
+    const std::string before = plain.substr(0, plain.rfind("\n}"));
+    CHECK(json.starts_with(before));
+}

@@ -51,10 +51,11 @@ std::map<Cursor, Seen> everything(const Frame& frame, bool with_light, bool as_s
     clear(framebuffer, frame);
     draw(frame, {}, framebuffer, &recorder);
     std::map<Cursor, Seen> all;
-    for (const Recorder::VertexEvent& event : recorder.vertices) {
+    for (const VertexEvent& event : recorder.vertices) {
         std::vector<std::uint32_t>& work = all[event.cursor].work;
-        work = {bits(event.vertex.column), bits(event.vertex.row), bits(event.vertex.depth),
-                event.has_pixel ? 1U : 0U};
+        const ScreenVertex& pixel = event.vertex.pixel;
+        work = {bits(pixel.column), bits(pixel.row), bits(pixel.depth),
+                event.vertex.has_pixel ? 1U : 0U};
         if (with_light) {
             const Vertex& vertex = frame.scene->corner(event.cursor.triangle, event.cursor.index);
             glm::vec3 normal = frame.stages.light_normal(vertex.normal, frame.settings.camera);

@@ -1,4 +1,4 @@
-#include "explain/blend_formulas.h"
+#include "explain/depth_formulas.h"
 
 #include <string>
 

@@ -30,30 +30,22 @@ constexpr Quantity colours[] = {quantity_of(&Varyings::illumination, 0),
                                 quantity_of(&Varyings::illumination, 2)};
 
 /// Keeps a given number of the drawn fragments, each with the same chance.
-class Sampler : public Observer {
-  public:
-    explicit Sampler(int count) : count_(count) {}
-    void fragment(const FragmentEvent& event) override {
-        if (seen_++ < count_) {
+std::vector<FragmentEvent> some_fragments(const Frame& frame, int count) {
+    std::vector<FragmentEvent> kept;
+    int seen = 0;
+    test::Random random{1};
+    const Observer sample{.fragment = [&](const FragmentEvent& event) {
+        if (seen++ < count) {
             kept.push_back(event);
             return;
         }
-        const int place = random_.integer(0, seen_ - 1);
-        if (place < count_) kept[static_cast<std::size_t>(place)] = event;
-    }
-    std::vector<FragmentEvent> kept;
-
-  private:
-    int count_ = 0, seen_ = 0;
-    test::Random random_{1};
-};
-
-std::vector<FragmentEvent> some_fragments(const Frame& frame, int count) {
+        const int place = random.integer(0, seen - 1);
+        if (place < count) kept[static_cast<std::size_t>(place)] = event;
+    }};
     Framebuffer framebuffer;
     clear(framebuffer, frame);
-    Sampler sampler(count);
-    draw(frame, {}, framebuffer, &sampler);
-    return sampler.kept;
+    draw(frame, {}, framebuffer, &sample);
+    return kept;
 }
 
 float result(const FragmentReport& report, const std::string& id) {

@@ -120,19 +120,19 @@ void check_pixel(Asked& asked, const FragmentEvent& event, const std::string& wh
 
 void check_vertices(Asked& asked, const test::Recorder& recorder, int triangle,
                     const std::string& where) {
-    for (const test::Recorder::VertexEvent& event : recorder.vertices) {
+    for (const VertexEvent& event : recorder.vertices) {
         if (event.cursor.triangle != triangle) continue;
         asked.session.selection.triangle = triangle;
         asked.session.selection.vertex = event.cursor.index;
         asked.update_all();
-        if (!event.has_pixel) {
+        if (!event.vertex.has_pixel) {
             CHECK_FALSE(asked.number("vertex.column"));
             continue;
         }
-        expect(asked, "vertex.column", static_cast<float>(event.vertex.column), where);
-        expect(asked, "vertex.row", static_cast<float>(event.vertex.row), where);
-        expect(asked, "vertex.zinv", event.vertex.inv_w, where);
-        expect(asked, "vertex.depth", event.vertex.depth, where);
+        expect(asked, "vertex.column", static_cast<float>(event.vertex.pixel.column), where);
+        expect(asked, "vertex.row", static_cast<float>(event.vertex.pixel.row), where);
+        expect(asked, "vertex.zinv", event.vertex.pixel.inv_w, where);
+        expect(asked, "vertex.depth", event.vertex.pixel.depth, where);
     }
     asked.session.selection.triangle = triangle;
     asked.update_all();

@@ -483,3 +483,33 @@ TEST_CASE("Affine interpolation is off by whole texels, which the light error in
     CHECK(other_texel > 3);
     CHECK(other_texel < asked - 3);
 }
+
+TEST_CASE("Every formula of the pixel, the vertex and the triangle is a fact by its id") {
+    Asked room;
+    room.session.selection = {21, 1, 250, glm::ivec2(250, 131)};
+    finish(room.session, room.results);
+    const Facts facts(room.session, room.results, &room.cache);
+    REQUIRE(facts.fragment() != nullptr);
+    REQUIRE(facts.vertex() != nullptr);
+    const std::vector<std::pair<std::string, const std::vector<Formula>*>> all{
+        {"pixel.", &facts.fragment()->formulas}, {"vertex.", &facts.vertex()->formulas}};
+    for (const auto& [owner, formulas] : all) {
+        for (const Formula& formula : *formulas) {
+            const std::string name = owner + formula.id;
+            CAPTURE(name);
+            CHECK(find_name(name));
+            // A fact with a row of its own may be another number: the final depth, the final z.
+            const std::vector<std::string> listed = all_names();
+            if (std::count(listed.begin(), listed.end(), name) > 0) continue;
+            CHECK(room.number(name) == Approx(static_cast<double>(formula.result.value)));
+        }
+    }
+    CHECK(room.is_there("triangle.corner.0.w"));
+    CHECK(room.is_there("triangle.cull.normal"));
+    // Known, but not there.
+    CHECK(find_name("pixel.texture.level"));
+    CHECK_FALSE(room.is_there("pixel.texture.level"));
+    for (const char* const unknown :
+         {"pixel.ligth.cosine", "vertex.world_q", "triangle.edge.0", "pixel."})
+        CHECK_FALSE(find_name(unknown));
+}

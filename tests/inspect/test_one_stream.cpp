@@ -393,9 +393,12 @@ void check_clipping(const Frame& frame, const Story& story, int triangle) {
     CHECK(steps_of(history) == told);
     CHECK(steps_of(triangle_report(frame, triangle).clip) == told);
     const EventList list = list_events(frame, triangle);
-    REQUIRE(list.clip_steps.size() == told.size());
-    for (std::size_t i = 0; i < told.size(); ++i)
-        CHECK(clip_step_text(list.clip_steps[i].step) == told[i]);
+    std::vector<std::string> of_list;
+    for (const Event& event : list.events) {
+        if (const auto* clip = std::get_if<ClipEvent>(&event))
+            of_list.push_back(clip_step_text(clip->step));
+    }
+    CHECK(of_list == told);
     const auto cull =
         std::find_if(story.told.culls.begin(), story.told.culls.end(),
                      [&](const CullEvent& event) { return event.cursor.triangle == triangle; });
@@ -404,7 +407,11 @@ void check_clipping(const Frame& frame, const Story& story, int triangle) {
     CHECK(history.is_cull_asked == is_told);
     if (!is_told) return;
     CHECK(culling_text(history.cull) == culling_text(cull->test));
-    CHECK(culling_text(list.cull) == culling_text(cull->test));
+    const auto listed =
+        std::find_if(list.events.begin(), list.events.end(),
+                     [](const Event& event) { return std::holds_alternative<CullEvent>(event); });
+    REQUIRE(listed != list.events.end());
+    CHECK(culling_text(std::get<CullEvent>(*listed).test) == culling_text(cull->test));
 }
 
 void check_pixels(const Frame& frame, const Story& story) {

@@ -183,28 +183,26 @@ PREDICTIONS_TEST("Lesson 8: the depth test played by rays", "08-depth-buffer", "
 TEST_CASE("Lesson 8: on the diagonal of a wall rounding decides which triangle stays") {
     // Of two triangles of a wall, the first keeps these pixels on the floor and loses them on the
     // left wall, although both have the same depth there.
-    struct Second : Observer {
-        std::array<int, 30> won{}, lost{};
-        std::map<std::array<int, 2>, int> owner; // of each pixel
-        void fragment(const FragmentEvent& event) override {
-            const int t = event.cursor.triangle;
-            int& last =
-                owner.try_emplace({event.fragment.column, event.fragment.row}, -1).first->second;
-            if (t % 2 == 1 && last == t - 1)
-                ++(event.fate == Fate::written ? won : lost)[static_cast<std::size_t>(t)];
-            if (event.fate == Fate::written) last = t;
-        }
-    } second;
+    std::array<int, 30> won{}, lost{};
+    std::map<std::array<int, 2>, int> owner; // of each pixel
+    const Observer count_second{.fragment = [&](const FragmentEvent& event) {
+        const int t = event.cursor.triangle;
+        int& last =
+            owner.try_emplace({event.fragment.column, event.fragment.row}, -1).first->second;
+        if (t % 2 == 1 && last == t - 1)
+            ++(event.fate == Fate::written ? won : lost)[static_cast<std::size_t>(t)];
+        if (event.fate == Fate::written) last = t;
+    }};
     const Scene room = read_scene(lessons_folder() + "/scenes/lab-room.toml");
     Settings settings = default_settings(room);
     set_from_text(settings, "stage=depth");
     const Frame frame = prepare_frame(room, settings);
     Framebuffer framebuffer;
     clear(framebuffer, frame.settings.viewport);
-    draw(frame, {}, framebuffer, &second);
-    CAPTURE(second.lost[1], second.won[1], second.lost[3], second.won[3]);
-    CHECK(second.lost[1] > 10 * second.won[1]);
-    CHECK(second.won[3] > second.lost[3]);
+    draw(frame, {}, framebuffer, &count_second);
+    CAPTURE(lost[1], won[1], lost[3], won[3]);
+    CHECK(lost[1] > 10 * won[1]);
+    CHECK(won[3] > lost[3]);
 }
 
 PREDICTIONS_TEST("Lesson 8: how well the room hides linear z", "08-depth-buffer",
@@ -313,18 +311,16 @@ PREDICTIONS_TEST("Lesson 10: where light per vertex is most wrong, and how often
     CHECK(std::max(apart[8], apart[9]) < 0.15); // as the lesson says: the back wall, the floor
     CHECK(std::max(apart[0], apart[1]) < 0.2);
 
-    struct Count : Observer {
-        int passed = 0, failed = 0;
-        void fragment(const FragmentEvent& event) override {
-            ++(event.fate == Fate::written ? passed : failed);
-        }
-    } count;
+    int passed = 0, failed = 0;
+    const Observer count{.fragment = [&](const FragmentEvent& event) {
+        ++(event.fate == Fate::written ? passed : failed);
+    }};
     const Frame frame = prepare_frame(*asked.session.scene, default_settings(*asked.session.scene));
     Framebuffer framebuffer;
     clear(framebuffer, frame.settings.viewport);
     draw(frame, {}, framebuffer, &count);
-    CHECK(count.passed == 293357); // as the lesson says
-    CHECK(count.failed == 35432);
+    CHECK(passed == 293357); // as the lesson says
+    CHECK(failed == 35432);
 }
 
 PREDICTIONS_TEST("Lesson 11: halfway on the screen", "11-perspective", "half-way",

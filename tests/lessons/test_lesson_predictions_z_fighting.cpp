@@ -23,7 +23,7 @@ namespace {
 namespace z_fighting {
 
 /// All fragments of a picture, by pixel, in the order of drawing: triangle and depth.
-struct Gathered : Observer {
+struct Gathered {
     Gathered(const std::string& name, std::initializer_list<const char*> set)
         : scene(read_scene(lessons_folder() + "/scenes/" + name + ".toml")) {
         Settings settings = default_settings(scene);
@@ -36,11 +36,11 @@ struct Gathered : Observer {
         width = picture.size.width;
         pixels.resize(picture.owner.size());
         smaller_is_nearer = clip_depth_rule(settings, scene.space) == ClipDepth::ndc;
-        draw(frame, {}, picture, this);
-    }
-    void fragment(const FragmentEvent& event) override {
-        pixels[static_cast<std::size_t>(event.fragment.row * width + event.fragment.column)]
-            .emplace_back(event.cursor.triangle, static_cast<double>(event.depth));
+        const Observer gather{.fragment = [&](const FragmentEvent& event) {
+            pixels[static_cast<std::size_t>(event.fragment.row * width + event.fragment.column)]
+                .emplace_back(event.cursor.triangle, static_cast<double>(event.depth));
+        }};
+        draw(frame, {}, picture, &gather);
     }
     /// The part that each pixel shows with this epsilon; -1: none. What a fragment must beat is
     /// rounded to a float, as in the buffer, or is the exact sum.

@@ -94,14 +94,14 @@ TEST_CASE("The vertices of a cut triangle are its own three, and its edges join 
     draw(frame, {}, framebuffer, &recorder);
     const VertexRules rules = vertex_rules(frame.settings, scene.space);
     int behind = 0, cut = 0;
-    for (const Recorder::VertexEvent& event : recorder.vertices) {
+    for (const VertexEvent& event : recorder.vertices) {
         const ShadedVertex own =
             shade_vertex(scene.corner(event.cursor.triangle, event.cursor.index),
                          camera_rotation(rules.camera), rules, frame.stages);
         CAPTURE(to_text(event.cursor));
-        REQUIRE(event.has_pixel == own.has_pixel);
+        REQUIRE(event.vertex.has_pixel == own.has_pixel);
         behind += own.has_pixel ? 0 : 1;
-        if (own.has_pixel) REQUIRE(same_bits(event.vertex, own.pixel));
+        if (own.has_pixel) REQUIRE(same_bits(event.vertex.pixel, own.pixel));
     }
     for (int t = 0; t < frame.triangle_count(); ++t)
         cut += frame.is_cut(t) && frame.is_drawn(t) ? 1 : 0;

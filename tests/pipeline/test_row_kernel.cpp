@@ -18,7 +18,6 @@ using test::Choice;
 using test::Random;
 
 /// An observer that does nothing.
-class Onlooker : public Observer {};
 
 Rectangle random_rectangle(Random& random, Viewport size) {
     const int left = random.integer(0, size.width - 1), top = random.integer(0, size.height - 1);
@@ -29,7 +28,7 @@ void check_same_when_watched(const Frame& frame, const DrawWindow& window) {
     Framebuffer unwatched, watched;
     clear(unwatched, frame);
     clear(watched, frame);
-    Onlooker onlooker;
+    const Observer onlooker;
     const DrawTally tally = draw(frame, window, unwatched);
     CHECK(draw(frame, window, watched, &onlooker) == tally);
     test::require_same(unwatched, watched);

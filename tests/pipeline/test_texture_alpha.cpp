@@ -54,7 +54,8 @@ Scene scene_with_holes(const Image& image = holed()) {
     return scene;
 }
 
-Framebuffer drawn_with_alpha(const Scene& scene, const char* alpha, Observer* observer = nullptr) {
+Framebuffer drawn_with_alpha(const Scene& scene, const char* alpha,
+                             const Observer* observer = nullptr) {
     Settings settings = default_settings(scene);
     settings.stage = Stage::depth;
     set_from_text(settings, std::string("texture_alpha=") + alpha);
@@ -137,7 +138,8 @@ TEST_CASE("An observer sees the same picture, and each fragment that is cut out"
     for (const char* const alpha : {"cut_out", "blend", "off"}) {
         INFO(alpha);
         test::Recorder recorder;
-        CHECK(drawn_with_alpha(scene, alpha, &recorder).colour ==
+        const Observer keep = recorder.observer();
+        CHECK(drawn_with_alpha(scene, alpha, &keep).colour ==
               drawn_with_alpha(scene, alpha).colour);
         const auto cut =
             std::count_if(recorder.fragments.begin(), recorder.fragments.end(),

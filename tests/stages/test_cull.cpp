@@ -102,9 +102,9 @@ Scene bent_wall() {
     return scene;
 }
 
-struct FateCount : Observer {
+struct FateCount {
     explicit FateCount(const Scene& of) : scene(of) {}
-    void fragment(const FragmentEvent& event) override {
+    void add(const FragmentEvent& event) {
         // On a wall at one depth the normal's z is proportional to x, and both to the column: -1 to
         // 1 over the 32 columns around the middle.
         const double normal_z = (event.fragment.column - 32) / 16.0;
@@ -134,7 +134,8 @@ TEST_CASE("The interpolated normal of each fragment decides whether it is drawn"
         FateCount count(wall);
         Framebuffer watched;
         clear(watched, frame);
-        draw(frame, {}, watched, &count);
+        const Observer observer{.fragment = [&](const FragmentEvent& event) { count.add(event); }};
+        draw(frame, {}, watched, &observer);
         CHECK(count.backs > 300);
         CHECK(count.fronts > 300);
         // Unwatched, with fewer varyings, the picture is the same.

@@ -39,12 +39,12 @@ Scene scene_named(const std::string& name) {
 }
 
 /// A separate depth test. Takes only the fragments and their depths from the drawing.
-struct Sorter : Observer {
+struct Sorter {
     Sorter(const Framebuffer& like, ClipDepth holds, float limit)
         : kind(holds), epsilon(limit), owner(like.owner.size(), -1),
           depth(like.owner.size(), is_smaller_nearer(holds) ? 1.0f : 0.0f), width(like.size.width) {
     }
-    void fragment(const FragmentEvent& event) override {
+    void sort_in(const FragmentEvent& event) {
         const auto at =
             static_cast<std::size_t>(event.fragment.row * width + event.fragment.column);
         // The limit is a float, as in the buffer's own arithmetic; their exact sum is a double.
@@ -138,7 +138,9 @@ TEST_CASE("Pictures with an epsilon are what their fragments give when tested ag
             Framebuffer watched;
             clear(watched, frame);
             Sorter sorter(watched, clip_depth_rule(settings, paper.space), settings.depth_epsilon);
-            draw(frame, {}, watched, &sorter);
+            const Observer sort{
+                .fragment = [&](const FragmentEvent& event) { sorter.sort_in(event); }};
+            draw(frame, {}, watched, &sort);
             for (std::size_t i = 0; i < drawn.owner.size(); ++i) {
                 if (drawn.owner[i] == sorter.owner[i] && drawn.depth[i] == sorter.depth[i])
                     continue;

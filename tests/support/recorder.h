@@ -3,20 +3,15 @@
 #include <algorithm>
 #include <vector>
 
-#include "pipeline/observer.h"
+#include "pipeline/draw.h"
 
 namespace rasterwalk::test {
 
-/// Keeps everything that an observer gets, in order; edge samples and tested pixels only if
+/// Keeps the events of a drawing by their kinds, in order; edge samples and tested pixels only if
 /// requested.
-struct Recorder : Observer {
+struct Recorder {
     explicit Recorder(bool samples_too = false) : with_samples(samples_too) {}
 
-    struct VertexEvent {
-        Cursor cursor;
-        ScreenVertex vertex;
-        bool has_pixel;
-    };
     bool with_samples;
     std::vector<VertexEvent> vertices;
     std::vector<ClipEvent> clip_steps;
@@ -25,18 +20,23 @@ struct Recorder : Observer {
     std::vector<TestEvent> tests;
     std::vector<FragmentEvent> fragments;
 
-    void vertex(const Cursor& cursor, const ProjectedVertex& vertex) override {
-        vertices.push_back({cursor, vertex.pixel, vertex.has_pixel});
+    /// Keeps what it hears here.
+    Observer observer() {
+        const auto into = [](auto& kept) {
+            return [&kept](const auto& event) { kept.push_back(event); };
+        };
+        Observer all{into(vertices), into(clip_steps), into(culls),
+                     into(samples),  into(tests),      into(fragments)};
+        if (!with_samples) all.edge_sample = nullptr, all.pixel_test = nullptr;
+        return all;
     }
-    void clip_step(const ClipEvent& event) override { clip_steps.push_back(event); }
-    void cull(const CullEvent& event) override { culls.push_back(event); }
-    bool wants_clipping() const override { return true; }
-    void edge_sample(const SampleEvent& event) override { samples.push_back(event); }
-    void pixel_test(const TestEvent& event) override { tests.push_back(event); }
-    bool wants_pixel_tests() const override { return with_samples; }
-    void fragment(const FragmentEvent& event) override { fragments.push_back(event); }
-    bool wants_edge_samples() const override { return with_samples; }
 };
+
+inline DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& framebuffer,
+                      Recorder* recorder) {
+    const Observer observer = recorder->observer();
+    return draw(frame, window, framebuffer, &observer);
+}
 
 /// The moments that a recorder got, sorted; one reported twice is there twice.
 /// @param stage of the frame; before fragments are drawn, the ones reported are marks of other

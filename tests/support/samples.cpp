@@ -80,9 +80,10 @@ const std::vector<Variant>& rule_variants() {
         for (const Setting& setting : setting_table()) {
             const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
             // A part is tried with its whole.
-            if (choice == nullptr || setting.name == "stage" || !setting.part_of.empty()) continue;
+            if (choice == nullptr || setting.name == "stage" || !setting.ties.part_of.empty())
+                continue;
             // The scenes of these tests have no textures; tests/pipeline/test_textures.cpp has.
-            if (setting.needs_texture || setting.needs_alpha) continue;
+            if (!is_of_use(setting, Scene{})) continue;
             // The engine is not a rule of the steps: tests/engines compares it with them.
             if (setting.name == "engine") continue;
             // Six more pictures each time: tests/pipeline/test_shadows.cpp tries them.

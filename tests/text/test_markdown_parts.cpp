@@ -1,4 +1,4 @@
-#include "text/markdown_parts.h"
+#include "text/markdown.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -10,7 +10,6 @@
 #include "session/content.h"
 #include "support/random.h"
 #include "tests/support/catch.h"
-#include "text/markdown.h"
 #include "text/markdown_notes.h"
 
 namespace rasterwalk {
@@ -27,7 +26,7 @@ std::string parts_of(std::string_view text) {
                                      "address", "split_target", "comment", "definition",
                                      "table",   "nesting"};
     std::ostringstream all;
-    for (const MarkdownPart& part : find_markdown_parts(text, deepest).parts) {
+    for (const MarkdownPart& part : parse_as_written(text, deepest).parts) {
         all << part.line << ' ' << names[static_cast<std::size_t>(part.kind)];
         if (!part.text.empty()) all << ' ' << part.text;
         if (!part.words.empty()) all << " (" << part.words << ')';
@@ -103,22 +102,22 @@ TEST_CASE("Only parts drawn inside each other are nested") {
     CHECK(parts_of("a\n" + repeated("*a **b ", 20) + repeated("c** d* ", 20)) == "1 nesting\n");
     CHECK(parts_of(repeated("*a **b ", 500)).empty());
     CHECK(parts_of("a\n\n" + repeated("[", 30)) == "2 nesting\n");
-    CHECK(find_markdown_parts(repeated("> ", deepest) + "a", deepest).fault.empty());
-    const MarkdownParts deep =
-        find_markdown_parts("a\n\n---\n\n" + repeated("> ", deepest + 1) + "a", deepest);
+    CHECK(parse_as_written(repeated("> ", deepest) + "a", deepest).fault.empty());
+    const MarkdownDocument deep =
+        parse_as_written("a\n\n---\n\n" + repeated("> ", deepest + 1) + "a", deepest);
     CHECK(deep.fault == "The text is nested deeper than 24 levels.");
     CHECK(deep.fault_line == 4);
-    CHECK(find_markdown_parts("a\n\n" + repeated("> ", 30), deepest).fault_line == 2);
+    CHECK(parse_as_written("a\n\n" + repeated("> ", 30), deepest).fault_line == 2);
 }
 
 TEST_CASE("Texts that would keep the parser busy are refused with a sentence") {
-    CHECK(find_markdown_parts(std::string(largest_markdown + 1, 'a'), deepest).fault ==
+    CHECK(parse_as_written(std::string(largest_markdown + 1, 'a'), deepest).fault ==
           "The text is longer than 1 MB.");
-    CHECK(find_markdown_parts(repeated("[a](\n", 200'000), deepest).fault ==
+    CHECK(parse_as_written(repeated("[a](\n", 200'000), deepest).fault ==
           "A paragraph has too many lines and brackets.");
     const std::string targets =
         "[a]: /" + std::string(400'000, 'u') + "\n\nb\n" + repeated("[a] ", 100'000);
-    CHECK(find_markdown_parts(targets, deepest).fault_line == 3);
+    CHECK(parse_as_written(targets, deepest).fault_line == 3);
 }
 
 TEST_CASE("Random marks give the links that are drawn, on lines of the text") {
@@ -138,7 +137,7 @@ TEST_CASE("Random marks give the links that are drawn, on lines of the text") {
         std::string without_notes = text;
         take_footnotes(without_notes);
         if (without_notes != text) continue;
-        const MarkdownParts found = find_markdown_parts(text, deepest_markdown);
+        const MarkdownDocument found = parse_as_written(text, deepest_markdown);
         if (!found.fault.empty()) continue;
         std::size_t links = 0;
         for (const MarkdownPart& part : found.parts) {
@@ -160,7 +159,7 @@ TEST_CASE("The links that are checked are the links that are drawn") {
         for (const LessonStep& step : read_lesson(entry.path().string()).steps) {
             for (const LessonPart& part : step.parts) {
                 std::vector<std::string> checked;
-                for (const MarkdownPart& found : find_markdown_parts(part.text, deepest).parts) {
+                for (const MarkdownPart& found : parse_as_written(part.text, deepest).parts) {
                     if (found.kind == PartKind::link) checked.push_back(found.text);
                 }
                 CHECK(checked == parse_markdown(part.text).links);

@@ -51,7 +51,7 @@ done
     echo "// The core with one varying more."
     for file in "$root"/src/scene/{scene,mesh,tessellation,texture,look_at}.cpp "$root"/src/stages/*.cpp \
             "$root"/src/mistakes/*.cpp "$root"/src/settings/settings.cpp \
-            "$root"/src/settings/choose_stages.cpp "$root"/src/settings/depth_words.cpp \
+            "$root"/src/settings/{choose_stages,stage_functions,setting_table,setting_value,depth_words}.cpp \
             "$root"/src/pipeline/*.cpp "$root"/src/picture/view_image.cpp \
             "$root"/src/picture/colour_map.cpp "$root"/src/inspect/row_history.cpp \
             "$root"/src/inspect/clip_history.cpp "$root"/src/inspect/{carried_row,pixel_tests,row_graph}.cpp \
@@ -59,7 +59,7 @@ done
         if [ -f "$file" ]; then echo "#include \"$file\""; fi
     done
 } > "$scratch/core.cpp"
-for source in "$scratch/core.cpp" "$root"/src/base/{element_names,numbers,quoted}.cpp "$root/src/compare/divergence.cpp" \
+for source in "$scratch/core.cpp" "$root"/src/base/{element_names,nearest_name,numbers,quoted}.cpp "$root/src/compare/divergence.cpp" \
         "$root/src/compare/divergence_text.cpp" "$here/added_varying.cpp"; do
     "$compiler" $flags -I "$scratch/whole" -I "$root/src" -c "$source" \
         -o "$scratch/$(basename "$source").o"

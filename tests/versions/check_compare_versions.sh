@@ -17,12 +17,12 @@ version() {
     printf '#!/bin/sh\nexit 0\n' >"$work/$1/rasterwalk-offscreen"
     chmod +x "$work/$1"/rasterwalk*
 }
-# expect CODE WHAT COMMANDS: against a version with these COMMANDS the exit code is CODE, and the answer contains WHAT.
+# expect CODE WHAT COMMANDS [OPTION...]: against a version with these COMMANDS the exit code is CODE, and the answer contains WHAT.
 number=0
 expect() {
     number=$((number + 1))
     version "$number" "$3"
-    answer=$("$here/compare_versions" --list "$work/list" "$work/old" "$work/$number" 2>&1)
+    answer=$("$here/compare_versions" --list "$work/list" "${@:4}" "$work/old" "$work/$number" 2>&1)
     code=$?
     [ $code -eq "$1" ] && [[ $answer == *"$2"* ]] && return
     echo "Expected exit code $1 and '$2', got $code and: $answer"
@@ -39,6 +39,9 @@ version old ""
 
 expect 0 "4 invocations: no difference" ""
 expect 1 "4 invocations: 1 differ" 'sed -i s/^uncovered/not_covered/ answer'
+echo 's/^not_covered/uncovered/' >"$work/allowed.sed"
+expect 0 "4 invocations: no difference" 'sed -i s/^uncovered/not_covered/ answer' --allowed "$work/allowed.sed"
+expect 2 "There is no" "" --allowed "$work/nothing.sed"
 expect 1 "old: Start: (10,5). End: (10,5)." 'sed -i "s/Start: (10,5)/Start: (9,5)/" answer'
 expect 1 "new: Start: (10,5). End: (10,5)." 'sed -i "s/End: (5,10)/&/; /Start: (9,6)/d" answer && case "$*" in rows*) sed -i 1p answer ;; esac'
 expect 1 "rasterwalk render -o out.png" '[ -e out.png ] && echo >>out.png'

@@ -12,9 +12,6 @@ enum class Theme : std::uint8_t { dark, light };
 
 /// The choices that the start page offers, from left to right.
 enum class Way : std::uint8_t { lessons, stages, picture };
-template <>
-inline constexpr auto enum_words<Way> = word_list("lessons", "stages", "picture");
-static_assert(words_match<Way>);
 
 inline constexpr int way_count = static_cast<int>(enum_words<Way>.size());
 

@@ -225,7 +225,7 @@ void draw_narrow_bar(Ui& ui, const Layout& layout) {
     begin_part(ui, "no stages", layout.strip);
     ImGui::PushFont(ui.fonts.bold);
     ImGui::SetCursorPosY(0.5f * (height - ImGui::GetFontSize()));
-    ImGui::TextUnformatted("Rasterwalk");
+    put_text("Rasterwalk");
     ImGui::PopFont();
     end_part();
 }
@@ -246,9 +246,7 @@ void draw_wide_bar(Ui& ui, const Area& whole) {
     push_style_of_line();
     ImGui::Begin("menu", nullptr, panel_flags | ImGuiWindowFlags_MenuBar);
     if (ImGui::BeginMenuBar()) {
-        ImGui::PushFont(ui.fonts.bold);
-        ImGui::TextUnformatted("Rasterwalk");
-        ImGui::PopFont();
+        put_text("Rasterwalk", ui.fonts.bold);
         ImGui::PopStyleVar(2);
         ImGui::Dummy({4.0f * u, 0});
         draw_menus(ui);

@@ -40,7 +40,6 @@ void draw_line_between(const Ui& ui) {
 void draw_action_item(Ui& ui, const Action& action) {
     const bool on = action.is_on != nullptr && action.is_on(ui);
     if (ImGui::MenuItem(action.title.c_str(), chord_text(action.chord).c_str(), on)) action.run(ui);
-    keep_item_whole(ui);
     name_widget(ui, "menu." + action.name, action.help);
 }
 
@@ -88,9 +87,7 @@ void draw_scene_list(Ui& ui) {
                 ui.session.notice = fault.what();
             }
         }
-        keep_item_whole(ui);
-        name_widget(ui, name, "Opens this scene: " + file.filename().string());
-        note_text(ui, name, title);
+        name_widget(ui, name, "Opens this scene: " + file.filename().string(), title);
     }
 }
 
@@ -103,7 +100,6 @@ void draw_scene_menu(Ui& ui) {
         if (ImGui::MenuItem(("Preset: " + preset.name).c_str()) && !refuses_settings(ui.session)) {
             apply_preset(preset, ui.session.a.settings);
         }
-        keep_item_whole(ui);
         name_widget(ui, "preset." + preset.name, preset.about);
     }
 }
@@ -120,7 +116,6 @@ void draw_lesson_item(Ui& ui, std::size_t i, std::string& wanted) {
                         lesson.id == ui.session.lesson)) {
         wanted = lesson.id;
     }
-    keep_item_whole(ui);
     name_widget(ui, "menu.lesson." + lesson.id, lesson.about);
 }
 
@@ -145,9 +140,7 @@ void draw_lesson_menu(Ui& ui) {
             fmt::format("{} of {} lessons; L lists all", shown, lessons.size());
         text_in(palette(ui.options.theme).dim, words);
         ImGui::PopFont();
-        keep_item_whole(ui);
-        name_widget(ui, "menu.lesson.count", "The ten lessons around the one that is open.");
-        note_text(ui, "menu.lesson.count", words);
+        name_widget(ui, "menu.lesson.count", "The ten lessons around the one that is open.", words);
     }
     if (!wanted.empty()) open_lesson(ui, wanted, ui.lesson.progress.of(wanted).last_step);
 }
@@ -173,7 +166,7 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
     // An open menu needs no tooltip.
     name_widget(ui, std::string("menu.") + title, open ? "" : menu.help);
     if (!open) return;
-    begin_whole_lines(ui);
+    begin_whole_lines();
     if (std::string_view(title) == "Scene") draw_scene_menu(ui);
     for (const Action& action : action_table()) {
         if (action.menu != title) continue;
@@ -183,7 +176,7 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
     }
     // Below the few actions: in a low window the many lessons scroll.
     if (std::string_view(title) == "Lesson") draw_lesson_menu(ui);
-    end_whole_lines(ui);
+    end_whole_lines();
     ImGui::EndMenu();
 }
 

@@ -132,7 +132,7 @@ void draw_pixel(Ui& ui, ImVec2 at, float room) {
     const float line = ImGui::GetFontSize();
     ImGui::PushFont(ui.fonts.small);
     ImGui::SetCursorScreenPos({at.x, at.y + 0.5f * (line - ImGui::GetFontSize())});
-    ImGui::TextUnformatted(pixel_words(ui, room).c_str());
+    put_text(pixel_words(ui, room));
     name_widget(ui, "status.pixel", "The pixel under the pointer.");
     ImGui::PopFont();
 }
@@ -143,7 +143,7 @@ float draw_done_moment(Ui& ui, ImVec2 at, float room) {
     const std::vector<std::string> said = moment_forms(ui);
     const std::string words = first_fitting(said, room);
     ImGui::SetCursorScreenPos(at);
-    ImGui::TextUnformatted(words.c_str());
+    put_text(words);
     name_widget(ui, "walk.words",
                 words == said.front() ? "What was just drawn."
                                       : said.front() + "\nWhat was just drawn.");

@@ -98,8 +98,8 @@ void draw_speed_dial(Ui& ui, ImVec2 at, DialForm form) {
     name_widget(ui, "walk.speed",
                 "How fast time runs: from one step a second, through the whole frame in a given "
                 "time, to as fast as it can be drawn. Drag it or scroll; a double click "
-                "sets it back to the whole frame in 15 s.");
-    note_text(ui, "walk.speed", speed_text(meant));
+                "sets it back to the whole frame in 15 s.",
+                speed_text(meant));
     const int more = take_arrows(ui, "walk.speed").more();
     if (more > 0) play.speed = faster(play.speed, steps);
     if (more < 0) play.speed = slower(play.speed, steps);

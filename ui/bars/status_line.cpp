@@ -111,8 +111,7 @@ void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
         : is_working(ui.results)
             ? "\nThis is too much work for one frame of the window, so it is spread over several."
             : "\nThe program guards against this and goes on" + lesson_words(trouble.lessons) + ".";
-    name_widget(ui, "status.trouble", trouble.text + about);
-    note_text(ui, "status.trouble", words);
+    name_widget(ui, "status.trouble", trouble.text + about, words);
     if (!action.empty()) {
         const float x = ImGui::GetItemRectMax().x + gap;
         ImGui::SetCursorScreenPos({x, y});

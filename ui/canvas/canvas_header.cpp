@@ -35,7 +35,6 @@ void draw_overlay_list(Ui& ui) {
         const ImVec2 start = ImGui::GetCursorScreenPos();
         const std::string label = std::string(info.title).append("###overlay.").append(info.name);
         if (ImGui::Checkbox(label.c_str(), &on)) ui.session.overlays.set(info.overlay, on);
-        keep_item_whole(ui);
         name_widget(ui, std::string("overlay.").append(info.name), info.help);
         const float height = ImGui::GetFrameHeight();
         ImGui::SameLine();
@@ -48,7 +47,6 @@ void draw_overlay_list(Ui& ui) {
     if (button(ui, "overlay.none", "all off", Look::quiet, "Turns off every overlay.")) {
         ui.session.overlays = {};
     }
-    keep_item_whole(ui);
 }
 
 /// "24x and up", while the picture is smaller than that.
@@ -63,7 +61,6 @@ void draw_switch(Ui& ui, const char* name, const char* title, bool& on, float ne
                  const char* help) {
     const std::string label = std::string(title) + "###" + name;
     ImGui::Checkbox(label.c_str(), &on);
-    keep_item_whole(ui);
     name_widget(ui, name, help);
     draw_zoom_needed(ui, needed);
 }
@@ -81,7 +78,6 @@ void draw_cell_list(Ui& ui) {
                 "What the depth test said about each fragment of the triangle shown, and about all "
                 "fragments that fell on the picked pixel.");
     text_in(palette(ui.options.theme).dim, "in the cells");
-    keep_item_whole(ui);
     const bool has_tests = tests_pixels(ui.results.a.frame.stages);
     for (const CellNumbersInfo& info : cell_numbers_list()) {
         if (is_of_tests(info.numbers) && !has_tests && canvas.numbers != info.numbers) continue;
@@ -90,7 +86,6 @@ void draw_cell_list(Ui& ui) {
         const std::string label = words.title + "###numbers." + std::string(info.name);
         if (ImGui::RadioButton(label.c_str(), canvas.numbers == info.numbers))
             canvas.numbers = info.numbers;
-        keep_item_whole(ui);
         name_widget(ui, std::string("layers.numbers.").append(info.name), words.help);
         draw_zoom_needed(ui, numbers_zoom(ui, info.numbers));
     }
@@ -144,11 +139,11 @@ void draw_layers_button(Ui& ui, bool narrow) {
     ImGui::SetNextWindowSizeConstraints(
         {0.0f, 0.0f}, {FLT_MAX, std::max(ImGui::GetIO().DisplaySize.y - at.y - gap, 1.0f)});
     if (ImGui::BeginPopup("layers")) {
-        begin_whole_lines(ui);
+        begin_whole_lines();
         draw_overlay_list(ui);
         ImGui::Separator();
         draw_cell_list(ui);
-        end_whole_lines(ui);
+        end_whole_lines();
         ImGui::EndPopup();
     }
 }

@@ -133,8 +133,8 @@ void draw_cell_key(Ui& ui, const Pane& place) {
     name_widget(ui, "canvas.cells",
                 (has_tests ? std::string(test_colours_text) + "\n\n" : std::string()) + text +
                     "\n\nThe signs in a cell belong to the triangle shown. The picked pixel has "
-                    "one sign for each fragment, in drawing order; '…' stands for earlier ones.");
-    note_text(ui, "canvas.cells", text);
+                    "one sign for each fragment, in drawing order; '…' stands for earlier ones.",
+                text);
 }
 
 } // namespace rasterwalk

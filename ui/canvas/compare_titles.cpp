@@ -99,8 +99,8 @@ void draw_title(Ui& ui, ImDrawList* list, bool of_b, const TitlePlace& title, st
                 (of_b ? "Run B: where it differs from A.\n"
                       : "Run A: where it differs from B. The switches and the settings apply to "
                         "this run.\n") +
-                    run_assignments(ui.session, of_b));
-    note_text(ui, of_b ? "compare.title_b" : "compare.title_a", words);
+                    run_assignments(ui.session, of_b),
+                words);
 }
 
 } // namespace

@@ -233,8 +233,8 @@ void draw_compare_bar(Ui& ui) {
         name_widget(ui, "compare.counts",
                     forms.front() +
                         "\nCounted in what is drawn so far. Differences are those of the channel "
-                        "that differs most, in linear colour. The Compare tab has more.");
-        note_text(ui, "compare.counts", shown);
+                        "that differs most, in linear colour. The Compare tab has more.",
+                    shown);
     }
     ImGui::SameLine();
     ImGui::SetCursorScreenPos({right - ends, ImGui::GetCursorScreenPos().y});

@@ -192,16 +192,16 @@ void draw_numbers(Ui& ui, const DepthView& view, ImVec2 low, float right) {
     text_in(p.dim, far);
     name_widget(ui, "depth.far_text",
                 depth_name(ui) + " at which pixels become darkest, and its z: " +
-                    depth_text(ui, view.range.far) + ".");
-    note_text(ui, "depth.far_text", far);
+                    depth_text(ui, view.range.far) + ".",
+                far);
     const float far_end = ImGui::GetItemRectMax().x + gap;
     const float near_left = button_left - gap - ImGui::CalcTextSize(near.c_str()).x;
     ImGui::SetCursorScreenPos({std::max(near_left, far_end), y});
     text_in(p.dim, near);
     name_widget(ui, "depth.near_text",
                 depth_name(ui) + " at which pixels become brightest, and its z: " +
-                    depth_text(ui, view.range.near) + ".");
-    note_text(ui, "depth.near_text", near);
+                    depth_text(ui, view.range.near) + ".",
+                near);
     if (const std::optional<float> depth = depth_asked(ui)) {
         const std::string here = depth_forms(ui, "here", *depth)[form];
         const float width = ImGui::CalcTextSize(here.c_str()).x;

@@ -85,8 +85,8 @@ void draw_overdraw_legend(Ui& ui, ImVec2 low, ImVec2 high) {
         ImGui::SetCursorScreenPos({high.x - text_width(words), text_y});
         text_in(p.text, words);
         name_widget(ui, "overdraw.here",
-                    "Fragments on the pixel you point at, or else on the picked one.");
-        note_text(ui, "overdraw.here", std::to_string(*here));
+                    "Fragments on the pixel you point at, or else on the picked one.",
+                    std::to_string(*here));
     }
     const auto boxes = static_cast<std::uint32_t>(std::max((right - left) / box, 2.0f));
     const std::vector<std::uint32_t> numbers = listed_numbers(counts.most, boxes);

@@ -122,8 +122,8 @@ void draw_end(const Table& t, int index, bool is_left) {
                                                           nine_digits_shown(end.inv_w)) +
                                   ". "
                             : std::string()) +
-                    end_tooltip(t.ui, end, writer));
-    note_text(t.ui, name, text);
+                    end_tooltip(t.ui, end, writer),
+                text);
     if (!pressed) return;
     t.ui.session.selection.row = row;
     if (is_set) go_to_sample(t.ui, writer.edge, writer.sample);

@@ -84,11 +84,7 @@ void draw_bench_examples(Ui& ui) {
         }
         ImGui::EndCombo();
     }
-    if (current != nullptr) {
-        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        wrapped_text(current->about);
-        ImGui::PopStyleColor();
-    }
+    if (current != nullptr) wrapped_text_in(palette(ui.options.theme).dim, current->about);
     edit_vertices(ui);
 }
 

@@ -8,7 +8,6 @@
 #include "ui/inspector/clip_table.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -17,15 +16,15 @@ namespace {
 
 /// A bit of an outcode: 1 is beyond the plane.
 void draw_bit(const ClipPage& page, const std::string& text, bool is_set) {
-    put_right(page, text,
-              is_set ? colour_of(Meaning::fail, page.ui.options.theme) : page.palette().dim);
+    right_aligned(text,
+                  is_set ? colour_of(Meaning::fail, page.ui.options.theme) : page.palette().dim);
 }
 
 void draw_code_row(const ClipPage& page, const std::string& title, Outcode code,
                    const std::string& help) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    put_text(page, page.palette().text, title);
+    text_in(page.palette().text, title);
     name_widget(page.ui, "clip.code." + title, help);
     ImGui::PushFont(page.ui.fonts.mono);
     for (std::size_t p = 0; p < page.history.codes.plane_count; ++p) {
@@ -63,11 +62,10 @@ void draw_clip_corners(const ClipPage& page) {
     end_clip_table();
     if (page.frame.settings.transform != Transform::matrices) return;
     // The Vertices tab has the same space in a different scale.
-    ImGui::PushStyleColor(ImGuiCol_Text, page.palette().dim);
-    wrapped_text("Here x and y are in pixels: they are W/2 and H/2 times those that Tp gives. So "
-                 "the left plane, x + w = 0 after Tp, is x + W/2 · w = 0.");
-    keep_text_whole(page.ui);
-    ImGui::PopStyleColor();
+    wrapped_text_in(
+        page.palette().dim,
+        "Here x and y are in pixels: they are W/2 and H/2 times those that Tp gives. So "
+        "the left plane, x + w = 0 after Tp, is x + W/2 · w = 0.");
     name_widget(page.ui, "clip.scale",
                 "The division by w gives the same position: W/2 · (x / w) = (W/2 · x) / w.");
 }

@@ -331,7 +331,7 @@ std::optional<float> fitting_height(const ClipPage& page, float caption) {
     const float u = page.ui.options.text_scale;
     if (ImGui::GetContentRegionAvail().x < least_diagram_width * u) return std::nullopt;
     for (const float height : diagram_heights) {
-        if (height * u + caption <= 0.5f * page_room(page.ui)) return height * u;
+        if (height * u + caption <= 0.5f * page_room()) return height * u;
     }
     return std::nullopt;
 }
@@ -340,9 +340,9 @@ std::optional<float> fitting_height(const ClipPage& page, float caption) {
 void draw_caption(const ClipPage& page, const ClipDiagram& diagram) {
     const std::string condition = "inside: " + inside_condition(page.history, diagram);
     const std::string side = clip_coordinates[static_cast<std::size_t>(diagram.side)];
-    put_text(page, page.palette().dim,
-             first_fitting({"clip space, " + side + " and w; " + condition, condition},
-                           ImGui::GetContentRegionAvail().x));
+    text_in(page.palette().dim,
+            first_fitting({"clip space, " + side + " and w; " + condition, condition},
+                          ImGui::GetContentRegionAvail().x));
     name_widget(page.ui, "clip.diagram.inside",
                 "Before the division, the plane is a straight line in these two coordinates, and "
                 "so is every edge, even where w is negative. So each edge meets the plane at "
@@ -362,10 +362,8 @@ bool draw_clip_diagram(const ClipPage& page, ClipPlane plane) {
     const float caption = ImGui::GetTextLineHeightWithSpacing();
     const std::optional<float> height = fitting_height(page, caption);
     if (height && diagram->is_endless) {
-        ImGui::PushStyleColor(ImGuiCol_Text, page.palette().dim);
-        wrapped_text("No diagram: a corner is not a number, or is too far away to be drawn.");
-        keep_text_whole(ui);
-        ImGui::PopStyleColor();
+        wrapped_text_in(page.palette().dim,
+                        "No diagram: a corner is not a number, or is too far away to be drawn.");
         name_widget(ui, "clip.diagram.none", "A diagram needs corners with finite coordinates.");
     } else if (height) {
         const float top = ImGui::GetCursorScreenPos().y;
@@ -385,7 +383,7 @@ bool draw_clip_diagram(const ClipPage& page, ClipPlane plane) {
         ImGui::SetCursorScreenPos(start);
         ImGui::Dummy(size);
         name_widget(ui, "clip.diagram");
-        keep_whole(ui, top, start.y + size.y);
+        keep_whole(top, start.y + size.y);
         draw_field(field, marks, start.x);
     }
     ImGui::PopFont();

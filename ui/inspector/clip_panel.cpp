@@ -129,16 +129,13 @@ void draw_clip_verdict(const ClipPage& page) {
     const bool is_culled = page.frame.settings.cull != Cull::none && page.history.cull.is_back;
     wrapped_text(verdict_of(page.history, page.frame.settings) +
                  (is_culled ? " It is left out because it faces away." : ""));
-    keep_text_whole(ui);
     name_widget(ui, "clip.verdict",
                 "What happens to the triangle between the vertex shader and the division by w.");
     if (!page.history.cuts && page.history.rejected == Rejection::none) draw_offer(ui);
     const int behind = vertex_behind(page.history);
     if (behind < 0) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
-    wrapped_text(behind_text(page.history, page.frame, behind));
-    keep_text_whole(ui);
-    ImGui::PopStyleColor();
+    wrapped_text_in(colour_of(Meaning::fail, ui.options.theme),
+                    behind_text(page.history, page.frame, behind));
     name_widget(ui, "clip.behind",
                 "Behind the camera, w is negative. The division by w turns a point behind the "
                 "camera into one in front of it, mirrored through the eye.");
@@ -191,9 +188,8 @@ void draw_clip_card(const ClipPage& page) {
     const float top = ImGui::GetCursorScreenPos().y;
     begin_card(ui);
     text_in(page.palette().dim, formula->help);
-    keep_beginning(ui, top, ImGui::GetItemRectMin().y + ImGui::GetTextLineHeight());
+    keep_beginning(top, ImGui::GetItemRectMin().y + ImGui::GetTextLineHeight());
     name_widget(ui, "clip.formula", formula->help);
-    keep_text_whole(ui);
     ImGui::PushFont(ui.inspector.is_low ? ui.fonts.small : ui.fonts.text);
     const std::optional<Source> clicked = draw_formula(ui, *formula, "clip.formula");
     ImGui::PopFont();
@@ -205,48 +201,26 @@ void draw_clip_card(const ClipPage& page) {
     go_to_source(ui, *clicked);
 }
 
-/// All parts; where lines are few, each is followed by the card of a number in it.
-class ClipParts {
-  public:
-    explicit ClipParts(const ClipPage& page) : page_(page) {}
-
-    void draw() {
-        draw_clip_verdict(page_);
-        draw_clip_corners(page_);
-        card_after("corner.");
-        draw_clip_codes(page_);
-        card_after("code.");
-        if (page_.history.cuts && page_.history.rejected == Rejection::none) draw_planes();
-        draw_clip_rest(page_);
-        card_after("pixel.");
-        draw_clip_culling(page_);
-        card_after("");
-        draw_clip_counts(page_);
-    }
-
-  private:
-    void draw_planes() {
-        draw_clip_plane_buttons(page_);
-        for (std::size_t p = 0; p < page_.history.codes.plane_count; ++p) {
-            const auto plane = static_cast<ClipPlane>(p);
-            draw_clip_plane(page_, plane);
+/// All parts, and which of them has the number that is explained.
+std::vector<PanelBlock> blocks_of(const ClipPage& page) {
+    const auto has = [&](const std::string& prefix) { return page.number.starts_with(prefix); };
+    std::vector<PanelBlock> blocks{{[&] { draw_clip_verdict(page); }},
+                                   {[&] { draw_clip_corners(page); }, has("corner.")},
+                                   {[&] { draw_clip_codes(page); }, has("code.")}};
+    if (page.history.cuts && page.history.rejected == Rejection::none) {
+        blocks.push_back({[&] { draw_clip_plane_buttons(page); }});
+        for (std::size_t p = 0; p < page.history.codes.plane_count; ++p) {
             const std::string place = std::to_string(p) + ".";
-            card_after("d." + place);
-            card_after("t." + place);
+            blocks.push_back({[&page, p] { draw_clip_plane(page, static_cast<ClipPlane>(p)); },
+                              has("d." + place) || has("t." + place)});
         }
-        card_after("new.");
+        blocks.back().has_chosen = blocks.back().has_chosen || has("new.");
     }
-    void card_after(const std::string& prefix) {
-        if (page_.ui.inspector.has_card || is_drawn_ || !page_.number.starts_with(prefix)) return;
-        is_drawn_ = true;
-        draw_clip_card(page_);
-        // The click was in the previous frame, where the formula was elsewhere.
-        if (page_.ui.inspector.formula_frame + 1 == ImGui::GetFrameCount()) scroll_here(1.0f);
-    }
-
-    const ClipPage& page_;
-    bool is_drawn_ = false;
-};
+    blocks.push_back({[&] { draw_clip_rest(page); }, has("pixel.")});
+    blocks.push_back({[&] { draw_clip_culling(page); }, true});
+    blocks.push_back({[&] { draw_clip_counts(page); }});
+    return blocks;
+}
 
 } // namespace
 
@@ -271,9 +245,7 @@ void draw_clip_panel(Ui& ui) {
         const char* const why = a.triangle ? "The scene is given in pixels, so it has no camera "
                                              "and nothing is clipped."
                                            : "The scene has no triangles.";
-        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        wrapped_text(why);
-        ImGui::PopStyleColor();
+        wrapped_text_in(palette(ui.options.theme).dim, why);
         return;
     }
     const ClipHistory& history = *a.inspected.clip;
@@ -284,15 +256,12 @@ void draw_clip_panel(Ui& ui) {
         has_moved};
     const std::string before = ui.inspector.clip.number;
     draw_triangle_title(ui);
-    ClipParts parts(page);
-    if (!ui.inspector.has_card) {
-        begin_whole_lines(ui);
-        parts.draw();
-        end_whole_lines(ui);
-    } else {
-        draw_with_card(
-            ui, "clip", [&] { parts.draw(); }, [&] { draw_clip_card(page); });
-    }
+    draw_panel(ui, "clip", blocks_of(page), [&] {
+        draw_clip_card(page);
+        // The click was in the previous frame, where the formula was elsewhere.
+        const bool is_new = ui.inspector.formula_frame + 1 == ImGui::GetFrameCount();
+        if (!ui.inspector.has_card && is_new) scroll_here(1.0f);
+    });
     if (ui.inspector.clip.number != before) ui.inspector.formula_frame = ImGui::GetFrameCount();
 }
 

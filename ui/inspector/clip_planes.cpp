@@ -84,8 +84,8 @@ std::string passed_text(const ClipPage& page, const ClipStep& step, const CutCor
 }
 
 /// Scrolls to what was just drawn, if it is not entirely in view.
-void show_item(const Ui& ui) {
-    const ShownLines seen = shown_lines(ui);
+void show_item() {
+    const ShownLines seen = shown_lines();
     const bool is_seen =
         ImGui::GetItemRectMin().y >= seen.top && ImGui::GetItemRectMax().y <= seen.bottom;
     if (!is_seen) scroll_here(0.5f);
@@ -93,8 +93,8 @@ void show_item(const Ui& ui) {
 
 /// Scrolls to a plane's table and the diagram below it, just drawn, if both have room and are not
 /// in view yet.
-void show_with_diagram(const Ui& ui, float top) {
-    const ShownLines seen = shown_lines(ui);
+void show_with_diagram(float top) {
+    const ShownLines seen = shown_lines();
     const float bottom = ImGui::GetItemRectMax().y;
     const bool is_seen = top >= seen.top && bottom <= seen.bottom;
     if (!is_seen && bottom - top <= seen.bottom - seen.top) scroll_here(1.0f);
@@ -120,8 +120,8 @@ void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<Cut
         ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, packed(page.palette().row_lit));
     ImGui::TableNextColumn();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    put_text(page, is_coming ? dim : cut_edge_colour(page, from),
-             short_corner_name(from) + "→" + short_corner_name(to));
+    text_in(is_coming ? dim : cut_edge_colour(page, from),
+            short_corner_name(from) + "→" + short_corner_name(to));
     const std::string edge =
         from.edge >= 0 ? "On " + edge_name(from.edge) + " of the triangle"
                        : "Along the " + plane_name(from.edge_plane) + ", which cut earlier";
@@ -130,7 +130,7 @@ void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<Cut
                             corner_name(from), corner_name(to)));
     if (ImGui::IsItemClicked()) go_to_step(page, step.plane, step.from);
     if (is_current) {
-        if (page.has_moved) show_item(page.ui);
+        if (page.has_moved) show_item();
         const float padding = ImGui::GetStyle().CellPadding.x;
         draw_current_bar(page.ui, ImGui::GetWindowDrawList(), {corner.x - padding, corner.y},
                          corner.y + ImGui::GetTextLineHeight());
@@ -147,14 +147,14 @@ void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<Cut
                    is_coming ? dim : page.palette().text,
                    "Where the plane cuts: 0 is the corner inside, 1 the one outside.");
     } else {
-        put_right(page, "–", dim);
+        right_aligned("–", dim);
     }
     ImGui::TableNextColumn();
-    put_right(page, passed_text(page, step, from),
-              is_coming         ? dim
-              : step.is_cut     ? colour_of(plane_meaning, page.ui.options.theme)
-              : step.keeps_from ? page.palette().text
-                                : dim);
+    right_aligned(passed_text(page, step, from),
+                  is_coming         ? dim
+                  : step.is_cut     ? colour_of(plane_meaning, page.ui.options.theme)
+                  : step.keeps_from ? page.palette().text
+                                    : dim);
     name_widget(page.ui, "clip.gives." + place,
                 "What the step passes on to the polygon after this plane: the corner at its "
                 "beginning if that is inside, and the new corner if the edge is cut.");
@@ -185,7 +185,7 @@ void draw_made(const ClipPage& page, const CutCorner& corner) {
         const VaryingInfo& info = varying_list[static_cast<std::size_t>(v)];
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        put_text(page, page.palette().dim, varying_title(info));
+        text_in(page.palette().dim, varying_title(info));
         name_widget(page.ui, "clip.new." + number + "." + std::string(info.name),
                     "The " + std::string(info.word) + ", cut with the same t.");
         ImGui::PushFont(page.ui.fonts.mono);
@@ -214,9 +214,7 @@ void draw_made_corners(const ClipPage& page, ClipPlane plane) {
     if (!begin_clip_table(page, "made" + number_of(plane), {1.1f, 1.1f, 1.1f, 0.9f, 0.9f})) return;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushFont(page.ui.fonts.small);
-    put_text(page, page.palette().dim, "new");
-    ImGui::PopFont();
+    text_in(page.palette().dim, "new", page.ui.fonts.small);
     for (std::size_t i = 0; i < clip_coordinates.size(); ++i)
         draw_column_title(page, std::string("clip.made.") + clip_coordinates[i],
                           clip_coordinates[i], clip_coordinate_help[i]);
@@ -256,7 +254,6 @@ void draw_clip_plane_buttons(const ClipPage& page) {
         const bool is_clicked =
             button(page.ui, "clip.plane." + label, label,
                    is_plane_open(page, plane) ? Look::chosen : Look::plain, help);
-        keep_item_whole(page.ui);
         if (!is_clicked) continue;
         bool& is_turned = page.ui.inspector.clip.is_turned[p];
         is_turned = !is_turned;
@@ -276,9 +273,7 @@ void draw_clip_plane(const ClipPage& page, ClipPlane plane) {
     if (begin_clip_table(page, "plane" + number_of(plane), {0.9f, 1.3f, 1.3f, 0.9f, 0.9f})) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::PushFont(page.ui.fonts.small);
-        put_text(page, page.palette().dim, "edge");
-        ImGui::PopFont();
+        text_in(page.palette().dim, "edge", page.ui.fonts.small);
         draw_column_title(page, "clip.header.from", "from, d",
                           "How far inside the plane the edge begins.");
         draw_column_title(page, "clip.header.to", "to, d",
@@ -302,7 +297,7 @@ void draw_clip_plane(const ClipPage& page, ClipPlane plane) {
         end_clip_table();
     }
     const bool has_diagram = plane == plane_in_diagram(page) && draw_clip_diagram(page, plane);
-    if (has_diagram && page.progress && page.has_moved) show_with_diagram(page.ui, top);
+    if (has_diagram && page.progress && page.has_moved) show_with_diagram(top);
     draw_made_corners(page, plane);
 }
 

@@ -15,7 +15,6 @@
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -57,8 +56,8 @@ void draw_answer(const ClipPage& page, const CullAnswer& answer, bool is_in_forc
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const std::string word(word_of(answer.way));
-    put_text(page, is_in_force ? page.palette().text : page.palette().dim,
-             (is_in_force ? "● " : "○ ") + said_word(setting, word));
+    text_in(is_in_force ? page.palette().text : page.palette().dim,
+            (is_in_force ? "● " : "○ ") + said_word(setting, word));
     name_widget(page.ui, "clip.cull.way." + word, answer_help(page.frame, answer.way));
     ImGui::PushFont(page.ui.fonts.mono);
     ImGui::TableNextColumn();
@@ -69,8 +68,8 @@ void draw_answer(const ClipPage& page, const CullAnswer& answer, bool is_in_forc
                std::string(answer_help(page.frame, answer.way)));
     ImGui::TableNextColumn();
     const Meaning meaning = answer.is_back ? Meaning::fail : Meaning::pass;
-    put_right(page, cull_answer_text(answer),
-              answer.is_open ? page.palette().dim : colour_of(meaning, page.ui.options.theme));
+    right_aligned(cull_answer_text(answer),
+                  answer.is_open ? page.palette().dim : colour_of(meaning, page.ui.options.theme));
     ImGui::PopFont();
 }
 
@@ -157,13 +156,7 @@ void draw_clip_rest(const ClipPage& page) {
     wrapped_text(
         fmt::format("{} make {}:", counted(static_cast<int>(corners.size()), "corner", "corners"),
                     counted(static_cast<int>(page.history.fan.size()), "triangle", "triangles")));
-    keep_text_whole(page.ui);
-    ImGui::PushFont(page.ui.fonts.mono);
-    ImGui::PushStyleColor(ImGuiCol_Text, page.palette().dim);
-    wrapped_text(fan);
-    keep_text_whole(page.ui);
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
+    wrapped_text_in(page.palette().dim, fan, page.ui.fonts.mono);
     name_widget(page.ui, "clip.fan",
                 "The fan: every triangle begins at the first corner of the polygon.");
 }
@@ -177,10 +170,7 @@ void draw_clip_culling(const ClipPage& page) {
             draw_answer(page, answer, answer.way == page.frame.settings.cull);
         end_clip_table();
     }
-    ImGui::PushStyleColor(ImGuiCol_Text, page.palette().dim);
-    wrapped_text(culling_text(page, answers));
-    keep_text_whole(page.ui);
-    ImGui::PopStyleColor();
+    wrapped_text_in(page.palette().dim, culling_text(page, answers));
     name_widget(
         page.ui, "clip.culling",
         "Of a closed object you see only the sides that face the camera, so the others need "
@@ -199,11 +189,11 @@ void draw_clip_counts(const ClipPage& page) {
                           const std::string& help) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        put_text(page, page.palette().text, title);
+        text_in(page.palette().text, title);
         name_widget(page.ui, "clip.count." + name, help);
         ImGui::PushFont(page.ui.fonts.mono);
         ImGui::TableNextColumn();
-        put_right(page, whole_text(count), page.palette().text);
+        right_aligned(whole_text(count), page.palette().text);
         ImGui::PopFont();
         note_text(page.ui, "clip.count." + name, whole_text(count));
     };

@@ -30,16 +30,6 @@ ImVec4 corner_colour(const ClipPage& page, const CutCorner& corner) {
 
 } // namespace
 
-void put_text(const ClipPage& page, const ImVec4& colour, std::string_view text) {
-    text_in(colour, text);
-    keep_item_whole(page.ui);
-}
-
-void put_right(const ClipPage& page, std::string_view text, const ImVec4& colour) {
-    right_aligned(text, colour);
-    keep_item_whole(page.ui);
-}
-
 std::string clip_number(float value, int coordinate) {
     if (coordinate < 2) return fixed(static_cast<double>(value), 1);
     return coordinate == 2 ? shown({value}) : fixed(static_cast<double>(value), 3);
@@ -58,12 +48,9 @@ void draw_clip_title(const ClipPage& page, const std::string& title, const std::
     // A title stays with its column titles and a row of its table, or is left out with them.
     const float top = ImGui::GetCursorScreenPos().y;
     const float row = page.ui.fonts.text->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y;
-    keep_beginning(page.ui, top,
-                   top + page.ui.fonts.bold->FontSize + ImGui::GetStyle().ItemSpacing.y +
-                       2.0f * row);
-    ImGui::PushFont(page.ui.fonts.bold);
-    put_text(page, page.palette().text, title);
-    ImGui::PopFont();
+    keep_beginning(top, top + page.ui.fonts.bold->FontSize + ImGui::GetStyle().ItemSpacing.y +
+                            2.0f * row);
+    text_in(page.palette().text, title, page.ui.fonts.bold);
     if (beside.empty()) return;
     ImGui::PushFont(page.ui.fonts.small);
     const float gap = 10.0f * page.ui.options.text_scale;
@@ -77,7 +64,7 @@ void draw_clip_title(const ClipPage& page, const std::string& title, const std::
         ImGui::SameLine(0.0f, 0.0f);
         ImGui::SetCursorScreenPos({right - width, beside_top});
     }
-    put_text(page, page.palette().dim, beside);
+    text_in(page.palette().dim, beside);
     // Versions of ImGui disagree on where a line ends after the cursor was moved in it.
     if (is_beside)
         ImGui::SetCursorScreenPos(
@@ -88,9 +75,7 @@ void draw_clip_title(const ClipPage& page, const std::string& title, const std::
 void draw_column_title(const ClipPage& page, const std::string& name, const std::string& title,
                        const std::string& help) {
     ImGui::TableNextColumn();
-    ImGui::PushFont(page.ui.fonts.small);
-    put_right(page, title, page.palette().dim);
-    ImGui::PopFont();
+    right_aligned(title, page.palette().dim, page.ui.fonts.small);
     name_widget(page.ui, name, help);
 }
 
@@ -99,7 +84,7 @@ bool begin_clip_table(const ClipPage& page, const std::string& name,
     const float padding = (page.ui.inspector.is_narrow ? 2.0f : 5.0f) * page.ui.options.text_scale;
     const float top = ImGui::GetCursorScreenPos().y;
     // The line above the first row is left out together with that row.
-    keep_beginning(page.ui, top,
+    keep_beginning(top,
                    top + page.ui.fonts.small->FontSize + 2.0f * ImGui::GetStyle().CellPadding.y);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding, ImGui::GetStyle().CellPadding.y});
     const bool is_open = begin_lined_table(name.c_str(), static_cast<int>(widths.size()),
@@ -126,8 +111,7 @@ std::string corner_help(const CutCorner& corner) {
 void draw_corner_name(const ClipPage& page, const CutCorner& corner, bool is_dim) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    put_text(page, is_dim ? page.palette().dim : corner_colour(page, corner),
-             fitting_corner_name(corner));
+    text_in(is_dim ? page.palette().dim : corner_colour(page, corner), fitting_corner_name(corner));
 }
 
 } // namespace rasterwalk

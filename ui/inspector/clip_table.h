@@ -20,12 +20,6 @@ inline constexpr std::array<const char*, 4> clip_coordinate_help{
     "z of clip space, from which the depth is made; it is divided by w too.",
     "What x, y and z are divided by: how far in front of the camera. 0 or less is behind it."};
 
-/// A text that is shown whole or not at all.
-void put_text(const ClipPage& page, const ImVec4& colour, std::string_view text);
-
-/// In a cell of a table, at its right edge.
-void put_right(const ClipPage& page, std::string_view text, const ImVec4& colour);
-
 /// A coordinate in clip space as its column shows it.
 std::string clip_number(float value, int coordinate);
 

@@ -66,9 +66,9 @@ struct CardSize {
 
 /// No row of cards is cut off by the lower edge. One that fills more than half of the page is shown
 /// there once half a page of it is visible: that has to do.
-void keep_card_whole(Ui& ui, float top, float bottom) {
-    keep_whole(ui, top, bottom);
-    keep_beginning(ui, top, std::min(bottom, top + 0.5f * page_room(ui)));
+void keep_card_whole(float top, float bottom) {
+    keep_whole(top, bottom);
+    keep_beginning(top, std::min(bottom, top + 0.5f * page_room()));
 }
 
 /// Returns true if it is pressed.
@@ -81,10 +81,9 @@ bool draw_offer(Ui& ui, const ComparePair& pair, std::size_t index, ImVec2 low,
     ImGui::SetCursorScreenPos(low);
     const bool is_pressed = ImGui::InvisibleButton(name.c_str(), {card.width, card.height});
     const bool is_hovered = ImGui::IsItemHovered();
-    name_widget(ui, name, tooltip_of_pair(ui.session, pair, false));
-    note_text(ui, name, way.title);
+    name_widget(ui, name, tooltip_of_pair(ui.session, pair, false), way.title);
     const ImVec2 high{low.x + card.width, low.y + card.height};
-    keep_card_whole(ui, low.y, high.y);
+    keep_card_whole(low.y, high.y);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(low, high, packed(is_hovered ? p.button_hovered : p.card), 4.0f * u);
     const PictureTexture& texture = ui.compare.offers.textures[index];
@@ -103,7 +102,7 @@ bool draw_offer(Ui& ui, const ComparePair& pair, std::size_t index, ImVec2 low,
         list->AddText({low.x + pad, y}, packed(colour), lines.c_str());
         const float line = ImGui::GetFontSize(), bottom = y + ImGui::CalcTextSize(lines.c_str()).y;
         for (; y + 0.5f * line < bottom; y += line)
-            keep_whole(ui, y, y + line);
+            keep_whole(y, y + line);
     };
     write(way.title, p.text);
     y += std::round(0.3f * ImGui::GetFontSize());
@@ -167,10 +166,7 @@ void draw_offers(Ui& ui) {
         draw_pairs(ui);
         return;
     }
-    ImGui::PushFont(ui.fonts.small);
-    text_in(palette(ui.options.theme).dim, "Compare the picture as it is with");
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    text_in(palette(ui.options.theme).dim, "Compare the picture as it is with", ui.fonts.small);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const auto pairs = compare_pairs();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -186,7 +182,6 @@ void draw_pairs(Ui& ui) {
     const ComparePair* const on_show = pair_on_show(ui.session);
     ImGui::PushFont(ui.fonts.small);
     text_in(palette(ui.options.theme).dim, "Compare the picture as it is with");
-    keep_item_whole(ui);
     std::vector<std::string> labels;
     std::vector<float> widths;
     for (const ComparePair& pair : compare_pairs()) {
@@ -204,7 +199,6 @@ void draw_pairs(Ui& ui) {
         const bool is_pressed = button(ui, std::string("compare.tab.").append(pair.name), labels[i],
                                        &pair == on_show ? Look::chosen : Look::plain,
                                        tooltip_of_pair(ui.session, pair, &pair == on_show));
-        keep_item_whole(ui);
         if (is_pressed) {
             if (&pair == on_show) {
                 end_comparison(ui.session);

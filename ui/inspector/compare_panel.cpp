@@ -17,7 +17,6 @@
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/setting_field.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -35,7 +34,6 @@ void draw_choice_of_difference(Ui& ui, const char* title) {
     ImGui::SetNextItemWidth(-1.0f);
     const bool open = ImGui::BeginCombo("##another", title, ImGuiComboFlags_HeightLarge);
     name_widget(ui, "compare.another", "Changes a setting in run B.");
-    keep_item_whole(ui);
     if (!open) return;
     for (const Setting& setting : setting_table()) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
@@ -55,15 +53,12 @@ void draw_choice_of_difference(Ui& ui, const char* title) {
 void draw_no_comparison(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     wrapped_text("Two runs of the same scene: where do they diverge, and why?");
-    keep_text_whole(ui);
     ImGui::Spacing();
     draw_offers(ui);
     ImGui::Spacing();
-    ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
-    wrapped_text("Run A is the picture as it is. Run B is a copy in which one thing is different; "
-                 "whatever you change after that changes both.");
-    keep_text_whole(ui);
-    ImGui::PopStyleColor();
+    wrapped_text_in(
+        p.dim, "Run A is the picture as it is. Run B is a copy in which one thing is different; "
+               "whatever you change after that changes both.");
     ImGui::Spacing();
     draw_choice_of_difference(ui, "or compare by a setting ...");
 }
@@ -81,7 +76,6 @@ void header_cell(Ui& ui, const std::vector<std::string>& titles, std::string_vie
     }
     ImGui::PopFont();
     name_widget(ui, name, help);
-    keep_item_whole(ui);
 }
 
 /// The name of a setting; it leads to the setting.
@@ -94,7 +88,6 @@ void setting_link(Ui& ui, const std::string& name, const Setting& setting) {
         ui.inspector.setting_search = name;
         open_tab(ui, "settings");
     }
-    keep_item_whole(ui);
     ImGui::PopStyleVar();
 }
 
@@ -106,7 +99,6 @@ void edit_both(Ui& ui, const std::string& name, const Setting& setting) {
         ImGui::PushID(run);
         ImGui::SetNextItemWidth(-1.0f);
         edit_setting(ui, settings, setting, std::string("compare.") + run + "." + name);
-        keep_item_whole(ui);
         ImGui::PopID();
     };
     edit(ui.session.a.settings, "a");
@@ -138,9 +130,8 @@ constexpr float least_three_columns = 400.0f;
 void draw_settings(Ui& ui) {
     const std::vector<RunDifference> differences = run_differences(ui.session);
     if (differences.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        wrapped_text("Both runs have the same settings. If you change one, run A changes.");
-        ImGui::PopStyleColor();
+        wrapped_text_in(palette(ui.options.theme).dim,
+                        "Both runs have the same settings. If you change one, run A changes.");
         return;
     }
     if (ImGui::GetContentRegionAvail().x < least_three_columns * ui.options.text_scale) {
@@ -179,9 +170,8 @@ void count_line(Ui& ui, const char* title, const char* name, const std::string& 
     const Palette& p = palette(ui.options.theme);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(title);
+    put_text(title);
     name_widget(ui, name, help);
-    keep_item_whole(ui);
     ImGui::PushFont(ui.fonts.mono);
     ImGui::TableNextColumn();
     right_aligned(here, p.dim);
@@ -235,23 +225,17 @@ void draw_divergence(Ui& ui, const char* title, const std::string& name,
                      const Divergence& divergence) {
     const std::string kind =
         kind_text(divergence.kind) + (divergence.only_rounding ? ", too small to see" : "");
-    ImGui::PushFont(ui.fonts.small);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(std::string(title) + " · " + kind);
-    keep_text_whole(ui);
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
+    wrapped_text_in(palette(ui.options.theme).dim, std::string(title) + " · " + kind,
+                    ui.fonts.small);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
     if (button(ui, name, moment_name(divergence.cursor), Look::link,
                describe_moment(ui.results.a.frame, divergence.cursor) +
                    "\nClick to go there in both runs.")) {
         stand_at(ui, divergence.cursor);
     }
-    keep_item_whole(ui);
     ImGui::PopStyleVar();
     const std::string cause = with_minus_signs(divergence.text);
     wrapped_text(cause);
-    keep_text_whole(ui);
     note_text(ui, name, kind + ": " + cause);
 }
 
@@ -284,7 +268,6 @@ void draw_first(Ui& ui) {
                tooltip_of("compare.previous"))) {
         go_to_previous_divergence(ui);
     }
-    keep_item_whole(ui);
     ImGui::SameLine();
     if (button(ui, "compare.next", "difference ›", Look::plain, tooltip_of("compare.next"))) {
         go_to_next_divergence(ui);
@@ -296,7 +279,6 @@ void draw_first(Ui& ui) {
         ImGui::NewLine();
     ImGui::AlignTextToFramePadding();
     draw_difference_key(ui, key);
-    keep_item_whole(ui);
     name_widget(ui, "compare.key",
                 "On the timeline, this mark shows where the two runs begin to differ.");
     ImGui::PopFont();
@@ -321,17 +303,14 @@ void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
                 triangle_name(group.triangle) + ", " + part + ": from " + to_text(group.first) +
                     " to " + to_text(group.last) + ".\nClick to go to the first of them.");
     ImGui::SameLine(0.0f, 0.0f);
-    ImGui::TextUnformatted(shortened(short_triangle_name(group.triangle) + " " + part,
-                                     ImGui::GetContentRegionAvail().x)
-                               .c_str());
+    put_text(shortened(short_triangle_name(group.triangle) + " " + part,
+                       ImGui::GetContentRegionAvail().x));
     ImGui::TableNextColumn();
     text_in(p.dim, phase_info(group.phase).word);
     ImGui::TableNextColumn();
     text_in(p.text, shortened(kind_text(group.kind), ImGui::GetContentRegionAvail().x));
     ImGui::TableNextColumn();
-    ImGui::PushFont(ui.fonts.mono);
-    right_aligned(grouped(group.count), p.text);
-    ImGui::PopFont();
+    right_aligned(grouped(group.count), p.text, ui.fonts.mono);
 }
 
 void draw_groups(Ui& ui) {

@@ -15,7 +15,6 @@
 #include "ui/ui.h"
 #include "ui/widgets/small_pictures.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -279,7 +278,6 @@ void draw_subject(Ui& ui, CoveragePictures& shown, bool shows_rules) {
         shows_rules ? words_of_edge(*shown.shared) : words_of_polygon(*shown.polygon);
     words.emplace_back(); // or nothing
     text_in(palette(ui.options.theme).dim, first_fitting(words, ImGui::GetContentRegionAvail().x));
-    keep_item_whole(ui);
     ImGui::PopFont();
 }
 

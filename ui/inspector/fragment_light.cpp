@@ -9,16 +9,11 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
 namespace {
-
-bool is_grey(const glm::vec3& colour) {
-    return colour.r == colour.g && colour.g == colour.b;
-}
 
 /// As the screen shows it: only if that is not the light itself.
 void draw_clamped(Ui& ui, const glm::vec3& colour) {
@@ -42,49 +37,16 @@ void draw_clamped(Ui& ui, const glm::vec3& colour) {
         line.text(shown({cut[i]}) + (i < 2 ? "  " : ""), p.text);
 }
 
-/// The highlight, if the model has one.
-void draw_highlight(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
-    const Light& lamp = ui.results.a.frame.settings.light;
-    if (lamp.model == LightModel::lambert) return;
-    draw_fragment_line(ui, prefix + "n_dot_h");
-    draw_fragment_line(ui, prefix + "power");
-    if (is_grey(light.highlight.reflected)) {
-        draw_fragment_line(ui, prefix + "S.red", "S");
-        return;
-    }
-    for (const char* channel : channel_names)
-        draw_fragment_line(ui, prefix + "S." + channel);
-}
-
-/// What happens to light when the texture is applied after lighting, and to all light on the
-/// screen.
-void draw_painted(Ui& ui, const std::string& prefix, const glm::vec3& light) {
-    const FragmentReport& report = report_of(ui);
-    if (find_formula(report.formulas, prefix + "painted.red") == nullptr) {
-        draw_clamped(ui, light);
-        return;
-    }
-    for (const char* channel : channel_names)
-        draw_fragment_line(ui, prefix + "painted." + channel);
-    draw_clamped(ui, light * report.texture->colour);
-}
-
 /// What is in the way, if anything casts shadows, and the numbers that show it.
 void draw_shadow(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
     const std::string words = shadow_text(light.shadow, ui.results.a.frame);
     if (words.empty()) return;
     const bool is_dark = light.shadow.is_dark() || !light.shadow.is_asked;
-    ImGui::PushStyleColor(ImGuiCol_Text,
-                          colour_of(is_dark ? Meaning::fail : Meaning::pass, ui.options.theme));
-    wrapped_text(words);
-    keep_text_whole(ui);
-    ImGui::PopStyleColor();
+    wrapped_text_in(colour_of(is_dark ? Meaning::fail : Meaning::pass, ui.options.theme), words);
     name_widget(ui, "fragment.shadow",
                 "Whether the lamp's light arrives, according to the shadows setting. Where it does "
                 "not, there is no direct light.");
-    for (const char* id :
-         {"shadow.t", "shadow.seen.z", "shadow.bias", "shadow.compared", "shadow.map", "lit"})
-        draw_fragment_line(ui, prefix + id);
+    draw_fragment_section(ui, prefix + "shadow");
 }
 
 /// Three numbers of the normal map on a line; each leads to its formula.
@@ -113,7 +75,7 @@ void draw_bump(Ui& ui) {
         draw_bump_line(ui, "arrow", "arrow", axis_names, bump.arrow,
                        "What that colour stands for: along u, toward the texture's top, and away "
                        "from the surface.");
-        draw_fragment_line(ui, "bump.handedness");
+        draw_fragment_section(ui, "bump");
     }
     draw_bump_line(ui, "n", "normal", axis_names, bump.normal,
                    bump.space ? "The normal in the world, as the normal map bends it."
@@ -123,32 +85,22 @@ void draw_bump(Ui& ui) {
                    "The normal used for the light, along the axes of tangent space.");
 }
 
+/// What reflects the light, its sum, and what the screen makes of that.
+/// @param light the sum, before a texture is applied to it
+void draw_reflected(Ui& ui, const std::string& prefix, const glm::vec3& light) {
+    const FragmentReport& report = report_of(ui);
+    draw_fragment_section(ui, prefix + "reflected");
+    const bool is_painted = find_formula(report.formulas, prefix + "painted.red") != nullptr;
+    draw_clamped(ui, is_painted ? light * report.texture->colour : light);
+}
+
 /// The light at one point, term by term.
 void draw_light_terms(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
-    const FragmentReport& report = report_of(ui);
-    if (find_formula(report.formulas, prefix + "n_length") != nullptr)
-        draw_fragment_line(ui, prefix + "n_length");
+    draw_fragment_section(ui, prefix + "normal");
     if (prefix == "pixel_light.") draw_bump(ui);
-    if (find_formula(report.formulas, prefix + "side") != nullptr) {
-        draw_fragment_line(ui, prefix + "away");
-        draw_fragment_line(ui, prefix + "side");
-    }
-    draw_fragment_line(ui, prefix + "r2");
-    draw_fragment_line(ui, prefix + "cosine");
-    draw_fragment_line(ui, prefix + "area");
+    draw_fragment_section(ui, prefix + "lamp");
     draw_shadow(ui, prefix, light);
-    if (is_grey(light.diffuse.direct)) {
-        draw_fragment_line(ui, prefix + "D.red", "D");
-    } else {
-        for (const char* channel : channel_names)
-            draw_fragment_line(ui, prefix + "D." + channel);
-    }
-    draw_highlight(ui, prefix, light);
-    for (int i = 0; i < 3; ++i) {
-        draw_fragment_line(ui, prefix + "R." + channel_names[static_cast<std::size_t>(i)], {},
-                           light.reflected[i] > 1.0f);
-    }
-    draw_painted(ui, prefix, light.reflected);
+    draw_reflected(ui, prefix, light.reflected);
 }
 
 void draw_vertex_light(Ui& ui) {
@@ -172,14 +124,7 @@ void draw_vertex_light(Ui& ui) {
             line.text(i < 2 ? "  " : "", p.text);
         }
     }
-    for (int channel = 0; channel < 3; ++channel) {
-        const Quantity quantity = quantity_of(&Varyings::illumination, channel);
-        const std::string id = formula_id(quantity, report.interpolation);
-        draw_fragment_line(ui, id,
-                           "R " + std::string(channel_names[static_cast<std::size_t>(channel)]),
-                           report.light_per_vertex[channel] > 1.0f);
-    }
-    draw_painted(ui, "vertex_light.", report.light_per_vertex);
+    draw_reflected(ui, "vertex_light.", report.light_per_vertex);
 }
 
 } // namespace
@@ -201,7 +146,6 @@ void draw_fragment_light(Ui& ui) {
     ImGui::PushFont(ui.fonts.small);
     ImGui::AlignTextToFramePadding();
     text_in(p.dim, "light");
-    keep_item_whole(ui);
     name_widget(ui, "fragment.light", "R = ρ (D + N), term by term; see the tooltips.");
     struct LightChoice {
         const char* name;

@@ -4,7 +4,6 @@
 
 #include "base/element_names.h"
 #include "explain/depth_formulas.h"
-#include "picture/view_image.h"
 #include "session/walk.h"
 #include "ui/actions/go_to_source.h"
 #include "ui/inspector/fragment_parts.h"
@@ -13,27 +12,16 @@
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
+#include "ui/widgets/swatch.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
 namespace {
 
-ImU32 screen_colour(const Ui& ui, const glm::vec3& colour) {
-    const glm::vec3 cut = shown_colour(colour, ui.results.a.frame.stages.screen);
-    return packed({cut.r, cut.g, cut.b, 1.0f});
-}
-
-/// A square of a colour, with a border so that black and white can be seen on any ground.
-void draw_swatch(const Ui& ui, const glm::vec3& colour, float width = 0.0f) {
-    const float size = ImGui::GetTextLineHeight();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 end{at.x + (width > 0.0f ? width : size), at.y + size};
-    ImDrawList* const list = ImGui::GetWindowDrawList();
-    list->AddRectFilled(at, end, screen_colour(ui, colour), 2.0f * ui.options.text_scale);
-    list->AddRect(at, end, packed(palette(ui.options.theme).dim), 2.0f * ui.options.text_scale);
-    ImGui::Dummy({end.x - at.x, size});
+void put_swatch(const Ui& ui, float width, const glm::vec3& colour) {
+    draw_swatch(ui, ImGui::GetCursorScreenPos(), width, colour);
+    ImGui::Dummy({width, ImGui::GetTextLineHeight()});
 }
 
 /// A link at the right edge of the line, or on the next line if there is no room for it.
@@ -48,7 +36,6 @@ bool link_at_right(Ui& ui, const char* name, const char* label, const char* help
     }
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));
     const bool clicked = button(ui, name, label, Look::link, help);
-    keep_item_whole(ui);
     ImGui::PopStyleVar();
     return clicked;
 }
@@ -113,8 +100,7 @@ void draw_title(Ui& ui) {
                          style.ItemInnerSpacing.x + text_width(parts.back());
     ImGui::PushFont(ui.fonts.bold);
     const bool has_room = text_width(title) + beside <= ImGui::GetContentRegionAvail().x;
-    ImGui::TextUnformatted((has_room ? title : short_title).c_str());
-    keep_item_whole(ui);
+    put_text(has_room ? title : short_title);
     ImGui::PopFont();
     name_widget(ui, "fragment.pixel",
                 is_picked ? "Column and row of the pixel that the fragment fell on."
@@ -122,19 +108,17 @@ void draw_title(Ui& ui) {
     ImGui::SameLine();
     ImGui::BeginGroup();
     const glm::vec3 reflectance = scene.corner(triangle, 0).reflectance;
-    draw_swatch(ui, report.texture ? reflectance * report.texture->colour : reflectance);
+    put_swatch(ui, ImGui::GetTextLineHeight(),
+               report.texture ? reflectance * report.texture->colour : reflectance);
     ImGui::SameLine(0.0f, style.ItemInnerSpacing.x);
     const std::string shown = first_fitting(parts, ImGui::GetContentRegionAvail().x);
     text_in(p.dim, shown);
     ImGui::EndGroup();
-    keep_item_whole(ui);
     name_widget(ui, "fragment.part",
-                "The part of the scene that the triangle belongs to: " + part + ".");
-    note_text(ui, "fragment.part", shown);
+                "The part of the scene that the triangle belongs to: " + part + ".", shown);
     const FragmentLinks links = links_of(ui);
     if (links.can_follow && !ui.inspector.is_low) draw_follow_link(ui);
     text_in(p.dim, place_of(report, ImGui::GetContentRegionAvail().x));
-    keep_item_whole(ui);
     name_widget(
         ui, "fragment.place",
         "Where the fragment belongs: its triangle, the entry of the triangle's row table, and how "
@@ -176,13 +160,10 @@ void draw_colours(Ui& ui) {
         ImGui::BeginGroup();
         text_in(p.dim, word);
         ImGui::SameLine(start + ImGui::CalcTextSize("would be ").x);
-        draw_swatch(ui, colour, 2.0f * ImGui::GetTextLineHeight());
+        put_swatch(ui, 2.0f * ImGui::GetTextLineHeight(), colour);
         ImGui::SameLine();
-        ImGui::PushFont(ui.fonts.mono);
-        ImGui::TextUnformatted(numbers(colour).c_str());
-        ImGui::PopFont();
+        put_text(numbers(colour), ui.fonts.mono);
         ImGui::EndGroup();
-        keep_item_whole(ui);
         name_widget(ui, name, help);
     };
     draw("before", "fragment.before", report.before, "The pixel's colour before: red green blue.");
@@ -197,24 +178,15 @@ void draw_depth(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Palette& p = palette(ui.options.theme);
     begin_card(ui);
-    ImGui::PushFont(ui.fonts.small);
-    text_in(p.dim, "depth and colour");
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    text_in(p.dim, "depth and colour", ui.fonts.small);
     const bool tested = report.depth_test != DepthTest::off;
-    if (tested) {
-        const bool is_ndc = is_smaller_nearer(depth_kind(ui.results.a.frame));
-        draw_fragment_line(ui, "margin", is_ndc ? "margin: stored − new" : "margin: new − stored");
-    }
+    draw_fragment_section(ui, "depth");
     const ImVec4 colour =
         !tested && report.fate == Fate::written
             ? p.text
             : colour_of(report.fate == Fate::written ? Meaning::pass : Meaning::fail,
                         ui.options.theme);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    wrapped_text(verdict(ui, report));
-    keep_text_whole(ui);
-    ImGui::PopStyleColor();
+    wrapped_text_in(colour, verdict(ui, report));
     const Frame& frame = ui.results.a.frame;
     name_widget(
         ui, "fragment.fate",
@@ -222,27 +194,17 @@ void draw_depth(Ui& ui) {
             std::string(depth_words(ui.results.a.frame).nearer) +
             (report.depth_test == DepthTest::or_equal ? " or equal: margin ≥ " : ": margin > ") +
             margin_limit(depth_rules(frame.settings, frame.scene->space)) + ".");
-    for (const char* id : {"blend.red", "blend.green", "blend.blue"})
-        draw_fragment_line(ui, id, std::string(id).substr(std::string("blend.").size()));
+    draw_fragment_section(ui, "blend");
     draw_colours(ui);
     end_card(ui);
 }
 
-void draw_formula_card(Ui& ui) {
+/// How the chosen number was computed.
+void draw_chosen_number(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Formula* formula = find_formula(report.formulas, ui.inspector.chosen.fragment_number);
     if (formula == nullptr) formula = find_formula(report.formulas, "zinv");
-    begin_card(ui);
-    // Where lines are few the tooltip of the number gives its name.
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    if (!ui.inspector.is_low) {
-        wrapped_text(formula->help);
-        keep_text_whole(ui);
-    }
-    ImGui::PopStyleColor();
-    const std::optional<Source> clicked = draw_formula(ui, *formula, "fragment.formula");
-    end_card(ui);
-    follow_source(ui, clicked);
+    follow_source(ui, draw_formula_card(ui, *formula, "fragment.formula"));
 }
 
 /// For when the title has no room for them.
@@ -250,21 +212,6 @@ void draw_links_below(Ui& ui) {
     const FragmentLinks links = links_of(ui);
     if (links.can_go) draw_go_link(ui);
     if (links.can_follow) draw_follow_link(ui);
-}
-
-/// Where lines are few: the numbers first, then how the chosen one was computed, all in one scroll.
-/// Clicking a number brings its formula into view.
-void draw_as_one_page(Ui& ui) {
-    const std::string chosen = ui.inspector.chosen.fragment_number;
-    draw_title(ui);
-    draw_fragment_values(ui);
-    ImGui::Spacing();
-    const bool is_new = ui.inspector.chosen.fragment_number != chosen;
-    draw_formula_card(ui);
-    if (is_new) scroll_here(1.0f);
-    if (ui.inspector.is_low) draw_links_below(ui);
-    draw_fragment_light(ui);
-    draw_depth(ui);
 }
 
 void draw_no_fragment(Ui& ui) {
@@ -277,9 +224,7 @@ void draw_no_fragment(Ui& ui) {
     } else {
         words = "Click a pixel of the picture, or step to a fragment.";
     }
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(words);
-    ImGui::PopStyleColor();
+    wrapped_text_in(palette(ui.options.theme).dim, words);
     name_widget(ui, "fragment.none");
     if (!has_fragments(frame.settings.stage) &&
         button(ui, "fragment.fill", "to Fill stage", Look::plain,
@@ -300,11 +245,8 @@ void follow_source(Ui& ui, const std::optional<Source>& source) {
     go_to_source(ui, *source);
 }
 
-void draw_fragment_line(Ui& ui, const std::string& id, std::string_view label, bool warns) {
-    const Formula* const formula = find_formula(report_of(ui).formulas, id);
-    if (formula != nullptr) {
-        follow_source(ui, draw_formula_line(ui, *formula, "fragment." + id, label, warns));
-    }
+void draw_fragment_section(Ui& ui, std::string_view section) {
+    follow_source(ui, draw_section(ui, report_of(ui).formulas, section, "fragment."));
 }
 
 void draw_fragment_panel(Ui& ui) {
@@ -312,20 +254,24 @@ void draw_fragment_panel(Ui& ui) {
         draw_no_fragment(ui);
         return;
     }
-    if (!ui.inspector.has_card) {
-        draw_as_one_page(ui);
-        return;
-    }
-    draw_with_card(
+    const std::string chosen = ui.inspector.chosen.fragment_number;
+    const auto values = [&] {
+        draw_fragment_values(ui);
+        ImGui::Spacing();
+    };
+    const auto card = [&] {
+        const bool is_new = ui.inspector.chosen.fragment_number != chosen;
+        draw_chosen_number(ui);
+        // In the page it is brought into view by a click on its number.
+        if (!ui.inspector.has_card && is_new) scroll_here(1.0f);
+        if (ui.inspector.is_low) draw_links_below(ui);
+    };
+    draw_panel(
         ui, "fragment",
-        [&] {
-            draw_title(ui);
-            draw_fragment_values(ui);
-            ImGui::Spacing();
-            draw_fragment_light(ui);
-            draw_depth(ui);
-        },
-        [&] { draw_formula_card(ui); });
+        {{[&] { draw_title(ui); }}, {values, true}, {[&] { draw_fragment_light(ui); }}, {[&] {
+             draw_depth(ui);
+         }}},
+        card);
 }
 
 } // namespace rasterwalk

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "explain/fragment_report.h"
@@ -18,9 +17,8 @@ const FragmentReport& report_of(const Ui& ui);
 /// Remembers which number is asked about, or goes to where it comes from.
 void follow_source(Ui& ui, const std::optional<Source>& source);
 
-/// The formula of this id on one line, if the report has it.
-void draw_fragment_line(Ui& ui, const std::string& id, std::string_view label = {},
-                        bool warns = false);
+/// The report's formulas of a section, a line for each.
+void draw_fragment_section(Ui& ui, std::string_view section);
 
 /// The table of all values that the fragment carries, affine and perspective-correct. Clicking one
 /// asks about it.

@@ -8,7 +8,6 @@
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -162,11 +161,10 @@ void draw_column_headers(Ui& ui, const std::array<ValueColumn, 4>& columns) {
             right_aligned(title, column.in_force ? p.link : p.dim);
         }
         const std::string name = std::string("fragment.header.") + column.name;
-        keep_item_whole(ui);
         name_widget(ui, name,
                     std::string(column.help) +
-                        (column.in_force ? "\nThis is the method in use." : ""));
-        note_text(ui, name, title);
+                        (column.in_force ? "\nThis is the method in use." : ""),
+                    title);
     }
     ImGui::PopFont();
 }
@@ -192,8 +190,7 @@ void draw_fragment_values(Ui& ui) {
     for (const QuantityInfo& info : listed_quantities(ui)) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(std::string(info.words.name).c_str());
-        keep_item_whole(ui);
+        put_text(info.words.name);
         ImGui::PushFont(ui.fonts.text);
         name_widget(ui, std::string("fragment.") + std::string(info.words.id), info.words.help);
         ImGui::PopFont();

@@ -296,9 +296,7 @@ void draw_no_row(Ui& ui) {
     } else if (ui.session.selection.row) {
         words = "No edge sample reaches this row.";
     }
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(words);
-    ImGui::PopStyleColor();
+    wrapped_text_in(palette(ui.options.theme).dim, words);
     name_widget(ui, "graph.none");
     if (frame.settings.stage < Stage::rows &&
         button(ui, "graph.rows", "to Rows stage", Look::plain,

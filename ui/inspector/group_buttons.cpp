@@ -85,8 +85,8 @@ void draw_button(Ui& ui, const GroupButton& button, ImVec2 at, ImVec2 size, bool
     if (ImGui::InvisibleButton(button.name.c_str(), size)) open_tab(ui, button.tab);
     const bool hovered = ImGui::IsItemHovered();
     name_widget(ui, button.name,
-                has_two_lines ? button.help : button.help + "\nNow: " + button.subject);
-    note_text(ui, button.name, button.subject);
+                has_two_lines ? button.help : button.help + "\nNow: " + button.subject,
+                button.subject);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec2 end{at.x + size.x, at.y + size.y};
     if (button.chosen) {

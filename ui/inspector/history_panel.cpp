@@ -13,7 +13,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
+#include "ui/widgets/swatch.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -98,8 +98,8 @@ void draw_title(Ui& ui, const PixelHistory& history) {
     const std::size_t at = ui.results.a.framebuffer->at(history.pixel.x, history.pixel.y);
     const float size = ImGui::GetTextLineHeight();
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    draw_history_swatch(ui, {start.x, start.y + ImGui::GetStyle().FramePadding.y}, size,
-                        ui.results.a.framebuffer->colour[at], 1.0f);
+    draw_swatch(ui, {start.x, start.y + ImGui::GetStyle().FramePadding.y}, size,
+                ui.results.a.framebuffer->colour[at], 1.0f, swatch_border);
     ImGui::SetCursorScreenPos({start.x + size + ImGui::GetStyle().ItemSpacing.x, start.y});
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(ui.fonts.bold);
@@ -127,24 +127,19 @@ void draw_near(Ui& ui, const NearTriangle& near, int index, const glm::ivec2& pi
                Look::link, "Selects this triangle.")) {
         ui.session.selection.triangle = near.triangle;
     }
-    keep_item_whole(ui);
-    ImGui::TextUnformatted((capitalized(miss_text(near)) + ".").c_str());
-    keep_text_whole(ui);
+    put_text(capitalized(miss_text(near)) + ".");
     const std::string rules = rules_text(near, pixel);
     if (rules.empty()) return;
     text_in(colour_of(Meaning::pass, ui.options.theme), capitalized(rules) + ".");
-    keep_text_whole(ui);
 }
 
 void draw_uncovered(Ui& ui, const PixelHistory& history) {
     const float u = ui.options.text_scale;
     wrapped_text(uncovered_text(ui.results.a.frame, history.pixel));
-    keep_text_whole(ui);
     if (history.nearest.empty()) return;
     ImGui::Dummy({0, 4.0f * u});
     text_in(palette(ui.options.theme).dim,
             history.nearest.size() == 1 ? "What comes nearest" : "What comes near");
-    keep_item_whole(ui);
     std::vector<std::string_view> rules;
     for (std::size_t i = 0; i < history.nearest.size(); ++i) {
         const NearTriangle& near = history.nearest[i];
@@ -167,7 +162,6 @@ void draw_uncovered(Ui& ui, const PixelHistory& history) {
                    "Sets this rule for the whole picture. Undo reverts it.")) {
             set_from_text(ui.session.a.settings, std::string(rules[i]));
         }
-        keep_item_whole(ui);
     }
 }
 
@@ -200,7 +194,6 @@ void draw_no_pixel(Ui& ui) {
                    "Picks the pixel that the last fragment fell on.")) {
             pick(ui, fragment->pixel);
         }
-        keep_item_whole(ui);
     }
     if (button(ui, "history.pick_most", "a pixel with the most fragments", Look::plain,
                "Picks a pixel with the most fragments so far.")) {
@@ -253,10 +246,8 @@ void draw_history_panel(Ui& ui) {
                            : std::max(ImGui::GetContentRegionAvail().y - below, least);
     draw_history_table(ui, history, room);
     begin_card(ui);
-    for (const std::string& sentence : sentences) {
+    for (const std::string& sentence : sentences)
         wrapped_text(sentence);
-        keep_text_whole(ui);
-    }
     end_card(ui);
 }
 

@@ -2,9 +2,6 @@
 
 #include <string>
 
-#include <glm/vec3.hpp>
-#include <imgui.h>
-
 #include "inspect/pixel_history.h"
 
 namespace rasterwalk {
@@ -16,9 +13,8 @@ struct Ui;
 /// True for the fragment whose colour the pixel finally has.
 bool stays(const PixelHistory& history, int index);
 
-/// A square of a colour, with a border.
-void draw_history_swatch(const Ui& ui, ImVec2 at, float size, const glm::vec3& colour,
-                         float opacity);
+/// The opacity of the borders around its swatches.
+inline constexpr float swatch_border = 0.7f;
 
 /// Everything that fell on the pixel, one a line.
 void draw_history_table(Ui& ui, const PixelHistory& history, float height);

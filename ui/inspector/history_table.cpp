@@ -7,7 +7,6 @@
 
 #include "base/element_names.h"
 #include "explain/depth_formulas.h"
-#include "picture/view_image.h"
 #include "session/moments.h"
 #include "session/walk.h"
 #include "ui/inspector/history_parts.h"
@@ -15,17 +14,12 @@
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/swatch.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
 namespace {
-
-/// Colour as it reaches the screen.
-ImU32 screen_colour(const Ui& ui, const glm::vec3& colour, float opacity) {
-    const glm::vec3 cut = shown_colour(colour, ui.results.a.frame.stages.screen);
-    return packed({cut.r, cut.g, cut.b, 1.0f}, opacity);
-}
 
 enum HistoryColumn {
     number_column,
@@ -290,8 +284,8 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     ImGui::TableNextColumn();
     draw_fate(ui, history, index, opacity);
     ImGui::TableNextColumn();
-    draw_history_swatch(ui, ImGui::GetCursorScreenPos(), ImGui::GetTextLineHeight(),
-                        entry.colour_after, opacity);
+    draw_swatch(ui, ImGui::GetCursorScreenPos(), ImGui::GetTextLineHeight(), entry.colour_after,
+                opacity, swatch_border * opacity);
 
     ImDrawList* const list = ImGui::GetWindowDrawList();
     if (stays(history, index)) {
@@ -363,15 +357,6 @@ std::string depth_value_words(const Ui& ui) {
 
 bool stays(const PixelHistory& history, int index) {
     return history.winner == index;
-}
-
-void draw_history_swatch(const Ui& ui, ImVec2 at, float size, const glm::vec3& colour,
-                         float opacity) {
-    ImDrawList* const list = ImGui::GetWindowDrawList();
-    const ImVec2 high{at.x + size, at.y + size};
-    list->AddRectFilled(at, high, screen_colour(ui, colour, opacity), 2.0f * ui.options.text_scale);
-    list->AddRect(at, high, packed(palette(ui.options.theme).dim, 0.7f * opacity),
-                  2.0f * ui.options.text_scale);
 }
 
 void draw_history_table(Ui& ui, const PixelHistory& history, float height) {

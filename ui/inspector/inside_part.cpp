@@ -17,7 +17,6 @@
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -67,7 +66,6 @@ void draw_dim_headers(Ui& ui, std::initializer_list<const char*> titles, int rig
             text_in(palette(ui.options.theme).dim, title);
         else
             right_aligned(title, palette(ui.options.theme).dim);
-        keep_item_whole(ui);
     }
     ImGui::PopFont();
 }
@@ -115,7 +113,6 @@ void draw_edges_of_test(Ui& ui, const PixelTest& test, const TestedTriangle& tri
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         text_in(colour, is_inner ? "inner" : tested_edge_name(edge.number));
-        keep_item_whole(ui);
         ImGui::TableNextColumn();
         text_in(p.dim, side_of(edge));
         ImGui::TableNextColumn();
@@ -140,14 +137,11 @@ void draw_edges_of_test(Ui& ui, const PixelTest& test, const TestedTriangle& tri
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     text_in(p.dim, area.name);
-    keep_item_whole(ui);
     ImGui::TableNextColumn();
     ImGui::TableNextColumn();
     draw_number_of_test(ui, area, e_text(triangle.area), p.text);
     ImGui::TableNextColumn();
-    ImGui::PushFont(ui.fonts.small);
-    right_aligned(sum_words, p.dim);
-    ImGui::PopFont();
+    right_aligned(sum_words, p.dim, ui.fonts.small);
     ImGui::PopFont();
     ImGui::EndTable();
 }
@@ -166,10 +160,7 @@ void draw_weights(Ui& ui, const PixelTest& test,
                      1);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushFont(ui.fonts.small);
-    text_in(p.dim, "weight");
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    text_in(p.dim, "weight", ui.fonts.small);
     ImGui::PushFont(ui.fonts.mono);
     float sum = 0.0f;
     for (std::size_t i = 0; i < edge_function_count; ++i) {
@@ -198,7 +189,6 @@ void draw_place_of_test(Ui& ui, PixelSample sample, const PixelTest& test) {
     if (room < text_width(place)) ImGui::NewLine();
     const float width = room < text_width(place) ? ImGui::CalcItemWidth() : room;
     text_in(palette(ui.options.theme).dim, first_fitting(forms, width));
-    keep_item_whole(ui);
 }
 
 /// If not all pixels of the box are tested, says which of the row are.
@@ -215,7 +205,6 @@ void draw_tested_columns(Ui& ui, const PixelTest& test, const TestedPolygon& pol
     ImGui::PushFont(ui.fonts.small);
     text_in(palette(ui.options.theme).dim, first_fitting(forms, ImGui::CalcItemWidth()));
     ImGui::PopFont();
-    keep_item_whole(ui);
     name_widget(ui, "inside.interval",
                 "The interval of this row between the places where the edges cross it. Only there "
                 "can all three E be 0 or more, so only these pixels are tested.");
@@ -249,7 +238,6 @@ void draw_pixel_test(Ui& ui, const PixelTest& test) {
     name_widget(ui, "inside.pixel",
                 with_minus_signs(pixel_test_text(test)) +
                     "\nA pixel is inside if it passes the test at all three edges.");
-    keep_item_whole(ui);
     draw_place_of_test(ui, settings.pixel_sample, test);
     draw_tested_columns(ui, test, polygon);
     draw_edges_of_test(ui, test, triangle, formulas);

@@ -96,9 +96,9 @@ void draw_inspector(Ui& ui, const Area& area) {
     ImGui::BeginChild(std::string(name).c_str(), {0, 0}, false, ImGuiWindowFlags_NoNav);
     const TabPage* const shown = std::find_if(std::begin(pages), std::end(pages),
                                               [&](const TabPage& one) { return one.name == name; });
-    begin_whole_lines(ui);
+    begin_whole_lines();
     if (shown != std::end(pages)) shown->draw(ui);
-    end_whole_lines(ui);
+    end_whole_lines();
     ImGui::EndChild();
     ImGui::End();
 }

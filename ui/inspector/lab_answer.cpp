@@ -25,9 +25,7 @@ void draw_sentence(Ui& ui, const std::string& name, const std::string& words,
                    const std::string& help) {
     if (words.empty()) return;
     wrapped_text(words);
-    keep_text_whole(ui);
-    name_widget(ui, name, help);
-    note_text(ui, name, words);
+    name_widget(ui, name, help, words);
 }
 
 void draw_headline(Ui& ui, const LabAnswer& answer) {
@@ -37,18 +35,15 @@ void draw_headline(Ui& ui, const LabAnswer& answer) {
     ImGui::PushFont(ui.fonts.bold);
     for (const std::string& name : headline.names) {
         wrapped_text(name);
-        keep_text_whole(ui);
         all += (all.empty() ? "" : " ") + name;
     }
     ImGui::PopFont();
     if (!headline.rest.empty()) {
         wrapped_text(headline.rest);
-        keep_text_whole(ui);
         all += " " + headline.rest;
     }
     ImGui::EndGroup();
-    name_widget(ui, "lab.diagnosis", "The most likely cause.");
-    note_text(ui, "lab.diagnosis", all);
+    name_widget(ui, "lab.diagnosis", "The most likely cause.", all);
 }
 
 void draw_pictures(Ui& ui, const LabAnswer& answer) {
@@ -87,8 +82,7 @@ void draw_remedy(Ui& ui, const Diagnosis& diagnosis) {
     if (text.empty()) return;
     const MarkdownEvents events =
         draw_markdown(ui, ui.lab.remedy, text, ImGui::CalcItemWidth(), "lab.remedy.");
-    name_widget(ui, "lab.remedy", "What is likely wrong, and how to fix it.");
-    note_text(ui, "lab.remedy", text);
+    name_widget(ui, "lab.remedy", "What is likely wrong, and how to fix it.", text);
     ImGui::Spacing();
     answer_links(ui, document_of(*ui.lab.remedy), events);
 }
@@ -115,7 +109,6 @@ bool draw_reference(Ui& ui, const LabAnswer& answer) {
         is_set ? "The lab's room with the camera, light and stage of the handout."
                : "The open scene with the current camera, light and stage. Use this for a picture "
                  "of another scene, or from another place.");
-    keep_item_whole(ui);
     return pressed;
 }
 
@@ -126,9 +119,7 @@ void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
     const Bug* const bug = bug_of(ui, candidate);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushFont(ui.fonts.mono);
-    right_aligned(explained_text(candidate.explained, 1), p.text);
-    ImGui::PopFont();
+    right_aligned(explained_text(candidate.explained, 1), p.text, ui.fonts.mono);
     const ImVec2 low = ImGui::GetItemRectMin();
     const float bottom = ImGui::GetItemRectMax().y + 2.0f * u;
     const float full = ImGui::GetItemRectSize().x;
@@ -138,14 +129,13 @@ void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
                                               packed(colour_of(Meaning::pass, ui.options.theme)));
     ImGui::TableNextColumn();
     wrapped_text(candidate_words(candidate));
-    keep_text_whole(ui);
+    keep_item_whole();
     const std::string name = "lab.candidate." + std::to_string(index);
     name_widget(ui, name,
                 "With this mistake, " + grouped(candidate.different) +
                     " still differ from your result; the mean distance is " +
-                    fixed(candidate.distance, 3) + " steps of 255.");
-    note_text(ui, name, candidate.ids().front());
-    keep_item_whole(ui);
+                    fixed(candidate.distance, 3) + " steps of 255.",
+                candidate.ids().front());
     ImGui::TableNextColumn();
     if (bug == nullptr) return;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4.0f * u, 0.0f));

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <functional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -39,6 +39,7 @@ void draw_line(Ui& ui, const Bug& bug) {
     const bool is_double = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
     if (can_double && is_double) turn_on(ui, bug, false);
     const bool is_made = !on && is_made_by(bug, ui.session.a.settings);
+    keep_selectable_whole();
     name_widget(ui, name,
                 bug.sentence +
                     (is_made ? "\nRun A makes this mistake with its current "
@@ -63,28 +64,14 @@ void draw_line(Ui& ui, const Bug& bug) {
     list->AddText({left, at.y}, packed(p.text), shortened(bug.name, room).c_str());
     list->AddText({right - width, at.y}, packed(ink), state.c_str());
     note_text(ui, name, state);
-    keep_whole(ui, at.y, at.y + ImGui::GetTextLineHeight());
 }
 
-/// The mistakes by the lab's sections.
-/// @param below draws what is below the line of a mistake
-void draw_list(Ui& ui, const std::function<void(const Bug&)>& below) {
-    std::string section;
-    for (const Bug& bug : lab_bugs(ui)) {
-        if (bug.section != section) {
-            if (!section.empty()) ImGui::Spacing();
-            section = bug.section;
-            ImGui::PushFont(ui.fonts.small);
-            text_in(palette(ui.options.theme).dim, section);
-            ImGui::PopFont();
-            // Together with the first line below it.
-            const float line = ImGui::GetTextLineHeight();
-            keep_beginning(ui, ImGui::GetItemRectMin().y, ImGui::GetCursorScreenPos().y + line);
-            keep_item_whole(ui);
-        }
-        draw_line(ui, bug);
-        below(bug);
-    }
+/// The title of a section of the lab.
+void draw_section(Ui& ui, const std::string& section) {
+    text_in(palette(ui.options.theme).dim, section, ui.fonts.small);
+    // Together with the first line below it.
+    const float line = ImGui::GetTextLineHeight();
+    keep_beginning(ImGui::GetItemRectMin().y, ImGui::GetCursorScreenPos().y + line);
 }
 
 /// In a low page the buttons come first: they must be in sight.
@@ -110,21 +97,15 @@ void draw_buttons(Ui& ui, const Bug& bug) {
                "Opens the scene that shows it best, and turns it on there: " + bug.scene)) {
         turn_on(ui, bug, true);
     }
-    keep_item_whole(ui);
 }
 
 void draw_card(Ui& ui, const Bug& bug) {
     begin_card(ui);
-    ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted((bug.id + "  " + bug.name).c_str());
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    put_text(bug.id + "  " + bug.name, ui.fonts.bold);
     draw_buttons(ui, bug);
     if (!is_on(ui.session, bug.id) && is_made_by(bug, ui.session.a.settings)) {
-        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        wrapped_text("Already on: the current settings make this mistake.");
-        keep_text_whole(ui);
-        ImGui::PopStyleColor();
+        wrapped_text_in(palette(ui.options.theme).dim,
+                        "Already on: the current settings make this mistake.");
         name_widget(ui, "lab.made", "Nothing needs to be turned on to see this mistake.");
     }
     const float width = ImGui::CalcItemWidth();
@@ -148,24 +129,23 @@ void draw_bugs(Ui& ui) {
     const auto found = std::find_if(bugs.begin(), bugs.end(),
                                     [&](const Bug& bug) { return bug.id == ui.lab.chosen; });
     const Bug& chosen = found == bugs.end() ? bugs.front() : *found;
-    const auto is_chosen = [&](const Bug& bug) { return &bug == &chosen; };
-    if (!ui.inspector.has_card) {
-        // One list that scrolls, with the card in it: two scrolls would each show next to nothing.
-        draw_list(ui, [&](const Bug& bug) {
-            if (!is_chosen(bug)) return;
-            keep_in_sight(ui, bug, height_of_card_head());
-            draw_card(ui, bug);
-        });
-        return;
+    // Where lines are few the list has the card in it: two scrolls would each show next to nothing.
+    const float below = ui.inspector.has_card ? 0.0f : height_of_card_head();
+    std::vector<PanelBlock> lines;
+    for (std::size_t i = 0; i < bugs.size(); ++i) {
+        const Bug& bug = bugs[i];
+        if (i == 0 || bug.section != bugs[i - 1].section) {
+            if (i > 0) lines.push_back({ImGui::Spacing});
+            lines.push_back({[&ui, &bug] { draw_section(ui, bug.section); }});
+        }
+        const bool is_chosen = &bug == &chosen;
+        const auto draw = [&ui, &bug, is_chosen, below] {
+            draw_line(ui, bug);
+            if (is_chosen) keep_in_sight(ui, bug, below);
+        };
+        lines.push_back({draw, is_chosen});
     }
-    draw_with_card(
-        ui, "lab",
-        [&] {
-            draw_list(ui, [&](const Bug& bug) {
-                if (is_chosen(bug)) keep_in_sight(ui, bug, 0.0f);
-            });
-        },
-        [&] { draw_card(ui, chosen); });
+    draw_panel(ui, "lab", lines, [&] { draw_card(ui, chosen); });
 }
 
 void draw_modes(Ui& ui) {
@@ -189,7 +169,6 @@ void draw_modes(Ui& ui) {
                    mode.help)) {
             ui.lab.mode = mode.mode;
         }
-        keep_item_whole(ui);
     }
     ImGui::PopFont();
 }

@@ -32,7 +32,7 @@ struct PairLayout {
 /// How high a picture may be, screen pixels: both are seen whole, together with the words below
 /// them if they stay large enough. If they would get too small, they are scrolled to.
 float picture_room(const Ui& ui) {
-    const float u = ui.options.text_scale, page = page_room(ui);
+    const float u = ui.options.text_scale, page = page_room();
     const float below = page - ImGui::GetCursorPosY() - pair_border * u;
     const float words = 4.0f * ui.fonts.small->FontSize;
     if (below - words >= good_side * u) return below - words;
@@ -74,17 +74,17 @@ void draw_captioned(Ui& ui, bool is_own, const PairLayout& layout, const Picture
     const std::string name = is_own ? "lab.picture.own" : "lab.picture.beside";
     name_widget(ui, name,
                 is_own ? "The picture that you chose."
-                       : "What a correct program draws, in grey; orange where yours differs.");
-    note_text(ui, name, caption.title + (caption.words.empty() ? "" : ": " + caption.words));
+                       : "What a correct program draws, in grey; orange where yours differs.",
+                caption.title + (caption.words.empty() ? "" : ": " + caption.words));
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddImage(texture.id, low, high);
     list->AddRect(low, high, packed(p.line));
     ImGui::PushFont(ui.fonts.small);
     text_in(p.text, broken_into_lines(caption.title, layout.column));
-    keep_item_whole(ui);
+    keep_item_whole();
     if (!caption.words.empty()) {
         text_in(p.dim, broken_into_lines(caption.words, layout.column));
-        keep_item_whole(ui);
+        keep_item_whole();
     }
     ImGui::PopFont();
     ImGui::EndGroup();

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <functional>
 #include <string>
+#include <vector>
 
 #include "base/numbers.h"
 #include "laboratory/quiz.h"
@@ -37,7 +37,6 @@ void draw_score(Ui& ui) {
     if (score.rounds == 0) return;
     text_in(palette(ui.options.theme).dim, counted(score.points, "point", "points") + " in " +
                                                counted(score.rounds, "round", "rounds"));
-    keep_item_whole(ui);
     name_widget(ui, "lab.points",
                 score.is_kept ? "In all rounds since you began keeping score."
                               : "Since the program was opened.");
@@ -47,7 +46,6 @@ void draw_score(Ui& ui) {
 void draw_keeping(Ui& ui) {
     QuizScore& score = ui.options.score;
     ImGui::Checkbox("keep my score", &score.is_kept);
-    keep_item_whole(ui);
     name_widget(ui, "lab.keep_score",
                 "Your points are still there the next time you open the program.");
     if (score.rounds == 0) return;
@@ -61,14 +59,11 @@ void draw_beginning(Ui& ui) {
     wrapped_text("The program makes a mistake in the open scene and hides the settings. Find out "
                  "which mistake it is, using the tabs, the overlays, the timeline and a look at "
                  "the correct run.");
-    keep_text_whole(ui);
     ImGui::Spacing();
     ImGui::Checkbox("two mistakes at once", &ui.lab.wants_two);
-    keep_item_whole(ui);
     name_widget(ui, "lab.two", "Harder: two mistakes that show side by side.");
     ImGui::SetNextItemWidth(120.0f * ui.options.text_scale);
     ImGui::InputInt("seed (0: any)", &ui.lab.seed, 0);
-    keep_item_whole(ui);
     ui.lab.seed = std::clamp(ui.lab.seed, 0, 999'999);
     name_widget(ui, "lab.seed",
                 "The same number makes the same quiz for everyone. With 0, the program picks a "
@@ -79,7 +74,6 @@ void draw_beginning(Ui& ui) {
                "Makes a mistake. The current settings come back when the quiz ends.")) {
         begin_quiz(ui);
     }
-    keep_item_whole(ui);
     draw_score(ui);
 }
 
@@ -95,7 +89,6 @@ void draw_correct_run_switch(Ui& ui) {
             compare_with(ui.session, quiz_reference(ui.session));
         }
     }
-    keep_item_whole(ui);
 }
 
 void draw_hints(Ui& ui) {
@@ -117,24 +110,18 @@ void draw_guesses(Ui& ui) {
         text_in(colour_of(meaning, ui.options.theme),
                 shortened((guess.is_right ? "✓ " : "✗ ") + titled(ui, guess.bug),
                           ImGui::CalcItemWidth()));
-        keep_item_whole(ui);
     }
 }
 
-/// The possible answers: every mistake, each on a line; a tooltip describes the chosen one.
-/// @param below draws what is below the line of a mistake
-void draw_choices(Ui& ui, const std::function<void(const Bug&)>& below) {
-    for (const Bug& bug : lab_bugs(ui)) {
-        const std::string name = "lab.choice." + bug.id;
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        if (ImGui::Selectable((bug.id + "  " + bug.name + "###" + name).c_str(),
-                              ui.lab.chosen == bug.id)) {
-            ui.lab.chosen = bug.id;
-        }
-        name_widget(ui, name, bug.sentence);
-        keep_whole(ui, at.y, at.y + ImGui::GetTextLineHeight());
-        below(bug);
+/// A possible answer; its tooltip describes it.
+void draw_choice(Ui& ui, const Bug& bug) {
+    const std::string name = "lab.choice." + bug.id;
+    if (ImGui::Selectable((bug.id + "  " + bug.name + "###" + name).c_str(),
+                          ui.lab.chosen == bug.id)) {
+        ui.lab.chosen = bug.id;
     }
+    keep_selectable_whole();
+    name_widget(ui, name, bug.sentence);
 }
 
 void draw_question_card(Ui& ui) {
@@ -152,7 +139,6 @@ void draw_question_card(Ui& ui) {
                    " points.")) {
         guess(quiz, ui.lab.chosen);
     }
-    keep_item_whole(ui);
     ImGui::EndDisabled();
     ImGui::SameLine();
     if (button(ui, "lab.hint", "hint", Look::plain,
@@ -171,11 +157,9 @@ void draw_answer(Ui& ui) {
     const Quiz& quiz = *ui.session.quiz;
     const bool won = is_solved(quiz);
     begin_card(ui);
-    ImGui::PushFont(ui.fonts.bold);
     text_in(colour_of(won ? Meaning::pass : Meaning::fail, ui.options.theme),
-            won ? "✓ Found: " + std::to_string(score(quiz)) + " points" : "Not found");
-    keep_item_whole(ui);
-    ImGui::PopFont();
+            won ? "✓ Found: " + std::to_string(score(quiz)) + " points" : "Not found",
+            ui.fonts.bold);
     name_widget(ui, "lab.verdict",
                 "A hundred points for each mistake, minus hints and wrong guesses.");
     for (const QuizQuestion& question : quiz.questions) {
@@ -183,14 +167,11 @@ void draw_answer(Ui& ui) {
         for (const std::string& id : question.bugs)
             names += (names.empty() ? "" : ", or ") + titled(ui, id);
         wrapped_text("It was " + names + ".");
-        keep_text_whole(ui);
         const Bug* const bug = bug_of(ui, question.bugs.front());
         if (bug == nullptr) continue;
         ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
         wrapped_text(bug->sentence);
-        keep_text_whole(ui);
         wrapped_text("Cure: " + bug->cure);
-        keep_text_whole(ui);
         ImGui::PopStyleColor();
     }
     if (button(ui, "lab.quiz.again", "another one", Look::main,
@@ -199,7 +180,6 @@ void draw_answer(Ui& ui) {
         finish_quiz(ui);
         begin_quiz(ui);
     }
-    keep_item_whole(ui);
     ImGui::SameLine();
     if (button(ui, "lab.quiz.end", "end", Look::plain,
                "Brings back the settings from before the quiz.")) {
@@ -216,11 +196,8 @@ void draw_lab_quiz(Ui& ui) {
         return;
     }
     const Quiz& quiz = *ui.session.quiz;
-    ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted(quiz.questions.size() == 1 ? "Which mistake is it?"
-                                                      : "Which two mistakes are they?");
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    put_text(quiz.questions.size() == 1 ? "Which mistake is it?" : "Which two mistakes are they?",
+             ui.fonts.bold);
     ImGui::SameLine();
     text_in(palette(ui.options.theme).dim, "seed " + std::to_string(quiz.seed));
     name_widget(ui, "lab.quiz.seed", "The same seed makes the same quiz.");
@@ -236,23 +213,21 @@ void draw_lab_quiz(Ui& ui) {
         finish_quiz(ui);
         return;
     }
-    if (ui.inspector.has_card) {
-        draw_with_card(
-            ui, "quiz", [&] { draw_choices(ui, [](const Bug&) {}); },
-            [&] { draw_question_card(ui); });
-        return;
-    }
-    // One list that scrolls, with the card in it, like the list of mistakes.
+    // Where lines are few: one list that scrolls, with the card in it, like the list of mistakes.
+    const bool has_card = ui.inspector.has_card;
     const Bug* const chosen = bug_of(ui, ui.lab.chosen);
-    if (chosen == nullptr) {
-        ui.lab.in_sight.clear(); // the list of the mistakes may have shown the same one
-        draw_question_card(ui);
+    // The list of the mistakes may have shown the same one.
+    if (chosen == nullptr && !has_card) ui.lab.in_sight.clear();
+    std::vector<PanelBlock> choices{{[] {}, chosen == nullptr}};
+    for (const Bug& bug : lab_bugs(ui)) {
+        const bool is_chosen = &bug == chosen;
+        const auto draw = [&ui, &bug, is_kept = is_chosen && !has_card] {
+            draw_choice(ui, bug);
+            if (is_kept) keep_in_sight(ui, bug, height_of_card_head());
+        };
+        choices.push_back({draw, is_chosen});
     }
-    draw_choices(ui, [&](const Bug& bug) {
-        if (&bug != chosen) return;
-        keep_in_sight(ui, bug, height_of_card_head());
-        draw_question_card(ui);
-    });
+    draw_panel(ui, "quiz", choices, [&] { draw_question_card(ui); });
 }
 
 } // namespace rasterwalk

@@ -15,7 +15,6 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -23,16 +22,12 @@ namespace rasterwalk {
 namespace {
 
 void draw_intro(Ui& ui) {
-    ImGui::PushFont(ui.fonts.bold);
-    wrapped_text("My picture is wrong. Why?");
-    keep_text_whole(ui);
-    ImGui::PopFont();
+    wrapped_text("My picture is wrong. Why?", ui.fonts.bold);
     wrapped_text(
         fmt::format("Choose a picture that your program saved ({}), or a text file with "
                     "the rows that it printed. You can also drop the file on the window or "
                     "type its path.",
                     exact_image_formats));
-    keep_text_whole(ui);
     name_widget(ui, "lab.intro", "What can be checked, and how.");
     ImGui::Spacing();
 }
@@ -48,7 +43,6 @@ void draw_file(Ui& ui, bool another) {
                "see which comes closest.")) {
         begin_choosing_result(ui);
     }
-    keep_item_whole(ui);
     const float width = button_width("check") + ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - width, 60.0f));
     const bool entered = ImGui::InputTextWithHint("##path", "or its path", &lab.result_path,
@@ -56,7 +50,6 @@ void draw_file(Ui& ui, bool another) {
     name_widget(ui, "lab.path",
                 "The picture, or a text file with lines like Start: (10,5). End: "
                 "(10,5).");
-    keep_item_whole(ui);
     ImGui::SameLine();
     ImGui::BeginDisabled(lab.result_path.empty());
     const bool pressed = button(ui, "lab.diagnose", "check", Look::plain,
@@ -98,15 +91,11 @@ void draw_progress(Ui& ui) {
     const std::string what = is_stopping(lab) ? "Looking at what was found" : "Trying each mistake";
     const std::string words = drawn.empty() ? what + " …" : what + ": " + drawn;
     text_in(p.dim, words);
-    keep_item_whole(ui);
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, p.accent);
     ImGui::ProgressBar(pictures_part(lab), {-1.0f, 10.0f * ui.options.text_scale}, "");
     ImGui::PopStyleColor();
-    name_widget(ui, "lab.progress", progress_help);
-    note_text(ui, "lab.progress", words);
-    keep_item_whole(ui);
+    name_widget(ui, "lab.progress", progress_help, words);
     if (button(ui, "lab.stop", "Stop", Look::plain, stop_help(lab))) stop_diagnosis(ui);
-    keep_item_whole(ui);
 }
 
 /// What is said about the file next to an answer: the longest form first.
@@ -145,14 +134,13 @@ void draw_watch_line(Ui& ui) {
     const float left = ImGui::GetCursorScreenPos().x, room = right_end() - left - stop;
     const std::string words = first_fitting(watch_forms(lab, is_checking), room);
     text_in(is_fault ? colour_of(Meaning::fail, ui.options.theme) : p.dim, words);
-    keep_item_whole(ui);
     name_widget(ui, "lab.watch",
                 is_checking ? progress_help
                 : is_fault  ? lab.result_fault + "\nIt is tried again when the file changes."
                             : "The file is being watched. Save it again, and it is checked against "
                               "the same reference. " +
-                                 lab.watched_path);
-    note_text(ui, "lab.watch", words);
+                                 lab.watched_path,
+                words);
     const float bottom = ImGui::GetItemRectMax().y;
     if (is_checking) {
         ImGui::GetWindowDrawList()->AddRectFilled(
@@ -174,9 +162,7 @@ void draw_result_answer(Ui& ui) {
         return;
     }
     if (!lab.result_fault.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
-        wrapped_text(lab.result_fault);
-        ImGui::PopStyleColor();
+        wrapped_text_in(colour_of(Meaning::fail, ui.options.theme), lab.result_fault);
         name_widget(ui, "lab.result.fault",
                     "Why it could not be diagnosed. It will be tried again when the file changes.");
     }
@@ -188,23 +174,23 @@ void draw_result_answer(Ui& ui) {
 void draw_lab_result(Ui& ui) {
     const LabLook& lab = ui.lab;
     const bool is_asked = is_diagnosing(ui) || lab.answer || !lab.result_fault.empty();
-    // The answer is above the way to the next one, which stays in sight if there is room.
     if (!is_asked) {
         draw_intro(ui);
         draw_file(ui, false);
-    } else if (!ui.inspector.has_card) {
-        if (lab.answer) draw_watch_line(ui);
-        draw_result_answer(ui);
-        draw_file(ui, true);
-    } else {
-        // Below it, the line stays in sight when the answer is scrolled.
-        draw_with_card(
-            ui, "result", [&] { draw_result_answer(ui); },
-            [&] {
-                if (lab.answer) draw_watch_line(ui);
-                draw_file(ui, true);
-            });
+        return;
     }
+    // The answer is above the way to the next one, which stays in sight if there is room. So does
+    // the line about the file, when the answer is scrolled.
+    const auto draw_watch_line_if = [&](bool is_here) {
+        if (lab.answer && is_here) draw_watch_line(ui);
+    };
+    draw_panel(ui, "result",
+               {{[&] { draw_watch_line_if(!ui.inspector.has_card); }},
+                {[&] { draw_result_answer(ui); }, true}},
+               [&] {
+                   draw_watch_line_if(ui.inspector.has_card);
+                   draw_file(ui, true);
+               });
 }
 
 } // namespace rasterwalk

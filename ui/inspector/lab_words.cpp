@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/numbers.h"
-#include "base/quoted.h"
+#include "base/text_parts.h"
 #include "settings/value_words.h"
 #include "text/markdown_text.h"
 #include "ui/actions/compare.h"

@@ -7,7 +7,6 @@
 #include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -22,7 +21,6 @@ void draw_drift_curve(Ui& ui) {
     const ImVec2 high{low.x + width, low.y + height};
     ImGui::InvisibleButton("microscope.curve", {width, height});
     const bool is_held = ImGui::IsItemActive();
-    keep_item_whole(ui);
     name_widget(ui, "microscope.curve",
                 edge.has_decision_variable()
                     ? "The decision variable d along the edge. Each step brings it back toward 0. "

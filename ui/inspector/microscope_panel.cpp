@@ -11,7 +11,6 @@
 #include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -147,7 +146,6 @@ void draw_statement(Ui& ui, bool in_order, const std::string& text) {
     const Palette& p = palette(ui.options.theme);
     text_in(in_order ? p.dim : colour_of(Meaning::fail, ui.options.theme),
             (in_order ? "=  " : "≠  ") + text);
-    keep_text_whole(ui);
 }
 
 void draw_step(Ui& ui, const char* axis, const Fraction& step, float float_step, double drift) {
@@ -158,7 +156,6 @@ void draw_step(Ui& ui, const char* axis, const Fraction& step, float float_step,
     const ImVec4& ink = palette(ui.options.theme).text;
     if (drift == 0.0) {
         text_in(ink, text);
-        keep_item_whole(ui);
         return;
     }
     // The line breaks between the two parts, never within a number.
@@ -168,10 +165,8 @@ void draw_step(Ui& ui, const char* axis, const Fraction& step, float float_step,
         text_in(ink, text + "; " + end);
     } else {
         text_in(ink, text);
-        keep_item_whole(ui);
         text_in(ink, "    " + end);
     }
-    keep_item_whole(ui);
 }
 
 /// How many samples the floats have put on a wrong pixel.
@@ -223,17 +218,13 @@ void draw_way(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     if (!edge.decides()) {
         text_in(p.dim, walk_text(settings.line_walk));
-        keep_text_whole(ui);
         draw_step(ui, "x", edge.step_x, edge.float_step_x, edge.summary.largest_drift_x);
         draw_step(ui, "y", edge.step_y, edge.float_step_y, edge.summary.largest_drift_y);
         return;
     }
     text_in(p.dim, line_summary(settings.line, settings.bresenham_rule));
-    keep_text_whole(ui);
-    for (const std::string& rule : line_rules(edge, settings.line, settings.bresenham_rule)) {
+    for (const std::string& rule : line_rules(edge, settings.line, settings.bresenham_rule))
         text_in(p.text, with_minus_signs(rule));
-        keep_text_whole(ui);
-    }
     draw_current_decision(ui);
 }
 
@@ -245,10 +236,8 @@ void draw_summary(Ui& ui) {
     text_in(colour_of(edge_meaning(ui.inspector.microscope.edge), ui.options.theme),
             edge_name(ui.inspector.microscope.edge));
     ImGui::SameLine(0.0f, 0.0f);
-    ImGui::TextUnformatted((" from " + place_text(edge.a.column, edge.a.row) + " to " +
-                            place_text(edge.b.column, edge.b.row))
-                               .c_str());
-    keep_item_whole(ui);
+    put_text(" from " + place_text(edge.a.column, edge.a.row) + " to " +
+             place_text(edge.b.column, edge.b.row));
     draw_way(ui);
     draw_verdict(ui);
     if (summary.misses_end) {

@@ -105,12 +105,12 @@ void draw_sample(Ui& ui, const SampleColumns& columns, int index, int current, i
     if (selectable_row("##sample", index == current)) {
         go_to_sample(ui, index);
     }
+    keep_item_whole();
     const bool hovered = ImGui::IsItemHovered();
     if (hovered) ui.inspector.hovered_row = sample.y.pixel;
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const std::string tooltip = hovered ? sample_words(ui, sample) : std::string();
     name_widget(ui, "microscope.sample." + std::to_string(index), tooltip);
-    keep_item_whole(ui);
     ImGui::SameLine(0.0f, 0.0f);
     right_aligned(std::to_string(index), ink);
     ImGui::PopID();
@@ -208,9 +208,7 @@ void draw_sample_headers(Ui& ui, const SampleColumns& columns) {
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         ImGui::TableSetColumnIndex(static_cast<int>(i));
-        ImGui::PushFont(ui.fonts.small);
-        right_aligned(columns[i].title, palette(ui.options.theme).dim);
-        ImGui::PopFont();
+        right_aligned(columns[i].title, palette(ui.options.theme).dim, ui.fonts.small);
         name_widget(ui, "microscope.header." + std::to_string(columns[i].number), columns[i].help);
     }
 }
@@ -293,7 +291,7 @@ void draw_sample_table_with(Ui& ui, bool appears, const std::function<void()>& b
         ImGui::EndTable();
     }
     ImGui::BeginChild("samples.body", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    begin_whole_lines(ui);
+    begin_whole_lines();
     if (begin_samples("samples", columns, 0, {width, 0})) {
         draw_samples(ui, columns, appears);
         ImGui::EndTable();
@@ -302,7 +300,7 @@ void draw_sample_table_with(Ui& ui, bool appears, const std::function<void()>& b
     ImGui::PushTextWrapPos(width);
     below();
     ImGui::PopTextWrapPos();
-    end_whole_lines(ui);
+    end_whole_lines();
     ImGui::EndChild();
 }
 

@@ -14,7 +14,6 @@
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/row_ends.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -84,9 +83,7 @@ void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) 
     if (is_clicked_on_row()) go_to_sample(ui, writer.edge, writer.sample);
     if (!has_sign || writer.replaced == 0 || writer.replaced > 9) return;
     ImGui::SameLine(0.0f, gap);
-    ImGui::PushFont(ui.fonts.small);
-    text_in(p.dim, "↻" + std::to_string(writer.replaced));
-    ImGui::PopFont();
+    text_in(p.dim, "↻" + std::to_string(writer.replaced), ui.fonts.small);
     name_widget(ui, name + ".replaced", replaced_tooltip(writer));
 }
 
@@ -182,7 +179,6 @@ void draw_row_line(Ui& ui, int index) {
     }
     ImGui::SameLine(0.0f, 0.0f);
     right_aligned(whole_text(row), p.text);
-    keep_item_whole(ui);
     ImGui::PopID();
     const RowWrite write = just_written(ui, row);
     // Coverage that walks no edges has ends that no sample wrote.

@@ -10,7 +10,6 @@
 #include "ui/ui.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -25,18 +24,12 @@ void draw_row_in_work(Ui& ui, const Cursor& done) {
     const int left = a.rows.rows.left[i].column, right = a.rows.rows.right[i].column;
     text_in(p.dim, walks_edges(a.frame.stages) ? "all samples are entered, now the rows: "
                                                : "the pixels are found, now the rows: ");
-    keep_text_whole(ui);
     wrapped_text("row " + whole_text(a.rows.rows.first_row + done.index) + ", " +
                  element_name_of(entry_form, done.index, a.rows.rows.size()));
-    keep_text_whole(ui);
-    ImGui::PushFont(ui.fonts.mono);
-    ImGui::TextUnformatted(fmt::format("left = {}, right = {}", left, right).c_str());
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    put_text(fmt::format("left = {}, right = {}", left, right), ui.fonts.mono);
     wrapped_text(has_fragments(a.frame.settings.stage)
                      ? "now the pixel in column " + whole_text(left + done.step)
                      : "its two ends are drawn");
-    keep_text_whole(ui);
 }
 
 /// What the moment did, in words and numbers: the last sample entered, or the row.
@@ -55,10 +48,8 @@ void draw_moment(Ui& ui) {
     if (a.triangle && a.frame.is_drawn(*a.triangle) && !walks_edges(a.frame.stages)) {
         ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
         wrapped_text("There are no samples; a row holds the pixels whose centres are inside.");
-        keep_text_whole(ui);
         if (tests_pixels(a.frame.stages)) {
             wrapped_text("Step, or pick a pixel that has been tested, to see it explained here.");
-            keep_text_whole(ui);
         }
         ImGui::PopStyleColor();
         end_card(ui);
@@ -66,7 +57,6 @@ void draw_moment(Ui& ui) {
     }
     if (!history.last) {
         text_in(p.dim, "No sample has been entered yet, so every row is empty.");
-        keep_text_whole(ui);
         end_card(ui);
         return;
     }
@@ -78,13 +68,11 @@ void draw_moment(Ui& ui) {
     text_in(p.dim,
             ", " + element_name_of(sample_form, last.sample,
                                    history.edge_samples[static_cast<std::size_t>(last.edge)]));
-    keep_item_whole(ui);
     ImGui::PushFont(ui.fonts.mono);
     const auto show = [&](const char* axis, float place, int pixel) {
         const std::string line =
             fmt::format("{} = {} → {}", axis, nine_digits_shown(place), whole_text(pixel));
-        ImGui::TextUnformatted(line.c_str());
-        keep_item_whole(ui);
+        put_text(line);
     };
     show("x", last.x, last.fragment.column);
     show("y", last.y, last.fragment.row);
@@ -105,7 +93,6 @@ void draw_moment(Ui& ui) {
                                                      : "lies between its ends, so nothing changes";
         wrapped_text(words);
     }
-    keep_text_whole(ui);
     end_card(ui);
 }
 
@@ -138,7 +125,6 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
         ImGui::SetClipboardText(rows_text(history.rows).c_str());
         tell(ui.session, "The row table is on the clipboard.");
     }
-    keep_item_whole(ui);
     ImGui::SameLine();
     if (button(ui, "rows.values", values_label,
                ui.inspector.shows_end_values ? Look::chosen : Look::plain,
@@ -152,7 +138,6 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
     if (has_room) ImGui::SameLine();
     text_in(history.outside.empty() ? p.dim : colour_of(Meaning::fail, ui.options.theme),
             words_of_outside(history));
-    keep_item_whole(ui);
     name_widget(ui, "rows.outside",
                 "Samples of this triangle so far that fell in no row of the table.");
 }

@@ -63,9 +63,7 @@ void draw_row_headers(Ui& ui) {
         ImGui::TableSetColumnIndex(column++);
         const bool is_weight = std::string_view(headers[i].name) == weight_word;
         const std::string title(is_weight ? weight_name(ui.results.a.frame) : headers[i].name);
-        ImGui::PushFont(ui.fonts.small);
-        right_aligned(title, palette(ui.options.theme).dim);
-        ImGui::PopFont();
+        right_aligned(title, palette(ui.options.theme).dim, ui.fonts.small);
         // The values of both ends have the same titles.
         const bool is_value = ui.inspector.shows_end_values && i >= 2 && i != 6;
         const std::string end = !is_value ? "" : i < 6 ? "left." : "right.";
@@ -185,7 +183,7 @@ void draw_row_table_with(Ui& ui, const std::function<void()>& below) {
     }
     const float height = ImGui::GetContentRegionAvail().y;
     ImGui::BeginChild("rows.body", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    begin_whole_lines(ui);
+    begin_whole_lines();
     if (begin_row_table(ui, "rows", 0, {width, 0})) {
         draw_all_rows(ui, height);
         ImGui::EndTable();
@@ -193,7 +191,7 @@ void draw_row_table_with(Ui& ui, const std::function<void()>& below) {
     ImGui::PushTextWrapPos(width);
     below();
     ImGui::PopTextWrapPos();
-    end_whole_lines(ui);
+    end_whole_lines();
     ImGui::EndChild();
 }
 

@@ -79,7 +79,7 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
     const bool differs = value_text(setting, ui.session.a.settings) != usual_text;
     const float begin = ImGui::GetCursorPosX();
     const float top = ImGui::GetCursorScreenPos().y;
-    const float indent = setting.part_of.empty() ? 0.0f : 14.0f * u;
+    const float indent = setting.ties.part_of.empty() ? 0.0f : 14.0f * u;
     const std::string title(setting.title);
     const bool fits = columns.reset - columns.name >= field_width(ui, setting) &&
                       columns.name - indent - 8.0f * u >= ImGui::CalcTextSize(title.c_str()).x;
@@ -96,7 +96,7 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
     if (!idle.empty()) ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
     edit_setting(ui, ui.session.a.settings, setting, "setting." + name);
     if (!idle.empty()) ImGui::PopStyleColor();
-    keep_whole(ui, top, ImGui::GetItemRectMax().y);
+    keep_whole(top, ImGui::GetItemRectMax().y);
     if (differs) {
         ImGui::SameLine();
         ImGui::SetCursorPosX(begin + columns.reset);
@@ -143,20 +143,12 @@ std::string_view heading_of_changed(const Ui& ui, const Settings& usual) {
 
 void draw_heading(Ui& ui, std::string_view text) {
     ImGui::Spacing();
-    ImGui::PushFont(ui.fonts.bold);
-    text_in(palette(ui.options.theme).dim, text);
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    text_in(palette(ui.options.theme).dim, text, ui.fonts.bold);
 }
 
 /// Said before settings that do nothing.
 void draw_idle_reason(Ui& ui, const Setting& first, const std::string& reason) {
-    ImGui::PushFont(ui.fonts.small);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(idle_text(reason) + ":");
-    keep_text_whole(ui);
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
+    wrapped_text_in(palette(ui.options.theme).dim, idle_text(reason) + ":", ui.fonts.small);
     name_widget(
         ui, "setting_idle." + std::string(first.name),
         "The grey settings below can be changed, but have no effect on the picture for now.");
@@ -170,7 +162,6 @@ std::string_view brief(std::string_view about) {
 bool preset_button(Ui& ui, const Preset& preset, float width) {
     const bool is_pressed = button(ui, "settings.preset." + preset.name, preset.name, Look::plain,
                                    preset.about, {width, 0.0f});
-    keep_item_whole(ui);
     return is_pressed;
 }
 
@@ -206,7 +197,6 @@ void draw_presets(Ui& ui) {
         ImGui::SetCursorScreenPos(
             {start.x + widest + gap, start.y + std::max(0.5f * (button_height - height), 0.0f)});
         text_in(palette(ui.options.theme).dim, words);
-        keep_text_whole(ui);
         ImGui::PopFont();
         ImGui::SetCursorScreenPos(
             {start.x, start.y + std::max(button_height, height) + ImGui::GetStyle().ItemSpacing.y});
@@ -253,9 +243,7 @@ void draw_all_settings(Ui& ui) {
 void draw_sheet_head(Ui& ui) {
     const float u = ui.options.text_scale;
     ImGui::AlignTextToFramePadding();
-    ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted("Settings");
-    ImGui::PopFont();
+    put_text("Settings", ui.fonts.bold);
     ImGui::SameLine();
     const float side = button_width("Close");
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
@@ -285,9 +273,9 @@ void draw_settings_sheet(Ui& ui) {
     }
     // The list scrolls, its head stays.
     ImGui::BeginChild("settings.list", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    begin_whole_lines(ui);
+    begin_whole_lines();
     draw_all_settings(ui);
-    end_whole_lines(ui);
+    end_whole_lines();
     ImGui::EndChild();
 }
 

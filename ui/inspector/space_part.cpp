@@ -9,24 +9,11 @@
 #include "settings/value_words.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
 namespace {
-
-/// Text with no line cut off at the edge of the scroll.
-void line_of_text(Ui& ui, std::string_view text) {
-    wrapped_text(text);
-    keep_text_whole(ui);
-}
-
-void dim_text(Ui& ui, std::string_view text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    line_of_text(ui, text);
-    ImGui::PopStyleColor();
-}
 
 void draw_order(Ui& ui) {
     const Setting& setting = *find_setting("matrix_order");
@@ -45,7 +32,6 @@ void draw_order(Ui& ui) {
                    "transpose of the one for the other.")) {
             ui.session.a.settings.matrix_order = order;
         }
-        keep_item_whole(ui);
     }
 }
 
@@ -63,7 +49,6 @@ void draw_matrix(Ui& ui, const SpacePlace& place, MatrixOrder order) {
             right_aligned(fixed(value, ui.inspector.is_narrow ? 2 : 3),
                           is_plain ? palette(ui.options.theme).dim
                                    : palette(ui.options.theme).text);
-            keep_item_whole(ui);
         }
     }
     ImGui::PopFont();
@@ -72,14 +57,12 @@ void draw_matrix(Ui& ui, const SpacePlace& place, MatrixOrder order) {
 
 void draw_place(Ui& ui, const SpacePlace& place, MatrixOrder order) {
     ImGui::Separator();
-    ImGui::TextUnformatted(place.space.data(), place.space.data() + place.space.size());
-    keep_item_whole(ui);
+    put_text(place.space);
     name_widget(ui, std::string("vertices.space.").append(place.space), place.about);
-    dim_text(ui, place.about);
+    wrapped_text_in(palette(ui.options.theme).dim, place.about);
     if (place.matrix) {
         ImGui::BeginGroup();
-        ImGui::TextUnformatted((std::string(place.matrix_name) + " =").c_str());
-        keep_item_whole(ui);
+        put_text(std::string(place.matrix_name) + " =");
         draw_matrix(ui, place, order);
         ImGui::EndGroup();
         name_widget(ui, std::string("vertices.matrix.").append(place.matrix_name), place.about);
@@ -88,7 +71,7 @@ void draw_place(Ui& ui, const SpacePlace& place, MatrixOrder order) {
     for (int i = 0; i < 4; ++i) {
         const std::string& formula = place.formulas[static_cast<std::size_t>(i)];
         constexpr const char* axes[] = {"x = ", "y = ", "z = ", "w = "};
-        line_of_text(ui, formula.empty() ? axes[i] + fixed(place.place[i], 4) : formula);
+        wrapped_text(formula.empty() ? axes[i] + fixed(place.place[i], 4) : formula);
     }
     ImGui::PopFont();
 }
@@ -113,22 +96,20 @@ void draw_conventions(Ui& ui, const Vertex& vertex) {
     const ConventionReport report =
         convention_report(ui.results.a.frame.settings.camera, vertex.position);
     ImGui::Separator();
-    ImGui::TextUnformatted("conventions");
-    keep_item_whole(ui);
+    put_text("conventions");
     name_widget(ui, "vertices.conventions",
                 "The same point under the lab's projection, whatever is drawn, with one choice "
                 "made differently; in pixels from the middle.");
     const auto draw_line = [&](std::string_view name, const ConventionPlace& place) {
-        line_of_text(ui, std::string(name) + ": " + fixed(place.picture.x, 1) + ", " +
-                             fixed(place.picture.y, 1) + ", " +
-                             std::string(change_words(place.change)));
+        wrapped_text(std::string(name) + ": " + fixed(place.picture.x, 1) + ", " +
+                     fixed(place.picture.y, 1) + ", " + std::string(change_words(place.change)));
     };
-    line_of_text(ui, "as in the lab: " + fixed(report.lab.picture.x, 1) + ", " +
-                         fixed(report.lab.picture.y, 1));
+    wrapped_text("as in the lab: " + fixed(report.lab.picture.x, 1) + ", " +
+                 fixed(report.lab.picture.y, 1));
     for (std::size_t i = 0; i < convention_count; ++i)
         draw_line(convention_names()[i], report.alone[i]);
     for (const std::string& sentence : report.sentences)
-        dim_text(ui, sentence);
+        wrapped_text_in(palette(ui.options.theme).dim, sentence);
 }
 
 } // namespace
@@ -141,10 +122,9 @@ void draw_spaces(Ui& ui, int vertex) {
     if (spaces.chain.empty()) return;
     ImGui::Separator();
     text_in(palette(ui.options.theme).dim, "Spaces of " + vertex_name(vertex));
-    keep_item_whole(ui);
     name_widget(ui, "vertices.spaces",
                 "The vertex in every space, and the matrix that took it there.");
-    line_of_text(ui, spaces.chain);
+    wrapped_text(spaces.chain);
     draw_order(ui);
     for (const SpacePlace& place : spaces.places)
         draw_place(ui, place, spaces.order);

@@ -139,8 +139,7 @@ float draw_tab_list(Ui& ui) {
     const std::string title(shown != tabs.end() ? words_of(**shown).title : std::string_view());
     ImGui::SetNextItemWidth(-1.0f);
     const bool open = ImGui::BeginCombo("##tabs", title.c_str(), ImGuiComboFlags_HeightLargest);
-    name_widget(ui, "tabs", "What the inspector shows.");
-    note_text(ui, "tabs", title);
+    name_widget(ui, "tabs", "What the inspector shows.", title);
     const float bottom = ImGui::GetItemRectMax().y + ImGui::GetStyle().ItemSpacing.y;
     if (!open) return bottom;
     for (std::size_t i = 0; i < tabs.size(); ++i) {

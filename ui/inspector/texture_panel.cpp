@@ -6,14 +6,13 @@
 #include <fmt/format.h>
 
 #include "explain/light_formulas.h"
-#include "picture/view_image.h"
 #include "ui/actions/go_to_source.h"
 #include "ui/inspector/fragment_parts.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
+#include "ui/widgets/swatch.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -35,11 +34,6 @@ const TextureReport& texture_on_show(const Ui& ui) {
     return *report_of(ui).texture;
 }
 
-ImU32 texel_colour(const Ui& ui, const glm::vec3& colour) {
-    const glm::vec3 cut = shown_colour(colour, ui.results.a.frame.stages.screen);
-    return packed({cut.r, cut.g, cut.b, 1.0f});
-}
-
 /// Black or white, whichever stands out; the weights of the channels are those of Rec. 709.
 ImU32 readable_on(const glm::vec3& colour) {
     const float light = 0.2126f * colour.r + 0.7152f * colour.g + 0.0722f * colour.b;
@@ -57,19 +51,10 @@ void follow_texture_source(Ui& ui, const std::optional<Source>& source) {
     go_to_source(ui, *source);
 }
 
-/// A formula on one line; clicking a number asks about it.
-void draw_texture_line(Ui& ui, const std::string& id) {
-    const Formula* const formula = find_formula(report_of(ui).formulas, id);
-    if (formula != nullptr) follow_texture_source(ui, draw_formula_line(ui, *formula, id));
-}
-
 void draw_texture_title(Ui& ui) {
     const FragmentReport& report = report_of(ui);
     const Texture& texture = *texture_on_show(ui).surface.texture;
-    ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted(fmt::format("Pixel ({}, {})", report.pixel.x, report.pixel.y).c_str());
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    put_text(fmt::format("Pixel ({}, {})", report.pixel.x, report.pixel.y), ui.fonts.bold);
     name_widget(ui, "texture.pixel", "Column and row of the pixel that the fragment fell on.");
     const std::string size =
         fmt::format("{} × {} texels", texture.base().width, texture.base().height);
@@ -77,7 +62,6 @@ void draw_texture_title(Ui& ui) {
     text_in(palette(ui.options.theme).dim,
             first_fitting({texture.name + ", " + size, file + ", " + size, size},
                           ImGui::GetContentRegionAvail().x));
-    keep_item_whole(ui);
     name_widget(ui, "texture.name",
                 "The texture: the picture on the surface, " + texture.name +
                     ". Its pixels are called texels.");
@@ -126,7 +110,7 @@ void draw_texture_map(Ui& ui) {
     for (int row = 0; row < level.height; ++row) {
         for (int column = 0; column < level.width; ++column) {
             list->AddRectFilled(corner(column, row), corner(column + 1, row + 1),
-                                texel_colour(ui, level.at(column, row)));
+                                screen_colour(ui, level.at(column, row)));
         }
     }
     const TextureWrap wrap = ui.results.a.frame.settings.texture_wrap;
@@ -151,7 +135,6 @@ void draw_texture_map(Ui& ui) {
     list->PopClipRect();
     list->AddCircle(at(place), ring * ui.options.text_scale, mark, 0, 2.0f * ui.options.text_scale);
     ImGui::Dummy(size);
-    keep_item_whole(ui);
     name_widget(
         ui, "texture.map",
         "The whole texture. The ring is where the pixel is, and the box around it is what the "
@@ -197,12 +180,11 @@ void draw_taken_texels(Ui& ui) {
         const std::string id = fmt::format("texture.texel.{}.weight", k);
         ImGui::SetCursorScreenPos(from);
         if (ImGui::InvisibleButton(id.c_str(), {side - u, side - u})) choose_texture_number(ui, id);
-        keep_item_whole(ui);
         name_widget(ui, fmt::format("texture.texel.{}", k),
                     fmt::format("Column {}, row {} of level {}; its weight is {}.\nClick to see "
                                 "how that was calculated.",
                                 texel.column, texel.row, texel.level, shown({texel.weight})));
-        list->AddRectFilled(from, to, texel_colour(ui, texel.colour));
+        list->AddRectFilled(from, to, screen_colour(ui, texel.colour));
         const bool is_chosen = ui.inspector.chosen.texture_number == id;
         list->AddRect(
             from, to,
@@ -234,7 +216,7 @@ void draw_mixed_colour(Ui& ui) {
     const float size = ImGui::GetTextLineHeight();
     const ImVec2 from = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + 2.0f * size, from.y + size},
-                                              texel_colour(ui, report.colour));
+                                              screen_colour(ui, report.colour));
     ImGui::Dummy({2.0f * size, size});
     ImGui::SameLine();
     FormulaLine line(ui, 0.0f);
@@ -246,12 +228,6 @@ void draw_mixed_colour(Ui& ui) {
             choose_texture_number(ui, id);
         line.text("  ", p.text);
     }
-}
-
-/// Does the filter choose levels? The others take the texture itself.
-bool asks_for_level(const Ui& ui) {
-    const TextureFilter filter = ui.results.a.frame.settings.texture_filter;
-    return filter == TextureFilter::mipmap || filter == TextureFilter::trilinear;
 }
 
 void draw_texture_page(Ui& ui) {
@@ -274,29 +250,20 @@ void draw_texture_page(Ui& ui) {
     draw_mixed_colour(ui);
     ImGui::Spacing();
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x);
-    for (const char* id : {"texture.x", "texture.y", "texture.right", "texture.down"})
-        draw_texture_line(ui, id);
-    if (asks_for_level(ui)) draw_texture_line(ui, "texture.level");
+    follow_texture_source(ui, draw_section(ui, report_of(ui).formulas, "texture", ""));
     ImGui::PopItemWidth();
 }
 
+/// The chosen number; the level first, if the filter chooses one.
 void draw_texture_formula(Ui& ui) {
     const std::vector<Formula>& formulas = report_of(ui).formulas;
+    const Formula* const level = find_formula(formulas, "texture.level");
+    const bool has_level = !level->section.empty();
     const std::string& chosen = ui.inspector.chosen.texture_number;
-    const bool is_shown = chosen != "texture.level" || asks_for_level(ui);
-    const Formula* formula = is_shown ? find_formula(formulas, chosen) : nullptr;
-    if (formula == nullptr)
-        formula = find_formula(formulas, asks_for_level(ui) ? "texture.level" : "texture.x");
-    begin_card(ui);
-    if (!ui.inspector.is_low) {
-        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        wrapped_text(formula->help);
-        keep_text_whole(ui);
-        ImGui::PopStyleColor();
-    }
-    const std::optional<Source> clicked = draw_formula(ui, *formula, "texture.formula");
-    end_card(ui);
-    follow_texture_source(ui, clicked);
+    const Formula* formula = find_formula(formulas, chosen);
+    if (formula == nullptr || (formula == level && !has_level))
+        formula = has_level ? level : find_formula(formulas, "texture.x");
+    follow_texture_source(ui, draw_formula_card(ui, *formula, "texture.formula"));
 }
 
 void draw_no_texture(Ui& ui) {
@@ -312,9 +279,7 @@ void draw_no_texture(Ui& ui) {
         words = "This surface has no texture.";
     else if (ui.session.selection.pixel)
         words = "No fragment ever falls on this pixel. The History tab says why.";
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(words);
-    ImGui::PopStyleColor();
+    wrapped_text_in(palette(ui.options.theme).dim, words);
     name_widget(ui, "texture.none");
 }
 
@@ -326,13 +291,8 @@ void draw_texture_panel(Ui& ui) {
         draw_no_texture(ui);
         return;
     }
-    if (!ui.inspector.has_card) {
-        draw_texture_page(ui);
-        draw_texture_formula(ui);
-        return;
-    }
-    draw_with_card(
-        ui, "texture", [&] { draw_texture_page(ui); }, [&] { draw_texture_formula(ui); });
+    draw_panel(ui, "texture", {{[&] { draw_texture_page(ui); }, true}},
+               [&] { draw_texture_formula(ui); });
 }
 
 } // namespace rasterwalk

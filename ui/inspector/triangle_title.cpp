@@ -8,7 +8,6 @@
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -18,10 +17,7 @@ void draw_triangle_title(Ui& ui) {
     const int count = ui.results.a.frame.triangle_count();
     const Palette& p = palette(ui.options.theme);
     ImGui::AlignTextToFramePadding();
-    ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted(triangle_name(triangle).c_str());
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    put_text(triangle_name(triangle), ui.fonts.bold);
     const std::string part = part_name(*ui.results.a.frame.scene, triangle);
     name_widget(ui, "triangle.name",
                 "The triangle that the inspector shows, a part of \"" + part +
@@ -42,7 +38,6 @@ void draw_triangle_title(Ui& ui) {
                    "Releases the picked triangle and always shows the one being drawn.")) {
             ui.session.selection.triangle = std::nullopt;
         }
-        keep_item_whole(ui);
     };
     // The buttons come first; the part is named if that fits before them.
     float width = count > 1 ? 2.0f * ImGui::GetFrameHeight() + gap : 0.0f;
@@ -64,7 +59,6 @@ void draw_triangle_title(Ui& ui) {
                    size)) {
             ui.session.selection.triangle = (triangle + count - 1) % count;
         }
-        keep_item_whole(ui);
         ImGui::SameLine();
         if (button(ui, "triangle.next", "›", Look::plain, "Shows the next triangle.", size)) {
             ui.session.selection.triangle = (triangle + 1) % count;

@@ -56,7 +56,6 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
     ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
     if (formula.id.starts_with("pixel.")) {
         wrapped_text(other_roundings(vertex, formula.id, settings.vertex_rounding));
-        keep_text_whole(ui);
         name_widget(ui, "vertices.other_roundings",
                     "The same number with the other roundings. int() cuts toward zero, so it "
                     "moves negative numbers in the opposite direction from positive ones.");
@@ -65,7 +64,6 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
     // While nothing is turned there is no R to discuss.
     if (has_camera && is_camera_turned(ui) && depends_on_rotation(formula.id)) {
         wrapped_text(other_convention(vertex, formula, settings.rotation));
-        keep_text_whole(ui);
         name_widget(ui, "vertices.other_convention",
                     "A vector on the left or on the right of the matrix. One matrix is the "
                     "transpose of the other, and turns the camera the other way.");
@@ -73,14 +71,12 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
     ImGui::PopStyleColor();
 }
 
-void draw_formula_card(Ui& ui, const VertexReport& vertex) {
+void draw_vertex_card(Ui& ui, const VertexReport& vertex) {
     begin_card(ui);
     // A vertex behind the camera does not drop the triangle if it is clipped.
     const Rejection why = ui.results.a.frame.rejection(*ui.results.a.triangle);
-    if (why != Rejection::none) {
+    if (why != Rejection::none)
         wrapped_text("The triangle is left out: " + std::string(words(why).detail) + ".");
-        keep_text_whole(ui);
-    }
     const Formula* formula = find_formula(vertex.formulas, ui.inspector.chosen.vertex_number);
     if (formula == nullptr) formula = find_formula(vertex.formulas, "rotated.z");
     // Where lines are few the formula itself names its vertex.
@@ -90,7 +86,6 @@ void draw_formula_card(Ui& ui, const VertexReport& vertex) {
     } else {
         text_in(palette(ui.options.theme).dim, vertex_name(vertex.vertex) + ": " + formula->help);
         name_widget(ui, "vertices.formula", formula->help);
-        keep_text_whole(ui);
     }
     ImGui::PushFont(ui.inspector.is_low ? ui.fonts.small : ui.fonts.text);
     const std::optional<Source> clicked = draw_formula(ui, said, "vertices.formula");
@@ -133,7 +128,7 @@ void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex, bool has_s
         end_vertex_table();
     }
     ImGui::BeginChild("vertices.body", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    begin_whole_lines(ui);
+    begin_whole_lines();
     if (begin_vertex_table(ui, "vertices", width)) {
         draw_vertex_lines(ui, chosen, all.first(above));
         end_vertex_table();
@@ -141,7 +136,7 @@ void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex, bool has_s
     const ImGuiStyle& style = ImGui::GetStyle();
     const float row = ImGui::GetCursorScreenPos().y - style.ItemSpacing.y -
                       2.0f * style.CellPadding.y - ui.fonts.text->FontSize;
-    draw_formula_card(ui, vertex);
+    draw_vertex_card(ui, vertex);
     // The click was in the previous frame, where the formula was elsewhere.
     const int frame = ImGui::GetFrameCount();
     if (ui.inspector.formula_frame + 1 == frame) bring_into_sight(row);
@@ -151,7 +146,7 @@ void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex, bool has_s
     }
     if (number() != before) ui.inspector.formula_frame = frame;
     if (has_spaces) draw_spaces(ui, chosen);
-    end_whole_lines(ui);
+    end_whole_lines();
     ImGui::EndChild();
 }
 
@@ -180,17 +175,15 @@ void draw_vertices_panel(Ui& ui) {
         draw_as_one_page(ui, chosen, vertex, has_spaces);
         return;
     }
-    draw_with_card(
-        ui, "vertices",
-        [&] {
-            if (begin_vertex_table(ui, "vertices", ImGui::GetContentRegionAvail().x)) {
-                draw_vertex_header(ui, chosen);
-                draw_vertex_lines(ui, chosen, vertex_lines());
-                end_vertex_table();
-            }
-            if (has_spaces) draw_spaces(ui, chosen);
-        },
-        [&] { draw_formula_card(ui, vertex); });
+    const auto numbers = [&] {
+        if (begin_vertex_table(ui, "vertices", ImGui::GetContentRegionAvail().x)) {
+            draw_vertex_header(ui, chosen);
+            draw_vertex_lines(ui, chosen, vertex_lines());
+            end_vertex_table();
+        }
+        if (has_spaces) draw_spaces(ui, chosen);
+    };
+    draw_panel(ui, "vertices", {{numbers, true}}, [&] { draw_vertex_card(ui, vertex); });
 }
 
 } // namespace rasterwalk

@@ -10,7 +10,6 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -175,19 +174,16 @@ void draw_labels(Ui& ui, const VertexLine& line) {
         ImGui::PushFont(ui.fonts.small);
         const std::string coordinate = coordinate_of(ui, line);
         right_aligned(space.empty() ? coordinate : space + " " + coordinate, p.dim);
-        keep_item_whole(ui);
         ImGui::PopFont();
         name_widget(ui, name, help_of(ui, line));
         return;
     }
     if (*line.space != '\0') {
-        ImGui::TextUnformatted(space_of(ui, line));
-        keep_item_whole(ui);
+        put_text(space_of(ui, line));
         name_widget(ui, name + ".space", help_of(ui, line));
     }
     ImGui::TableNextColumn();
     text_in(p.dim, coordinate_of(ui, line));
-    keep_item_whole(ui);
     name_widget(ui, name, help_of(ui, line));
 }
 

@@ -1,7 +1,6 @@
 #include "ui/lesson/fitting_sentences.h"
 
 #include <algorithm>
-#include <memory>
 #include <vector>
 
 #include "text/sentences.h"
@@ -13,13 +12,8 @@ namespace rasterwalk {
 
 namespace {
 
-float height_of(Ui& ui, const std::string& text, float width) {
-    std::shared_ptr<MarkdownPage> page;
-    return markdown_height(ui, page, text, width);
-}
-
 float height_of_lines(Ui& ui, float width, int lines) {
-    const float one = height_of(ui, "x", width), two = height_of(ui, "x\\\ny", width);
+    const float one = markdown_height(ui, "x", width), two = markdown_height(ui, "x\\\ny", width);
     return one + static_cast<float>(lines - 1) * (two - one) + 0.5f;
 }
 
@@ -30,7 +24,7 @@ std::string work_out(Ui& ui, const std::string& text, float width, int lines) {
     std::string fitting = sentences.front();
     for (std::size_t i = 1; i < sentences.size(); ++i) {
         const std::string longer = fitting + " " + sentences[i];
-        if (height_of(ui, longer, width) > room) break;
+        if (markdown_height(ui, longer, width) > room) break;
         fitting = longer;
     }
     return fitting;
@@ -49,7 +43,7 @@ void add_table(Ui& ui, const CutTable& table, float width, float most,
                std::vector<std::string>& parts) {
     if (!table.before.empty()) parts.push_back(table.before);
     const auto fits = [&](std::size_t first, std::size_t count) {
-        return height_of(ui, some_rows(table, first, count), width) <= most;
+        return markdown_height(ui, some_rows(table, first, count), width) <= most;
     };
     std::vector<std::size_t> counts; // as many rows as have room, part by part
     for (std::size_t r = 0; r < table.rows.size(); r += counts.back()) {
@@ -95,13 +89,13 @@ std::vector<std::string> fitting_parts(Ui& ui, const std::string& text, float wi
     for (const ReadingPiece& piece : reading_pieces(text)) {
         if (!piece.is_first) {
             const std::string longer = parts.back() + std::string(piece.glue) + piece.text;
-            if (height_of(ui, longer, width) <= room) {
+            if (markdown_height(ui, longer, width) <= room) {
                 parts.back() = longer;
                 continue;
             }
         }
         if (const CutTable table = cut_table(piece.text);
-            table.rows.size() > 1 && height_of(ui, piece.text, width) > most) {
+            table.rows.size() > 1 && markdown_height(ui, piece.text, width) > most) {
             add_table(ui, table, width, most, parts);
         } else {
             parts.push_back(piece.text);

@@ -46,14 +46,11 @@ float LessonBox::inner_width() const {
 }
 
 void LessonBox::heading(const char* text, const ImVec4& colour) {
-    ImGui::PushFont(ui_.fonts.small);
-    text_in(colour, text);
-    ImGui::PopFont();
+    text_in(colour, text, ui_.fonts.small);
     // Together with the first line.
     const float bottom = ImGui::GetItemRectMax().y + ImGui::GetStyle().ItemSpacing.y +
                          1.4f * ui_.fonts.text->FontSize;
-    keep_beginning(ui_, start_.y - 1.0f, bottom);
-    keep_item_whole(ui_);
+    keep_beginning(start_.y - 1.0f, bottom);
 }
 
 void LessonBox::markdown(const std::string& name, std::shared_ptr<MarkdownPage>& page,

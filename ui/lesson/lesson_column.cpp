@@ -128,11 +128,11 @@ void draw_scrolled(Ui& ui, const Lesson* lesson, SidePage page, ImVec2 size, flo
     ImGui::BeginChild("lesson.text", size, false, ImGuiWindowFlags_NoNav);
     const std::string name = name_of_page(ui, lesson, page);
     keep_place(ui.lesson, name, page == SidePage::lesson && ui.lesson.wants_end);
-    begin_whole_lines(ui);
+    begin_whole_lines();
     draw_text(ui, lesson, page, width);
     if (has_footer) draw_footer(ui, lesson, page, width);
     note_shown_lines(ui);
-    end_whole_lines(ui);
+    end_whole_lines();
     draw_edge(ui, width);
     ImGui::EndChild();
 }

@@ -57,11 +57,10 @@ void draw_lesson_control(Ui& ui, const LessonControl& control, float width) {
     const float top = ImGui::GetCursorScreenPos().y;
     const std::string name = "lesson.control." + control.name;
     if (hides_settings(ui.session)) {
-        ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-        wrapped_text("The settings are hidden until the quiz is over.");
-        ImGui::PopStyleColor();
+        wrapped_text_in(palette(ui.options.theme).dim,
+                        "The settings are hidden until the quiz is over.");
+        keep_item_whole();
         name_widget(ui, name + ".hidden", "They would give the mistake away.");
-        keep_item_whole(ui);
         return;
     }
     const std::string title = title_of(control), read_out = read_out_of(ui, control);
@@ -76,7 +75,7 @@ void draw_lesson_control(Ui& ui, const LessonControl& control, float width) {
     ImGui::SetNextItemWidth(
         std::min(has_words_beside ? room - said - gap : room, widest_field * u));
     edit_setting(ui, ui.session.a.settings, *control.setting, name, control.range);
-    keep_whole(ui, top, ImGui::GetItemRectMax().y);
+    keep_whole(top, ImGui::GetItemRectMax().y);
     if (!read_out.empty()) {
         if (has_words_beside) {
             ImGui::SameLine(0.0f, gap);
@@ -84,14 +83,12 @@ void draw_lesson_control(Ui& ui, const LessonControl& control, float width) {
         }
         ImGui::PushFont(ui.fonts.bold);
         if (has_words_beside) {
-            ImGui::TextUnformatted(read_out.c_str());
+            put_text(read_out);
         } else {
             wrapped_text(read_out);
         }
         ImGui::PopFont();
-        name_widget(ui, name + ".read_out", "The result of this setting.");
-        note_text(ui, name + ".read_out", read_out);
-        keep_text_whole(ui);
+        name_widget(ui, name + ".read_out", "The result of this setting.", read_out);
     }
     ImGui::PopID();
 }

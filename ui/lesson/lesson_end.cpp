@@ -95,8 +95,7 @@ void draw_lesson_end(Ui& ui, const Lesson& lesson, float width) {
     const std::string text = end_of_lesson(ui, lesson);
     const MarkdownEvents events =
         draw_markdown(ui, page, text, width, "lesson.end.link.", ui.session.lesson_folder);
-    name_widget(ui, "lesson.end");
-    note_text(ui, "lesson.end", text);
+    name_widget(ui, "lesson.end", {}, text);
     answer_links(ui, document_of(*page), events);
 }
 

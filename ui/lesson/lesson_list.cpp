@@ -64,9 +64,7 @@ bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const 
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height});
     const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, name, help);
-    note_text(ui, name, title);
-    keep_item_whole(ui);
+    name_widget(ui, name, help, title);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     if (hovered) {
         list->AddRectFilled(low, {low.x + width, low.y + height}, packed(p.row_lit), 4.0f * u);
@@ -106,7 +104,7 @@ void draw_to_come(Ui& ui, int number) {
                   std::to_string(number).c_str());
     list->AddText({low.x + entry_indent * u, low.y + 4.5f * u}, colour, "to come");
     ImGui::Dummy({0.0f, ImGui::GetFontSize() + 9.0f * u});
-    keep_item_whole(ui);
+    keep_item_whole();
 }
 
 void draw_lessons(Ui& ui, float width) {
@@ -148,7 +146,7 @@ void draw_lessons(Ui& ui, float width) {
         ImGui::OpenPopup("lesson.reset.sure");
     }
     if (ImGui::BeginPopup("lesson.reset.sure")) {
-        ImGui::TextUnformatted("Forget what you have done in all lessons?");
+        put_text("Forget what you have done in all lessons?");
         if (button(ui, "lesson.reset.yes", "forget", Look::plain, "This cannot be undone.")) {
             reset_progress(ui);
             ImGui::CloseCurrentPopup();

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "session/glossary.h"
-#include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
+#include "ui/lesson/lesson_box.h"
 #include "ui/lesson/lesson_controls.h"
 #include "ui/lesson/lesson_end.h"
 #include "ui/lesson/lesson_predictions.h"
@@ -49,11 +49,7 @@ void draw_heading(Ui& ui, const Lesson& lesson) {
         text.append(" · step ").append(std::to_string(ui.session.step));
         text.append(" of ").append(std::to_string(last));
     }
-    ImGui::PushFont(ui.fonts.small);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(text);
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
+    wrapped_text_in(palette(ui.options.theme).dim, text, ui.fonts.small);
     ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
 }
 
@@ -111,7 +107,7 @@ bool is_open(const Ui& ui, const Lesson& lesson, const LessonPart& part) {
 /// it is at the top.
 bool is_below(const Ui& ui, const PartArea& area) {
     const float furthest = std::min(scroll_at(ui, area, 0.0f), ImGui::GetScrollMaxY());
-    return is_cut_off(ui) && ImGui::GetScrollY() < furthest - 1.0f;
+    return is_cut_off() && ImGui::GetScrollY() < furthest - 1.0f;
 }
 
 /// Notes for the strip how far the student has scrolled the whole text.
@@ -167,11 +163,7 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
         switch (part.kind) {
         case LessonPart::Kind::text: {
             const std::string name = "lesson.part" + std::to_string(i);
-            std::shared_ptr<MarkdownPage>& page = ui.lesson.pages[name];
-            const MarkdownEvents events =
-                draw_markdown(ui, page, with_footnotes(lesson, part.text), width, name + ".link.",
-                              ui.session.lesson_folder);
-            answer_links(ui, document_of(*page), events);
+            draw_marked(ui, name, ui.lesson.pages[name], with_footnotes(lesson, part.text), width);
             break;
         }
         case LessonPart::Kind::task:

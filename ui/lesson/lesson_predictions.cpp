@@ -30,7 +30,6 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     const bool entered = ImGui::InputTextWithHint("##number", "your number", &view.typed,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     name_widget(ui, name + ".number", "Type a number; 1/3 and 500*2 work too.");
-    keep_item_whole(ui);
     if (!prediction.unit.empty()) {
         ImGui::SameLine(0.0f, 6.0f * u);
         ImGui::AlignTextToFramePadding();
@@ -39,12 +38,10 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     ImGui::SameLine(0.0f, 10.0f * u);
     if (ImGui::GetContentRegionAvail().x < button_width("answer")) ImGui::NewLine();
     const bool pressed = button(ui, name + ".answer", "answer", Look::main, "Checks your answer.");
-    keep_item_whole(ui);
     if (view.is_no_number) {
         text_in(colour_of(Meaning::fail, ui.options.theme),
                 view.typed.empty() ? "Type a number first." : "That is not a number.");
         name_widget(ui, name + ".fault", "1/3 and 500*2 are numbers too.");
-        keep_item_whole(ui);
     }
     if (!entered && !pressed) return;
     const std::optional<double> number = read_answer(view.typed);
@@ -94,7 +91,7 @@ bool is_second_try(Ui& ui, const LessonPrediction& prediction) {
 void draw_spent_choice(Ui& ui, const std::string& choice, const Area& area, ImVec2 padding,
                        float wrap) {
     ImGui::Dummy(area.size);
-    keep_item_whole(ui);
+    keep_item_whole();
     ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(),
                                         {area.position.x + padding.x, area.position.y + padding.y},
                                         packed(palette(ui.options.theme).dim), choice.c_str(),
@@ -125,7 +122,6 @@ void draw_choices(Ui& ui, const Lesson& lesson, const LessonPrediction& predicti
         ImGui::PopID();
         const bool hovered = ImGui::IsItemHovered();
         name_widget(ui, name + ".choice." + std::to_string(number), "Choose this answer.");
-        keep_item_whole(ui);
         ImDrawList* const list = ImGui::GetWindowDrawList();
         list->AddRectFilled(low, {low.x + size.x, low.y + size.y},
                             packed(hovered ? p.button_hovered : p.button), 4.0f * u);
@@ -148,14 +144,12 @@ void draw_pixel_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     const std::optional<glm::ivec2>& pixel = ui.session.selection.pixel;
     if (!pixel) {
         text_in(palette(ui.options.theme).dim, "Click a pixel in the picture.");
-        keep_item_whole(ui);
         return;
     }
     if (button(ui, name + ".answer", "answer " + pixel_words(*pixel), Look::main,
                "Answers with the pixel that is picked in the picture.")) {
         answer_prediction(ui, lesson, prediction, {*pixel}, answer_words(prediction, {*pixel}));
     }
-    keep_item_whole(ui);
 }
 
 /// A chosen sentence in quotation marks; a number or a pixel unchanged, with a full stop.
@@ -209,9 +203,8 @@ void draw_verdict(Ui& ui, const LessonPrediction& prediction, const std::string&
     wrapped_text(mark + said);
     ImGui::PopFont();
     ImGui::PopStyleColor();
-    name_widget(ui, name + ".verdict");
-    note_text(ui, name + ".verdict", said);
-    keep_item_whole(ui);
+    name_widget(ui, name + ".verdict", {}, said);
+    keep_item_whole();
 }
 
 /// Brings what was just said into sight, and gives the keyboard to the widget after it.
@@ -226,7 +219,6 @@ void draw_again(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
                 const std::string& name) {
     const bool is_pressed = button(ui, name + ".again", "answer again", Look::link,
                                    "The program remembers your first answer.");
-    keep_item_whole(ui);
     if (std::exchange(ui.lesson.predictions[prediction.id].is_fresh, false))
         show_fresh(ui, name + ".again");
     if (is_pressed) ask_again(ui, lesson, prediction);
@@ -237,7 +229,6 @@ void draw_again(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
                "Sets up the picture, moment and tab of the answer.")) {
         reveal_answer(ui, lesson, prediction);
     }
-    keep_item_whole(ui);
 }
 
 void draw_reveal(Ui& ui, LessonBox& box, const Lesson& lesson, const LessonPrediction& prediction,
@@ -313,8 +304,7 @@ void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
         draw_verdict(ui, prediction, name);
         const std::string words = words_to_miss(view);
         draw_marked(ui, name, view.because, words, width);
-        name_widget(ui, name + ".says");
-        note_text(ui, name + ".says", words);
+        name_widget(ui, name + ".says", {}, words);
         ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
     }
     draw_answers(ui, lesson, prediction, name, side_by_side ? width : ImGui::CalcItemWidth(),
@@ -322,7 +312,6 @@ void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
     if (!is_second) return;
     const bool is_pressed =
         button(ui, name + ".show", "show the answer", Look::link, "Gives up the second try.");
-    keep_item_whole(ui);
     if (is_fresh) show_fresh(ui, first_answer(ui, prediction, name));
     if (is_pressed) reveal_answer(ui, lesson, prediction);
 }

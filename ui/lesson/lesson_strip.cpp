@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/lesson/fitting_sentences.h"
+#include "ui/lesson/lesson_box.h"
 #include "ui/lesson/lesson_cards.h"
 #include "ui/lesson/lesson_controls.h"
 #include "ui/lesson/lesson_page.h"
@@ -14,7 +14,6 @@
 #include "ui/lesson/lesson_tasks.h"
 #include "ui/lesson/stage_page.h"
 #include "ui/lesson/strip_buttons.h"
-#include "ui/page/markdown.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
@@ -94,19 +93,19 @@ int draw_head(Ui& ui, const Head& head, float width, Area& words) {
 }
 
 /// The card has its own window, which scrolls below the head.
-void begin_card_window(Ui& ui, float width) {
+void begin_card_window(float width) {
     const float scroll_bar = ImGui::GetStyle().ScrollbarSize;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::BeginChild("lesson.strip.text", {width + scroll_bar, 0.0f}, false,
                       ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar();
     ImGui::PushTextWrapPos(width);
-    begin_whole_lines(ui);
+    begin_whole_lines();
 }
 
 void end_card_window(Ui& ui) {
     note_shown_lines(ui);
-    end_whole_lines(ui);
+    end_whole_lines();
     ImGui::PopTextWrapPos();
     const float card = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
     ui.lesson.strip.height = head_room(ui) + card;
@@ -115,10 +114,7 @@ void end_card_window(Ui& ui) {
 
 /// Some lines of a text.
 void draw_text_card(Ui& ui, const std::string& text, float width) {
-    std::shared_ptr<MarkdownPage>& page = ui.lesson.pages["strip"];
-    const MarkdownEvents events =
-        draw_markdown(ui, page, text, width, "lesson.strip.link.", ui.session.lesson_folder);
-    answer_links(ui, document_of(*page), events);
+    draw_marked(ui, "lesson.strip", ui.lesson.pages["strip"], text, width);
 }
 
 void draw_card(Ui& ui, const Lesson& lesson, const LessonStep& step, const LessonCard& card,
@@ -176,7 +172,7 @@ int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, floa
     const int pressed = draw_part_words(ui, lesson, step, part, words);
     if (pressed >= 0) strip.card = card_of_part(strip, pressed);
     ImGui::SetCursorScreenPos(below);
-    begin_card_window(ui, width);
+    begin_card_window(width);
     if (strip.card != strip.scrolled_card) {
         ImGui::SetScrollY(0.0f);
         ui.lesson.pages_to_scroll = 0.0f;
@@ -201,7 +197,7 @@ int draw_stage(Ui& ui, const PageFooter& pages, float head_width, float width) {
         "stage " + std::to_string(pages.current + 1) + " of " + std::to_string(stage_count), pages};
     Area words{};
     const int wanted = draw_head(ui, head, head_width, words);
-    begin_card_window(ui, width);
+    begin_card_window(width);
     scroll_by_key(ui.lesson);
     const StageNote& note = ui.lesson.notes.find(note_name(ui.session));
     const std::string text =

@@ -9,7 +9,6 @@
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -33,8 +32,7 @@ void draw_task_words(Ui& ui, const LessonTask& task, const std::string& name, bo
     const std::string& said = words->second.text;
     draw_marked(ui, name + ".words", ui.lesson.pages[name + ".words"],
                 done ? said : "**Not yet:** " + said, width);
-    name_widget(ui, name + ".words");
-    note_text(ui, name + ".words", said);
+    name_widget(ui, name + ".words", {}, said);
     scroll_to_fresh(ui, name + ".words");
 }
 
@@ -49,8 +47,6 @@ void draw_hint(Ui& ui, const LessonTask& task, const std::string& name, float wi
         hints.insert(task.id);
         ui.lesson.fresh = name + ".hint";
         ui.lesson.frames_to_fresh = 2;
-    } else {
-        keep_item_whole(ui);
     }
 }
 

@@ -18,25 +18,21 @@ namespace rasterwalk {
 namespace {
 
 void draw_heading(Ui& ui, const StageInfo& info) {
-    ImGui::PushFont(ui.fonts.small);
-    text_in(palette(ui.options.theme).dim, "Stage " + std::to_string(strip_place(info.step) + 1) +
-                                               " of " + std::to_string(stage_count) + " · " +
-                                               section_words(info.section));
-    ImGui::PopFont();
+    text_in(palette(ui.options.theme).dim,
+            "Stage " + std::to_string(strip_place(info.step) + 1) + " of " +
+                std::to_string(stage_count) + " · " + section_words(info.section),
+            ui.fonts.small);
     ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
 }
 
 /// The stage's own title and summary, for when its note cannot be read.
 void draw_missing(Ui& ui, const StageInfo& info, const StageNote& note) {
-    ImGui::PushFont(ui.fonts.title);
-    wrapped_text(info.title);
-    ImGui::PopFont();
+    wrapped_text(info.title, ui.fonts.title);
     ImGui::Spacing();
     wrapped_text(info.summary);
     ImGui::Spacing();
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text("The page about this stage is missing: " + note.fault);
-    ImGui::PopStyleColor();
+    wrapped_text_in(palette(ui.options.theme).dim,
+                    "The page about this stage is missing: " + note.fault);
 }
 
 void draw_text(Ui& ui, const StageInfo& info, float width) {

@@ -59,11 +59,11 @@ void scroll_by_key(LessonView& view) {
 }
 
 void note_shown_lines(Ui& ui) {
-    const ShownLines shown = shown_lines(ui);
+    const ShownLines shown = shown_lines();
     const float beginning = ImGui::GetWindowPos().y - ImGui::GetScrollY();
     ui.lesson.shown_from = shown.top - beginning;
     ui.lesson.shown_to = shown.bottom - beginning;
-    ui.lesson.is_cut_below = is_cut_off(ui);
+    ui.lesson.is_cut_below = is_cut_off();
 }
 
 } // namespace rasterwalk

@@ -185,13 +185,13 @@ void draw_pictures(Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sig
 /// The lines that the edges of the window must not cut.
 void keep_lines_whole(Ui& ui, const MarkdownPage& page, const Sight& sight) {
     // Also counts the edge of the window's full room, if it is lower now or scrolled.
-    const float edge = sight.top + page_room(ui) - ImGui::GetScrollY();
+    const float edge = sight.top + page_room() - ImGui::GetScrollY();
     const Sight at_edge{sight.origin, edge, edge};
     const auto is_near = [&](float low, float high) {
         return sight.holds(low, high) || at_edge.holds(low, high);
     };
     const auto keep = [&](float low, float high) {
-        if (is_near(low, high)) keep_whole(ui, sight.origin.y + low, sight.origin.y + high);
+        if (is_near(low, high)) keep_whole(sight.origin.y + low, sight.origin.y + high);
     };
     for (const PagePicture& picture : page.layout.pictures)
         keep(picture.low.y, picture.high.y);
@@ -207,7 +207,7 @@ void keep_lines_whole(Ui& ui, const MarkdownPage& page, const Sight& sight) {
         });
         if (first == pieces.end()) continue;
         const float high = first->at.y + font_of(ui.fonts, first->font)->FontSize + 2.0f * u;
-        keep_beginning(ui, sight.origin.y + shape.low.y - 1.0f, sight.origin.y + high);
+        keep_beginning(sight.origin.y + shape.low.y - 1.0f, sight.origin.y + high);
     }
 }
 
@@ -261,11 +261,10 @@ MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::s
     return events;
 }
 
-float markdown_height(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::string_view text,
-                      float width) {
-    if (!page) page = std::make_shared<MarkdownPage>();
-    prepare(ui, *page, text, width, {});
-    return page->layout.height;
+float markdown_height(Ui& ui, std::string_view text, float width) {
+    MarkdownPage page;
+    prepare(ui, page, text, width, {});
+    return page.layout.height;
 }
 
 const MarkdownDocument& document_of(const MarkdownPage& page) {

@@ -27,8 +27,7 @@ MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::s
                              float width, std::string_view prefix, const std::string& folder = {});
 
 /// How high Markdown is when it is drawn at this width, screen pixels.
-float markdown_height(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::string_view text,
-                      float width);
+float markdown_height(Ui& ui, std::string_view text, float width);
 
 /// The document of a page that was drawn.
 const MarkdownDocument& document_of(const MarkdownPage& page);

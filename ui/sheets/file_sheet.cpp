@@ -87,12 +87,8 @@ std::string shortened_front(const std::string& path, float width) {
 
 void draw_head(Ui& ui) {
     const SheetWords words = words_of(ui.sheets.files.kind);
-    ImGui::PushFont(ui.fonts.title);
-    ImGui::TextUnformatted(words.title);
-    ImGui::PopFont();
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(words.about);
-    ImGui::PopStyleColor();
+    put_text(words.title, ui.fonts.title);
+    wrapped_text_in(palette(ui.options.theme).dim, words.about);
     ImGui::Spacing();
 }
 
@@ -279,9 +275,7 @@ void draw_inside(Ui& ui) {
     if (!message.empty()) {
         const Palette& p = palette(ui.options.theme);
         const ImVec4 red = colour_of(Meaning::fail, ui.options.theme);
-        ImGui::PushStyleColor(ImGuiCol_Text, sheet.fault.empty() ? p.text : red);
-        wrapped_text(message);
-        ImGui::PopStyleColor();
+        wrapped_text_in(sheet.fault.empty() ? p.text : red, message);
         name_widget(ui, "files.message", message);
     }
     ImGui::Spacing();

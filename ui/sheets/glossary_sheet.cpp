@@ -29,19 +29,14 @@ bool has_word(const Term& term, const std::string& search) {
 void draw_term(Ui& ui, const Term& term) {
     const Palette& p = palette(ui.options.theme);
     ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted(term.word.c_str());
+    put_text(term.word);
     // Together with the first line of the meaning.
-    keep_beginning(ui, ImGui::GetItemRectMin().y,
+    keep_beginning(ImGui::GetItemRectMin().y,
                    ImGui::GetCursorScreenPos().y + ImGui::GetTextLineHeight());
-    keep_item_whole(ui);
     ImGui::PopFont();
     name_widget(ui, "glossary.term." + term.word, section_words(term.section));
     wrapped_text(term.sentence);
-    keep_text_whole(ui);
-    ImGui::PushFont(ui.fonts.small);
-    text_in(p.dim, section_words(term.section));
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    text_in(p.dim, section_words(term.section), ui.fonts.small);
     ImGui::Spacing();
 }
 
@@ -54,7 +49,7 @@ void draw_glossary_sheet(Ui& ui, ImVec2 window) {
                       "Shows only the entries that contain this word.");
     const std::string& search = ui.sheets.search_of(Sheet::glossary);
     ImGui::BeginChild("terms");
-    begin_whole_lines(ui);
+    begin_whole_lines();
     bool any = false;
     for (const Term& term : ui.session.glossary) {
         if (!has_word(term, search)) continue;
@@ -62,7 +57,7 @@ void draw_glossary_sheet(Ui& ui, ImVec2 window) {
         draw_term(ui, term);
     }
     if (!any) text_in(palette(ui.options.theme).dim, "No entry contains that word.");
-    end_whole_lines(ui);
+    end_whole_lines();
     ImGui::EndChild();
     end_sheet();
 }

@@ -85,18 +85,11 @@ KeyColumns key_columns(const Ui& ui, const std::vector<KeyGroup>& groups, float 
 
 void draw_group(Ui& ui, const KeyGroup& group, float keys_width) {
     const Palette& p = palette(ui.options.theme);
-    ImGui::PushFont(ui.fonts.bold);
-    text_in(p.dim, group.title);
-    keep_item_whole(ui);
-    ImGui::PopFont();
+    text_in(p.dim, group.title, ui.fonts.bold);
     for (const KeyLine& line : group.lines) {
-        ImGui::PushFont(ui.fonts.mono);
-        text_in(p.link, line.keys);
-        keep_item_whole(ui);
-        ImGui::PopFont();
+        text_in(p.link, line.keys, ui.fonts.mono);
         ImGui::SameLine(keys_width);
-        ImGui::TextUnformatted(line.help.c_str());
-        keep_item_whole(ui);
+        put_text(line.help);
     }
     ImGui::Dummy({0.0f, 4.0f * ui.options.text_scale});
 }
@@ -124,7 +117,7 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
         if (column > 0) ImGui::SameLine(0.0f, columns.gap);
         ImGui::BeginGroup();
         // The lines of the columns need not be level: each column ends on its own.
-        begin_whole_lines(ui);
+        begin_whole_lines();
         const std::size_t share = left / static_cast<std::size_t>(columns.count - column);
         for (std::size_t drawn = 0; next < groups.size(); ++next) {
             const std::size_t lines = lines_of(groups[next]);
@@ -133,7 +126,7 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
             drawn += lines;
             left -= lines;
         }
-        end_whole_lines(ui);
+        end_whole_lines();
         ImGui::EndGroup();
     }
     ImGui::PopStyleVar();

@@ -28,13 +28,13 @@ void draw_reading_bar(Ui& ui, ImVec2 window) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoNav |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::TextUnformatted(shortened("Reading " + name, bar).c_str());
+    put_text(shortened("Reading " + name, bar));
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette(ui.options.theme).accent);
     ImGui::ProgressBar(share_of(state), {bar, height * u}, "");
     ImGui::PopStyleColor();
     const std::string words = reading_words(state);
-    name_widget(ui, "reading.bar", "What is open now stays open until the file has been read.");
-    note_text(ui, "reading.bar", words);
+    name_widget(ui, "reading.bar", "What is open now stays open until the file has been read.",
+                words);
     ImGui::AlignTextToFramePadding();
     text_in(palette(ui.options.theme).dim, words.empty() ? "..." : words);
     ImGui::SameLine();

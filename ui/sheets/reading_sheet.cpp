@@ -43,9 +43,7 @@ void begin_sheet(Ui& ui, const SheetLook& look, ImVec2 window) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0f * u);
     ImGui::Begin(look.window, nullptr, flags);
     ui.sheets.parts[static_cast<std::size_t>(look.sheet)] = ImGui::GetCurrentWindow()->ID;
-    ImGui::PushFont(ui.fonts.title);
-    ImGui::TextUnformatted(look.title);
-    ImGui::PopFont();
+    put_text(look.title, ui.fonts.title);
     ImGui::SameLine(0.0f, 24.0f * u);
     if (button(ui, std::string(look.widgets) + ".close", "Close", Look::plain, look.close_help)) {
         ui.sheets.show(look.sheet, false);

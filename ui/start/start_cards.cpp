@@ -103,10 +103,10 @@ void draw_lesson_cells(Ui& ui, float width) {
         x += cell + gap;
     }
     ImGui::SetCursorScreenPos({low.x, low.y + 11.0f * u});
-    ImGui::PushFont(ui.fonts.small);
-    text_in(p.dim, fmt::format("{} of {} lessons done · {} h {} min in all", done, lessons.size(),
-                               minutes / 60, minutes % 60));
-    ImGui::PopFont();
+    text_in(p.dim,
+            fmt::format("{} of {} lessons done · {} h {} min in all", done, lessons.size(),
+                        minutes / 60, minutes % 60),
+            ui.fonts.small);
 }
 
 /// The lessons that come next, a line each, as many as fit.
@@ -177,9 +177,7 @@ void draw_tall_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     ImGui::SetCursorScreenPos({low.x + padding, low.y + padding});
     ImGui::BeginGroup();
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + inner);
-    ImGui::PushFont(ui.fonts.title);
-    wrapped_text(card.title);
-    ImGui::PopFont();
+    wrapped_text(card.title, ui.fonts.title);
     wrapped_text(card.about);
     ImGui::Dummy({0.0f, 4.0f * u});
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
@@ -220,9 +218,7 @@ void draw_low_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     const float wide = std::min(0.45f * size.x, 340.0f * u);
     ImGui::SetCursorScreenPos({low.x + padding, low.y + padding});
     ImGui::BeginGroup();
-    ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted(card.title);
-    ImGui::PopFont();
+    put_text(card.title, ui.fonts.bold);
     ImGui::PushFont(ui.fonts.small);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - wide - 3.0f * padding);
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);

@@ -32,17 +32,15 @@ StartLayout lay_out(const Ui& ui, ImVec2 size) {
 
 void draw_title(Ui& ui, const StartLayout& page) {
     const Scene& scene = *ui.session.scene;
-    ImGui::PushFont(page.is_small ? ui.fonts.title : ui.fonts.headline);
-    ImGui::TextUnformatted("How does a program draw a room?");
-    ImGui::PopFont();
+    put_text("How does a program draw a room?", page.is_small ? ui.fonts.title : ui.fonts.headline);
     const int triangles = scene.triangle_count();
     const std::int64_t pixels = std::int64_t{scene.viewport.width} * scene.viewport.height;
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    wrapped_text(fmt::format(
-        "{} triangle{} become{} a picture of {} pixels. Walk through it one step at a time, "
-        "forward and backward, and see where every number comes from.",
-        triangles, triangles == 1 ? "" : "s", triangles == 1 ? "s" : "", grouped(pixels)));
-    ImGui::PopStyleColor();
+    wrapped_text_in(
+        palette(ui.options.theme).dim,
+        fmt::format(
+            "{} triangle{} become{} a picture of {} pixels. Walk through it one step at a time, "
+            "forward and backward, and see where every number comes from.",
+            triangles, triangles == 1 ? "" : "s", triangles == 1 ? "s" : "", grouped(pixels)));
 }
 
 /// The picture after each stage, and its name; a click shows the scene there.

@@ -1,11 +1,12 @@
 #include "ui/widgets/formula_view.h"
-#include "ui/widgets/number_text.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/numbers.h"
 #include "ui/ui.h"
+#include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
@@ -61,6 +62,48 @@ void name_number(Ui& ui, std::string_view name, std::string_view tooltip) {
     ImGui::PopFont();
 }
 
+/// A page that scrolls, and below it the part that must stay in view: the card.
+/// @param name under which both keep their sizes from one frame to the next
+void draw_with_card(const char* name, const std::function<void()>& page,
+                    const std::function<void()>& card) {
+    ImGuiStorage* const sizes = ImGui::GetStateStorage();
+    const ImGuiID page_id = ImGui::GetID((std::string(name) + ".page").c_str());
+    const ImGuiID card_id = ImGui::GetID((std::string(name) + ".card").c_str());
+    const ImGuiID whole_id = ImGui::GetID((std::string(name) + ".whole").c_str());
+    const float room = ImGui::GetContentRegionAvail().y;
+    const float spacing = ImGui::GetStyle().ItemSpacing.y;
+    const float card_height = sizes->GetFloat(card_id, 8.0f * ImGui::GetTextLineHeight());
+    const float left = std::max(room - card_height - spacing, 0.42f * room);
+    // The card follows the last whole line; a leftover strip of the room is below the card.
+    const float whole = std::min(sizes->GetFloat(whole_id, left), left);
+    ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), whole)}, false,
+                      ImGuiWindowFlags_NoNav);
+    begin_whole_lines(left);
+    page();
+    // A gap lower than a line is like any other, and the page keeps it.
+    const float blank = left - whole_height();
+    sizes->SetFloat(
+        whole_id, blank < ImGui::GetTextLineHeight() ? left : std::max(left - blank, 0.5f * left));
+    end_whole_lines();
+    const float page_height = ImGui::GetCursorPosY();
+    ImGui::EndChild();
+    // A card without enough room scrolls separately, so that neither of the two is ever out of
+    // sight. Its height is from the previous frame: what does not fit yet must not make the panel
+    // scroll.
+    const float card_room = std::max(room - left - spacing, 1.0f);
+    const bool scrolls = card_height > card_room + 1.0f && card_room > ImGui::GetTextLineHeight();
+    ImGui::BeginChild(card_id, {0, std::max(scrolls ? card_room : card_height, 1.0f)}, false,
+                      scrolls ? ImGuiWindowFlags_NoNav
+                              : ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar);
+    begin_whole_lines();
+    card();
+    end_whole_lines();
+    const float card_height_now = ImGui::GetCursorPosY();
+    ImGui::EndChild();
+    sizes->SetFloat(page_id, page_height);
+    sizes->SetFloat(card_id, card_height_now);
+}
+
 } // namespace
 
 FormulaLine::FormulaLine(Ui& in, float indented)
@@ -101,7 +144,6 @@ void FormulaLine::text(std::string_view words, const ImVec4& colour) {
                       ? 0.0f
                       : ImGui::CalcTextSize(visible.data(), visible.data() + visible.size()).x);
         text_in(colour, word);
-        keep_item_whole(ui_);
         words.remove_prefix(length);
     }
 }
@@ -116,7 +158,6 @@ bool FormulaLine::link(std::string_view label, const std::string& name, const st
     const bool hovered = ImGui::IsItemHovered();
     name_number(ui_, name.substr(0, name.find("##")), tooltip);
     note_text(ui_, name.substr(0, name.find("##")), label);
-    keep_item_whole(ui_);
     if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddText(at, packed(hovered ? p.link : colour), label.data(), label.data() + label.size());
@@ -175,20 +216,19 @@ std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::st
     return clicked;
 }
 
-std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name,
-                                        std::string_view label, bool warns) {
+std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name) {
     const Palette& p = palette(ui.options.theme);
     ImGui::PushFont(ui.fonts.mono);
     const float indent = ImGui::CalcTextSize("   ").x;
     ImGui::PopFont();
     FormulaLine line(ui, indent);
-    line.text(std::string(label.empty() ? formula.name : label) + " ", p.dim);
+    line.text((formula.label.empty() ? formula.name : formula.label) + " ", p.dim);
     line.text("= ", p.dim);
     std::optional<Source> clicked = draw_numbers(line, p, formula, name);
     const std::string result = shown(formula.result);
     if (with_numbers(formula) == result) return clicked;
     line.text(" = ", p.dim);
-    const ImVec4 colour = warns ? colour_of(Meaning::fail, ui.options.theme) : p.text;
+    const ImVec4 colour = formula.warns ? colour_of(Meaning::fail, ui.options.theme) : p.text;
     if (line.link(result, name,
                   with_function_help(formula.help + "\n" + formula.name + " = " +
                                          formula.expression + " = " + exact_text(formula.result),
@@ -199,44 +239,42 @@ std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const st
     return clicked;
 }
 
-void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
-                    const std::function<void()>& card) {
-    ImGuiStorage* const sizes = ImGui::GetStateStorage();
-    const ImGuiID page_id = ImGui::GetID((std::string(name) + ".page").c_str());
-    const ImGuiID card_id = ImGui::GetID((std::string(name) + ".card").c_str());
-    const ImGuiID whole_id = ImGui::GetID((std::string(name) + ".whole").c_str());
-    const float room = ImGui::GetContentRegionAvail().y;
-    const float spacing = ImGui::GetStyle().ItemSpacing.y;
-    const float card_height = sizes->GetFloat(card_id, 8.0f * ImGui::GetTextLineHeight());
-    const float left = std::max(room - card_height - spacing, 0.42f * room);
-    // The card follows the last whole line; a leftover strip of the room is below the card.
-    const float whole = std::min(sizes->GetFloat(whole_id, left), left);
-    ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), whole)}, false,
-                      ImGuiWindowFlags_NoNav);
-    begin_whole_lines(ui, left);
-    page();
-    // A gap lower than a line is like any other, and the page keeps it.
-    const float blank = left - whole_height(ui);
-    sizes->SetFloat(
-        whole_id, blank < ImGui::GetTextLineHeight() ? left : std::max(left - blank, 0.5f * left));
-    end_whole_lines(ui);
-    const float page_height = ImGui::GetCursorPosY();
-    ImGui::EndChild();
-    // A card without enough room scrolls separately, so that neither of the two is ever out of
-    // sight. Its height is from the previous frame: what does not fit yet must not make the panel
-    // scroll.
-    const float card_room = std::max(room - left - spacing, 1.0f);
-    const bool scrolls = card_height > card_room + 1.0f && card_room > ImGui::GetTextLineHeight();
-    ImGui::BeginChild(card_id, {0, std::max(scrolls ? card_room : card_height, 1.0f)}, false,
-                      scrolls ? ImGuiWindowFlags_NoNav
-                              : ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar);
-    begin_whole_lines(ui);
-    card();
-    end_whole_lines(ui);
-    const float card_height_now = ImGui::GetCursorPosY();
-    ImGui::EndChild();
-    sizes->SetFloat(page_id, page_height);
-    sizes->SetFloat(card_id, card_height_now);
+std::optional<Source> draw_section(Ui& ui, const std::vector<Formula>& formulas,
+                                   std::string_view section, const std::string& owner) {
+    std::optional<Source> clicked;
+    for (const Formula& formula : formulas) {
+        if (formula.section != section) continue;
+        if (std::optional<Source> source = draw_formula_line(ui, formula, owner + formula.id))
+            clicked = std::move(source);
+    }
+    return clicked;
+}
+
+void draw_panel(const Ui& ui, const char* name, const std::vector<PanelBlock>& blocks,
+                const std::function<void()>& card) {
+    bool is_card_due = !ui.inspector.has_card;
+    const auto page = [&] {
+        for (const PanelBlock& block : blocks) {
+            block.draw();
+            if (is_card_due && block.has_chosen) {
+                card();
+                is_card_due = false;
+            }
+        }
+    };
+    if (is_card_due) {
+        page();
+    } else {
+        draw_with_card(name, page, card);
+    }
+}
+
+std::optional<Source> draw_formula_card(Ui& ui, const Formula& formula, const std::string& name) {
+    begin_card(ui);
+    if (!ui.inspector.is_low) wrapped_text_in(palette(ui.options.theme).dim, formula.help);
+    const std::optional<Source> clicked = draw_formula(ui, formula, name);
+    end_card(ui);
+    return clicked;
 }
 
 bool number_cell(Ui& ui, const std::string& name, std::string_view text, const ImVec4& colour,
@@ -251,13 +289,13 @@ bool number_cell(Ui& ui, const std::string& name, std::string_view text, const I
     const bool clicked =
         ImGui::Selectable(("##" + name).c_str(), is_chosen, 0, {room, ImGui::GetTextLineHeight()});
     ImGui::PopStyleVar();
-    name_number(ui, name, tooltip);
-    note_text(ui, name, text);
     // As high as the words next to it: both are seen, or neither.
     const float bottom = at.y + std::max(ImGui::GetTextLineHeight(), ui.fonts.text->FontSize);
-    keep_whole(ui, at.y, bottom);
+    keep_whole(at.y, bottom);
     // The highlight behind the chosen number begins above its line.
-    keep_beginning(ui, ImGui::GetItemRectMin().y, bottom);
+    keep_beginning(ImGui::GetItemRectMin().y, bottom);
+    name_number(ui, name, tooltip);
+    note_text(ui, name, text);
     const float width = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
     ImGui::GetWindowDrawList()->AddText({at.x + std::max(room - width, 0.0f), at.y}, packed(colour),
                                         text.data(), text.data() + text.size());

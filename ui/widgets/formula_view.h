@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <imgui.h>
 
@@ -40,18 +41,30 @@ class FormulaLine {
 /// a link. Returns the source that was clicked.
 std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::string& name);
 
-/// A formula on one line: its name, the numbers, the result; each number a link. The result leads
+/// A formula on one line: its label, the numbers, the result; each number a link. The result leads
 /// to the formula itself.
-/// @param label replaces the formula's own name, unless it is empty
-/// @param warns marks the result as one that cannot be shown
-std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name,
-                                        std::string_view label = {}, bool warns = false);
+std::optional<Source> draw_formula_line(Ui& ui, const Formula& formula, const std::string& name);
 
-/// A page that scrolls, and below it the part that must stay in view: the formula of what was
-/// clicked.
-/// @param name under which both keep their sizes from one frame to the next
-void draw_with_card(Ui& ui, const char* name, const std::function<void()>& page,
-                    const std::function<void()>& card);
+/// The formulas of a section, a line for each. Returns the source that was clicked.
+/// @param owner before the ids in the names of the widgets: "fragment."
+std::optional<Source> draw_section(Ui& ui, const std::vector<Formula>& formulas,
+                                   std::string_view section, const std::string& owner);
+
+/// A part of a panel, from top to bottom.
+struct PanelBlock {
+    std::function<void()> draw;
+    bool has_chosen = false; ///< the number that the card explains is in it
+};
+
+/// A panel of numbers, and the card with the formula of the chosen one: below the page and always
+/// in view, or, where lines are few, in the page, after the first block that has that number.
+/// @param name under which page and card keep their sizes from one frame to the next
+void draw_panel(const Ui& ui, const char* name, const std::vector<PanelBlock>& blocks,
+                const std::function<void()>& card);
+
+/// A formula in a card, with its help above it unless lines are few: then the tooltip of the number
+/// has that. Returns the source that was clicked.
+std::optional<Source> draw_formula_card(Ui& ui, const Formula& formula, const std::string& name);
 
 /// A number in a cell of a table, at its right edge, that can be clicked.
 bool number_cell(Ui& ui, const std::string& name, std::string_view text, const ImVec4& colour,

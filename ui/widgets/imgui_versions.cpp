@@ -8,6 +8,7 @@
 #include <imgui_internal.h>
 
 #include "ui/widgets/keys.h"
+#include "ui/widgets/whole_lines.h"
 
 namespace rasterwalk {
 
@@ -106,8 +107,10 @@ bool overlapped_button(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
 }
 
 bool selectable_row(const char* id, bool is_chosen) {
-    return ImGui::Selectable(
+    const bool is_pressed = ImGui::Selectable(
         id, is_chosen, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
+    keep_selectable_whole();
+    return is_pressed;
 }
 
 bool begin_lined_table(const char* id, int columns, ImGuiTableFlags flags, ImVec2 size) {
@@ -250,8 +253,10 @@ bool overlapped_button(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
 }
 
 bool selectable_row(const char* id, bool is_chosen) {
-    return ImGui::Selectable(
+    const bool is_pressed = ImGui::Selectable(
         id, is_chosen, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowOverlap);
+    keep_selectable_whole();
+    return is_pressed;
 }
 
 bool begin_lined_table(const char* id, int columns, ImGuiTableFlags flags, ImVec2 size) {

@@ -6,6 +6,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/flow.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -300,6 +301,7 @@ void draw_legend(Ui& ui, const std::string& name, const Plot& plot, int index,
         const float x = at.x + sample + gap;
         list->AddText({x, at.y}, packed(p.dim), entry.label.c_str());
         list->AddText({x + text_width(entry.label), at.y}, packed(p.text), entry.number.c_str());
+        keep_whole(at.y, at.y + ImGui::GetTextLineHeight());
     }
     ImGui::Dummy({ImGui::GetContentRegionAvail().x, static_cast<float>(line_count(places)) * line});
     ImGui::PopFont();

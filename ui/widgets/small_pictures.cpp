@@ -72,13 +72,13 @@ float lines_in(const std::string& text) {
 }
 
 /// Line by line in the current font, from a height downward.
-void draw_card_lines(Ui& ui, ImVec2 at, const std::string& text, const ImVec4& colour) {
+void draw_card_lines(ImVec2 at, const std::string& text, const ImVec4& colour) {
     const float line = ImGui::GetTextLineHeight();
     for (std::size_t from = 0; from < text.size(); at.y += line) {
         const std::size_t end = std::min(text.find('\n', from), text.size());
         ImGui::GetWindowDrawList()->AddText(at, packed(colour),
                                             text.substr(from, end - from).c_str());
-        keep_whole(ui, at.y, at.y + line);
+        keep_whole(at.y, at.y + line);
         from = end + 1;
     }
 }
@@ -162,10 +162,10 @@ bool draw_picture_card(Ui& ui, const SmallPicture& picture, const CardWords& wor
         small_card(ui, picture.name, picture.tooltip, at.low, at.high, picture.can_be_taken);
     note_text(ui, picture.name, picture.title + ": " + picture.words);
     show_small(ui, texture, *picture.image, picture.number, scale);
-    draw_card_lines(ui, at.title, words.title, p.text);
+    draw_card_lines(at.title, words.title, p.text);
     draw_over_picture(ui, picture, texture,
                       {std::round(at.picture.x - 0.5f * texture.size.x), at.picture.y});
-    draw_card_lines(ui, at.words, words.words, p.dim);
+    draw_card_lines(at.words, words.words, p.dim);
     if (picture.is_chosen) frame_small_card(ui, at.low, at.high);
     return is_clicked;
 }
@@ -180,7 +180,7 @@ std::optional<std::size_t> draw_in_column(Ui& ui, std::span<const SmallPicture> 
     const AllWords words =
         break_words(pictures, std::max(width - picture_width - 3.0f * inset, 1.0f));
     const Image& first = *pictures.front().image;
-    const float side = std::max(std::min(least_side * u, share_of_page * page_room(ui)), line);
+    const float side = std::max(std::min(least_side * u, share_of_page * page_room()), line);
     const float scale = scale_into(first, {picture_width, side});
     const float shown_height = std::ceil(scale * static_cast<float>(first.height));
     const float height = std::max(shown_height, words.lines() * line) + 2.0f * inset;
@@ -197,7 +197,7 @@ std::optional<std::size_t> draw_in_column(Ui& ui, std::span<const SmallPicture> 
                               {beside, top},
                               {beside, top + words.title_lines * line}};
         if (draw_picture_card(ui, pictures[i], words.of[i], textures[i], scale, place)) clicked = i;
-        keep_whole(ui, low.y, low.y + height);
+        keep_whole(low.y, low.y + height);
     }
     ImGui::SetCursorScreenPos(start);
     const float count = static_cast<float>(pictures.size());
@@ -212,7 +212,7 @@ std::optional<std::size_t> draw_in_row(Ui& ui, std::span<const SmallPicture> pic
     const float gap = std::round(picture_gap * u), line = ImGui::GetTextLineHeight();
     const float around = words.lines() * line + 4.0f * inset;
     const float side =
-        std::clamp(share_of_page * page_room(ui) - around, least_side * u, largest_shown_side * u);
+        std::clamp(share_of_page * page_room() - around, least_side * u, largest_shown_side * u);
     const Image& first = *pictures.front().image;
     const float scale = scale_into(first, {width - 2.0f * inset, side});
     const float shown_height = std::ceil(scale * static_cast<float>(first.height));
@@ -232,7 +232,7 @@ std::optional<std::size_t> draw_in_row(Ui& ui, std::span<const SmallPicture> pic
     ImGui::SetCursorScreenPos(start);
     const float count = static_cast<float>(pictures.size());
     ImGui::Dummy({count * width + (count - 1.0f) * gap, height});
-    keep_item_whole(ui);
+    keep_item_whole();
     return clicked;
 }
 
@@ -288,7 +288,7 @@ std::optional<std::size_t> draw_small_pictures(Ui& ui, std::span<const SmallPict
     const AllWords words = break_words(pictures, width - 2.0f * inset);
     const float least = words.lines() * ImGui::GetTextLineHeight() + 4.0f * inset + least_side * u;
     // A row of cards that takes most of the page would hardly ever be seen whole.
-    const auto clicked = least > share_of_page * page_room(ui)
+    const auto clicked = least > share_of_page * page_room()
                              ? draw_in_column(ui, pictures, textures)
                              : draw_in_row(ui, pictures, textures, width, words);
     ImGui::PopFont();

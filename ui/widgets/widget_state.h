@@ -50,17 +50,6 @@ struct Focus {
     std::vector<std::uint32_t> early_letters; ///< they open a field, and wait until it is open
 };
 
-/// The edges of a text that scrolls, while it is drawn; see whole_lines.h. Screen pixels.
-struct WholeLines {
-    ImGuiID window = 0;    ///< whose text it is
-    int first_command = 0; ///< of the window's draw list, the one that the text begins with
-    float top = 0.0f, bottom = 0.0f; ///< the window's edges
-    float begin = 0.0f, end = 0.0f; ///< beyond these nothing is shown, because an edge would cut it
-    float lowest = 0.0f;            ///< end of everything to be kept whole
-    float room = 0.0f;              ///< the height that the window may have
-    float rest_end = 0.0f; ///< the value of `end` in such a window while it is not scrolled
-};
-
 /// Fonts in the sizes that the interface uses.
 struct Fonts {
     ImFont* text = nullptr;

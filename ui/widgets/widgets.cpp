@@ -12,6 +12,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/whole_lines.h"
 
 namespace rasterwalk {
 
@@ -84,7 +85,7 @@ void outline_if_pointed_at(Ui& ui, std::string_view name, const ImRect& shown, b
 
 } // namespace
 
-void name_widget(Ui& ui, std::string_view name, std::string_view tooltip) {
+void name_widget(Ui& ui, std::string_view name, std::string_view tooltip, std::string_view text) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     ImRect shown(low, high);
@@ -95,10 +96,11 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip) {
     const bool is_whole =
         shown.Min.x <= low.x + 0.5f * spacing.x && shown.Min.y <= low.y + 0.5f * spacing.y &&
         shown.Max.x >= high.x - 0.5f * spacing.x && shown.Max.y >= high.y - 0.5f * spacing.y;
-    WidgetPlace place{shown.Min, shown.Max, visible, is_whole, !tooltip.empty(), {}};
+    WidgetPlace place{shown.Min, shown.Max, visible, is_whole, !tooltip.empty(), std::string(text)};
     place.order = static_cast<int>(ui.widgets.size());
     note_stop(place);
     ui.widgets[std::string(name)] = place;
+    keep_item_whole_unless_in_parts();
     const bool is_explained = show_focus(ui, name, shown, visible) && ui.focus.is_explained;
     // A line that is cut off by more than a pixel may be left out, see whole_lines.h.
     const bool is_cut = (shown.Min.y > low.y + 1.0f || shown.Max.y < high.y - 1.0f) &&
@@ -169,9 +171,16 @@ bool button(Ui& ui, std::string_view name, std::string_view label, Look look,
     return pressed;
 }
 
-void text_in(const ImVec4& colour, std::string_view text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+void put_text(std::string_view text, ImFont* font) {
+    if (font != nullptr) ImGui::PushFont(font);
     ImGui::TextUnformatted(begin(text), end(text));
+    keep_text_whole();
+    if (font != nullptr) ImGui::PopFont();
+}
+
+void text_in(const ImVec4& colour, std::string_view text, ImFont* font) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    put_text(text, font);
     ImGui::PopStyleColor();
 }
 
@@ -199,22 +208,32 @@ std::string broken_into_lines(std::string_view text, float width) {
     return lines;
 }
 
-void wrapped_text(std::string_view text) {
+void wrapped_text(std::string_view text, ImFont* font) {
     if (text.empty()) return;
+    if (font != nullptr) ImGui::PushFont(font);
     const float wrap_at = ImGui::GetCurrentWindow()->DC.TextWrapPos;
     const float width =
         wrap_at > 0.0f ? wrap_at - ImGui::GetCursorPosX() : ImGui::GetContentRegionAvail().x;
     // A single word that is too long is still broken by ImGui.
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    ImGui::TextUnformatted(broken_into_lines(text, width).c_str());
+    put_text(broken_into_lines(text, width));
     ImGui::PopTextWrapPos();
+    if (font != nullptr) ImGui::PopFont();
 }
 
-void right_aligned(std::string_view text, const ImVec4& colour) {
+void wrapped_text_in(const ImVec4& colour, std::string_view text, ImFont* font) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    wrapped_text(text, font);
+    ImGui::PopStyleColor();
+}
+
+void right_aligned(std::string_view text, const ImVec4& colour, ImFont* font) {
+    if (font != nullptr) ImGui::PushFont(font);
     const float width = ImGui::CalcTextSize(begin(text), end(text)).x;
     const float room = ImGui::GetContentRegionAvail().x;
     if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
     text_in(colour, text);
+    if (font != nullptr) ImGui::PopFont();
 }
 
 void draw_changed_box(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high) {

@@ -14,8 +14,10 @@ namespace rasterwalk {
 struct Ui;
 
 /// Enters the last ImGui item in Ui::widgets under this name, and shows `tooltip` while the pointer
-/// rests on it (empty: none).
-void name_widget(Ui& ui, std::string_view name, std::string_view tooltip = {});
+/// rests on it (empty: none). In a window that ends with whole lines it stays whole.
+/// @param text the number or words that it shows, so that they can be looked up by name
+void name_widget(Ui& ui, std::string_view name, std::string_view tooltip = {},
+                 std::string_view text = {});
 
 /// A tooltip next to the last ImGui item, where it does not cover what it explains; over something
 /// large, next to the pointer.
@@ -44,18 +46,21 @@ enum class Look : std::uint8_t {
 bool button(Ui& ui, std::string_view name, std::string_view label, Look look,
             std::string_view tooltip, ImVec2 size = {0, 0});
 
-/// Text in a colour.
-void text_in(const ImVec4& colour, std::string_view text);
+/// Text, and text in a colour. In a window that ends with whole lines each line stays whole.
+/// @param font null: the current one
+void put_text(std::string_view text, ImFont* font = nullptr);
+void text_in(const ImVec4& colour, std::string_view text, ImFont* font = nullptr);
 
 /// The text with line breaks between words so that no line is wider than this, screen pixels. ImGui
 /// would also break numbers at their point.
 std::string broken_into_lines(std::string_view text, float width);
 
 /// Text that wraps between words, at the end of the column or of the card.
-void wrapped_text(std::string_view text);
+void wrapped_text(std::string_view text, ImFont* font = nullptr);
+void wrapped_text_in(const ImVec4& colour, std::string_view text, ImFont* font = nullptr);
 
 /// Text at the right edge of the current table cell or of the width given.
-void right_aligned(std::string_view text, const ImVec4& colour);
+void right_aligned(std::string_view text, const ImVec4& colour, ImFont* font = nullptr);
 
 /// The frame around what the current moment has just changed.
 void draw_changed_box(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high);

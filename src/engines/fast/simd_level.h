@@ -19,10 +19,6 @@ enum class SimdLevel : std::uint8_t {
     avx2,   ///< 8 lanes, with fused multiply-add: x86-64-v3
     avx512, ///< 16 lanes: x86-64-v4
 };
-template <>
-inline constexpr auto enum_words<SimdLevel> = word_list("scalar", "sse2", "clones", "avx2",
-                                                        "avx512");
-static_assert(words_match<SimdLevel>);
 
 /// The levels that this build has and this processor can run, in order; never empty.
 std::vector<SimdLevel> simd_levels();

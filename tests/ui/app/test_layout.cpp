@@ -75,37 +75,6 @@ TEST_CASE("The parts of the window cover it without overlapping") {
     }
 }
 
-TEST_CASE("Every button of the bars is whole in every window and at every text size") {
-    struct Case {
-        const char* scene;
-        Window window;
-    };
-    std::vector<Case> cases;
-    for (const char* scene : {"lab-room.toml", "one-triangle.toml"}) {
-        for (const Window& w : windows)
-            cases.push_back({scene, w});
-    }
-    for (const auto& [scene, w] : cases) {
-        Driver driver(scene, {w.width, w.height}, w.scale);
-        driver.hand.leave();
-        const bool has_column = driver.ui.widgets.count("menu") == 0;
-        for (const auto& [name, place] : driver.ui.widgets) {
-            const bool in_bar = name.starts_with("stage.") || name.starts_with("switch.") ||
-                                name.starts_with("walk.") || name.starts_with("step.") ||
-                                name.starts_with("tab.") || name.starts_with("tabs") ||
-                                name.starts_with("group.") || name.starts_with("scenes") ||
-                                name.starts_with("menu") || name.starts_with("canvas.") ||
-                                name.starts_with("lesson.");
-            // A column scrolls.
-            if (!in_bar || (has_column && name.starts_with("lesson."))) continue;
-            INFO(scene << ", " << name << " at " << w.width << " x " << w.height << ", text "
-                       << w.scale);
-            CHECK(place.visible);
-            CHECK(place.is_whole);
-        }
-    }
-}
-
 TEST_CASE("A flow breaks where the line is full") {
     const float widths[] = {40, 40, 40};
     const auto places = flow(widths, 10, 95);

@@ -165,37 +165,6 @@ TEST_CASE("The keys are the same in a narrow window") {
     CHECK(driver.hand.is_visible("keys.close"));
 }
 
-TEST_CASE("Stages in a narrow window do not move when another is chosen") {
-    for (const NarrowWindow& window :
-         {NarrowWindow{{1024, 640}, 1.5f}, NarrowWindow{{800, 600}, 1.0f}}) {
-        Driver driver("lab-room.toml", window.size, window.text);
-        INFO(window.size.x << " x " << window.size.y << ", text " << window.text);
-        for (const StageInfo& info : stage_list()) {
-            driver.hand.press('1' + strip_place(info.step));
-            driver.hand.leave();
-            INFO(info.name);
-            const WidgetPlace& chosen = driver.ui.widgets.at("stage." + std::string(info.name));
-            CHECK(chosen.is_whole);
-            // Nothing in the line covers anything else.
-            std::vector<std::pair<std::string, WidgetPlace>> line;
-            for (const auto& [name, place] : driver.ui.widgets) {
-                if (place.bottom_right.y <= 48.0f * driver.ui.options.text_scale && place.visible)
-                    line.emplace_back(name, place);
-            }
-            CHECK(line.size() >= 6);
-            for (std::size_t i = 0; i < line.size(); ++i) {
-                CHECK(line[i].second.is_whole);
-                for (std::size_t j = 0; j < i; ++j) {
-                    const WidgetPlace &a = line[i].second, &b = line[j].second;
-                    CAPTURE(line[i].first, line[j].first);
-                    CHECK((a.bottom_right.x <= b.top_left.x + 0.5f ||
-                           b.bottom_right.x <= a.top_left.x + 0.5f));
-                }
-            }
-        }
-    }
-}
-
 TEST_CASE("No window is too small, and none ends the program") {
     const std::vector<NarrowWindow> windows{{{320, 200}, 1.0f},  {{320, 200}, 2.5f},
                                             {{400, 900}, 1.5f},  {{640, 480}, 2.0f},

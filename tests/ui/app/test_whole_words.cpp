@@ -128,24 +128,4 @@ TEST_CASE("While two runs are compared no text about them is shortened") {
     }
 }
 
-TEST_CASE("The samples of an edge are whole in the table, without scrolling to the side") {
-    for (const SmallWindow& window : all_windows()) {
-        CAPTURE(window.size.x, window.size.y, window.text_scale);
-        Driver driver("lab-room.toml", window.size, window.text_scale);
-        driver.ui.session.selection.triangle = 12;
-        driver.open("microscope");
-        driver.hand.leave();
-        const WidgetPlace last = driver.hand.find("microscope.header.5");
-        for (const char* name :
-             {"microscope.header.0", "microscope.header.1", "microscope.header.4"})
-            CHECK(driver.ui.widgets.count(name) == 1);
-        bool is_whole = false;
-        for (const ScreenText& text : screen_text())
-            is_whole =
-                is_whole || (text.window.starts_with("inspector") && text.words == "reverse");
-        CHECK(is_whole);
-        CHECK(last.bottom_right.x <= window.size.x);
-    }
-}
-
 } // namespace rasterwalk

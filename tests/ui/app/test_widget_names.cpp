@@ -19,6 +19,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/many_walls.h"
+#include "tests/ui/situations.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
@@ -35,20 +36,15 @@ class Tour {
     std::set<std::string> seen;
 
     void all() {
-        every_tab();
-        turned();
-        shining();
-        compared();
+        for (const Situation& situation : workplace_situations()) {
+            Driver driver(situation.scene);
+            bring_about(driver, situation);
+            look(driver);
+        }
+        settings_and_mistakes();
         small_triangle();
+        interval();
         small_window();
-        from_outside();
-        clipped();
-        textured();
-        bumpy();
-        shaded();
-        half_transparent();
-        tested();
-        covered();
         groups();
         large_frame();
         hinted_model();
@@ -62,70 +58,20 @@ class Tour {
             seen.insert(name);
     }
 
-    void every_tab() {
+    void settings_and_mistakes() {
         Driver driver;
-        follow_link(driver.ui, "preset:visible%20light");
-        for (const char* stage : {"pixel_light", "vertex_light", "depth", "edges"}) {
-            follow_link(driver.ui, std::string("set:stage=") + stage);
-            for (const std::string_view tab : tab_names()) {
-                follow_link(driver.ui, "tab:" + std::string(tab));
-                follow_link(driver.ui, "pixel:398,121");
-                look(driver);
-                follow_link(driver.ui, "triangle:7");
-                look(driver);
-                follow_link(driver.ui, "triangle:none");
-            }
-        }
-        follow_link(driver.ui, "set:stage=depth");
-        follow_link(driver.ui, "view:overdraw");
-        look(driver);
-        follow_link(driver.ui, "view:depth");
-        for (const OverlayInfo& overlay : overlay_list())
-            follow_link(driver.ui, "overlay:" + std::string(overlay.name));
-        look(driver);
         for (const char* mode : {"lab.mode.quiz", "lab.mode.result", "lab.mode.bugs"}) {
             follow_link(driver.ui, "tab:lab");
             look(driver);
             driver.hand.click(mode);
             look(driver);
         }
-        follow_link(driver.ui, "bug:B3");
-        look(driver);
-        follow_link(driver.ui, "cursor:t7/e2/s373");
-        follow_link(driver.ui, "tab:microscope");
-        look(driver);
         open_lesson(driver.ui, "04-edges", 1);
         look(driver);
         // Each setting in turn is what the panel shows.
         follow_link(driver.ui, "tab:settings");
         for (const Setting& setting : setting_table()) {
             driver.ui.inspector.setting_search = std::string(setting.name);
-            look(driver);
-        }
-    }
-
-    void turned() {
-        Driver driver;
-        driver.ui.session.a.settings.camera.yaw = 0.3f; // there is an R to speak of
-        follow_link(driver.ui, "tab:vertices");
-        look(driver);
-        follow_link(driver.ui, "set:transform=matrices");
-        look(driver);
-    }
-
-    /// The tabs of a surface with a highlight, at the vertices too.
-    void shining() {
-        Driver driver("cylinder.toml");
-        follow_link(driver.ui, "tab:vertices");
-        look(driver);
-    }
-
-    void compared() {
-        Driver driver;
-        follow_link(driver.ui, "compare:interpolation=affine");
-        follow_link(driver.ui, "tab:compare");
-        for (const CompareViewInfo& view : compare_view_list()) {
-            driver.ui.session.compare_view = view.view;
             look(driver);
         }
     }
@@ -144,91 +90,12 @@ class Tour {
         look(driver);
     }
 
-    void from_outside() {
-        Driver driver;
-        for (const CanvasShowsInfo& info : canvas_shows_list()) {
-            follow_link(driver.ui, "canvas:" + std::string(info.name));
-            look(driver);
-        }
-        driver.resize({800, 600});
-        follow_link(driver.ui, "canvas:picture");
-        look(driver);
-    }
-
-    /// Cut by some planes, with a corner behind the camera, and left out.
-    void clipped() {
-        Driver driver("corridor.toml");
-        follow_link(driver.ui, "triangle:0");
-        follow_link(driver.ui, "tab:clip");
-        for (const char* clip : {"none", "all"}) {
-            follow_link(driver.ui, std::string("set:clip=") + clip);
-            look(driver);
-        }
-        follow_link(driver.ui, "set:transform=matrices"); // whose clip space has another scale
-        look(driver);
-    }
-
-    void bumpy() {
-        Driver driver("studs.toml");
-        follow_link(driver.ui, "pixel:42,26");
-        follow_link(driver.ui, "tab:fragment");
-        look(driver);
-        driver.hand.click("fragment.bump.arrow.y");
-        look(driver);
-    }
-
-    void shaded() {
-        Driver driver("lab-room.toml");
-        for (const char* way : {"rays", "map"}) {
-            follow_link(driver.ui, std::string("set:stage=pixel_light&shadows=") + way);
-            follow_link(driver.ui, "pixel:410,449");
-            follow_link(driver.ui, "tab:fragment");
-            look(driver);
-        }
-    }
-
-    void half_transparent() {
-        Driver driver("glass-halves.toml");
-        follow_link(driver.ui, "pixel:7,5");
-        follow_link(driver.ui, "tab:fragment");
-        look(driver);
-    }
-
-    void textured() {
-        Driver driver("checkered-floor.toml");
-        follow_link(driver.ui, "tab:texture");
-        follow_link(driver.ui, "pixel:120,92");
-        for (const char* filter : {"nearest", "bilinear", "trilinear"}) {
-            follow_link(driver.ui, std::string("set:texture_filter=") + filter);
-            look(driver);
-            driver.hand.click("texture.texel.0");
-            look(driver);
-        }
-    }
-
-    /// A pixel that edge functions test.
-    void tested() {
+    void interval() {
         Driver driver("one-triangle.toml");
-        follow_link(driver.ui, "set:coverage=edge_functions");
-        follow_link(driver.ui, "set:stage=fill");
+        follow_link(driver.ui, "set:coverage=edge_functions&box_walk=interval&stage=fill");
         driver.hand.frames(1); // the moment is one of the frame that is drawn with them
         follow_link(driver.ui, "cursor:t0/b4/c7");
         follow_link(driver.ui, "tab:rows");
-        driver.hand.frames(1);
-        driver.hand.click("inside.e.1");
-        look(driver);
-        follow_link(driver.ui, "set:box_walk=interval");
-        driver.hand.frames(1);
-        look(driver);
-    }
-
-    /// A polygon of triangles that share edges: small pictures of both.
-    void covered() {
-        Driver driver("dented.toml");
-        follow_link(driver.ui, "set:coverage=edge_functions");
-        follow_link(driver.ui, "tab:rows");
-        look(driver);
-        driver.hand.click("inside.show.rules");
         look(driver);
     }
 

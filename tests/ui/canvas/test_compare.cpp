@@ -453,28 +453,6 @@ TEST_CASE("Comparing is undone and done again") {
     CHECK(driver.ui.session.b);
 }
 
-TEST_CASE("In a small window every way to show two runs has room") {
-    for (const SmallWindow& window : test::some_of(small_windows, 2)) {
-        Driver driver(lit_room(), window.size, window.text_scale);
-        driver.hand.click("switch.compare");
-        driver.ui.session.tab = "compare";
-        for (const CompareViewInfo& info : compare_view_list()) {
-            INFO(info.name << " at " << window.size.x << " x " << window.size.y << ", text "
-                           << window.text_scale);
-            driver.ui.session.compare_view = info.view;
-            driver.hand.frames(4);
-            CHECK(driver.hand.find("compare.end").is_whole);
-            CHECK(driver.hand.find("compare.swap").is_whole);
-            CHECK(driver.ui.canvas.place.scale > 0.2f);
-        }
-        for (const char* name : {"compare.first", "compare.next", "compare.previous",
-                                 "compare.count.moments", "compare.group.0"}) {
-            INFO(name);
-            CHECK(driver.hand.find(name).visible);
-        }
-    }
-}
-
 TEST_CASE("In a narrow tab each setting's columns have names of their own") {
     Driver driver("lab-room.toml", {1024, 640}, 1.5f);
     driver.hand.press('C');

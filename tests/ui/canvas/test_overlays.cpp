@@ -67,35 +67,6 @@ TEST_CASE("The list of overlays stays open while several are chosen, and all go 
     CHECK(driver.ui.session.overlays.empty());
 }
 
-TEST_CASE("The legends are below the picture, however small the window and large the text") {
-    struct Case {
-        ImVec2 window;
-        float text_scale;
-    };
-    for (const Case& c :
-         {Case{{1600, 1000}, 1.0f}, Case{{1600, 1000}, 1.5f}, Case{{1024, 640}, 1.0f},
-          Case{{1024, 640}, 1.5f}, Case{{800, 600}, 2.0f}}) {
-        Driver driver("lab-room.toml", c.window, c.text_scale);
-        INFO(c.window.x << " x " << c.window.y << ", text " << c.text_scale);
-        for (const char* name : {"wireframe", "drawn_twice", "depth"})
-            switch_overlay(driver, name);
-        const WidgetPlace canvas = driver.hand.find("canvas");
-        for (const char* name : {"legend.wireframe", "legend.drawn_twice", "legend.depth"}) {
-            INFO(name);
-            const WidgetPlace legend = driver.hand.find(name);
-            CHECK(legend.is_whole);
-            CHECK(legend.top_left.y >= canvas.bottom_right.y);
-            CHECK(legend.top_left.x >= canvas.top_left.x);
-            CHECK(legend.bottom_right.x <= canvas.bottom_right.x);
-        }
-        CHECK(driver.hand.find("canvas.overlays").is_whole);
-        CHECK(driver.hand.find("canvas.fit").is_whole);
-        // In a small window the grid is switched in the menu, and by its key.
-        if (driver.hand.is_visible("canvas.grid") || c.window.x >= 1600.0f)
-            CHECK(driver.hand.find("canvas.grid").is_whole);
-    }
-}
-
 TEST_CASE(
     "The legend hides nothing that the lesson talks about, and says which pixel it is about") {
     for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1024, 640)}) {
@@ -194,19 +165,6 @@ TEST_CASE(
     CHECK(driver.ui.session.depth_range->largest == range.largest);
 }
 
-TEST_CASE("The depth legend is whole in small windows") {
-    for (const float text_scale : {1.0f, 1.5f}) {
-        Driver driver("lab-room.toml", {1024, 640}, text_scale);
-        driver.hand.click("canvas.view");
-        driver.hand.click("canvas.view.depth 1/z");
-        for (const char* name : {"depth.far", "depth.near", "depth.histogram", "depth.autofit",
-                                 "depth.far_text", "depth.near_text"}) {
-            INFO(name << ", text " << text_scale);
-            CHECK(driver.hand.find(name).is_whole);
-        }
-    }
-}
-
 TEST_CASE("The overdraw view has a legend with the colour and the pixels of every number") {
     Driver driver;
     driver.hand.click("stage.depth");
@@ -250,29 +208,6 @@ TEST_CASE("The overdraw legend is whole in small windows, and lists what there i
             CHECK(boxes < 60);
             CHECK(driver.ui.widgets.count("overdraw.count.0") == 1);
             CHECK(driver.ui.widgets.count("overdraw.count.4000") == 1);
-        }
-    }
-}
-
-TEST_CASE("The legend says whole words, however many layers are on") {
-    for (const ImVec2 window : {ImVec2{800, 600}, ImVec2{1024, 640}, ImVec2{1600, 1000}}) {
-        INFO(window.x << " x " << window.y);
-        Driver driver("lab-room.toml", window, window.x < 1600.0f ? 1.5f : 1.0f);
-        driver.hand.press('7');
-        for (const OverlayInfo& info : overlay_list())
-            driver.ui.session.overlays.set(info.overlay, true);
-        for (const bool is_picked : {false, true}) {
-            if (is_picked) driver.ui.session.selection.pixel = glm::ivec2(250, 400);
-            driver.hand.rest();
-            driver.hand.leave();
-            int texts = 0;
-            for (const ScreenText& text : screen_text()) {
-                if (text.window.find("legend") == std::string::npos) continue;
-                INFO(text.words);
-                CHECK(text.words.find("…") == std::string::npos);
-                ++texts;
-            }
-            CHECK(texts > 2);
         }
     }
 }

@@ -342,20 +342,4 @@ TEST_CASE("Cheap clipping cuts nothing, and the Clip tab says what it leaves out
     CHECK_THAT(inspector_words(), Catch::Matchers::ContainsSubstring("cheap clipping"));
 }
 
-TEST_CASE("In small windows the numbers of clipping are whole") {
-    for (const SmallWindow& window : small_windows) {
-        CAPTURE(window.size.x, window.size.y, window.text_scale);
-        Driver driver("corridor.toml", window.size, window.text_scale);
-        follow_link(driver.ui, "set:clip=all");
-        follow_link(driver.ui, "triangle:0");
-        driver.open("clip");
-        for (const char* name : {"clip.corner.0.x", "clip.corner.0.w", "clip.code.5.2",
-                                 "clip.d.0.0.to", "clip.new.0.w", "clip.pixel.0.row",
-                                 "clip.cull.screen_area", "clip.count.fragments_outside"})
-            CHECK(driver.hand.find(name).is_whole);
-        driver.hand.click("clip.t.0.0");
-        CHECK(driver.hand.find("clip.formula.result").is_whole);
-    }
-}
-
 } // namespace rasterwalk

@@ -74,17 +74,6 @@ TEST_CASE("A stage without rows says so, and leads to one that has them") {
     CHECK(driver.hand.is_visible("graph.plot"));
 }
 
-TEST_CASE("On a projector the curve is seen at once, with its names") {
-    Driver driver("lab-room.toml", {1024, 640}, 1.5f);
-    open_lesson(driver.ui, "08-depth-buffer", 5);
-    driver.hand.leave();
-    for (const char* name : {"graph.row", "graph.quantity", "graph.plot", "graph.legend"}) {
-        INFO(name);
-        REQUIRE(driver.ui.widgets.count(name) == 1);
-        CHECK(driver.ui.widgets.at(name).is_whole);
-    }
-}
-
 TEST_CASE("In a small window all of the graph can be reached") {
     for (const SmallWindow& window : small_windows) {
         INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);

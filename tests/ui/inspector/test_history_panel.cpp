@@ -17,9 +17,6 @@ namespace rasterwalk {
 
 namespace {
 
-constexpr int window_widths[] = {1600, 1024, 800};
-constexpr int window_heights[] = {1000, 640, 600};
-
 glm::vec3 picked_colour(const Driver& driver) {
     const Framebuffer& picture = *driver.ui.results.a.framebuffer;
     const glm::ivec2 pixel = *driver.ui.session.selection.pixel;
@@ -116,31 +113,6 @@ TEST_CASE("The history follows the stage: marks have their lines too") {
     driver.hand.click("stage.points");
     CHECK(driver.ui.results.history->entries.size() == 5);
     CHECK(driver.hand.is_visible("history.0"));
-}
-
-TEST_CASE("The buttons for the changes of a picked pixel are whole at every size of the window") {
-    for (const float text_scale : {1.0f, 1.5f, 2.0f}) {
-        for (int i = 0; i < 3; ++i) {
-            const ImVec2 window(static_cast<float>(window_widths[i]),
-                                static_cast<float>(window_heights[i]));
-            Driver driver("lab-room.toml", window, text_scale);
-            driver.ui.session.selection.pixel = glm::ivec2(240, 300);
-            driver.ui.session.tab = "history";
-            driver.hand.frames(4);
-            INFO(window.x << " x " << window.y << ", text " << text_scale);
-            const WidgetPlace back = driver.ui.widgets.at("walk.previous_change");
-            const WidgetPlace next = driver.ui.widgets.at("walk.next_change");
-            const WidgetPlace words = driver.ui.widgets.at("walk.words");
-            for (const WidgetPlace& place : {back, next}) {
-                CHECK(place.visible);
-                CHECK(place.is_whole);
-            }
-            CHECK(next.bottom_right.x <= window.x);
-            CHECK(back.bottom_right.x < next.top_left.x);
-            CHECK(words.bottom_right.x <= back.top_left.x);
-            CHECK(driver.ui.widgets.at("history.0").visible);
-        }
-    }
 }
 
 TEST_CASE("Without a picked pixel the history offers two to begin with") {

@@ -23,20 +23,6 @@ bool is_of_inspector(const ImGuiWindow& window) {
     return std::string(window.RootWindow->Name) == "inspector";
 }
 
-/// The windows of the inspector that scroll within another one that does.
-std::vector<std::string> nested_scrolls() {
-    std::vector<std::string> names;
-    for (const ImGuiWindow* const window : GImGui->Windows) {
-        if (!is_of_inspector(*window) || !scrolls_down(*window)) continue;
-        for (const ImGuiWindow* at = window; at != window->RootWindow; at = at->ParentWindow) {
-            if (!scrolls_down(*at->ParentWindow)) continue;
-            names.emplace_back(window->Name);
-            break;
-        }
-    }
-    return names;
-}
-
 int count_of_scrolls() {
     int count = 0;
     for (const ImGuiWindow* const window : GImGui->Windows)
@@ -45,28 +31,6 @@ int count_of_scrolls() {
 }
 
 } // namespace
-
-TEST_CASE("Nothing in the inspector that scrolls lies in something that scrolls") {
-    for (const SmallWindow& window : small_windows) {
-        INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
-        for (const char* scene : {"lab-room.toml", "one-triangle.toml"}) {
-            INFO(scene);
-            Driver driver(scene, window.size, window.text_scale);
-            for (const char* tab : {"vertices", "clip", "rows", "microscope", "fragment", "history",
-                                    "graph", "compare", "lab"}) {
-                INFO(tab);
-                driver.ui.session.tab = tab;
-                driver.hand.frames(frames_to_rest + 2);
-                CHECK(nested_scrolls().empty());
-            }
-            driver.ui.session.tab = "rows";
-            driver.ui.inspector.shows_end_values = true;
-            driver.hand.frames(frames_to_rest + 2);
-            CHECK(nested_scrolls().empty());
-            CHECK(driver.hand.find("rows.values").is_whole);
-        }
-    }
-}
 
 TEST_CASE("No number of a vertex or a fragment makes page and card scroll separately") {
     for (const SmallWindow& window : test::some_of(std::vector<SmallWindow>{{{1280, 720}, 1.0f},

@@ -179,24 +179,6 @@ TEST_CASE("The column ends with a whole line, and with no box that has none") {
     }
 }
 
-TEST_CASE("The buttons of the lesson are whole in small windows and at large text") {
-    struct Window {
-        ImVec2 size;
-        float scale;
-    };
-    for (const Window& window :
-         {Window{{1600, 1000}, 1.0f}, Window{{1024, 640}, 1.0f}, Window{{1600, 1000}, 1.5f},
-          Window{{1600, 1000}, 2.0f}, Window{{800, 600}, 1.0f}, Window{{800, 600}, 2.0f}}) {
-        INFO(window.size.x << "x" << window.size.y << " at " << window.scale);
-        Driver driver(room_at({Stage::rows}), window.size, window.scale);
-        driver.hand.rest();
-        for (const char* name : {"lesson.previous", "lesson.next", "lesson.bar.rows"}) {
-            INFO(name);
-            CHECK(driver.hand.find(name).is_whole);
-        }
-    }
-}
-
 TEST_CASE(
     "A link that points at something outlines it while it is hovered, and stays after a click") {
     const OwnNote note("rows", "# Rows\n\n[the tab](show:tab.history)\n");

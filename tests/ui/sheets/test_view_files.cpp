@@ -384,35 +384,6 @@ TEST_CASE("Under the sheet nothing is reached by keys or clicks") {
     CHECK(is_up(driver));
 }
 
-TEST_CASE("The sheet is whole in small windows and large text, with tooltips everywhere") {
-    struct Case {
-        ImVec2 window;
-        float text_scale;
-    };
-    for (const Case& one :
-         {Case{{1600, 1000}, 1.0f}, Case{{1024, 640}, 1.0f}, Case{{1024, 640}, 1.5f},
-          Case{{800, 600}, 1.5f}, Case{{1600, 1000}, 2.0f}}) {
-        INFO(one.window.x << " x " << one.window.y << " at " << one.text_scale);
-        Driver driver("lab-room.toml", one.window, one.text_scale);
-        for (const int key : {'O', 'S'}) {
-            driver.hand.press(key, ctrl);
-            driver.hand.frames(3);
-            for (const char* name : {"files.path", "files.folder", "files.up", "files.here",
-                                     "files.do", "files.cancel"}) {
-                INFO(name);
-                REQUIRE(driver.ui.widgets.count(name) == 1);
-                CHECK(driver.ui.widgets.at(name).is_whole);
-            }
-            for (const auto& [name, place] : driver.ui.widgets) {
-                if (!name.starts_with("files.")) continue;
-                INFO(name);
-                CHECK(place.has_tooltip);
-            }
-            driver.hand.press(key::escape);
-        }
-    }
-}
-
 TEST_CASE("A result of one's own is chosen from a list of pictures and texts") {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder.file("older"));

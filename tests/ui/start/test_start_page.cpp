@@ -288,34 +288,6 @@ TEST_CASE("A later start goes on where the student stopped") {
     }
 }
 
-TEST_CASE("The start page is whole in every window and at every text size") {
-    struct Window {
-        float width, height, scale;
-    };
-    const std::vector<Window> windows{{1600, 1000, 1.0f}, {1600, 1000, 1.5f}, {1024, 640, 1.0f},
-                                      {1024, 640, 1.5f},  {2560, 1440, 1.0f}, {800, 600, 1.0f},
-                                      {800, 600, 2.0f}};
-    for (const Window& w : test::some_of(windows, 4)) {
-        Driver driver("lab-room.toml", {w.width, w.height}, w.scale);
-        begin(driver);
-        driver.hand.leave();
-        INFO(w.width << " x " << w.height << ", text " << w.scale);
-        float last_bottom = 0.0f, last_right = 0.0f;
-        for (const char* name : {"start.lessons", "start.stages", "start.picture"}) {
-            INFO(name);
-            const WidgetPlace& place = driver.ui.widgets.at(name);
-            CHECK(place.is_whole);
-            const bool is_below = place.top_left.y >= last_bottom;
-            const bool is_beside = place.top_left.x >= last_right;
-            CHECK((is_below || is_beside));
-            last_bottom = place.bottom_right.y;
-            last_right = place.bottom_right.x;
-        }
-        for (const StageInfo& info : stage_list())
-            CHECK(driver.ui.widgets.at(std::string("start.stage.").append(info.name)).visible);
-    }
-}
-
 TEST_CASE("The stages are drawn once, and each is a different picture") {
     Driver driver;
     const int before = driver.textures.uploads;
