@@ -11,8 +11,8 @@
 
 #include "session/results.h"
 #include "session/session.h"
+#include "ui/actions/background_load_state.h"
 #include "ui/actions/kept_state.h"
-#include "ui/actions/reading_state.h"
 #include "ui/app/options_state.h"
 #include "ui/bars/transport_state.h"
 #include "ui/canvas/canvas_state.h"
@@ -26,7 +26,7 @@
 
 namespace rasterwalk {
 
-struct PictureShelf; // ui/widgets/pictures.h
+struct ImageCache; // ui/widgets/pictures.h
 
 /// A scene that comes with the program.
 struct SceneEntry {
@@ -48,7 +48,7 @@ struct Ui {
     bool style_is_stale = true; ///< theme or text size changed: style and fonts must be made again
     std::unordered_map<std::string, WidgetPlace> widgets; ///< drawn in this frame, by name
     Focus focus;
-    std::shared_ptr<PictureShelf> pictures; ///< shown in the lessons
+    std::shared_ptr<ImageCache> pictures; ///< shown in the lessons
     bool follow_cursor = false; ///< the cursor moved: tables scroll to what was just written
     std::vector<SceneEntry> scene_files; ///< of the Scene menu, read when it opens
     CanvasState canvas;
@@ -59,7 +59,7 @@ struct Ui {
     SheetsState sheets;
     StartPage start;
     TransportState transport;
-    BesideReading reading;
+    BackgroundLoad reading;
 };
 
 } // namespace rasterwalk

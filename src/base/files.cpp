@@ -126,14 +126,14 @@ fs::path end_of_links(fs::path path) {
 constexpr std::string_view temporary_ending = ".part";
 
 /// The number of the process that made a temporary file for `name`; 0 if it is none.
-pid_t maker_of(std::string_view file, std::string_view name) {
+pid_t creator_of(std::string_view file, std::string_view name) {
     if (!file.starts_with(name)) return 0;
     file.remove_prefix(name.size());
     if (!file.starts_with(temporary_ending)) return 0;
     file.remove_prefix(temporary_ending.size());
-    pid_t maker = 0;
-    const auto [end, fault] = std::from_chars(file.data(), file.data() + file.size(), maker);
-    return fault == std::errc{} && end == file.data() + file.size() && maker > 0 ? maker : 0;
+    pid_t creator = 0;
+    const auto [end, fault] = std::from_chars(file.data(), file.data() + file.size(), creator);
+    return fault == std::errc{} && end == file.data() + file.size() && creator > 0 ? creator : 0;
 }
 
 /// Removes the temporary files of processes that ended before they could.
@@ -143,8 +143,8 @@ void remove_leftovers(const fs::path& target) {
     std::error_code fault;
     for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
          entry.increment(fault)) {
-        const pid_t maker = maker_of(entry->path().filename().string(), name);
-        if (maker == 0 || ::kill(maker, 0) == 0 || errno != ESRCH) continue;
+        const pid_t creator = creator_of(entry->path().filename().string(), name);
+        if (creator == 0 || ::kill(creator, 0) == 0 || errno != ESRCH) continue;
         std::error_code ignored;
         if (fs::is_regular_file(entry->symlink_status(ignored))) ::unlink(entry->path().c_str());
     }

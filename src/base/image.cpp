@@ -124,9 +124,9 @@ std::size_t pixel_count(const Image& image) {
 
 /// stb_image allocates as much memory as the data unpack to, whatever the size of the picture.
 void check_png_data(std::string_view bytes, const std::string& path, glm::ivec2 size) {
-    const std::string trouble = decode_zlib(png_data(bytes), png_row_bytes(bytes));
-    if (trouble.empty()) return;
-    if (trouble != zlib_has_more) refuse(path, trouble);
+    const std::string problem = decode_zlib(png_data(bytes), png_row_bytes(bytes));
+    if (problem.empty()) return;
+    if (problem != zlib_has_more) refuse(path, problem);
     throw InputError(fmt::format("{}: a picture of {} x {} pixels contains too much data.", path,
                                  size.x, size.y));
 }
@@ -165,8 +165,8 @@ Image unpack(std::string_view bytes, const std::string& path, glm::ivec2 size) {
     }
     if (format == ImageFormat::png) check_png_data(bytes, path, size);
     Image image;
-    const std::string trouble = decode_image(bytes, image);
-    if (!trouble.empty()) refuse(path, trouble);
+    const std::string problem = decode_image(bytes, image);
+    if (!problem.empty()) refuse(path, problem);
     if (format == ImageFormat::tga) {
         ignore_empty_alpha(bytes, image);
         turn_rows_round(bytes, image);

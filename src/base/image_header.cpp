@@ -215,9 +215,9 @@ glm::ivec2 tga_size(std::string_view bytes, const std::string& path, int largest
 glm::ivec2 jpeg_size(std::string_view bytes, const std::string& path, int largest_side) {
     const JpegHeader header = parse_jpeg_header(bytes);
     const PictureSize size{header.size.x, header.size.y};
-    if (header.size == glm::ivec2(0)) throw InputError(path + ": the picture " + header.trouble);
+    if (header.size == glm::ivec2(0)) throw InputError(path + ": the picture " + header.problem);
     check_sides(path, size, largest_side);
-    if (!header.trouble.empty()) refuse(path, size, header.trouble);
+    if (!header.problem.empty()) refuse(path, size, header.problem);
     // A block of 8 x 8 pixels takes at least one bit.
     if (size.width * size.height / 512 > static_cast<std::int64_t>(bytes.size()))
         refuse(path, size, "is cut off.");

@@ -54,11 +54,11 @@ class JpegWalk {
     explicit JpegWalk(std::string_view bytes) : bytes_(bytes) {}
 
     JpegHeader walk() {
-        std::string_view trouble;
-        while (trouble.empty() && !is_at_end_)
-            trouble = next_segment();
-        if (trouble.empty() && scans_ == 0) trouble = cut_off;
-        header_.trouble = trouble;
+        std::string_view problem;
+        while (problem.empty() && !is_at_end_)
+            problem = next_segment();
+        if (problem.empty() && scans_ == 0) problem = cut_off;
+        header_.problem = problem;
         return header_;
     }
 
@@ -186,9 +186,10 @@ class JpegWalk {
                 place_ = bytes_.size();
                 return;
             }
-            const int behind = static_cast<unsigned char>(bytes_[place_ + 1]);
-            if (behind != 0 && behind != 0xff && (behind < 0xd0 || behind > 0xd7)) return;
-            place_ += behind == 0xff ? 1 : 2;
+            const int next_byte = static_cast<unsigned char>(bytes_[place_ + 1]);
+            if (next_byte != 0 && next_byte != 0xff && (next_byte < 0xd0 || next_byte > 0xd7))
+                return;
+            place_ += next_byte == 0xff ? 1 : 2;
         }
     }
 

@@ -14,7 +14,7 @@ namespace rasterwalk {
 
 struct JpegHeader {
     glm::ivec2 size{0};  ///< width and height, pixels; 0: none is stated
-    std::string trouble; ///< why it cannot be decoded: "is cut off."; empty if it can
+    std::string problem; ///< why it cannot be decoded: "is cut off."; empty if it can
 };
 
 /// Walks over all segments: they must end within the file, every Huffman table must be complete and

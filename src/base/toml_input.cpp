@@ -112,10 +112,10 @@ std::optional<int> line_nested_too_deeply(std::string_view text) {
 
 /// A text as a stream, in blocks, so that the parser's progress can be reported between them.
 /// toml++ would mistake an exception for its own, so it is kept, and the text ends there.
-class ToldText : public std::streambuf {
+class WatchedText : public std::streambuf {
   public:
-    ToldText(std::string_view text, const std::function<void(std::size_t)>& told)
-        : text_(text), told_(told) {}
+    WatchedText(std::string_view text, const std::function<void(std::size_t)>& on_read)
+        : text_(text), on_read_(on_read) {}
 
     /// Rethrows an exception thrown on the way.
     void rethrow() const {
@@ -128,7 +128,7 @@ class ToldText : public std::streambuf {
     int_type underflow() override {
         if (end_ == text_.size() || thrown_) return traits_type::eof();
         try {
-            if (told_) told_(end_);
+            if (on_read_) on_read_(end_);
         } catch (...) {
             thrown_ = std::current_exception();
             return traits_type::eof();
@@ -158,7 +158,7 @@ class ToldText : public std::streambuf {
     }
 
     std::string_view text_;
-    const std::function<void(std::size_t)>& told_;
+    const std::function<void(std::size_t)>& on_read_;
     std::size_t end_ = 0; ///< of the block being read
     std::exception_ptr thrown_;
 };
@@ -166,14 +166,14 @@ class ToldText : public std::streambuf {
 } // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& path,
-                       const std::function<void(std::size_t)>& told) {
+                       const std::function<void(std::size_t)>& on_read) {
     if (const std::optional<int> line = line_nested_too_deeply(text)) {
         throw InputError(path, *line,
                          fmt::format("this is nested too deeply: a key has more than {} dots, or "
                                      "more than {} brackets are nested.",
                                      most_key_dots, most_nested_brackets));
     }
-    ToldText buffer(text, told);
+    WatchedText buffer(text, on_read);
     std::istream stream(&buffer);
     try {
         toml::table table = toml::parse(stream, path);

@@ -18,7 +18,7 @@ namespace rasterwalk {
 /// Parses text; `path` is only used in messages. Throws InputError.
 /// @param told receives now and then how many bytes have been read; if it throws, the parsing ends
 toml::table parse_toml(std::string_view text, const std::string& path,
-                       const std::function<void(std::size_t)>& told = {});
+                       const std::function<void(std::size_t)>& on_read = {});
 
 /// A table being read, with the name of its file.
 class TomlInput {

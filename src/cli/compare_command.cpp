@@ -104,15 +104,15 @@ void print_text(const Scene& scene, const RunTexts& runs, const Comparison& comp
         << "divergences         " << list.count << '\n'
         << "first_divergence    " << (list.first ? to_text(list.first->cursor) : "none") << '\n';
     if (!list.first) return;
-    const auto tell = [&](const Divergence& divergence) {
+    const auto print = [&](const Divergence& divergence) {
         out << "    " << kind_text(divergence.kind) << ", "
             << part_name(scene, divergence.cursor.triangle) << ": " << divergence.text << '\n';
     };
-    tell(*list.first);
+    print(*list.first);
     const std::optional<Divergence>& larger = list.first_beyond_rounding;
     if (larger && larger->cursor != list.first->cursor) {
         out << "beyond rounding     " << to_text(larger->cursor) << '\n';
-        tell(*larger);
+        print(*larger);
     }
     out << '\n';
     for (std::size_t i = 0; i < std::min(list.groups.size(), most_groups_printed); ++i) {

@@ -21,7 +21,7 @@ namespace {
 struct Finding {
     Diagnosis diagnosis;
     std::string kind; ///< "picture" or "rows"
-    std::string held_against;
+    std::string compared_with;
 };
 
 std::string size_text(int width, int height) {
@@ -75,8 +75,8 @@ Finding diagnose_rows_file(const DiagnoseOptions& options, const Result& result,
     Finding finding;
     finding.kind = "rows";
     finding.diagnosis = diagnose_rows(rows, polygon, *session.scene, session.a.settings, bugs,
-                                      finding.held_against);
-    finding.held_against.insert(0, "the row table of ");
+                                      finding.compared_with);
+    finding.compared_with.insert(0, "the row table of ");
     return finding;
 }
 
@@ -109,7 +109,7 @@ Json to_json(const Finding& finding) {
             {"different", diagnosis.different},
             {"distance", diagnosis.distance},
             {"findings", texts_to_json(diagnosis.findings)},
-            {"held_against", finding.held_against},
+            {"held_against", finding.compared_with},
             {"kind", finding.kind},
             {"place", diagnosis.place},
             {"rules", diagnosis.rules},
@@ -119,7 +119,7 @@ Json to_json(const Finding& finding) {
 void print_text(const Finding& finding, std::ostream& out) {
     const Diagnosis& diagnosis = finding.diagnosis;
     const bool is_picture = finding.kind == "picture";
-    out << "Compared with " << finding.held_against << (diagnosis.is_same() ? ": " : ".\n")
+    out << "Compared with " << finding.compared_with << (diagnosis.is_same() ? ": " : ".\n")
         << diagnosis.verdict << '\n';
     if (!diagnosis.rules.empty()) {
         const bool is_sure = diagnosis.is_same() || likely_candidate(diagnosis) != nullptr;

@@ -208,7 +208,7 @@ ExitCode engines_command(const EnginesOptions& options, std::ostream& out, Progr
     const MeasurePlan plan = plan_of(options);
     const Scene room = read_scene(lessons_folder() + '/' + std::string(usual_scene));
     const Interrupt interrupt;
-    const auto is_stopped = [&] { return interrupt.is_noted(); };
+    const auto is_stopped = [&] { return interrupt.was_interrupted(); };
     const ChildProcess::Patience patience{.is_stopped = is_stopped};
     const std::vector<Measurement> measurements = measure_engines(
         plan, room,
@@ -220,7 +220,7 @@ ExitCode engines_command(const EnginesOptions& options, std::ostream& out, Progr
     } else {
         print_text(measurements, out);
     }
-    if (interrupt.is_noted()) return ExitCode::interrupted;
+    if (interrupt.was_interrupted()) return ExitCode::interrupted;
     const bool has_fault =
         std::any_of(measurements.begin(), measurements.end(), [](const Measurement& measurement) {
             return std::any_of(measurement.engines.begin(), measurement.engines.end(), is_wrong);

@@ -8,13 +8,13 @@ namespace {
 
 volatile std::sig_atomic_t is_pressed = 0;
 
-extern "C" void note_interrupt(int) {
+extern "C" void record_interrupt(int) {
     is_pressed = 1;
 }
 
 } // namespace
 
-Interrupt::Interrupt() : before_(std::signal(SIGINT, note_interrupt)) {
+Interrupt::Interrupt() : before_(std::signal(SIGINT, record_interrupt)) {
     if (before_ == SIG_IGN) std::signal(SIGINT, SIG_IGN);
 }
 
@@ -23,7 +23,7 @@ Interrupt::~Interrupt() {
     is_pressed = 0;
 }
 
-bool Interrupt::is_noted() const {
+bool Interrupt::was_interrupted() const {
     return is_pressed != 0;
 }
 

@@ -12,7 +12,7 @@ class Interrupt {
     Interrupt& operator=(const Interrupt&) = delete;
 
     /// Was Ctrl+C pressed?
-    bool is_noted() const;
+    bool was_interrupted() const;
 
   private:
     void (*before_)(int); ///< the old handler; one that ignores Ctrl+C, like nohup's, stays

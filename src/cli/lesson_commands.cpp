@@ -93,7 +93,7 @@ constexpr int luck_tries = 300;
 /// Prints how often each task is solved by luck; returns how many faults that shows.
 int check_luck(const Lesson& lesson, FileCheck& check) {
     int faults = 0;
-    const auto tell = [&](const LessonTask& task, const std::string& sentence) {
+    const auto print = [&](const LessonTask& task, const std::string& sentence) {
         check.progress.clear();
         check.out << fault_text(lesson, {task.done_line, sentence}) << '\n';
     };
@@ -102,13 +102,13 @@ int check_luck(const Lesson& lesson, FileCheck& check) {
         check.progress.say(fmt::format("Trying the task '{}'", task.id));
         const TaskLuck luck = luck_of(lesson, task, luck_tries, check.session, check.trial);
         if (luck.control.empty()) {
-            tell(task, fmt::format("the task '{}' has nothing to try at random.", task.id));
+            print(task, fmt::format("the task '{}' has nothing to try at random.", task.id));
             continue;
         }
-        tell(task, fmt::format("the task '{}' is solved by {:.1f} % of random tries with {}.",
-                               task.id, 100.0 * luck.passed / luck.tries, luck.control));
+        print(task, fmt::format("the task '{}' is solved by {:.1f} % of random tries with {}.",
+                                task.id, 100.0 * luck.passed / luck.tries, luck.control));
         const auto refuse = [&](const std::string& sentence) {
-            tell(task, fmt::format("the task '{}': {}", task.id, sentence));
+            print(task, fmt::format("the task '{}': {}", task.id, sentence));
             ++faults;
         };
         if (is_luck(luck)) refuse("at most 10 % of random tries may solve it.");

@@ -23,7 +23,7 @@ Progress progress_so_far(std::ostream& err) {
     }
 }
 
-int steps_seen(const LessonProgress& progress, const Lesson& lesson) {
+int shown_step_count(const LessonProgress& progress, const Lesson& lesson) {
     const int count = static_cast<int>(lesson.steps.size());
     return static_cast<int>(std::count_if(progress.steps.begin(), progress.steps.end(),
                                           [&](int step) { return step >= 0 && step < count; }));
@@ -41,9 +41,9 @@ void lessons_command(const LessonsOptions& options, std::ostream& out, std::ostr
         const int steps = static_cast<int>(lesson.steps.size());
         const int tasks = static_cast<int>(lesson.tasks.size());
         const int predictions = static_cast<int>(lesson.predictions.size());
-        const int seen = steps_seen(own, lesson);
+        const int seen = shown_step_count(own, lesson);
         if (!options.json) {
-            if (const int number = number_to_come(lessons.all(), list.size()))
+            if (const int number = missing_number(lessons.all(), list.size()))
                 out << "Lesson " << number << "\n    To come.\n";
             const bool is_begun = seen > 0 || score.done > 0;
             out << lesson.id << "  " << lesson.title << "\n    " << lesson.minutes << " minutes, "

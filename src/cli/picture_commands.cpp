@@ -11,8 +11,8 @@
 #include "base/numbers.h"
 #include "cli/json.h"
 #include "engines/engine_picture.h"
-#include "inspect/seen_hints.h"
 #include "inspect/stats.h"
+#include "inspect/visibility_hints.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "settings/setting_faults.h"
@@ -21,10 +21,10 @@ namespace rasterwalk {
 
 namespace {
 
-void report_troubles(const Frame& frame, const LeftOut& left_out, std::ostream& err) {
+void report_warnings(const Frame& frame, const LeftOut& left_out, std::ostream& err) {
     if (frame.scene->model_report) {
         const ObjReport& report = *frame.scene->model_report;
-        for (const std::vector<std::string>& lines : {fault_lines(report), note_lines(report)}) {
+        for (const std::vector<std::string>& lines : {fault_lines(report), remark_lines(report)}) {
             for (const std::string& line : lines)
                 err << "rasterwalk: " << line << '\n';
         }
@@ -81,9 +81,9 @@ constexpr StatInfo stat_list[] = {
      [](const FrameStats& s) -> std::int64_t { return s.rows_outside_triangles; }},
     {"shaded", "fragments whose colour is computed", [](const FrameStats& s) { return s.shaded; }},
     {"rows_looked_at", "rows that edge samples search before they find their own",
-     [](const FrameStats& s) { return s.rows_looked_at; }},
+     [](const FrameStats& s) { return s.row_lookups; }},
     {"unset_rows", "rows that are drawn although no sample reached them",
-     [](const FrameStats& s) { return s.unset_rows; }},
+     [](const FrameStats& s) { return s.empty_rows; }},
     {"depth_outside", "fragments whose pixel has no cell in the depth buffer",
      [](const FrameStats& s) { return s.depth_outside; }},
 };
@@ -105,7 +105,7 @@ Json to_json(const ObjReport& report) {
         counts[info.name] = report.counts.*info.count;
     return {{"counts", counts},
             {"faults", fault_lines(report)},
-            {"notes", note_lines(report)},
+            {"notes", remark_lines(report)},
             {"skipped", skipped_lines(report)}};
 }
 
@@ -115,8 +115,8 @@ std::int64_t culled_count(const CullingCost& cost) {
 
 Json to_json(const CullingCosts& costs) {
     Json ways = Json::array();
-    for (const CullingCost& cost : costs.ways) {
-        ways.push_back({{"cull", word_of(cost.way)},
+    for (const CullingCost& cost : costs.rules) {
+        ways.push_back({{"cull", word_of(cost.rule)},
                         {"culled", culled_count(cost)},
                         {"fragments", cost.stats.fragments},
                         {"milliseconds", cost.milliseconds},
@@ -129,8 +129,8 @@ Json to_json(const CullingCosts& costs) {
 void print_costs(const CullingCosts& costs, std::ostream& out) {
     out << fmt::format("\n{:<17}{:>7}{:>12}{:>12}{:>14}{:>9}\n", "cull", "culled", "fragments",
                        "shaded", "milliseconds", "share");
-    for (const CullingCost& cost : costs.ways) {
-        out << fmt::format("{:<17}{:>7}{:>12}{:>12}{:>14.3f}{:>9.3f}\n", word_of(cost.way),
+    for (const CullingCost& cost : costs.rules) {
+        out << fmt::format("{:<17}{:>7}{:>12}{:>12}{:>14.3f}{:>9.3f}\n", word_of(cost.rule),
                            culled_count(cost), cost.stats.fragments, cost.stats.shaded,
                            cost.milliseconds, cost.share);
     }
@@ -151,7 +151,7 @@ void render_command(const RenderOptions& options, std::ostream& err) {
     Framebuffer framebuffer;
     draw_by_engine(frame, session.cursor, framebuffer);
     write_png(view_image(framebuffer, session.view, session.depth_range), options.output);
-    report_troubles(frame, count_left_out(frame), err);
+    report_warnings(frame, count_left_out(frame), err);
 }
 
 std::string stats_footer() {
@@ -180,8 +180,8 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
     const std::optional<ObjReport>& model = session.scene->model_report;
     std::vector<std::string> hints;
     if (session.cursor == cursor_end) {
-        for (const SeenHint& hint : seen_hints(frame, framebuffer))
-            hints.push_back(hint.seen + "; " + hint.help);
+        for (const VisibilityHint& hint : visibility_hints(frame, framebuffer))
+            hints.push_back(hint.finding + "; " + hint.help);
     }
     std::optional<CullingCosts> costs;
     if (options.time) costs = culling_costs(*session.scene, settings, session.cursor, clock);
@@ -199,7 +199,7 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
         if (model) print_model(*model, out, err);
         if (costs) print_costs(*costs, out);
     }
-    report_troubles(frame, stats.left_out, err);
+    report_warnings(frame, stats.left_out, err);
     for (const std::string& hint : hints)
         err << "rasterwalk: " << hint << '\n';
 }

@@ -51,7 +51,7 @@ glm::ivec2 pixel_of(const std::string& text, Viewport size) {
 
 Json to_json(const TextureReport& texture) {
     Json texels = Json::array();
-    for (const TakenTexel& texel : texture.taken) {
+    for (const SampledTexel& texel : texture.taken) {
         texels.push_back({{"colour", vector_to_json(texel.colour)},
                           {"column", texel.column},
                           {"level", texel.level},
@@ -78,8 +78,8 @@ std::optional<ShadowTerms> shadow_of(const Frame& frame, const Cursor& cursor) {
 }
 
 Json to_json(const ShadowTerms& shadow, const Frame& frame) {
-    Json object{{"asked", shadow.is_asked}, {"lit", shadow.lit}};
-    if (!shadow.is_asked) return object;
+    Json object{{"asked", shadow.is_tested}, {"lit", shadow.lit}};
+    if (!shadow.is_tested) return object;
     if (shadow.face < 0) {
         if (!shadow.hit.is_hit()) return object;
         object["name"] = part_name(*frame.scene, shadow.hit.triangle);
@@ -97,7 +97,7 @@ Json to_json(const ShadowTerms& shadow, const Frame& frame) {
     object["bias"] = shadow.bias;
     object["face"] = shadow_face_names[static_cast<std::size_t>(shadow.face)];
     object["texels"] = std::move(texels);
-    object["z"] = shadow.seen.z;
+    object["z"] = shadow.from_face.z;
     return object;
 }
 
@@ -219,7 +219,7 @@ void print_texture(const Frame& frame, const PixelHistory& history, std::ostream
                        "{:.3f} to the next row; level {:.4f}.\n",
                        texture->surface.texture->name, texture->place.texcoord.x,
                        texture->place.texcoord.y, texture->right, texture->down, texture->level);
-    for (const TakenTexel& texel : texture->taken) {
+    for (const SampledTexel& texel : texture->taken) {
         out << fmt::format("  level {}  column {:>4}  row {:>4}  weight {:.6f}  {:.4f} {:.4f} "
                            "{:.4f}\n",
                            texel.level, texel.column, texel.row, texel.weight, texel.colour.r,

@@ -16,7 +16,7 @@
 #include "cli/row_json.h"
 #include "cli/spaces_report.h"
 #include "explain/vertex_report.h"
-#include "inspect/polygon_ways.h"
+#include "inspect/coverage_comparison.h"
 #include "inspect/shared_edge.h"
 #include "inspect/triangle_report.h"
 #include "session/moments.h"
@@ -133,18 +133,23 @@ Json clip_to_json(const ClipHistory& clip) {
 
 /// Nothing if the triangle does not get as far as culling.
 Json cull_to_json(const ClipHistory& clip) {
-    if (!clip.is_cull_asked) return nullptr;
+    if (!clip.is_cull_tested) return nullptr;
     return {{"culled", clip.cull.is_back},
             {"measure", clip.cull.measure},
             {"reason", clip.cull.reason},
             {"values", clip.cull.values}};
 }
 
-Json to_json(const PolygonWays& ways) {
-    return {
-        {"area", ways.area},         {"corners", ways.corners},   {"fan", ways.fan},
-        {"fan_area", ways.fan_area}, {"fan_laid", ways.fan_laid}, {"inside", ways.inside},
-        {"rows", ways.rows},         {"table", ways.table},       {"wrong_rows", ways.wrong_rows}};
+Json to_json(const CoverageComparison& comparison) {
+    return {{"area", comparison.area},
+            {"corners", comparison.corners},
+            {"fan", comparison.fan},
+            {"fan_area", comparison.fan_area},
+            {"fan_laid", comparison.fan_writes},
+            {"inside", comparison.inside},
+            {"rows", comparison.rows},
+            {"table", comparison.table},
+            {"wrong_rows", comparison.wrong_rows}};
 }
 
 /// Nothing if the triangle shares no edge, or no fill rule is used.
@@ -186,7 +191,8 @@ Json to_json(const TriangleReport& report, const Frame& frame) {
     object["left_out"] = words(report.rejection).name;
     object["name"] = part_name(*frame.scene, report.triangle);
     object["outside"] = outside_json(report.rows);
-    if (const auto ways = polygon_ways(frame, report.triangle)) object["polygon"] = to_json(*ways);
+    if (const auto comparison = coverage_comparison(frame, report.triangle))
+        object["polygon"] = to_json(*comparison);
     object["rows"] = rows_json(report.rows);
     if (Json shared = shared_edges_to_json(frame, report.triangle); !shared.empty())
         object["shared_edges"] = std::move(shared);
@@ -322,15 +328,16 @@ void print_rows(std::ostream& out, const RowHistory& history, const Stages& stag
 }
 
 /// Nothing if the triangle belongs to no polygon of the scene.
-void print_polygon(std::ostream& out, const std::optional<PolygonWays>& ways) {
-    if (!ways) return;
+void print_polygon(std::ostream& out, const std::optional<CoverageComparison>& comparison) {
+    if (!comparison) return;
     const auto pixels = [](std::int64_t count) { return counted(count, "pixel", "pixels"); };
-    out << fmt::format("\nPolygon of {} corners, {} square pixels\n", ways->corners, ways->area)
-        << fmt::format("  inside, by active edges: {}\n", pixels(ways->inside))
-        << fmt::format("  row table: {}; {} of {} reach outside\n", pixels(ways->table),
-                       ways->wrong_rows, counted(ways->rows, "row", "rows"))
-        << fmt::format("  fan: {}, covered {} times in all; {} square pixels\n", pixels(ways->fan),
-                       ways->fan_laid, ways->fan_area);
+    out << fmt::format("\nPolygon of {} corners, {} square pixels\n", comparison->corners,
+                       comparison->area)
+        << fmt::format("  inside, by active edges: {}\n", pixels(comparison->inside))
+        << fmt::format("  row table: {}; {} of {} reach outside\n", pixels(comparison->table),
+                       comparison->wrong_rows, counted(comparison->rows, "row", "rows"))
+        << fmt::format("  fan: {}, covered {} times in all; {} square pixels\n",
+                       pixels(comparison->fan), comparison->fan_writes, comparison->fan_area);
 }
 
 /// Nothing if the triangle shares no edge, or no fill rule is used.
@@ -361,7 +368,7 @@ void print_text(std::ostream& out, const TriangleReport& report, const Frame& fr
     }
     print_edges(out, report);
     print_rows(out, report.rows, frame.stages);
-    print_polygon(out, polygon_ways(frame, report.triangle));
+    print_polygon(out, coverage_comparison(frame, report.triangle));
     print_shared_edges(out, frame, report.triangle);
 }
 

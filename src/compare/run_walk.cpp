@@ -26,7 +26,7 @@ RowRange rows_in_picture(const Frame& frame, int triangle) {
 }
 
 /// The end of this many box rows in the picture, counted from `begun`; none if there are no more.
-std::optional<int> behind_box_rows(const Frame& frame, int triangle, int begun, int many) {
+std::optional<int> end_of_box_rows(const Frame& frame, int triangle, int begun, int many) {
     if (!frame.is_drawn(triangle) || !tests_pixels(frame.stages)) return std::nullopt;
     TestedPolygon polygon;
     set_up_tests(frame.triangle_vertices(triangle), frame.stages, polygon);
@@ -52,7 +52,7 @@ std::int64_t remade_rows(const Frame& frame, int triangle) {
     return std::int64_t{bottom} - top + 1;
 }
 
-Cursor behind(const Cursor& cursor) {
+Cursor just_after(const Cursor& cursor) {
     Cursor next = cursor;
     ++(phase_info(cursor.phase).step_letter == 0 ? next.index : next.step);
     return next;
@@ -91,7 +91,7 @@ void watch_moment(const Frame& frame, const Framebuffer& picture, const Cursor& 
     if (!frame.has_moments(cursor.triangle)) return;
     copy_row(frame, picture, cursor, scratch);
     const Observer keep = keep_in(events);
-    draw(frame, {cursor, behind(cursor), {}}, scratch, &keep);
+    draw(frame, {cursor, just_after(cursor), {}}, scratch, &keep);
 }
 
 } // namespace
@@ -148,8 +148,8 @@ std::optional<Cursor> RunWalk::part_end_in_box() const {
     if (next_.phase > Phase::tests) return std::nullopt;
     const int begun = next_.phase == Phase::tests ? next_.index : 0;
     const int rows_at_once = std::max(1, most_kept / std::max(1, a_.settings.viewport.width));
-    const std::optional<int> of_a = behind_box_rows(a_, next_.triangle, begun, rows_at_once);
-    const std::optional<int> of_b = behind_box_rows(b_, next_.triangle, begun, rows_at_once);
+    const std::optional<int> of_a = end_of_box_rows(a_, next_.triangle, begun, rows_at_once);
+    const std::optional<int> of_b = end_of_box_rows(b_, next_.triangle, begun, rows_at_once);
     if (!of_a && !of_b) return std::nullopt;
     const int end = std::min(of_a.value_or(INT_MAX), of_b.value_or(INT_MAX));
     return Cursor{next_.triangle, Phase::tests, end, 0};

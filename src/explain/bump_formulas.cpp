@@ -151,7 +151,7 @@ class BumpFormulas {
             std::string expression;
             FormulaInputs inputs;
             for (int k = 0; k < report_.taken.count; ++k) {
-                const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(k)];
+                const SampledTexel& texel = report_.taken.list[static_cast<std::size_t>(k)];
                 expression += fmt::format("{}c{} · w{}", k == 0 ? "" : " + ", k, k);
                 inputs.push_back(
                     {fmt::format("c{}", k),

@@ -12,7 +12,7 @@ struct BumpReport {
     UvDirections uv;
     TangentFrame axes;
     float sign = 0.0f;                   ///< gives the bitangent its side; 0: there are no axes
-    TakenTexels taken;                   ///< of the normal map
+    SampledTexels taken;                 ///< of the normal map
     glm::vec3 colour{0.0f};              ///< their weighted mean, red green blue
     glm::vec3 arrow{0.0f};               ///< that the colour stands for, in the surface's own axes
     glm::vec3 normal{0.0f};              ///< bent, in the world, unit length

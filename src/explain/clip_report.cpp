@@ -8,7 +8,7 @@
 
 #include "base/element_names.h"
 #include "base/numbers.h"
-#include "explain/clip_maker.h"
+#include "explain/clip_formula_builder.h"
 #include "explain/cull_formulas.h"
 #include "explain/vertex_report.h"
 
@@ -42,7 +42,7 @@ int coordinate_of(std::string_view part) {
 }
 
 /// Makes the formulas of one triangle.
-struct Maker : ClipMaker {
+struct ClipReportBuilder : ClipFormulaBuilder {
     std::optional<Formula> corner(int vertex, int i) const;
     std::optional<Formula> moved(CornerPlace place, int number, int i) const;
     Formula distance(const CutCorner& corner, ClipPlane plane, std::string id) const;
@@ -60,7 +60,7 @@ struct Maker : ClipMaker {
     std::optional<Origin> origin(int new_index) const;
 };
 
-std::optional<Formula> Maker::corner(int vertex, int i) const {
+std::optional<Formula> ClipReportBuilder::corner(int vertex, int i) const {
     const ClipVertex& v = history.corners[static_cast<std::size_t>(vertex)];
     const std::string name = clip_coordinate_names[static_cast<std::size_t>(i)];
     const ImageAxes axes = frame.settings.image_axes;
@@ -107,7 +107,7 @@ std::optional<Formula> Maker::corner(int vertex, int i) const {
 /// A corner that was divided before the planes saw it, or multiplied again after them.
 /// @param place  which of the two; the result is none if the corner's place is a different one
 /// @param number of the corner, among the triangle's or among those left
-std::optional<Formula> Maker::moved(CornerPlace place, int number, int i) const {
+std::optional<Formula> ClipReportBuilder::moved(CornerPlace place, int number, int i) const {
     const auto at = static_cast<std::size_t>(number);
     const bool is_before = place == CornerPlace::changed;
     const CutCorner corner = (is_before ? corners_before(history, 0) : corners_before(history))[at];
@@ -150,7 +150,8 @@ FormulaInput coefficient(const Settings& settings, ClipPlane plane, float size) 
     return {is_across ? "W/2" : "H/2", {size}, from_setting("viewport.size")};
 }
 
-Formula Maker::distance(const CutCorner& corner, ClipPlane plane, std::string id) const {
+Formula ClipReportBuilder::distance(const CutCorner& corner, ClipPlane plane,
+                                    std::string id) const {
     const glm::vec4& c = history.codes.planes[static_cast<std::size_t>(plane)];
     Formula formula{std::move(id),
                     "d",
@@ -183,7 +184,8 @@ Formula Maker::distance(const CutCorner& corner, ClipPlane plane, std::string id
     return checked(formula, from_words("the plane's function of x, y, z and w"));
 }
 
-std::optional<Formula> Maker::distance_before(ClipPlane plane, std::string_view corner) const {
+std::optional<Formula> ClipReportBuilder::distance_before(ClipPlane plane,
+                                                          std::string_view corner) const {
     const std::vector<CutCorner> corners = corners_before(history, planes_before(history, plane));
     const int i = index_of(corner, corners.size());
     if (i < 0) return std::nullopt;
@@ -191,7 +193,7 @@ std::optional<Formula> Maker::distance_before(ClipPlane plane, std::string_view 
                     fmt::format("d.{}.{}", static_cast<int>(plane), i));
 }
 
-std::optional<Formula> Maker::cut(ClipPlane plane, std::string_view edge) const {
+std::optional<Formula> ClipReportBuilder::cut(ClipPlane plane, std::string_view edge) const {
     const PlaneHistory* const work = work_of(history, plane);
     if (work == nullptr) return std::nullopt;
     const std::vector<ClipStep>& steps = work->steps;
@@ -216,7 +218,7 @@ std::optional<Formula> Maker::cut(ClipPlane plane, std::string_view edge) const 
     return checked(formula, from_words("the function that cuts"));
 }
 
-std::optional<Maker::Origin> Maker::origin(int new_index) const {
+std::optional<ClipReportBuilder::Origin> ClipReportBuilder::origin(int new_index) const {
     for (std::size_t p = 0; p < history.planes.size(); ++p) {
         const auto place = static_cast<int>(p);
         const std::vector<CutCorner> before = corners_before(history, place);
@@ -234,8 +236,8 @@ std::optional<Maker::Origin> Maker::origin(int new_index) const {
     return std::nullopt;
 }
 
-std::optional<Formula> Maker::made(std::string_view number,
-                                   const std::vector<std::string_view>& parts) const {
+std::optional<Formula> ClipReportBuilder::made(std::string_view number,
+                                               const std::vector<std::string_view>& parts) const {
     const int new_index = index_of(number, 1000);
     const std::optional<Origin> from = new_index < 0 ? std::nullopt : origin(new_index);
     if (!from) return std::nullopt;
@@ -274,7 +276,8 @@ std::optional<Formula> Maker::made(std::string_view number,
         other);
 }
 
-std::optional<Formula> Maker::pixel(std::string_view corner, std::string_view part) const {
+std::optional<Formula> ClipReportBuilder::pixel(std::string_view corner,
+                                                std::string_view part) const {
     if (!frame.is_drawn(history.triangle) || (part != "column" && part != "row"))
         return std::nullopt;
     const std::vector<CutCorner> corners = corners_before(history);
@@ -332,7 +335,7 @@ bool is_clip_formula(std::string_view id) {
 
 std::optional<Formula> clip_formula(const Frame& frame, const ClipHistory& history,
                                     std::string_view id) {
-    const Maker maker{{frame, history}};
+    const ClipReportBuilder builder{{frame, history}};
     const std::vector<std::string_view> parts = parts_of(id);
     const std::string_view kind = parts[0];
     const auto index = [&](std::size_t part, std::size_t end) {
@@ -341,43 +344,43 @@ std::optional<Formula> clip_formula(const Frame& frame, const ClipHistory& histo
     if (kind == "cull") {
         if (history.polygon.empty() || parts.size() < 2) return std::nullopt;
         const std::vector<CutCorner> corners = corners_before(history);
-        if (parts[1] == "area" && parts.size() == 2) return cull_area_formula(maker);
+        if (parts[1] == "area" && parts.size() == 2) return cull_area_formula(builder);
         if (parts[1] == "area" && index(2, history.fan.size()) >= 0)
-            return cull_area_formula(maker, index(2, history.fan.size()));
+            return cull_area_formula(builder, index(2, history.fan.size()));
         if (parts[1] != "normal") return std::nullopt;
-        if (parts.size() == 2) return cull_normal_formula(maker, corners.front());
+        if (parts.size() == 2) return cull_normal_formula(builder, corners.front());
         const int corner = index(2, corners.size());
         if (corner < 0) return std::nullopt;
-        return cull_normal_formula(maker, corners[static_cast<std::size_t>(corner)],
+        return cull_normal_formula(builder, corners[static_cast<std::size_t>(corner)],
                                    std::string(id));
     }
     if (parts.size() == 3 && kind == "corner") {
         const int vertex = index(1, triangle_corners), i = coordinate_of(parts[2]);
-        if (vertex >= 0 && i >= 0) return maker.corner(vertex, i);
+        if (vertex >= 0 && i >= 0) return builder.corner(vertex, i);
     }
     if (parts.size() == 3 && kind == "changed") {
         const int vertex = index(1, triangle_corners), i = coordinate_of(parts[2]);
-        if (vertex >= 0 && i >= 0) return maker.moved(CornerPlace::changed, vertex, i);
+        if (vertex >= 0 && i >= 0) return builder.moved(CornerPlace::changed, vertex, i);
     }
     if (parts.size() == 3 && kind == "left") {
         const int number = index(1, history.polygon.size()), i = coordinate_of(parts[2]);
-        if (number >= 0 && i >= 0) return maker.moved(CornerPlace::handed_on, number, i);
+        if (number >= 0 && i >= 0) return builder.moved(CornerPlace::handed_on, number, i);
     }
     if (parts.size() == 3 && kind == "code") {
         const int plane = index(1, history.codes.plane_count), vertex = index(2, triangle_corners);
         if (plane < 0 || vertex < 0) return std::nullopt;
-        return maker.distance(given_corners(history)[static_cast<std::size_t>(vertex)],
-                              static_cast<ClipPlane>(plane), std::string(id));
+        return builder.distance(given_corners(history)[static_cast<std::size_t>(vertex)],
+                                static_cast<ClipPlane>(plane), std::string(id));
     }
     if (parts.size() == 3 && (kind == "d" || kind == "t")) {
         const int plane = index(1, clip_plane_count);
         if (plane < 0) return std::nullopt;
-        return kind == "d" ? maker.distance_before(static_cast<ClipPlane>(plane), parts[2])
-                           : maker.cut(static_cast<ClipPlane>(plane), parts[2]);
+        return kind == "d" ? builder.distance_before(static_cast<ClipPlane>(plane), parts[2])
+                           : builder.cut(static_cast<ClipPlane>(plane), parts[2]);
     }
-    if (parts.size() == 3 && kind == "pixel") return maker.pixel(parts[1], parts[2]);
+    if (parts.size() == 3 && kind == "pixel") return builder.pixel(parts[1], parts[2]);
     if ((parts.size() == 3 || parts.size() == 4) && kind == "new")
-        return maker.made(parts[1], {parts.begin() + 2, parts.end()});
+        return builder.made(parts[1], {parts.begin() + 2, parts.end()});
     return std::nullopt;
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr unsigned all_convention_sets = 1u << convention_count;
 
 /// How a sentence convention_names a choice.
-constexpr std::array<std::string_view, convention_count> said_conventions{
+constexpr std::array<std::string_view, convention_count> convention_words{
     "R v instead of v R",   "the transpose of R", "y up in the world",
     "z out of the picture", "−f instead of f",    "rows counted from the bottom"};
 
@@ -85,7 +85,7 @@ std::string formula_of(Conventions chosen) {
 std::string sentence_of(Conventions chosen) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < convention_count; ++i) {
-        if (has(chosen, static_cast<Convention>(i))) names.emplace_back(said_conventions[i]);
+        if (has(chosen, static_cast<Convention>(i))) names.emplace_back(convention_words[i]);
     }
     std::string sentence = enumerated(names);
     sentence[0] = sentence[0] >= 'a' && sentence[0] <= 'z'
@@ -99,7 +99,7 @@ std::string sentence_of(Conventions chosen) {
 } // namespace
 
 const std::array<std::string_view, convention_count>& convention_names() {
-    return said_conventions;
+    return convention_words;
 }
 
 ConventionPlace convention_place(const Camera& camera, const glm::dvec3& point,

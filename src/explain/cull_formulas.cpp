@@ -15,17 +15,18 @@ std::string_view sight_name(const Frame& frame) {
     return mix == 1.0f ? "n · forward" : "n · ((1 − mix) (p − C) + mix forward)";
 }
 
-Formula cull_normal_formula(const ClipMaker& maker, const CutCorner& corner, std::string id) {
-    const SightRays sight = maker.rays();
-    const bool has_way = sight.mix<1.0f, has_forward = sight.mix> 0.0f;
+Formula cull_normal_formula(const ClipFormulaBuilder& builder, const CutCorner& corner,
+                            std::string id) {
+    const SightRays sight = builder.rays();
+    const bool has_sight = sight.mix<1.0f, has_forward = sight.mix> 0.0f;
     Formula formula{std::move(id),
-                    std::string(sight_name(maker.frame)),
+                    std::string(sight_name(builder.frame)),
                     "If it is greater than 0, the normal n points ",
                     "",
                     {},
                     {away_from_camera(corner.vertex.varyings, sight)}};
     formula.help += !has_forward ? "the same way as the ray from the camera C to the corner p"
-                    : !has_way   ? "the same way as all rays, forward"
+                    : !has_sight ? "the same way as all rays, forward"
                                  : "the same way as the mix of forward and the ray from the camera "
                                    "C to the corner p";
     formula.help += ", so you see the back.";
@@ -33,14 +34,14 @@ Formula cull_normal_formula(const ClipMaker& maker, const CutCorner& corner, std
     const int normal = varying_index(&Varyings::normal);
     for (int i = 0; i < 3; ++i) {
         const std::string axis = axis_names[static_cast<std::size_t>(i)];
-        const std::string way = "(p." + axis + " − C." + axis + ")", forward = "forward." + axis;
+        const std::string offset = "(p." + axis + " − C." + axis + ")", forward = "forward." + axis;
         formula.expression += (i == 0 ? "n." : " + n.") + axis + " · ";
-        formula.expression += !has_forward ? way
-                              : !has_way   ? forward
-                                         : "((1 − mix) · " + way + " + mix · " + forward + ")";
-        formula.inputs.push_back(maker.varying("n." + axis, corner, normal, i));
-        if (has_way) {
-            formula.inputs.push_back(maker.varying("p." + axis, corner, place, i));
+        formula.expression += !has_forward ? offset
+                              : !has_sight ? forward
+                                           : "((1 − mix) · " + offset + " + mix · " + forward + ")";
+        formula.inputs.push_back(builder.varying("n." + axis, corner, normal, i));
+        if (has_sight) {
+            formula.inputs.push_back(builder.varying("p." + axis, corner, place, i));
             formula.inputs.push_back(
                 {"C." + axis, {sight.camera[i]}, from_setting("camera.position")});
         }
@@ -48,18 +49,18 @@ Formula cull_normal_formula(const ClipMaker& maker, const CutCorner& corner, std
             formula.inputs.push_back(
                 {forward,
                  {sight.forward[i]},
-                 from_vertex(maker.history.triangle, 0, fmt::format("R.{}.2", i))});
+                 from_vertex(builder.history.triangle, 0, fmt::format("R.{}.2", i))});
         }
     }
-    if (has_way && has_forward)
+    if (has_sight && has_forward)
         formula.inputs.push_back({"mix", {sight.mix}, from_setting("projection_mix")});
-    return maker.checked(formula, from_words("the function that culls"));
+    return builder.checked(formula, from_words("the function that culls"));
 }
 
-Formula cull_normal_formula(const ClipMaker& maker, CutCorner first) {
+Formula cull_normal_formula(const ClipFormulaBuilder& builder, CutCorner first) {
     const glm::vec3 own = first.vertex.varyings.normal;
-    first.vertex.varyings = as_one_face(maker.history.polygon);
-    Formula formula = cull_normal_formula(maker, first, "cull.normal");
+    first.vertex.varyings = as_one_face(builder.history.polygon);
+    Formula formula = cull_normal_formula(builder, first, "cull.normal");
     if (first.vertex.varyings.normal == own) return formula;
     for (FormulaInput& input : formula.inputs) {
         if (input.symbol.starts_with("n."))
@@ -69,8 +70,8 @@ Formula cull_normal_formula(const ClipMaker& maker, CutCorner first) {
     return formula;
 }
 
-Formula cull_area_formula(const ClipMaker& maker, int triangle) {
-    const ClipHistory& history = maker.history;
+Formula cull_area_formula(const ClipFormulaBuilder& builder, int triangle) {
+    const ClipHistory& history = builder.history;
     const std::vector<CutCorner> corners = corners_before(history);
     const std::array<int, 3>& fan = history.fan[static_cast<std::size_t>(triangle)];
     std::array<ClipVertex, 3> places;
@@ -86,35 +87,35 @@ Formula cull_area_formula(const ClipMaker& maker, int triangle) {
         const CutCorner& corner = corners[static_cast<std::size_t>(fan[k])];
         places[k] = corner.vertex;
         for (const int i : {0, 1, 3}) {
-            formula.inputs.push_back(maker.input(
+            formula.inputs.push_back(builder.input(
                 clip_coordinate_names[static_cast<std::size_t>(i)] + std::to_string(k), corner, i));
         }
     }
-    formula.result.value = screen_area_sign(places, maker.rules());
-    return maker.checked(formula, from_words("the function that culls"));
+    formula.result.value = screen_area_sign(places, builder.rules());
+    return builder.checked(formula, from_words("the function that culls"));
 }
 
-Formula cull_area_formula(const ClipMaker& maker) {
-    const ClipHistory& history = maker.history;
+Formula cull_area_formula(const ClipFormulaBuilder& builder) {
+    const ClipHistory& history = builder.history;
     Formula formula{"cull.area",
                     "area",
                     "If it is greater than 0, the corners go round clockwise on the screen, as "
                     "those of a front face do.",
                     "",
                     {},
-                    {screen_area_sign(history.polygon, maker.rules())}};
+                    {screen_area_sign(history.polygon, builder.rules())}};
     if (history.fan.size() == 1) {
-        const Formula only = cull_area_formula(maker, 0);
+        const Formula only = cull_area_formula(builder, 0);
         formula.expression = only.expression;
         formula.inputs = only.inputs;
         return formula;
     }
     for (std::size_t i = 0; i < history.fan.size(); ++i) {
-        const Formula part = cull_area_formula(maker, static_cast<int>(i));
+        const Formula part = cull_area_formula(builder, static_cast<int>(i));
         formula.expression += (i == 0 ? "" : " + ") + part.name;
         formula.inputs.push_back({part.name, part.result, from_formula(part.id)});
     }
-    return maker.checked(formula, from_words("the function that culls"));
+    return builder.checked(formula, from_words("the function that culls"));
 }
 
 std::vector<CullAnswer> cull_answers(const Frame& frame, const ClipHistory& history) {

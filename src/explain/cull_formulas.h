@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "explain/clip_maker.h"
+#include "explain/clip_formula_builder.h"
 #include "settings/choices.h"
 
 namespace rasterwalk {
@@ -17,23 +17,24 @@ std::string_view sight_name(const Frame& frame);
 
 /// The same for a corner.
 /// @param corner of those that clipping has left
-Formula cull_normal_formula(const ClipMaker& maker, const CutCorner& corner, std::string id);
+Formula cull_normal_formula(const ClipFormulaBuilder& builder, const CutCorner& corner,
+                            std::string id);
 
 /// The same for the polygon as one face, whose normal need not be any of its corners':
 /// "cull.normal".
 /// @param first corner of those that clipping has left
-Formula cull_normal_formula(const ClipMaker& maker, CutCorner first);
+Formula cull_normal_formula(const ClipFormulaBuilder& builder, CutCorner first);
 
 /// Twice the area on the screen of a triangle of the fan: "cull.area.T".
 /// @param triangle in the fan of the history
-Formula cull_area_formula(const ClipMaker& maker, int triangle);
+Formula cull_area_formula(const ClipFormulaBuilder& builder, int triangle);
 
 /// The same for the whole polygon, which is not empty: "cull.area".
-Formula cull_area_formula(const ClipMaker& maker);
+Formula cull_area_formula(const ClipFormulaBuilder& builder);
 
 /// What a way of culling decides about the triangle.
 struct CullAnswer {
-    Cull way = Cull::none;
+    Cull rule = Cull::none;
     bool is_back = false;
     /// The number it looks at: of the first corner, of the polygon, or of the corner whose normal
     /// points away least.

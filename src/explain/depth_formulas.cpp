@@ -20,7 +20,7 @@ void round_depth(Formula& depth, float whole, const DepthRules& rules) {
     const bool is_scaled = kind == ClipDepth::inv_z;
     depth.expression = is_scaled ? "k / n / near" : "k / n";
     depth.inputs = {{"k",
-                     {static_cast<float>(held_step(whole, rules)), true},
+                     {static_cast<float>(buffer_step(whole, rules)), true},
                      from_words(fmt::format("{} {} times {}, to the nearest whole number",
                                             depth_words(kind).name, shown({whole}),
                                             is_scaled ? "near times n" : "n"))},

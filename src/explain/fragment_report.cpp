@@ -19,7 +19,6 @@ namespace rasterwalk {
 
 namespace {
 
-
 /// The sources of a varying's components, if the report has their formulas.
 SourcedVector interpolated(const FragmentReport& report, glm::vec3 Varyings::*member,
                            const char* otherwise) {
@@ -179,11 +178,11 @@ void add_light(const Frame& frame, FragmentReport& report) {
 
 } // namespace
 
-std::string formula_id(Quantity quantity, Interpolation way) {
+std::string formula_id(Quantity quantity, Interpolation mode) {
     if (quantity == Quantity::zinv) return "zinv";
     const std::string id(quantity_info(quantity).words.id);
-    if (way == Interpolation::perspective) return id + ".perspective";
-    return id + "." + std::string(word_of(is_varying(quantity) ? way : Interpolation::affine));
+    if (mode == Interpolation::perspective) return id + ".perspective";
+    return id + "." + std::string(word_of(is_varying(quantity) ? mode : Interpolation::affine));
 }
 
 bool is_fragment_formula(std::string_view id) {

@@ -77,8 +77,8 @@ struct FragmentReport {
 
     std::vector<Formula> formulas;
 
-    const Varyings& under(Interpolation way) const {
-        return varyings[static_cast<std::size_t>(way)];
+    const Varyings& under(Interpolation mode) const {
+        return varyings[static_cast<std::size_t>(mode)];
     }
 };
 
@@ -96,6 +96,6 @@ bool is_fragment_formula(std::string_view id);
 
 /// The id of a quantity's formula under one interpolation: "x.affine", or "zinv", which is the
 /// same under both.
-std::string formula_id(Quantity quantity, Interpolation way);
+std::string formula_id(Quantity quantity, Interpolation mode);
 
 } // namespace rasterwalk

@@ -32,22 +32,23 @@ class HighlightFormulas {
   private:
     const HighlightTerms& terms() const { return point_.light.highlight; }
 
-    glm::vec3 way_in_world() const { return -sight_ray(point_.position.value, rays_); }
+    glm::vec3 eye_ray_in_world() const { return -sight_ray(point_.position.value, rays_); }
     /// In the space where the light is worked out.
-    glm::vec3 way_to_eye() const {
-        return point_.space ? along_axes(way_in_world(), point_.space->axes) : way_in_world();
+    glm::vec3 eye_ray() const {
+        return point_.space ? along_axes(eye_ray_in_world(), point_.space->axes)
+                            : eye_ray_in_world();
     }
-    float eye_distance2() const { return glm::dot(way_to_eye(), way_to_eye()); }
+    float eye_distance2() const { return glm::dot(eye_ray(), eye_ray()); }
 
     /// From the point to the eye in the world, by the sight rays.
     /// @param id, symbol of the vector
-    SourcedVector add_way_to_eye(const std::string& id, const std::string& symbol) {
+    SourcedVector add_to_eye(const std::string& id, const std::string& symbol) {
         const bool is_mixed = rays_.mix > 0.0f;
         // In this order, as in the shader: C − p would be 0 where this is −0.
         return write_.add_vector(
             id, symbol, "From the point to the eye.",
             is_mixed ? "−((1 − mix) · (p.{} − C.{}) + mix · forward.{})" : "−(p.{} − C.{})",
-            way_in_world(), [&](int i) {
+            eye_ray_in_world(), [&](int i) {
                 const std::string axis = axis_name(i);
                 FormulaInputs inputs{
                     {"C." + axis, {rays_.camera[i]}, from_setting("camera.position")},
@@ -71,9 +72,9 @@ class HighlightFormulas {
         if (point_.space) {
             add_along_axes(write_, "e", "e",
                            "From the point to the eye in tangent space: how far along ", "q",
-                           add_way_to_eye("eye", "q"), way_to_eye());
+                           add_to_eye("eye", "q"), eye_ray());
         } else {
-            add_way_to_eye("e", "e");
+            add_to_eye("e", "e");
         }
         write_.add("e2", "e²", "The distance to the eye, squared.", "e.x² + e.y² + e.z²",
                    write_.vector("e").parts("e"), {eye_distance2()});
@@ -128,10 +129,10 @@ class HighlightFormulas {
             {terms().power});
         power.section = section;
         if (is_there_) return;
-        const bool has_ways = has_direction(point_.light.diffuse) && eye_distance2() > 0.0f;
+        const bool has_sights = has_direction(point_.light.diffuse) && eye_distance2() > 0.0f;
         for (const char* const id : {"n_dot_h", "power"}) {
             Formula& none = write_.formula(id);
-            none.help = has_ways
+            none.help = has_sights
                             ? "The lamp is behind the surface (n · l is not above 0), so there is "
                               "no highlight."
                             : "There is no direction to the lamp or to the eye, so there is no "
@@ -154,7 +155,7 @@ class HighlightFormulas {
             {terms().reflected[i]});
         if (!is_grey || i == 0) shine.section = point_.prefix + "reflected";
         if (is_grey) shine.label = "S";
-        if (point_.light.shadow.is_asked) {
+        if (point_.light.shadow.is_tested) {
             shine.expression = "k · (P · s · (power / area))";
             shine.inputs.push_back(write_.input("s", "lit"));
         }

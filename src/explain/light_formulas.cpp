@@ -94,7 +94,7 @@ void add_direct(FormulaWriter& write, const LitPoint& point, const Light& light)
             {terms.direct[i]});
         if (!is_grey || i == 0) direct.section = point.prefix + "reflected";
         if (is_grey) direct.label = "D";
-        if (point.light.shadow.is_asked) {
+        if (point.light.shadow.is_tested) {
             direct.help += " Only the share s of it arrives.";
             direct.expression = "P · s · (cosine / area)";
             direct.inputs.push_back(write.input("s", "lit"));
@@ -156,11 +156,11 @@ void add_way(FormulaWriter& write, const LitPoint& point, const Light& light,
                          is_turned_round ? "p.{} − L.{}" : "L.{} − p.{}", to_light, ends);
         return;
     }
-    const SourcedVector way =
+    const SourcedVector world_vector =
         write.add_vector("way", "w", "From the point to the lamp, in the world.", "L.{} − p.{}",
                          light.position - point.position.value, ends);
     add_along_axes(write, "r", "r", "From the point to the lamp in tangent space: how far along ",
-                   "w", way, to_light);
+                   "w", world_vector, to_light);
     if (!is_turned_round) return;
     for (int i = 0; i < 3; ++i) {
         Formula& along = write.formula("r." + axis_name(i));

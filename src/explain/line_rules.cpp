@@ -68,13 +68,13 @@ std::vector<std::string> line_rules(const EdgeMicroscope& edge, LineAlgorithm li
                 rule_line("d > 0", "diagonal", "+ s − l", s - l)};
     case LineAlgorithm::dda: {
         const bool steep = edge.frame.is_steep;
-        const int way = steep ? edge.b.column - edge.a.column : edge.b.row - edge.a.row;
+        const int rise = steep ? edge.b.column - edge.a.column : edge.b.row - edge.a.row;
         const float slope =
-            static_cast<float>(way) / static_cast<float>(std::max(edge.frame.longer, 1));
+            static_cast<float>(rise) / static_cast<float>(std::max(edge.frame.longer, 1));
         const char axis = steep ? 'x' : 'y';
         return {fmt::format("{} starts at {}", axis, steep ? edge.a.column : edge.a.row),
                 fmt::format("each step adds {} = {} in float",
-                            to_text(reduced(way, std::max(edge.frame.longer, 1))),
+                            to_text(reduced(rise, std::max(edge.frame.longer, 1))),
                             number_text(slope)),
                 fmt::format("{}: the nearest whole number", steep ? "column" : "row")};
     }

@@ -22,7 +22,7 @@ FormulaInput mix_of(float mix) {
 
 } // namespace
 
-void add_mixed_w(VertexMaker& made) {
+void add_mixed_w(VertexFormulaBuilder& made) {
     const ShadedVertex& shaded = made.report.shaded;
     Formula& w = made.write.add(
         "clip.w", "w",
@@ -59,7 +59,7 @@ void set_clip_depth(Formula& formula, const VertexRules& rules, const FormulaInp
     }
 }
 
-void add_clip_depth(VertexMaker& made) {
+void add_clip_depth(VertexFormulaBuilder& made) {
     const ShadedVertex& shaded = made.report.shaded;
     const DepthWords& words = depth_words(made.frame);
     Formula& clip = made.write.add(
@@ -79,7 +79,7 @@ void add_clip_depth(VertexMaker& made) {
         {shaded.pixel.depth});
 }
 
-void add_clip_place(VertexMaker& made, int i) {
+void add_clip_place(VertexFormulaBuilder& made, int i) {
     const ShadedVertex& shaded = made.report.shaded;
     const Settings& settings = made.frame.settings;
     const std::string axis = axis_name(i);
@@ -104,7 +104,7 @@ void add_clip_place(VertexMaker& made, int i) {
     }
 }
 
-void add_projected(VertexMaker& made, int i) {
+void add_projected(VertexFormulaBuilder& made, int i) {
     const ShadedVertex& shaded = made.report.shaded;
     const Settings& settings = made.frame.settings;
     const std::string axis = axis_name(i);
@@ -134,7 +134,7 @@ void add_projected(VertexMaker& made, int i) {
     }
     const std::string name = i == 0 ? "column" : "row";
     Formula& pixel =
-        made.write.add("pixel." + name, name, how_made_whole(settings, made.frame.scene->space),
+        made.write.add("pixel." + name, name, how_rounded(settings, made.frame.scene->space),
                        word + "(" + projected.expression + ")", projected.inputs,
                        {static_cast<float>(i == 0 ? shaded.pixel.column : shaded.pixel.row), true});
     if (!is_bench && settings.image_axes != ImageAxes::uncentred) {

@@ -65,7 +65,7 @@ class ShadowFormulas {
             });
         write_.add_vector(
             "shadow.way", "w", "From the start of the ray to the lamp.", "L.{} − o.{}",
-            terms_.ray.way, [&](int i) {
+            terms_.ray.direction, [&](int i) {
                 return FormulaInputs{lamp(i), write_.part("o." + axis_name(i), "shadow.from", i)};
             });
         if (terms_.hit.is_hit()) {
@@ -84,7 +84,7 @@ class ShadowFormulas {
     }
 
     /// One coordinate of the point seen from the lamp: each face looks along an axis of the world.
-    void add_seen(int part, const std::string& id, const std::string& name) {
+    void add_from_face(int part, const std::string& id, const std::string& name) {
         const glm::vec3& axis =
             frame_.occluders.map->faces[static_cast<std::size_t>(terms_.face)].axes[part];
         const int i = axis.x != 0.0f ? 0 : axis.y != 0.0f ? 1 : 2;
@@ -95,7 +95,7 @@ class ShadowFormulas {
                        fmt::format("The point as seen from the lamp, which looks along {} there.",
                                    face_name()),
                        is_along ? "p." + world + " − L." + world : "L." + world + " − p." + world,
-                       {place(i), lamp(i)}, {terms_.seen[part]});
+                       {place(i), lamp(i)}, {terms_.from_face[part]});
         if (part == 2) seen.section = section_;
     }
 
@@ -122,7 +122,7 @@ class ShadowFormulas {
         const ShadowRules& rules = frame_.settings.shadow_rules;
         if (rules.slope_bias == 0.0f) return;
         const float texel =
-            2.0f * terms_.seen.z / static_cast<float>(frame_.occluders.map->resolution);
+            2.0f * terms_.from_face.z / static_cast<float>(frame_.occluders.map->resolution);
         list("shadow.bias", "bias",
              "How far the point may lie behind the depth that the lamp saw. It is more where the "
              "surface slopes away from the lamp.",
@@ -152,9 +152,9 @@ class ShadowFormulas {
     }
 
     void add_map() {
-        add_seen(0, "right", "right");
-        add_seen(1, "down", "down");
-        add_seen(2, "z", "z");
+        add_from_face(0, "right", "right");
+        add_from_face(1, "down", "down");
+        add_from_face(2, "z", "z");
         add_place(0, "column", "right");
         add_place(1, "row", "down");
         add_bias();
@@ -212,7 +212,7 @@ std::string ray_text(const TriangleHit& hit, const Frame& frame) {
 
 std::string map_text(const ShadowTerms& terms) {
     const std::string here =
-        fmt::format("this is at {} − {}", depth_text(terms.seen.z), depth_text(terms.bias));
+        fmt::format("this is at {} − {}", depth_text(terms.from_face.z), depth_text(terms.bias));
     const char* const face = shadow_face_names[static_cast<std::size_t>(terms.face)];
     if (terms.texel_count > 1) {
         const auto* const end = terms.texels.begin() + terms.texel_count;
@@ -238,12 +238,12 @@ std::string map_text(const ShadowTerms& terms) {
 
 void append_shadow_formulas(const LitPoint& point, const Frame& frame,
                             std::vector<Formula>& formulas) {
-    if (point.light.shadow.is_asked) ShadowFormulas(point, frame, formulas).add_all();
+    if (point.light.shadow.is_tested) ShadowFormulas(point, frame, formulas).add_all();
 }
 
 std::string shadow_text(const ShadowTerms& terms, const Frame& frame) {
     if (occluders_of(frame) == nullptr) return {};
-    if (!terms.is_asked) return "Unlit: the surface faces away from the lamp";
+    if (!terms.is_tested) return "Unlit: the surface faces away from the lamp";
     return terms.face < 0 ? ray_text(terms.hit, frame) : map_text(terms);
 }
 

@@ -35,7 +35,7 @@ EdgeEnds ends_of_edge(const TestedTriangle& triangle, std::size_t i,
     // If the corners go round counterclockwise each edge is reversed: then the next edge ends where
     // this one begins.
     const EdgeFunction &edge = triangle.edges[i], &other = triangle.edges[next];
-    const GridPoint to{edge.from.x + edge.way.dx, edge.from.y + edge.way.dy};
+    const GridPoint to{edge.from.x + edge.direction.dx, edge.from.y + edge.direction.dy};
     if (to == other.from) return {corners[i], corners[next]};
     return {corners[next], corners[i]};
 }
@@ -49,7 +49,7 @@ Formula edge_formula(const TestedTriangle& triangle, const PixelTest& test, std:
     const Source begin =
         from_words(from + (is_at_corner ? ", where the edge starts, half a pixel right and down"
                                         : ", where the edge starts"));
-    const Source way = from_words("the vector of the edge from " + from + " to " + to);
+    const Source edge_source = from_words("the vector of the edge from " + from + " to " + to);
     const Source centre = from_words("the centre of the pixel, its number + 1/2");
     return {
         e_id(i),
@@ -63,10 +63,10 @@ Formula edge_formula(const TestedTriangle& triangle, const PixelTest& test, std:
                                    "its centre."
                                  : ""),
         "dx · (y − ay) − dy · (x − ax)",
-        {{"dx", in_pixels(edge.way.dx), way},
+        {{"dx", in_pixels(edge.direction.dx), edge_source},
          {"y", in_pixels(pixel_centre(test.row)), centre},
          {"ay", in_pixels(edge.from.y), begin},
-         {"dy", in_pixels(edge.way.dy), way},
+         {"dy", in_pixels(edge.direction.dy), edge_source},
          {"x", in_pixels(pixel_centre(test.column)), centre},
          {"ax", in_pixels(edge.from.x), begin}},
         in_square_pixels_shown(test.e[i])};

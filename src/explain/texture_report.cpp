@@ -31,7 +31,7 @@ int size_of(const TextureLevel& level, const TextureAxis& axis) {
     return axis.index == 0 ? level.width : level.height;
 }
 
-int line_of(const TakenTexel& texel, const TextureAxis& axis) {
+int line_of(const SampledTexel& texel, const TextureAxis& axis) {
     return axis.index == 0 ? texel.column : texel.row;
 }
 
@@ -122,10 +122,10 @@ class TextureFormulas {
     /// How far u and v move from one pixel to the next, and how far that is in texels.
     void add_side(const std::string& name, const std::string& next, const glm::vec2& side,
                   const glm::vec2& slope, float weight_slope, float length) {
-        const Interpolation way = frame_.settings.interpolation;
-        const bool is_divided = way != Interpolation::affine;
-        const bool has_weight = is_divided && way != Interpolation::undivided;
-        const bool is_squared = way == Interpolation::divided_twice;
+        const Interpolation mode = frame_.settings.interpolation;
+        const bool is_divided = mode != Interpolation::affine;
+        const bool has_weight = is_divided && mode != Interpolation::undivided;
+        const bool is_squared = mode == Interpolation::divided_twice;
         const TextureLevel& base = report_.surface.texture->base();
         for (const TextureAxis& axis : texture_axes) {
             const std::string u = axis.coordinate;
@@ -202,7 +202,7 @@ class TextureFormulas {
 
     /// @param offset from the previous texel: 0 or 1; -1: the texel in which it lies
     void add_line(int number, const TextureAxis& axis, int offset) {
-        const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(number)];
+        const SampledTexel& texel = report_.taken.list[static_cast<std::size_t>(number)];
         const TextureLevel& level =
             report_.surface.texture->levels[static_cast<std::size_t>(texel.level)];
         const std::string x = axis.place;
@@ -238,7 +238,7 @@ class TextureFormulas {
     void add_texels() {
         int before = -1;
         for (int k = 0; k < report_.taken.count; ++k) {
-            const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(k)];
+            const SampledTexel& texel = report_.taken.list[static_cast<std::size_t>(k)];
             if (texel.level != before) add_place_in_level(texel.level);
             before = texel.level;
             // From left to right, then the row below.
@@ -263,7 +263,7 @@ class TextureFormulas {
     }
 
     void add_weight(int number) {
-        const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(number)];
+        const SampledTexel& texel = report_.taken.list[static_cast<std::size_t>(number)];
         const bool is_right = number % 2 == 1, is_below = number / 2 % 2 == 1;
         Formula& formula = write_.add(
             texel_id(number, "weight"), fmt::format("weight of texel {}", number),
@@ -287,7 +287,7 @@ class TextureFormulas {
         std::string expression;
         FormulaInputs inputs;
         for (int k = 0; k < report_.taken.count; ++k) {
-            const TakenTexel& texel = report_.taken.list[static_cast<std::size_t>(k)];
+            const SampledTexel& texel = report_.taken.list[static_cast<std::size_t>(k)];
             const std::string colour = fmt::format("c{}", k), weight = fmt::format("w{}", k);
             expression += fmt::format("{}{} · {}", k > 0 ? " + " : "", colour, weight);
             inputs.push_back(
@@ -329,10 +329,10 @@ class TextureFormulas {
 
 } // namespace
 
-const TakenTexel& TextureReport::heaviest() const {
+const SampledTexel& TextureReport::heaviest() const {
     return *std::max_element(
         taken.begin(), taken.end(),
-        [](const TakenTexel& a, const TakenTexel& b) { return a.weight < b.weight; });
+        [](const SampledTexel& a, const SampledTexel& b) { return a.weight < b.weight; });
 }
 
 std::optional<TextureReport> texture_report(const Frame& frame, int triangle,

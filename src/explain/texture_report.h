@@ -18,12 +18,12 @@ struct TextureReport {
     TexturePlace place;
     float right = 0.0f, down = 0.0f; ///< how far a pixel reaches, texels of the texture itself
     float level = 0.0f;              ///< the one that suits it, whether the filter uses it or not
-    TakenTexels taken;
+    SampledTexels taken;
     glm::vec3 reflectance{1.0f}; ///< of the surface there, before the texture paints it
     glm::vec3 colour{0.0f};      ///< of the texture alone
 
     /// The texel that counts most; the first of several.
-    const TakenTexel& heaviest() const;
+    const SampledTexel& heaviest() const;
 };
 
 /// The texture of a fragment of a triangle; none if it shows no texture.

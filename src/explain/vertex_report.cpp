@@ -7,20 +7,21 @@
 #include "base/element_names.h"
 #include "explain/light_formulas.h"
 #include "explain/projection_formulas.h"
-#include "explain/vertex_maker.h"
+#include "explain/vertex_formula_builder.h"
 
 namespace rasterwalk {
 
 namespace {
 
-std::string given_text(const VertexMaker& made) {
+std::string given_text(const VertexFormulaBuilder& made) {
     return fmt::format("given by the scene: {} of {}, {}", vertex_name(made.report.vertex),
                        triangle_name(made.report.triangle),
                        part_name(*made.frame.scene, made.report.triangle));
 }
 
-void add_given(VertexMaker& made, const std::string& space, const std::array<const char*, 3>& names,
-               const glm::vec3& value, const std::string& help) {
+void add_given(VertexFormulaBuilder& made, const std::string& space,
+               const std::array<const char*, 3>& names, const glm::vec3& value,
+               const std::string& help) {
     for (int i = 0; i < 3; ++i) {
         const std::string name = names[static_cast<std::size_t>(i)];
         made.write.add(space + "." + name, name, help, "v",
@@ -39,8 +40,8 @@ std::string rotation_symbol(int row, int column) {
 /// One coordinate of a point that is turned: d R, or by mistake R d.
 /// @param symbol of the point, "d"
 /// @param space  where it is
-void set_turned(const VertexMaker& made, const std::string& symbol, const std::string& space, int i,
-                Formula& formula) {
+void set_turned(const VertexFormulaBuilder& made, const std::string& symbol,
+                const std::string& space, int i, Formula& formula) {
     const bool is_row_vector = made.frame.settings.rotation == Rotation::row_vector;
     formula.expression.clear();
     for (int k = 0; k < 3; ++k) {
@@ -55,8 +56,8 @@ void set_turned(const VertexMaker& made, const std::string& symbol, const std::s
 
 /// A coordinate of a space and the camera's, with a sign between them.
 /// @param space where the point is before the move
-void set_moved(const VertexMaker& made, const std::string& symbol, const std::string& space,
-               const char* sign, int i, Formula& formula) {
+void set_moved(const VertexFormulaBuilder& made, const std::string& symbol,
+               const std::string& space, const char* sign, int i, Formula& formula) {
     const std::string point = symbol + "." + axis_name(i), camera = "C." + axis_name(i);
     formula.expression = point + " " + sign + " " + camera;
     formula.inputs = {
@@ -65,13 +66,13 @@ void set_moved(const VertexMaker& made, const std::string& symbol, const std::st
 }
 
 /// A scene in pixels has no camera: its points stay.
-void set_unmoved(const VertexMaker& made, int i, Formula& formula) {
+void set_unmoved(const VertexFormulaBuilder& made, int i, Formula& formula) {
     formula.help = "The bench gives its vertices in pixels, so there is no camera.";
     formula.expression = "P." + axis_name(i);
     formula.inputs = {made.write.part(formula.expression, "world", i)};
 }
 
-void add_camera_space(VertexMaker& made) {
+void add_camera_space(VertexFormulaBuilder& made) {
     for (int i = 0; i < 3; ++i) {
         Formula& formula =
             made.write.add("minus_camera." + axis_name(i), axis_name(i),
@@ -98,7 +99,7 @@ void add_camera_space(VertexMaker& made) {
 }
 
 /// R of the camera for row vectors: row and column from 0, each a product of sines and cosines.
-void add_rotation(VertexMaker& made) {
+void add_rotation(VertexFormulaBuilder& made) {
     static constexpr const char* expressions[3][3] = {
         {"cos(yaw)", "sin(pitch) · sin(yaw)", "cos(pitch) · sin(yaw)"},
         {"0", "cos(pitch)", "−sin(pitch)"},
@@ -127,7 +128,7 @@ void add_rotation(VertexMaker& made) {
 constexpr const char* transposed_help =
     "Turned by R d, with d = P − C: the same turn as d R, but the other way round";
 
-void add_rotated(VertexMaker& made) {
+void add_rotated(VertexFormulaBuilder& made) {
     const Settings& settings = made.frame.settings;
     const CameraMove move = camera_move_rule(settings);
     for (int i = 0; i < 3; ++i) {
@@ -162,7 +163,7 @@ void add_rotated(VertexMaker& made) {
     }
 }
 
-void add_inverse_z(VertexMaker& made) {
+void add_inverse_z(VertexFormulaBuilder& made) {
     Formula& formula = made.write.add(
         "zinv", "1/z",
         made.has_own_depth() ? "The weight used for interpolation."
@@ -176,7 +177,7 @@ void add_inverse_z(VertexMaker& made) {
 }
 
 /// The normal as the light has it, if it was transformed to camera space as a point.
-void add_moved_normal(VertexMaker& made, const glm::vec3& normal) {
+void add_moved_normal(VertexFormulaBuilder& made, const glm::vec3& normal) {
     for (int i = 0; i < 3; ++i) {
         const std::string axis = axis_name(i);
         made.write.add(
@@ -187,7 +188,7 @@ void add_moved_normal(VertexMaker& made, const glm::vec3& normal) {
     }
 }
 
-void add_light(VertexMaker& made) {
+void add_light(VertexFormulaBuilder& made) {
     LitPoint point;
     point.prefix = "light.";
     point.position = made.write.vector("world");
@@ -220,7 +221,7 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     const glm::vec3 normal = frame.stages.light_normal(given.normal, rules.camera);
     report.light = light_at_vertex(given, rules, frame.stages);
 
-    VertexMaker made{frame, given, rotation, report};
+    VertexFormulaBuilder made{frame, given, rotation, report};
     add_given(made, "world", axis_names, report.shaded.in("world"),
               "The vertex, where the scene places it.");
     if (!made.is_bench()) add_rotation(made); // a mistake turns before it moves
@@ -289,7 +290,7 @@ bool depends_on_rotation(std::string_view id) {
            id.starts_with("projected.") || id.starts_with("pixel.");
 }
 
-std::string how_made_whole(const Settings& settings, SceneSpace space) {
+std::string how_rounded(const Settings& settings, SceneSpace space) {
     constexpr auto whole = [](VertexRounding rounding) {
         switch (rounding) {
         case VertexRounding::floor:

@@ -52,7 +52,7 @@ bool depends_on_rotation(std::string_view id);
 
 /// How the position of a vertex becomes column and row, in sentences: "Cut toward 0 to a whole
 /// number and shifted by half the picture's size."
-std::string how_made_whole(const Settings& settings, SceneSpace space);
+std::string how_rounded(const Settings& settings, SceneSpace space);
 
 /// The rounding as C++ and the lab write it: int, floor, round.
 std::string_view rounding_function(VertexRounding rounding);

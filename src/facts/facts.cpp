@@ -20,13 +20,13 @@ double largest_component(const glm::vec3& v) {
 
 /// The colour that the pixel shader gives a fragment interpolated one way.
 /// @param stages of that way
-glm::vec3 colour_of(const Frame& frame, const Fragment& fragment, Interpolation way,
+glm::vec3 colour_of(const Frame& frame, const Fragment& fragment, Interpolation mode,
                     const Stages& stages, int triangle) {
     Surface surface = surface_of(frame, triangle);
     // The footprint, too, is interpolated that way.
     if (surface.texture != nullptr || surface.normal_map != nullptr) {
         Settings settings = frame.settings;
-        settings.interpolation = way;
+        settings.interpolation = mode;
         surface.texture_slope = texture_slope(polygon_under(frame, triangle, settings), stages);
     }
     return frame.stages.pixel_shader(fragment, surface, pixel_rules(frame), stages);
@@ -36,16 +36,16 @@ std::optional<InterpolationError> error_of(const Frame& frame, const Cursor& at)
     if (at.phase != Phase::rows || !has_fragments(frame.settings.stage)) return std::nullopt;
     const std::optional<CarriedRow> row = carried_row(frame, at.triangle, at.index);
     if (!row || at.step >= row->count) return std::nullopt;
-    struct Way {
+    struct Values {
         glm::vec3 colour, position;
     };
     const auto by = [&](Interpolation interpolation) {
         const Fragment fragment = row->at(interpolation, at.step);
         const Stages& stages = row->stages[static_cast<std::size_t>(interpolation)];
-        return Way{colour_of(frame, fragment, interpolation, stages, at.triangle),
-                   recover_varyings(fragment, stages).position_world};
+        return Values{colour_of(frame, fragment, interpolation, stages, at.triangle),
+                      recover_varyings(fragment, stages).position_world};
     };
-    const Way right = by(Interpolation::perspective), wrong = by(Interpolation::affine);
+    const Values right = by(Interpolation::perspective), wrong = by(Interpolation::affine);
     return InterpolationError{largest_component(glm::abs(wrong.colour - right.colour)),
                               static_cast<double>(glm::length(wrong.position - right.position))};
 }
@@ -79,12 +79,12 @@ const ClipHistory* Facts::clip() const {
     return &*known.clip;
 }
 
-const PolygonWays* Facts::outline() const {
+const CoverageComparison* Facts::outline() const {
     const std::optional<int>& triangle = results_->a.triangle;
     if (!triangle) return nullptr;
     FactCache& known = cache();
     if (known.outline_triangle != triangle) {
-        known.outline = polygon_ways(results_->a.frame, *triangle);
+        known.outline = coverage_comparison(results_->a.frame, *triangle);
         known.outline_triangle = triangle;
     }
     return known.outline ? &*known.outline : nullptr;
@@ -190,9 +190,9 @@ std::optional<LineDecision> Facts::decision() const {
     FactCache& known = cache();
     if (known.decision_at != at) {
         known.decision.reset();
-        Cursor behind = at;
-        ++behind.step;
-        const RowHistory history = row_history(frame, at.triangle, behind);
+        Cursor after = at;
+        ++after.step;
+        const RowHistory history = row_history(frame, at.triangle, after);
         if (history.last && history.last->edge == at.index && history.last->sample == at.step)
             known.decision = history.last->decision;
         known.decision_at = at;

@@ -14,9 +14,9 @@
 #include "explain/texture_report.h"
 #include "facts/value.h"
 #include "inspect/clip_history.h"
+#include "inspect/coverage_comparison.h"
 #include "inspect/edge_lines.h"
 #include "inspect/pixel_tests.h"
-#include "inspect/polygon_ways.h"
 #include "inspect/row_history.h"
 #include "inspect/shadow_count.h"
 #include "inspect/shared_edge.h"
@@ -45,7 +45,7 @@ struct FactCache {
     std::optional<FrameStats> frame;
     std::optional<ClipHistory> clip; ///< of the triangle it names
     std::optional<int> outline_triangle;
-    std::optional<PolygonWays> outline;
+    std::optional<CoverageComparison> outline;
     std::optional<int> shared_triangle;
     std::optional<glm::ivec2> shared_pixel;
     std::optional<CountedEdge> shared;
@@ -92,7 +92,7 @@ class Facts {
     const ClipHistory* clip() const;
     /// The polygon of the scene that the triangle shown belongs to; null if there
     /// is none.
-    const PolygonWays* outline() const;
+    const CoverageComparison* outline() const;
     /// The edge that the triangle shown shares with a neighbour, the nearest to
     /// the picked pixel; null if it shares none, or no fill rule is used.
     const CountedEdge* shared_edge() const;

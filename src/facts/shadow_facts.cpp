@@ -5,23 +5,23 @@ namespace rasterwalk {
 namespace {
 
 /// The shadow test at the picked pixel; null if there was none.
-const ShadowTerms* asked_there(const Facts& facts) {
+const ShadowTerms* shadow_test_at_pixel(const Facts& facts) {
     const FragmentReport* const report = facts.light();
     if (report == nullptr) return nullptr;
     const SurfaceLight& light =
         report->shading == Shading::flat ? report->light_per_triangle : report->light;
-    return light.shadow.is_asked ? &light.shadow : nullptr;
+    return light.shadow.is_tested ? &light.shadow : nullptr;
 }
 
 /// The same if a map was used.
 const ShadowTerms* map_there(const Facts& facts) {
-    const ShadowTerms* const terms = asked_there(facts);
+    const ShadowTerms* const terms = shadow_test_at_pixel(facts);
     return terms != nullptr && terms->face >= 0 ? terms : nullptr;
 }
 
 /// The same if a ray was used.
 const ShadowTerms* ray_there(const Facts& facts) {
-    const ShadowTerms* const terms = asked_there(facts);
+    const ShadowTerms* const terms = shadow_test_at_pixel(facts);
     return terms != nullptr && terms->face < 0 ? terms : nullptr;
 }
 
@@ -45,7 +45,7 @@ const ShadowCount* part_count(const Facts& facts) {
 } // namespace
 
 void add_shadow_facts(std::vector<Fact>& table) {
-    const FactAdder<asked_there> add(table);
+    const FactAdder<shadow_test_at_pixel> add(table);
     const FactAdder<ray_there> add_of_ray(table);
     const FactAdder<map_there> add_of_map(table);
     const FactAdder<frame_count> add_counted(table);
@@ -70,7 +70,7 @@ void add_shadow_facts(std::vector<Fact>& table) {
                "Its depth as seen from the lamp, along the axis of the shadow "
                "map's face, in world "
                "units.",
-               real(0), [](Shadow s) { return s.seen.z; });
+               real(0), [](Shadow s) { return s.from_face.z; });
     add_of_map("pixel.shadow_bias", "The bias that is subtracted from that depth.", real(0),
                [](Shadow s) { return s.bias; });
     add_of_map("pixel.map_z",

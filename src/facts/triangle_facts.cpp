@@ -137,7 +137,7 @@ void add_clip_facts(std::vector<Fact>& table) {
 
 void add_outline_facts(std::vector<Fact>& table) {
     const FactAdder<&Facts::outline> add(table);
-    using Ways = const PolygonWays&;
+    using Ways = const CoverageComparison&;
     add("outline.corners", "Corners of the scene's polygon that the triangle shown belongs to.",
         natural(), [](Ways w) { return w.corners; });
     add("outline.inside", "Pixels whose centres lie inside it, found by the list of active edges.",
@@ -150,7 +150,7 @@ void add_outline_facts(std::vector<Fact>& table) {
         [](Ways w) { return w.fan; });
     add("outline.fan_laid",
         "The same, with each pixel counted as often as triangles of the fan cover it.", natural(),
-        [](Ways w) { return w.fan_laid; });
+        [](Ways w) { return w.fan_writes; });
     add("outline.area", "Its area in square pixels.", real(0), [](Ways w) { return w.area; });
     add("outline.fan_area", "The areas of the triangles of its fan, added up, in square pixels.",
         real(0), [](Ways w) { return w.fan_area; });

@@ -60,15 +60,15 @@ float part_of(const Varyings& varyings, Quantity quantity) {
     return varying_list[static_cast<std::size_t>(info.varying)].component(varyings, info.component);
 }
 
-void CarriedRow::walk_from(Interpolation way, int first, std::span<LineSample> result) const {
-    const auto i = static_cast<std::size_t>(way);
-    const Row ends_of_row{under(way).left, under(way).right, row, count, &tested[i]};
+void CarriedRow::walk_from(Interpolation mode, int first, std::span<LineSample> result) const {
+    const auto i = static_cast<std::size_t>(mode);
+    const Row ends_of_row{under(mode).left, under(mode).right, row, count, &tested[i]};
     stages[i].row_fragments(stages[i], ends_of_row, first, VaryingSet::all(), result);
 }
 
-std::vector<Fragment> CarriedRow::fragments(Interpolation way) const {
+std::vector<Fragment> CarriedRow::fragments(Interpolation mode) const {
     std::vector<LineSample> samples(static_cast<std::size_t>(count));
-    walk_from(way, 0, samples);
+    walk_from(mode, 0, samples);
     std::vector<Fragment> fragments;
     fragments.reserve(samples.size());
     for (const LineSample& sample : samples)
@@ -76,9 +76,9 @@ std::vector<Fragment> CarriedRow::fragments(Interpolation way) const {
     return fragments;
 }
 
-Fragment CarriedRow::at(Interpolation way, int step) const {
+Fragment CarriedRow::at(Interpolation mode, int step) const {
     LineSample sample;
-    walk_from(way, step, {&sample, 1});
+    walk_from(mode, step, {&sample, 1});
     return sample.fragment;
 }
 
@@ -88,9 +88,9 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
     row.index = index;
     row.walk = frame.settings.line_walk;
     const EdgeRules edges = edge_rules(frame.settings);
-    for (const Interpolation way : all_interpolations) {
+    for (const Interpolation mode : all_interpolations) {
         Settings settings = frame.settings;
-        settings.interpolation = way;
+        settings.interpolation = mode;
         set_step(settings, StripStep::vertex_light);
         PolygonRows rows;
         const Stages stages = stages_for(settings, *frame.scene, frame.replace);
@@ -98,9 +98,9 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
                                     nullptr);
         if (index < 0 || index >= rows.size() || rows.is_empty_row(index)) return std::nullopt;
         const auto i = static_cast<std::size_t>(index);
-        row.stages[static_cast<std::size_t>(way)] = stages;
-        row.ends[static_cast<std::size_t>(way)] = {rows.left[i], rows.right[i]};
-        row.tested[static_cast<std::size_t>(way)] = rows.tested;
+        row.stages[static_cast<std::size_t>(mode)] = stages;
+        row.ends[static_cast<std::size_t>(mode)] = {rows.left[i], rows.right[i]};
+        row.tested[static_cast<std::size_t>(mode)] = rows.tested;
         row.row = rows.first_row + index;
         row.row_count = rows.size();
         row.count = row_span(stages, rows, index).count;

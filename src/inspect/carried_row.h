@@ -83,14 +83,14 @@ struct CarriedRow {
     LineWalk walk = LineWalk::accumulate;           ///< how the row is walked, for its formulas
     std::array<Stages, interpolation_count> stages; ///< also for its formulas
 
-    const RowEnds& under(Interpolation way) const { return ends[static_cast<std::size_t>(way)]; }
+    const RowEnds& under(Interpolation mode) const { return ends[static_cast<std::size_t>(mode)]; }
     bool is_weighted() const { return !tested.front().triangles.empty(); }
     /// All fragments from the left to the right end, as draw() makes them.
-    std::vector<Fragment> fragments(Interpolation way) const;
+    std::vector<Fragment> fragments(Interpolation mode) const;
     /// The fragment in this column of the row, counted from its left end.
-    Fragment at(Interpolation way, int step) const;
+    Fragment at(Interpolation mode, int step) const;
     /// The samples starting at `first`, as many as `result` holds.
-    void walk_from(Interpolation way, int first, std::span<LineSample> result) const;
+    void walk_from(Interpolation mode, int first, std::span<LineSample> result) const;
 };
 
 /// The row with this index of a drawn triangle; none if the table has no such row, or no edge

@@ -56,7 +56,7 @@ int side_of_plane(const glm::vec4& plane, const std::vector<CutCorner>& corners)
 }
 
 /// Where a plane meets the edges of a polygon.
-class MeetingSink : public ClipSink {
+class CrossingSink : public ClipSink {
   public:
     void clip_step(const ClipStep& step) override {
         if (step.is_cut) cuts.push_back(step.cut.position_clip);
@@ -79,13 +79,13 @@ void cut_field(const ClipPlanes& planes, ClipDiagram& diagram) {
         vertex.position_clip.w = static_cast<float>(corner.y);
     }
     std::vector<ClipVertex> inside;
-    MeetingSink meetings;
-    clip_by_plane(field, planes, diagram.plane, inside, &meetings);
+    CrossingSink crossings;
+    clip_by_plane(field, planes, diagram.plane, inside, &crossings);
     const auto place = [&](const glm::vec4& p) { return glm::dvec2(p[diagram.side], p.w); };
     for (const ClipVertex& vertex : inside)
         diagram.inside.push_back(place(vertex.position_clip));
-    if (meetings.cuts.size() == 2)
-        diagram.line = {place(meetings.cuts[0]), place(meetings.cuts[1])};
+    if (crossings.cuts.size() == 2)
+        diagram.line = {place(crossings.cuts[0]), place(crossings.cuts[1])};
 }
 
 } // namespace

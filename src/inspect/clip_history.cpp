@@ -55,7 +55,7 @@ std::vector<std::array<int, triangle_corners>> fan_of(std::size_t corners) {
 /// Culling, and what is left for the division.
 void cull(const Frame& frame, const VertexRules& rules, ClipHistory& history) {
     history.fan = fan_of(history.polygon.size());
-    history.is_cull_asked = frame.stages.cull != cull_nothing;
+    history.is_cull_tested = frame.stages.cull != cull_nothing;
     const Rejection rejection =
         frame.stages.cull(history.polygon, rules, sight_rays(rules), &history.cull);
     history.cull.is_back = rejection != Rejection::none;
@@ -66,9 +66,9 @@ void cull(const Frame& frame, const VertexRules& rules, ClipHistory& history) {
 TriangleCodes triangle_codes(std::span<const ClipVertex> corners, const ClipPlanes& planes,
                              std::size_t count) {
     TriangleCodes codes{planes, count, {}};
-    const unsigned asked = (1u << count) - 1u;
+    const unsigned tested_planes = (1u << count) - 1u;
     for (std::size_t i = 0; i < codes.of_corner.size(); ++i)
-        codes.of_corner[i] = static_cast<Outcode>(outcode(corners[i], planes) & asked);
+        codes.of_corner[i] = static_cast<Outcode>(outcode(corners[i], planes) & tested_planes);
     return codes;
 }
 
@@ -94,9 +94,9 @@ ClipHistory clip_history(const Frame& frame, int triangle) {
         history.outer_codes = triangle_codes(history.corners, volume.outer);
     }
     history.rejected = frame.stages.reject(corners, volume);
-    ClipWriter maker(history);
+    ClipWriter writer(history);
     if (history.rejected == Rejection::none)
-        history.clipped = frame.stages.clip(corners, volume, &maker);
+        history.clipped = frame.stages.clip(corners, volume, &writer);
     const bool is_left = history.rejected == Rejection::none &&
                          history.clipped.rejection == Rejection::none &&
                          corners.size() >= least_corners;

@@ -58,7 +58,7 @@ struct ClipHistory {
     /// Its triangles about its first corner: corners of `polygon`.
     std::vector<std::array<int, triangle_corners>> fan;
 
-    bool is_cull_asked = false;            ///< something culls, and the triangle got that far
+    bool is_cull_tested = false;           ///< something culls, and the triangle got that far
     CullTest cull;                         ///< then: what culling looked at
     Rejection rejection = Rejection::none; ///< why the triangle is finally not drawn, or none
 

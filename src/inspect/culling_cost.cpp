@@ -8,8 +8,8 @@ namespace rasterwalk {
 
 namespace {
 
-constexpr Cull ways_to_cull[] = {Cull::none, Cull::face_normal, Cull::screen_area,
-                                 Cull::vertex_normals, Cull::fragment_normal};
+constexpr Cull cull_rules[] = {Cull::none, Cull::face_normal, Cull::screen_area,
+                               Cull::vertex_normals, Cull::fragment_normal};
 
 constexpr double enough_milliseconds = 1000.0;
 
@@ -26,17 +26,17 @@ CullingCosts culling_costs(const Scene& scene, const Settings& settings, const C
                            const Clock& clock) {
     Frame frame;
     Framebuffer framebuffer;
-    const auto prepare = [&](Cull way) {
+    const auto prepare = [&](Cull rule) {
         Settings with = settings;
-        with.cull = way;
+        with.cull = rule;
         prepare_frame(scene, with, nullptr, frame);
     };
     CullingCosts costs;
-    for (const Cull way : ways_to_cull) {
-        prepare(way);
-        costs.ways.push_back({way, frame_stats(frame, to, framebuffer), 0.0, 1.0});
+    for (const Cull rule : cull_rules) {
+        prepare(rule);
+        costs.rules.push_back({rule, frame_stats(frame, to, framebuffer), 0.0, 1.0});
     }
-    std::vector<std::vector<double>> times(costs.ways.size());
+    std::vector<std::vector<double>> times(costs.rules.size());
     const double begin = clock();
     const auto is_enough = [&] {
         if (costs.draws % 2 == 0 || costs.draws < fewest_draws) return false;
@@ -44,18 +44,18 @@ CullingCosts culling_costs(const Scene& scene, const Settings& settings, const C
     };
     // In turn, so that anything else the machine does affects all of them.
     for (; !is_enough(); ++costs.draws) {
-        for (std::size_t i = 0; i < costs.ways.size(); ++i) {
+        for (std::size_t i = 0; i < costs.rules.size(); ++i) {
             const double start = clock();
-            prepare(costs.ways[i].way);
+            prepare(costs.rules[i].rule);
             clear(framebuffer, frame);
             draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, framebuffer);
             times[i].push_back(clock() - start);
         }
     }
-    for (std::size_t i = 0; i < costs.ways.size(); ++i) {
-        CullingCost& cost = costs.ways[i];
+    for (std::size_t i = 0; i < costs.rules.size(); ++i) {
+        CullingCost& cost = costs.rules[i];
         cost.milliseconds = median(times[i]);
-        const double without = costs.ways.front().milliseconds;
+        const double without = costs.rules.front().milliseconds;
         if (without > 0.0) cost.share = cost.milliseconds / without;
     }
     return costs;

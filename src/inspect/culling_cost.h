@@ -14,15 +14,15 @@ using Clock = std::function<double()>;
 
 /// The frame under one way of culling.
 struct CullingCost {
-    Cull way = Cull::none;
+    Cull rule = Cull::none;
     FrameStats stats;
     double milliseconds = 0.0; ///< for all of it, vertices included: the median of the draws
     double share = 1.0;        ///< that time as a fraction of the time without culling
 };
 
 struct CullingCosts {
-    int draws = 0;                 ///< of each way
-    std::vector<CullingCost> ways; ///< none first, then every way that is not a mistake
+    int draws = 0;                  ///< of each way
+    std::vector<CullingCost> rules; ///< none first, then every way that is not a mistake
 };
 
 /// Draws the frame with each way of culling in turn, again and again: an odd number of times, at

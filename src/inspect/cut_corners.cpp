@@ -107,7 +107,7 @@ std::vector<CutCorner> corners_before(const ClipHistory& history, int planes) {
     return corners;
 }
 
-std::vector<CutCorner> corners_behind(const ClipHistory& history) {
+std::vector<CutCorner> corners_behind_camera(const ClipHistory& history) {
     std::vector<CutCorner> corners = given_corners(history);
     std::erase_if(corners,
                   [](const CutCorner& corner) { return !(corner.vertex.position_clip.w < 0.0f); });

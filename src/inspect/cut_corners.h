@@ -59,7 +59,7 @@ std::vector<CutCorner> corners_before(const ClipHistory& history, int planes = I
 
 /// The vertices of the triangle that lie behind the camera: the division would put them on the
 /// other side of the picture.
-std::vector<CutCorner> corners_behind(const ClipHistory& history);
+std::vector<CutCorner> corners_behind_camera(const ClipHistory& history);
 
 /// How many planes with work come before this one; those with work are in their order.
 int planes_before(const ClipHistory& history, ClipPlane plane);

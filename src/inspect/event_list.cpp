@@ -101,8 +101,8 @@ Cursor event_cursor(const EventList& list, int ordinal) {
             ordinal -= phase.count();
             continue;
         }
-        const auto behind = std::upper_bound(phase.before.begin(), phase.before.end(), ordinal);
-        const auto piece = static_cast<std::size_t>(behind - phase.before.begin()) - 1;
+        const auto end = std::upper_bound(phase.before.begin(), phase.before.end(), ordinal);
+        const auto piece = static_cast<std::size_t>(end - phase.before.begin()) - 1;
         return {list.triangle, info.phase, static_cast<int>(piece),
                 phase.pieces[piece].first + ordinal - phase.before[piece]};
     }
@@ -123,10 +123,9 @@ std::string event_text(const EventList& list, int ordinal) {
     return moment + std::visit([](const auto& of_kind) { return text_of(of_kind); }, *event);
 }
 
-std::vector<int> find_events(const EventList& list, const std::string& words, int first,
-                             int behind) {
+std::vector<int> find_events(const EventList& list, const std::string& words, int first, int end) {
     std::vector<int> found;
-    for (int i = std::max(first, 0); i < std::min(behind, list.count()); ++i) {
+    for (int i = std::max(first, 0); i < std::min(end, list.count()); ++i) {
         if (words.empty() || contains_in_any_case(event_text(list, i), words)) found.push_back(i);
     }
     return found;

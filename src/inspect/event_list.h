@@ -34,7 +34,6 @@ Cursor event_cursor(const EventList& list, int ordinal);
 std::string event_text(const EventList& list, int ordinal);
 
 /// The moments of [first, behind) whose lines contain the words, whatever their capitals.
-std::vector<int> find_events(const EventList& list, const std::string& words, int first,
-                             int behind);
+std::vector<int> find_events(const EventList& list, const std::string& words, int first, int end);
 
 } // namespace rasterwalk

@@ -12,9 +12,9 @@ namespace rasterwalk {
 namespace {
 
 /// Records the positions of both edges of a polygon with two vertices.
-class BothWays : public SampleSink {
+class BothEdges : public SampleSink {
   public:
-    explicit BothWays(EdgeMicroscope& into)
+    explicit BothEdges(EdgeMicroscope& into)
         : edge_(into), decides_(into.stages.line != line_by_interpolate) {}
     void edge_sample(const EdgeSample& sample) override {
         if (decides_ && sample.edge == 0) edge_.decisions.push_back(sample.decision);
@@ -127,13 +127,13 @@ EdgeMicroscope microscope(const ScreenVertex& a, const ScreenVertex& b, const Ed
     edge.b = b;
     edge.rules = rules;
     edge.stages = stages;
-    BothWays ways(edge);
+    BothEdges both_edges(edge);
     PolygonRows rows;
     // If coverage walks no edges, the edges are those of stage `edges`.
     Stages walking = walking_edges(stages);
     // Samples that are left out of the row table count too.
     walking.entered_samples = entered_samples;
-    walking.compute_polygon_rows(std::array{a, b}, rules, walking, rows, &ways);
+    walking.compute_polygon_rows(std::array{a, b}, rules, walking, rows, &both_edges);
     edge.count = static_cast<int>(edge.forward.size());
     const int steps = std::max(edge.count - 1, 1);
     const LineStep step =

@@ -14,8 +14,8 @@ std::optional<RowGraph> row_graph(const Frame& frame, int triangle, int index) {
     graph.row = *row;
     graph.projection = vertex_rules(frame.settings, frame.scene->space).projection;
     graph.first_column = row->under(Interpolation::perspective).left.column;
-    for (const Interpolation way : all_interpolations) {
-        graph.fragments[static_cast<std::size_t>(way)] = row->fragments(way);
+    for (const Interpolation mode : all_interpolations) {
+        graph.fragments[static_cast<std::size_t>(mode)] = row->fragments(mode);
     }
     return graph;
 }

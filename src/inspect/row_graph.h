@@ -19,8 +19,8 @@ struct RowGraph {
     std::array<std::vector<Fragment>, interpolation_count> fragments;
 
     int count() const { return row.count; }
-    const Fragment& at(Interpolation way, int index) const {
-        return fragments[static_cast<std::size_t>(way)][static_cast<std::size_t>(index)];
+    const Fragment& at(Interpolation mode, int index) const {
+        return fragments[static_cast<std::size_t>(mode)][static_cast<std::size_t>(index)];
     }
 };
 

@@ -18,11 +18,11 @@ void replace(EndWriter& end, const EdgeSample& sample) {
 }
 
 /// Repeats the work of the coverage stage in its own table, up to a number of samples.
-class HistoryMaker : public SampleSink {
+class HistoryBuilder : public SampleSink {
   public:
     using Wanted = std::function<bool(const EdgeSample&)>;
 
-    HistoryMaker(RowHistory& into, const Stages& stages, Wanted is_wanted)
+    HistoryBuilder(RowHistory& into, const Stages& stages, Wanted is_wanted)
         : history_(into), stages_(stages), is_wanted_(std::move(is_wanted)) {}
 
     void begin_rows(const PolygonRows& rows) override {
@@ -77,17 +77,17 @@ class HistoryMaker : public SampleSink {
 
 class SampleList : public SampleSink {
   public:
-    explicit SampleList(HistoryMaker::Wanted is_wanted) : is_wanted_(std::move(is_wanted)) {}
+    explicit SampleList(HistoryBuilder::Wanted is_wanted) : is_wanted_(std::move(is_wanted)) {}
     void edge_sample(const EdgeSample& sample) override {
         if (is_wanted_(sample)) samples.push_back(sample);
     }
     std::vector<EdgeSample> samples;
 
   private:
-    HistoryMaker::Wanted is_wanted_;
+    HistoryBuilder::Wanted is_wanted_;
 };
 
-HistoryMaker::Wanted comes_before(int triangle, const Cursor& to) {
+HistoryBuilder::Wanted comes_before(int triangle, const Cursor& to) {
     return [triangle, to](const EdgeSample& sample) {
         return Cursor{triangle, Phase::edges, sample.edge, sample.sample} < to;
     };
@@ -103,10 +103,10 @@ void keep_tested(const Frame& frame, int triangle, const Cursor& to, PolygonRows
     for (int i = 0; i < tested_row_count(tested); ++i) {
         const TestedRow box = tested_row(tested, i);
         const TestedTriangle& of = tested.triangles[static_cast<std::size_t>(box.triangle)];
-        const ColumnRange asked = tests_done(box, triangle, i, to);
-        if (asked.count() == 0) continue;
+        const ColumnRange tested_columns = tests_done(box, triangle, i, to);
+        if (tested_columns.count() == 0) continue;
         const ColumnRange covered = covered_columns(of, box.row);
-        const int last = std::min(covered.last, asked.last);
+        const int last = std::min(covered.last, tested_columns.last);
         if (covered.first > last) continue;
         const auto row = static_cast<std::size_t>(box.row - rows.first_row);
         const auto end = [&](int column) {
@@ -128,16 +128,16 @@ std::vector<InsideSpan> inside_spans(PolygonCorners vertices, const EdgeRules& r
 std::span<const InsideSpan> spans_of_row(const RowHistory& history, int row) {
     const auto first = std::find_if(history.spans.begin(), history.spans.end(),
                                     [&](const InsideSpan& span) { return span.row == row; });
-    const auto behind = std::find_if(first, history.spans.end(),
-                                     [&](const InsideSpan& span) { return span.row != row; });
-    return {std::to_address(first), static_cast<std::size_t>(behind - first)};
+    const auto end = std::find_if(first, history.spans.end(),
+                                  [&](const InsideSpan& span) { return span.row != row; });
+    return {std::to_address(first), static_cast<std::size_t>(end - first)};
 }
 
 RowHistory row_history(const Frame& frame, int triangle, const Cursor& to) {
     RowHistory history;
-    HistoryMaker maker(history, frame.stages, comes_before(triangle, to));
+    HistoryBuilder builder(history, frame.stages, comes_before(triangle, to));
     PolygonRows rows;
-    compute_rows(frame, triangle, rows, &maker);
+    compute_rows(frame, triangle, rows, &builder);
     keep_tested(frame, triangle, to, history.rows);
     history.spans = inside_spans(frame.triangle_vertices(triangle),
                                  edge_rules(frame.settings, VaryingSet::all()), frame.stages);
@@ -148,10 +148,10 @@ RowHistory row_history(const Frame& frame, int triangle, const Cursor& to) {
 RowHistory row_history(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
                        int samples) {
     RowHistory history;
-    HistoryMaker maker(history, stages,
-                       [&](const EdgeSample&) { return history.samples < samples; });
+    HistoryBuilder builder(history, stages,
+                           [&](const EdgeSample&) { return history.samples < samples; });
     PolygonRows table;
-    stages.compute_polygon_rows(vertices, rules, stages, table, &maker);
+    stages.compute_polygon_rows(vertices, rules, stages, table, &builder);
     history.spans = inside_spans(vertices, rules, stages);
     history.edge_samples.resize(vertices.size());
     return history;

@@ -22,7 +22,7 @@ void add(const SurfaceLight& light, const Frame& frame, ShadowCount& count) {
     ++count.facing;
     const ShadowTerms& shadow = light.shadow;
     count.in_shadow += shadow.is_dark() ? 1 : 0;
-    if (!shadow.is_asked) return;
+    if (!shadow.is_tested) return;
     ShadowRules usual;
     const WorldRay ray = shadow_ray(shadow.point, usual.offset);
     const bool is_blocked = frame.occluders.triangles->first_hit(ray).is_hit();

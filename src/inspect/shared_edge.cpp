@@ -12,7 +12,7 @@ namespace {
 
 using SnappedCorners = std::array<GridPoint, triangle_corners>;
 
-constexpr std::size_t corner_behind(std::size_t corner) {
+constexpr std::size_t next_corner(std::size_t corner) {
     return (corner + 1) % triangle_corners;
 }
 
@@ -40,7 +40,7 @@ int edge_between(const Frame& frame, int triangle, const glm::vec3& a, const glm
     for (int i = 0; i < triangle_corners; ++i)
         places[static_cast<std::size_t>(i)] = frame.scene->corner(triangle, i).position;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const glm::vec3 &from = places[i], &to = places[corner_behind(i)];
+        const glm::vec3 &from = places[i], &to = places[next_corner(i)];
         if ((from == a && to == b) || (from == b && to == a)) return static_cast<int>(i);
     }
     return -1;
@@ -48,7 +48,7 @@ int edge_between(const Frame& frame, int triangle, const glm::vec3& a, const glm
 
 /// The side of its edge on which the rest of a triangle lies, seen from `a` to `b`.
 int side_of_rest(const SnappedCorners& corners, int edge, const GridPoint& a, const GridPoint& b) {
-    const GridPoint& rest = corners[corner_behind(corner_behind(static_cast<std::size_t>(edge)))];
+    const GridPoint& rest = corners[next_corner(next_corner(static_cast<std::size_t>(edge)))];
     const std::int64_t area = double_area(a, b, rest);
     return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
@@ -111,7 +111,7 @@ class DrawnPair {
 
     /// The pixels of a row whose centres lie on the edge between its ends.
     Columns on_edge(int row) const {
-        return centres_on_edge(edge_[from_], edge_[corner_behind(from_)], row);
+        return centres_on_edge(edge_[from_], edge_[next_corner(from_)], row);
     }
 
     EdgeByRule count(FillRule rule) const {
@@ -142,11 +142,12 @@ double distance_to_edge(const SnappedCorners& corners, int edge, const glm::ivec
         return glm::dvec2(p.x, p.y) / static_cast<double>(grid_parts);
     };
     const auto i = static_cast<std::size_t>(edge);
-    const glm::dvec2 a = place(corners[i]), way = place(corners[corner_behind(i)]) - a;
+    const glm::dvec2 a = place(corners[i]), edge_vector = place(corners[next_corner(i)]) - a;
     const glm::dvec2 to = glm::dvec2(pixel) + 0.5 - a;
-    const double length2 = glm::dot(way, way);
-    const double t = length2 > 0.0 ? std::clamp(glm::dot(to, way) / length2, 0.0, 1.0) : 0.0;
-    const glm::dvec2 off = to - t * way;
+    const double length2 = glm::dot(edge_vector, edge_vector);
+    const double t =
+        length2 > 0.0 ? std::clamp(glm::dot(to, edge_vector) / length2, 0.0, 1.0) : 0.0;
+    const glm::dvec2 off = to - t * edge_vector;
     return glm::dot(off, off);
 }
 
@@ -201,9 +202,9 @@ std::vector<SharedEdge> shared_edges(const Frame& frame, int triangle) {
             const auto place = [&](std::size_t corner) {
                 return frame.scene->corner(triangle, static_cast<int>(corner)).position;
             };
-            const int its = edge_between(frame, other, place(i), place(corner_behind(i)));
+            const int its = edge_between(frame, other, place(i), place(next_corner(i)));
             if (its < 0) continue;
-            const GridPoint &a = corners[i], &b = corners[corner_behind(i)];
+            const GridPoint &a = corners[i], &b = corners[next_corner(i)];
             const int side = side_of_rest(corners, edge, a, b);
             if (side * side_of_rest(snapped_corners(frame, other), its, a, b) >= 0) continue;
             found.push_back({triangle, edge, other, its});
@@ -268,7 +269,7 @@ Rectangle edge_window(const Frame& frame, const SharedEdge& shared,
         all.insert(all.end(), outline.begin(), outline.end());
     const Rectangle box = touched_pixels(all);
     const glm::ivec2 middle =
-        middle_of_part(outlines[0][from], outlines[0][corner_behind(from)], pixel);
+        middle_of_part(outlines[0][from], outlines[0][next_corner(from)], pixel);
     const auto [left, right] = window_side(box.left - 1, box.right + 1, middle.x);
     const auto [top, bottom] = window_side(box.top - 1, box.bottom + 1, middle.y);
     return {left, top, right, bottom};

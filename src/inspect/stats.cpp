@@ -36,9 +36,9 @@ FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& frameb
     stats.rows_outside = tally.samples_outside;
     stats.rows_outside_triangles = tally.triangles_outside;
     stats.shaded = tally.shaded;
-    stats.rows_looked_at = tally.rows_looked_at;
+    stats.row_lookups = tally.row_lookups;
     stats.pixels_tested = tally.pixels_tested;
-    stats.unset_rows = tally.unset_rows;
+    stats.empty_rows = tally.empty_rows;
     stats.depth_outside = tally.depth_outside;
     for (const std::uint32_t fragments : framebuffer.overdraw) {
         stats.max_overdraw = std::max(stats.max_overdraw, fragments);

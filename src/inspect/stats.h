@@ -39,9 +39,9 @@ struct FrameStats {
     std::int64_t rows_outside = 0;      ///< edge samples outside their row table
     int rows_outside_triangles = 0;     ///< triangles that have such samples
     std::int64_t shaded = 0;            ///< fragments whose colour was worked out, drawn or not
-    std::int64_t rows_looked_at = 0;    ///< rows looked at to find those of the edge samples
+    std::int64_t row_lookups = 0;       ///< rows looked at to find those of the edge samples
     std::int64_t pixels_tested = 0;     ///< in the picture, by edge functions, of whole triangles
-    std::int64_t unset_rows = 0;    ///< rows without a sample, drawn all the same; none is visible
+    std::int64_t empty_rows = 0;    ///< rows without a sample, drawn all the same; none is visible
     std::int64_t depth_outside = 0; ///< fragments whose pixel has no cell in the depth buffer
     LeftOut left_out;
 

@@ -33,7 +33,7 @@ TriangleSides triangle_sides(const Frame& frame, int triangle) {
     if (rules.space == SceneSpace::pixels) return sides;
     sides.codes = triangle_codes(corners, outer_planes(rules));
     NearCut drawn;
-    tell_clipping(frame, triangle, drawn);
+    replay_clipping(frame, triangle, drawn);
     sides.near_t = drawn.t;
     const glm::vec4& near = sides.codes.planes.front();
     for (std::size_t i = 0; i < corners.size() && !sides.near_t; ++i)

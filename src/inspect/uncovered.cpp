@@ -57,7 +57,7 @@ std::int64_t squared_distance(const NearTriangle& near) {
 
 /// From the pixel to the box of the triangle's vertices, which none of its rows leaves: right and
 /// down are positive.
-glm::ivec2 way_to_box(const Frame& frame, int triangle, const glm::ivec2& pixel) {
+glm::ivec2 offset_to_box(const Frame& frame, int triangle, const glm::ivec2& pixel) {
     const Rectangle box = frame.stages.polygon_box(frame.triangle_vertices(triangle),
                                                    edge_rules(frame.settings), frame.stages);
     return {-beyond(pixel.x, box.left, box.right - 1), -beyond(pixel.y, box.top, box.bottom - 1)};
@@ -73,13 +73,13 @@ NearTriangle look_at(const Frame& frame, int triangle, const glm::ivec2& pixel, 
     near.rows_away = near.row - pixel.y;
     const int index = near.row - rows.first_row;
     // If no sample has reached a row, nothing of it is in the picture, drawn or not.
-    const bool is_unset = rows.is_empty_row(index);
-    const int drawn = is_unset ? 0 : row_span(frame.stages, rows, index).drawn;
+    const bool is_row_empty = rows.is_empty_row(index);
+    const int drawn = is_row_empty ? 0 : row_span(frame.stages, rows, index).drawn;
     near.is_empty = drawn == 0;
     near.is_by_samples = walks_edges(frame.stages);
-    near.is_left_out = drawn == 0 && !is_unset;
+    near.is_left_out = drawn == 0 && !is_row_empty;
     if (near.is_empty) {
-        near.columns_away = way_to_box(frame, triangle, pixel).x;
+        near.columns_away = offset_to_box(frame, triangle, pixel).x;
         return near;
     }
     near.left = rows.left[index].column;
@@ -122,18 +122,18 @@ bool is_out_of_bounds(const Frame& frame, const glm::ivec2& pixel) {
 }
 
 /// The squared distance of a triangle's box, and the triangle.
-using BoxSeen = std::pair<std::int64_t, int>;
+using BoxDistance = std::pair<std::int64_t, int>;
 
-BoxSeen box_seen_from(const Frame& frame, int triangle, const glm::ivec2& pixel) {
-    const glm::ivec2 way = way_to_box(frame, triangle, pixel);
-    return {squared_distance(way.x, way.y), triangle};
+BoxDistance distance_of_box(const Frame& frame, int triangle, const glm::ivec2& pixel) {
+    const glm::ivec2 offset = offset_to_box(frame, triangle, pixel);
+    return {squared_distance(offset.x, offset.y), triangle};
 }
 
 /// This many boxes are kept while all are looked at. Thousands of tiny triangles can have boxes
 /// that are equally near: their rows differ by a pixel at most.
 constexpr std::size_t kept_boxes = 1024;
 
-void keep_nearest_boxes(std::vector<BoxSeen>& boxes) {
+void keep_nearest_boxes(std::vector<BoxDistance>& boxes) {
     if (boxes.size() <= kept_boxes) return;
     std::nth_element(boxes.begin(), boxes.begin() + kept_boxes, boxes.end());
     boxes.resize(kept_boxes);
@@ -142,10 +142,10 @@ void keep_nearest_boxes(std::vector<BoxSeen>& boxes) {
 /// Boxes are cheap and row tables are not: the triangles are looked at in the order of their boxes,
 /// until no box can hold a row nearer than those found.
 std::vector<NearTriangle> nearest_rows(const Frame& frame, const glm::ivec2& pixel,
-                                       std::vector<BoxSeen> heap, int count) {
+                                       std::vector<BoxDistance> heap, int count) {
     std::make_heap(heap.begin(), heap.end(), std::greater<>());
-    std::vector<BoxSeen> best; // nearest first; the second number is an index of `looked_at`
-    std::vector<NearTriangle> looked_at;
+    std::vector<BoxDistance> best; // nearest first; the second number is an index of `checked`
+    std::vector<NearTriangle> checked;
     PolygonRows rows;
     while (!heap.empty()) {
         std::pop_heap(heap.begin(), heap.end(), std::greater<>());
@@ -154,15 +154,15 @@ std::vector<NearTriangle> nearest_rows(const Frame& frame, const glm::ivec2& pix
         const bool is_full = static_cast<int>(best.size()) == count;
         if (is_full && box_distance >= best.back().first) break;
         const NearTriangle near = look_at(frame, triangle, pixel, rows);
-        const BoxSeen candidate{squared_distance(near), static_cast<int>(looked_at.size())};
+        const BoxDistance candidate{squared_distance(near), static_cast<int>(checked.size())};
         if (is_full && candidate.first >= best.back().first) continue;
         if (is_full) best.pop_back();
         best.insert(std::upper_bound(best.begin(), best.end(), candidate), candidate);
-        looked_at.push_back(near);
+        checked.push_back(near);
     }
     std::vector<NearTriangle> found;
-    for (const BoxSeen& candidate : best)
-        found.push_back(looked_at[static_cast<std::size_t>(candidate.second)]);
+    for (const BoxDistance& candidate : best)
+        found.push_back(checked[static_cast<std::size_t>(candidate.second)]);
     return found;
 }
 
@@ -195,7 +195,7 @@ void NearestSearch::look(int triangles) {
     const int end = next_ + std::min(triangles, end_ - next_);
     for (; next_ < end; ++next_) {
         if (!frame_->is_drawn(next_)) continue;
-        boxes_.push_back(box_seen_from(*frame_, next_, pixel_));
+        boxes_.push_back(distance_of_box(*frame_, next_, pixel_));
         if (boxes_.size() >= 2 * kept_boxes) keep_nearest_boxes(boxes_);
     }
 }
@@ -256,10 +256,10 @@ std::string miss_text(const NearTriangle& near) {
 
 std::string rules_text(const NearTriangle& near, const glm::ivec2& pixel) {
     const auto outcome = [&](const OtherRule& rule) {
-        const bool is_beside = near.rows_away == 0;
-        if (is_beside && near.columns_away > 0)
+        const bool is_in_row = near.rows_away == 0;
+        if (is_in_row && near.columns_away > 0)
             return fmt::format("it begins at column {}", rule.left);
-        if (is_beside && near.columns_away < 0)
+        if (is_in_row && near.columns_away < 0)
             return fmt::format("it ends at column {}", rule.right);
         return fmt::format("its row {} goes from column {} to {}", pixel.y, rule.left, rule.right);
     };

@@ -89,10 +89,10 @@ PictureRecipe recipe_of(const Attempt& attempt) {
     return recipe;
 }
 
-std::vector<std::string> rules_beside(const Settings& right, const Settings& reference) {
+std::vector<std::string> extra_rules(const Settings& right, const Settings& reference) {
     std::vector<std::string> rules;
     for (const Setting& setting : setting_table()) {
-        if (!must_be_said(setting, reference, right)) continue;
+        if (!must_be_listed(setting, reference, right)) continue;
         rules.push_back(fmt::format("{}={}", setting.name, value_text(setting, right)));
     }
     return rules;
@@ -106,7 +106,7 @@ double assumptions_of(const Attempt& attempt, const Settings& reference) {
         sum += change->bug != nullptr ? of_bug : of_other;
     if (attempt.right == reference) return sum;
     for (const Setting& setting : setting_table()) {
-        if (!must_be_said(setting, reference, attempt.right)) continue;
+        if (!must_be_listed(setting, reference, attempt.right)) continue;
         // The camera is where the handout puts it, or where the student says.
         const bool is_odd = setting.name.starts_with("camera.") ||
                             (setting.name == "light.power" &&

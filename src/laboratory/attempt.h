@@ -37,7 +37,7 @@ struct Attempt {
 PictureRecipe recipe_of(const Attempt& attempt);
 
 /// The rules and numbers by which it is right, besides the reference's, each as "light.power=9".
-std::vector<std::string> rules_beside(const Settings& right, const Settings& reference);
+std::vector<std::string> extra_rules(const Settings& right, const Settings& reference);
 
 /// How much an attempt assumes, in units of one mistake; a rule or a number that is not wrong costs
 /// less.

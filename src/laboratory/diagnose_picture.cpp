@@ -19,7 +19,7 @@ Candidate candidate_of(const Attempt& attempt, const Settings& reference) {
     Candidate candidate;
     for (const Change* change : attempt.changes)
         candidate.mistakes.push_back({{change->id}, {change->name}});
-    const std::string rules = enumerated(rules_beside(attempt.right, reference));
+    const std::string rules = enumerated(extra_rules(attempt.right, reference));
     if (!rules.empty()) candidate.remark = "with " + rules;
     candidate.recipe = recipe_of(attempt);
     candidate.right = attempt.right;
@@ -176,11 +176,11 @@ void DiagnosisWork::ask() {
 void DiagnosisWork::look_closely(const std::vector<Attempt>& tried) {
     PictureTrial& trial = *trial_;
     const Attempt none{reference_, {}};
-    const bool is_as_asked = tried.size() <= 1; // nothing was searched, or only one picture
-    const Attempt& base = is_as_asked ? none : best_base(trial, tried, reference_);
+    const bool is_as_requested = tried.size() <= 1; // nothing was searched, or only one picture
+    const Attempt& base = is_as_requested ? none : best_base(trial, tried, reference_);
     Diagnosis found;
     std::vector<Hypothesis> hypotheses;
-    if (!is_as_asked) hypotheses = hypotheses_of(trial, tried, base, reference_);
+    if (!is_as_requested) hypotheses = hypotheses_of(trial, tried, base, reference_);
     if (trial.is_waiting()) return;
     found.candidates = ranked(std::move(hypotheses));
     const Attempt& shown = convincing_base(trial, tried, base, reference_);
@@ -214,7 +214,7 @@ void DiagnosisWork::look_closely(const std::vector<Attempt>& tried) {
     found.distance = trial.drawn(right).distance.mean;
     if (trial.is_waiting()) return;
     right_picture_ = kept->image;
-    found.rules = enumerated(rules_beside(right, reference_));
+    found.rules = enumerated(extra_rules(right, reference_));
     found.verdict = verdict_on(found);
     found_ = std::move(found);
 }

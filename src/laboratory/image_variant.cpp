@@ -94,8 +94,8 @@ void ImageMeasure::measure_to(const Image& image, const Image& other, int row) {
             ++black_;
             black_otherwise_ += is_black(pixel) ? 0 : 1;
         } else {
-            ++seen_;
-            seen_otherwise_ += is_black(pixel) || !has_same_hue(pixel, wanted) ? 1 : 0;
+            ++visible_;
+            visible_otherwise_ += is_black(pixel) || !has_same_hue(pixel, wanted) ? 1 : 0;
         }
         print_ = hashed(print_, image.rgba.data() + i);
     }
@@ -110,7 +110,7 @@ ImageDistance ImageMeasure::distance() const {
     };
     return {static_cast<double>(sum_) / static_cast<double>(channels_), different_,
             static_cast<double>(wrong_) / wholly_wrong,
-            part(seen_otherwise_, seen_) + 0.25 * part(black_otherwise_, black_)};
+            part(visible_otherwise_, visible_) + 0.25 * part(black_otherwise_, black_)};
 }
 
 Image with_differences_marked(const Image& image, const Image& other, float scale) {

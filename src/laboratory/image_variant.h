@@ -55,7 +55,7 @@ class ImageMeasure {
   private:
     int rows_ = 0;
     std::int64_t sum_ = 0, channels_ = 0, different_ = 0, wrong_ = 0;
-    std::int64_t seen_ = 0, seen_otherwise_ = 0, black_ = 0, black_otherwise_ = 0;
+    std::int64_t visible_ = 0, visible_otherwise_ = 0, black_ = 0, black_otherwise_ = 0;
     std::uint64_t print_ = no_fingerprint;
 };
 

@@ -372,18 +372,18 @@ class Search {
             Attempt in_place = plain;
             in_place.right.light.position = usual.position;
             in_place.right.light.indirect = usual.indirect;
-            note_nearest(in_place, with_rounder_powers(in_place.right.light, usual));
+            record_nearest(in_place, with_rounder_powers(in_place.right.light, usual));
             for (Attempt other : {attempt, plain}) {
                 if (is_exact) break;
-                other = note_nearest(other, with_rounder_places(other.right.light, usual));
+                other = record_nearest(other, with_rounder_places(other.right.light, usual));
                 if (is_waiting()) return;
-                note_nearest(other, with_rounder_powers(other.right.light, usual));
+                record_nearest(other, with_rounder_powers(other.right.light, usual));
             }
         }
     }
 
     /// Notes the attempt with each of these lamps; returns the one that comes nearest.
-    Attempt note_nearest(const Attempt& attempt, const std::vector<Light>& lights) {
+    Attempt record_nearest(const Attempt& attempt, const std::vector<Light>& lights) {
         std::vector<Attempt> others;
         for (const Light& light : lights) {
             others.push_back(attempt);
@@ -412,9 +412,9 @@ class Search {
             try_better_lamps(1);
             return true;
         }
-        constexpr std::size_t looked_at = 2;
-        try_better_lamps(looked_at);
-        if (!is_waiting()) try_second_changes(looked_at);
+        constexpr std::size_t pairs_tried = 2;
+        try_better_lamps(pairs_tried);
+        if (!is_waiting()) try_second_changes(pairs_tried);
         if (!is_waiting()) refine(nearest_count, 2);
         return true;
     }

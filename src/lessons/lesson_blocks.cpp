@@ -69,7 +69,7 @@ void refuse_numbers_in_code(std::string_view text) {
 
 /// Markdown with {EXPRESSION}, but without {answer}, which would be given away or does not exist.
 /// Throws UsageError for an expression that is not understood.
-std::string told(const TomlBlock& block, const toml::node& node) {
+std::string checked_text(const TomlBlock& block, const toml::node& node) {
     std::string text = block.text(node);
     refuse_numbers_in_code(text);
     fill_in(text, "", std::nullopt, [](std::string_view) { return Value(); });
@@ -121,7 +121,7 @@ std::vector<NotYet> read_not_yet(const TomlBlock& task, const toml::node& node) 
         one.line = line;
         TomlKeys keys;
         keys["when"] = [&](const toml::node& n) { when = condition(block, n); };
-        keys["says"] = [&](const toml::node& n) { one.says = told(block, n); };
+        keys["says"] = [&](const toml::node& n) { one.says = checked_text(block, n); };
         block.read(keys);
         for (const char* key : {"when", "says"})
             block.require(key);
@@ -141,7 +141,7 @@ std::vector<Misconception> read_misconceptions(const TomlBlock& prediction, cons
         Misconception one;
         one.line = line;
         TomlKeys keys;
-        keys["says"] = [&](const toml::node& n) { one.says = told(block, n); };
+        keys["says"] = [&](const toml::node& n) { one.says = checked_text(block, n); };
         keys["answer"] = [&](const toml::node& n) {
             if (p.kind == PredictionKind::number) one.answer = expression(block, n);
             if (p.kind == PredictionKind::pixel) one.answer = condition(block, n);
@@ -215,7 +215,7 @@ LessonTask read_task(const toml::table& table, int line, FaultList& faults) {
     keys["hint"] = [&](const toml::node& n) { task.hint = block.text(n); };
     keys["because"] = [&](const toml::node& n) {
         task.because_line = line_of(n);
-        task.because = told(block, n);
+        task.because = checked_text(block, n);
     };
     keys["not_yet"] = [&](const toml::node& n) { task.not_yet = read_not_yet(block, n); };
     block.read(keys);

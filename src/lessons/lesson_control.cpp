@@ -155,7 +155,7 @@ std::string given_read_out(const TomlBlock& block, const toml::node& node) {
     std::string text = block.text(node);
     if (text.size() > longest_read_out)
         throw UsageError(fmt::format("a read-out may have at most {} bytes.", longest_read_out));
-    if (!asks_for_numbers(text))
+    if (!needs_numbers(text))
         throw UsageError("a read-out must show a number that may change: {EXPRESSION}.");
     if (text.find("{answer") != text.npos)
         throw UsageError("a control has no {answer}; only predictions do.");

@@ -121,7 +121,7 @@ bool LessonList::is_edited(std::string_view id) const {
     return false;
 }
 
-int number_to_come(const std::vector<Lesson>& lessons, std::size_t index) {
+int missing_number(const std::vector<Lesson>& lessons, std::size_t index) {
     if (index == 0) return 0;
     const int number = lesson_number(lessons[index].id);
     return lesson_number(lessons[index - 1].id) + 2 == number ? number - 1 : 0;

@@ -62,7 +62,7 @@ int lesson_number(std::string_view id);
 
 /// The number missing between the lesson of this index and the previous one, for a lesson yet to
 /// come. 0 if none is missing, or more than one.
-int number_to_come(const std::vector<Lesson>& lessons, std::size_t index);
+int missing_number(const std::vector<Lesson>& lessons, std::size_t index);
 
 /// The most lessons that are read from a folder.
 inline constexpr std::size_t most_lessons = 100;

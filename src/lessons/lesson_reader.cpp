@@ -150,11 +150,11 @@ class Reader {
                 }
             }
         } else if (step_number() >= most_lesson_steps) {
-            if (!told_steps_) {
+            if (!has_reported_steps_) {
                 faults_.add(line_number(), "a lesson may have at most " +
                                                std::to_string(most_lesson_steps) + " steps.");
             }
-            told_steps_ = true;
+            has_reported_steps_ = true;
         } else {
             begin_step(words, line_number());
         }
@@ -273,12 +273,12 @@ class Reader {
         if (!comment.is_good) return;
         if (lesson_.tasks.size() + lesson_.predictions.size() >=
             static_cast<std::size_t>(most_lesson_questions)) {
-            if (!told_questions_) {
+            if (!has_reported_questions_) {
                 faults_.add(comment.line, "a lesson may have at most " +
                                               std::to_string(most_lesson_questions) +
                                               " tasks and predictions.");
             }
-            told_questions_ = true;
+            has_reported_questions_ = true;
             return;
         }
         if (kind == "task") {
@@ -329,11 +329,11 @@ class Reader {
             return part.kind == LessonPart::Kind::control;
         });
         if (count >= most_step_controls) {
-            if (told_controls_of_ != step_number()) {
+            if (reported_controls_of_ != step_number()) {
                 faults_.add(comment.line, "a step may have at most " +
                                               std::to_string(most_step_controls) + " controls.");
             }
-            told_controls_of_ = step_number();
+            reported_controls_of_ = step_number();
             return;
         }
         LessonControl control = read_control(comment.table, comment.line, faults_);
@@ -402,8 +402,8 @@ class Reader {
     int code_line_ = 0; ///< where the block of code began or ended
     bool has_lesson_block_ = false;
     bool may_have_block_ = true; ///< the step has none yet, and no text
-    bool told_steps_ = false, told_questions_ = false;
-    int told_controls_of_ = -1; ///< the step already reported to have too many
+    bool has_reported_steps_ = false, has_reported_questions_ = false;
+    int reported_controls_of_ = -1; ///< the step already reported to have too many
     std::set<std::string> ids_;
 };
 

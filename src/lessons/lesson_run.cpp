@@ -275,7 +275,7 @@ std::string answer_text(double number, int digits) {
     return text == "-0" ? "0" : with_minus_signs(text);
 }
 
-bool asks_for_numbers(std::string_view text) {
+bool needs_numbers(std::string_view text) {
     bool asks = false;
     fill_in(text, "", std::nullopt, [&](std::string_view) {
         asks = true;

@@ -91,7 +91,7 @@ std::optional<double> read_answer(std::string_view text);
 std::string answer_text(double number, int digits = -1);
 
 /// Does a text for fill_in() ask for any number? Throws as fill_in() does.
-bool asks_for_numbers(std::string_view text);
+bool needs_numbers(std::string_view text);
 
 /// Replaces every {EXPRESSION} by its number, and {answer} by `number` or, if that is none, by
 /// `answer`; {EXPRESSION:2} has two digits after the point. Missing numbers become a dash. Braces

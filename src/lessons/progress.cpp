@@ -65,7 +65,7 @@ const std::string& key_of(const std::pair<const std::string, FirstAnswer>& answe
 
 /// Removes what is gone in `after` compared with `before`, and adds what is new.
 template <class Container>
-void carry_over(const Container& before, const Container& after, Container& theirs) {
+void merge_changes(const Container& before, const Container& after, Container& theirs) {
     for (const auto& one : before) {
         if (after.count(key_of(one)) == 0) theirs.erase(key_of(one));
     }
@@ -76,9 +76,9 @@ void carry_over(const Container& before, const Container& after, Container& thei
 
 LessonProgress merged(const LessonProgress& before, const LessonProgress& after,
                       LessonProgress theirs) {
-    carry_over(before.steps, after.steps, theirs.steps);
-    carry_over(before.tasks, after.tasks, theirs.tasks);
-    carry_over(before.answers, after.answers, theirs.answers);
+    merge_changes(before.steps, after.steps, theirs.steps);
+    merge_changes(before.tasks, after.tasks, theirs.tasks);
+    merge_changes(before.answers, after.answers, theirs.answers);
     for (auto& [id, answer] : theirs.answers) {
         const auto was = before.answers.find(id), own = after.answers.find(id);
         const bool is_shown = own != after.answers.end() && !own->second.has_second_try;
@@ -99,7 +99,7 @@ const LessonProgress& Progress::of(const std::string& lesson) const {
     return found == lessons.end() ? none : found->second;
 }
 
-bool Progress::is_step_seen(const std::string& lesson, int step) const {
+bool Progress::was_step_shown(const std::string& lesson, int step) const {
     return of(lesson).steps.count(step) > 0;
 }
 
@@ -107,20 +107,20 @@ bool Progress::is_task_done(const std::string& lesson, const std::string& task) 
     return of(lesson).tasks.count(task) > 0;
 }
 
-void Progress::note_step(const std::string& lesson, int step) {
+void Progress::record_step(const std::string& lesson, int step) {
     last_lesson = lesson;
     lessons[lesson].last_step = step;
     lessons[lesson].steps.insert(step);
     touch();
 }
 
-void Progress::note_task(const std::string& lesson, const std::string& task) {
+void Progress::record_task(const std::string& lesson, const std::string& task) {
     lessons[lesson].tasks.insert(task);
     touch();
 }
 
-void Progress::note_answer(const std::string& lesson, const std::string& prediction,
-                           const FirstAnswer& answer) {
+void Progress::record_answer(const std::string& lesson, const std::string& prediction,
+                             const FirstAnswer& answer) {
     lessons[lesson].answers.try_emplace(prediction, answer);
     touch();
 }

@@ -37,14 +37,14 @@ struct Progress {
 
     /// The progress of a lesson; an empty one if it was never open.
     const LessonProgress& of(const std::string& lesson) const;
-    bool is_step_seen(const std::string& lesson, int step) const;
+    bool was_step_shown(const std::string& lesson, int step) const;
     bool is_task_done(const std::string& lesson, const std::string& task) const;
 
-    void note_step(const std::string& lesson, int step);
-    void note_task(const std::string& lesson, const std::string& task);
+    void record_step(const std::string& lesson, int step);
+    void record_task(const std::string& lesson, const std::string& task);
     /// Only the first answer is kept.
-    void note_answer(const std::string& lesson, const std::string& prediction,
-                     const FirstAnswer& answer);
+    void record_answer(const std::string& lesson, const std::string& prediction,
+                       const FirstAnswer& answer);
     /// Was the first answer wrong, and has the program not shown its own yet?
     bool has_second_try(const std::string& lesson, const std::string& prediction) const;
     /// @param said the second answer; empty: there was none

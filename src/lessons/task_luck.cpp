@@ -184,11 +184,12 @@ class Trier {
         }
         const NumberBounds bounds = bounds_of(setting);
         for (std::size_t i = 0; i < numbers.size(); ++i) {
-            constexpr float ways = 4.0f;
-            const float way = ways * std::abs(numbers[i] - before[i]);
-            if (way == 0.0f) continue;
-            const double tried = value_at(Stop::random, std::max(before[i] - way, bounds.smallest),
-                                          std::min(before[i] + way, bounds.largest), dice);
+            constexpr float reach = 4.0f;
+            const float distance = reach * std::abs(numbers[i] - before[i]);
+            if (distance == 0.0f) continue;
+            const double tried =
+                value_at(Stop::random, std::max(before[i] - distance, bounds.smallest),
+                         std::min(before[i] + distance, bounds.largest), dice);
             numbers[i] = static_cast<float>(tried);
         }
         set_numbers(setting, numbers, settings);

@@ -42,7 +42,7 @@ Rectangle polygon_box_at_picture(PolygonCorners vertices, const EdgeRules& rules
 
 FoundRow find_row_among_all(int row, const PolygonRows& rows) {
     FoundRow found{-1, rows.size()};
-    if (rows.looked_at >= most_rows_asked) {
+    if (rows.lookups >= most_row_lookups) {
         found.index = find_row(row, rows).index;
         return found;
     }

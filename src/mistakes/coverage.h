@@ -57,10 +57,10 @@ inline RowEnd row_end_of_column(const Fragment& sample) {
 
 /// B27, in the slot find_row: searches every row of the table for the right one. The answer is the
 /// same, the work is not. Guarded: a table is searched until its samples have looked at
-/// most_rows_asked rows; after that the searches are only counted.
+/// most_row_lookups rows; after that the searches are only counted.
 FoundRow find_row_among_all(int row, const PolygonRows& rows);
 
-inline constexpr std::int64_t most_rows_asked = 2'000'000;
+inline constexpr std::int64_t most_row_lookups = 2'000'000;
 
 /// B7, in the slot row_pixel_count: rows that no edge sample has reached are not left out, and
 /// right - left + 1 wraps around in 32 bits: with -INT_MAX and +INT_MAX it is 3. Guarded: their

@@ -17,20 +17,20 @@ constexpr bool shines_unasked(const LightTerms&) {
 }
 
 /// B51: the sum of two unit vectors, which is up to 2 long. Raised to the exponent, that is a lot.
-inline glm::vec3 half_way_too_long(const glm::vec3& to_light, const glm::vec3& to_eye) {
+inline glm::vec3 halfway_vector_too_long(const glm::vec3& to_light, const glm::vec3& to_eye) {
     return to_light + to_eye;
 }
 
 /// B50, in the slot highlight.
 inline HighlightTerms highlight_unasked(const LightTerms& light, const HighlightPoint& point,
                                         const glm::vec3& lamp_power) {
-    return highlight_with<shines_unasked, half_way>(light, point, lamp_power);
+    return highlight_with<shines_unasked, halfway_vector>(light, point, lamp_power);
 }
 
 /// B51, in the slot highlight.
 inline HighlightTerms highlight_with_long_half(const LightTerms& light, const HighlightPoint& point,
                                                const glm::vec3& lamp_power) {
-    return highlight_with<faces_lamp, half_way_too_long>(light, point, lamp_power);
+    return highlight_with<faces_lamp, halfway_vector_too_long>(light, point, lamp_power);
 }
 
 } // namespace rasterwalk

@@ -22,11 +22,11 @@ inline constexpr float pi_of_atan = 0.785398163f / 4.0f;
 // The vector whose cosine with the normal is taken.
 
 /// As it should be: from the point to the lamp.
-inline glm::vec3 way_to_lamp(const glm::vec3& point, const glm::vec3& lamp) {
+inline glm::vec3 vector_to_lamp(const glm::vec3& point, const glm::vec3& lamp) {
     return lamp - point;
 }
 /// B20a: from the lamp to the point.
-inline glm::vec3 way_from_lamp(const glm::vec3& point, const glm::vec3& lamp) {
+inline glm::vec3 vector_from_lamp(const glm::vec3& point, const glm::vec3& lamp) {
     return point - lamp;
 }
 
@@ -44,12 +44,12 @@ inline float not_normalized(float) {
 // The dot product of that vector with itself.
 
 /// As it should be: x^2 + y^2 + z^2.
-inline float own_square(const glm::vec3& way) {
-    return glm::dot(way, way);
+inline float own_square(const glm::vec3& lamp_vector) {
+    return glm::dot(lamp_vector, lamp_vector);
 }
 /// B76: for a vector of four numbers, the last of which is 1.
-inline float square_with_w(const glm::vec3& way) {
-    return glm::dot(way, way) + 1.0f;
+inline float square_with_w(const glm::vec3& lamp_vector) {
+    return glm::dot(lamp_vector, lamp_vector) + 1.0f;
 }
 
 // What the lamp's power is spread over.
@@ -93,11 +93,11 @@ inline glm::vec3 reflectance_twice(const glm::vec3& reflectance, const glm::vec3
 }
 
 /// In the slot reflected_light: the same formula with these parts.
-template <auto way, auto square, auto length, auto area, auto sum>
+template <auto lamp_vector, auto square, auto length, auto area, auto sum>
 LightTerms mistaken_light(const glm::vec3& position_world, const glm::vec3& normal,
                           const glm::vec3& reflectance, const Light& light) {
     LightTerms terms;
-    terms.to_light = way(position_world, light.position);
+    terms.to_light = lamp_vector(position_world, light.position);
     terms.distance2 = square(terms.to_light);
     const float distance = std::sqrt(terms.distance2);
     terms.sphere_area = area(terms.distance2, distance);

@@ -63,7 +63,7 @@ ViewOptions start_without_texture(const Session& session) {
 /// The beginning of the line: the same, and the image that is laid on the scene.
 ViewOptions start_of(const Session& session) {
     ViewOptions options = start_without_texture(session);
-    const std::string& texture = session.scene->laid_texture;
+    const std::string& texture = session.scene->applied_texture;
     if (!texture.empty()) options.texture = name_of_scene(texture);
     return options;
 }
@@ -81,7 +81,7 @@ class Line {
     }
 
     std::vector<std::string> words() {
-        say_settings();
+        add_settings();
         const ViewChange change{base_, session_, from_, to_};
         for (const ViewField* field : view_table_drawn_first()) {
             if (!field->words) continue;
@@ -98,7 +98,7 @@ class Line {
         words_.emplace_back(value);
     }
 
-    void say_settings() {
+    void add_settings() {
         for (const RunDifference& change : run_differences(base_.a.settings, session_.a.settings)) {
             if (change.setting == "stage") {
                 say("--stage", change.b);

@@ -19,7 +19,7 @@
 #include "lessons/lesson_run.h"
 #include "pipeline/frame.h"
 #include "pipeline/timeline.h"
-#include "scene/laid_texture.h"
+#include "scene/applied_texture.h"
 #include "scene/model_notice.h"
 #include "session/content.h"
 #include "session/moments.h"
@@ -35,7 +35,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// In ViewState::lines: this was given by the options, not by a file.
-constexpr int said_by_options = -1;
+constexpr int set_by_options = -1;
 
 /// What the options start from.
 struct Start {
@@ -55,7 +55,7 @@ std::string sentence_of(const std::string& path, const Fault& fault) {
 void refuse_faults(const std::string& path, const std::vector<Fault>& faults) {
     if (faults.empty()) return;
     const Fault& first = faults.front();
-    if (path.empty() || first.line == said_by_options) throw UsageError(first.sentence);
+    if (path.empty() || first.line == set_by_options) throw UsageError(first.sentence);
     throw InputError(sentence_of(path, first));
 }
 
@@ -132,7 +132,7 @@ void take_lesson(const SavedView& saved, Start& start) {
 }
 
 /// Lays an image on the scene of a session; settings and selection stay.
-void lay_texture(const std::string& path, Session& session) {
+void apply_texture(const std::string& path, Session& session) {
     session.scene = std::make_shared<const Scene>(with_texture(*session.scene, path));
 }
 
@@ -143,7 +143,7 @@ Start start_of_saved_view(const std::string& path, const ReadingWatch& watch) {
     start.state = saved.state;
     start.session = open_session(find_file(saved, "scene", saved.scene), watch);
     if (!saved.texture.empty())
-        lay_texture(find_file(saved, "texture", saved.texture), start.session);
+        apply_texture(find_file(saved, "texture", saved.texture), start.session);
     take_lesson(saved, start);
     start.covers_tab = saved.state.tab == settings_tab;
     return start;
@@ -175,7 +175,7 @@ void set_size(Settings& settings, SceneSpace space, const std::string& size) {
 }
 
 /// Applies the settings that the start asks for.
-void set_as_start_says(Start& start) {
+void apply_start(Start& start) {
     Settings& settings = start.session.a.settings;
     settings = default_settings(*start.session.scene);
     for (const std::string& assignment : start.state.set) {
@@ -188,8 +188,7 @@ void set_as_start_says(Start& start) {
 }
 
 /// Applies what the options set, on top of the start.
-void set_as_options_say(const ViewOptions& options, const std::optional<Bug>& bug,
-                        Session& session) {
+void apply_options(const ViewOptions& options, const std::optional<Bug>& bug, Session& session) {
     Settings& settings = session.a.settings;
     if (!options.size.empty()) set_size(settings, session.scene->space, options.size);
     if (bug) apply_bug(*bug, session);
@@ -217,11 +216,11 @@ void fit(const Session& session, ViewState& state) {
     if (state.cursor) state.cursor = Timeline(frame).at_or_after(*state.cursor);
     const Viewport& size = frame.settings.viewport;
     const std::optional<glm::ivec2>& pixel = state.pixel;
-    if (state.line_of("pixel") != said_by_options && pixel &&
+    if (state.line_of("pixel") != set_by_options && pixel &&
         (pixel->x >= size.width || pixel->y >= size.height)) {
         state.pixel = std::nullopt;
     }
-    if (state.line_of("row") != said_by_options && state.row && *state.row >= size.height) {
+    if (state.line_of("row") != set_by_options && state.row && *state.row >= size.height) {
         state.row = std::nullopt;
     }
 }
@@ -242,7 +241,7 @@ void take_options(const ViewOptions& options, ViewState& state) {
     for (const ViewField& field : view_table()) {
         const auto given = options.given.find(field.key);
         if (!field.parse || given == options.given.end()) continue;
-        state.lines[std::string(field.key)] = said_by_options;
+        state.lines[std::string(field.key)] = set_by_options;
         field.parse({option_name(field), given->second}, state);
     }
 }
@@ -283,11 +282,11 @@ Session open_view(const ViewOptions& given, const ReadingWatch& watch) {
     Session& session = start.session;
     ViewState& state = start.state;
     if (!start.path.empty()) {
-        set_as_start_says(start);
+        apply_start(start);
         if (!options.scene.empty()) replace_scene(start, options.scene, watch);
     }
-    if (!options.texture.empty()) lay_texture(find_scene_file(options.texture), session);
-    set_as_options_say(options, bug, session);
+    if (!options.texture.empty()) apply_texture(find_scene_file(options.texture), session);
+    apply_options(options, bug, session);
 
     take_options(options, state);
     const std::optional<Run> correct = session.b;

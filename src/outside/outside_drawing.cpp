@@ -9,11 +9,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "outside/filled_part.h"
+#include "outside/eye_line.h"
+#include "outside/eye_pane.h"
+#include "outside/eye_texture.h"
+#include "outside/fill_progress.h"
 #include "outside/outside_eye.h"
-#include "outside/seen_line.h"
-#include "outside/seen_pane.h"
-#include "outside/seen_texture.h"
 
 namespace rasterwalk {
 
@@ -77,9 +77,9 @@ glm::vec3 over_ground(const OutsideStyle& style, const glm::vec3& colour, float 
 }
 
 /// The texture of a triangle; none if it has no texture that is shown.
-SeenTexture seen_texture(const OutsideSubject& subject, int triangle, const OutsideEye& eye) {
+EyeTexture eye_texture(const OutsideSubject& subject, int triangle, const OutsideEye& eye) {
     if (!is_textured(subject.frame)) return {};
-    return {subject.frame, triangle, seen_corners(*subject.scene, triangle, eye), eye};
+    return {subject.frame, triangle, eye_corners(*subject.scene, triangle, eye), eye};
 }
 
 bool is_triangle_of(const Scene& scene, std::optional<int> triangle) {
@@ -137,14 +137,14 @@ void resolve_row(const std::uint32_t* from, int stride, int pixels, std::uint8_t
 class InsideTest {
   public:
     /// @param seen the corners of the triangle, in the space of the eye
-    InsideTest(const SeenClipping& clipping, const std::array<glm::dvec3, triangle_corners>& seen,
-               const OutsideEye& eye)
+    InsideTest(const WorldClipping& clipping,
+               const std::array<glm::dvec3, triangle_corners>& in_eye, const OutsideEye& eye)
         : is_cut_(clipping.is_cut) {
-        const glm::dvec3 normal = glm::cross(seen[1] - seen[0], seen[2] - seen[0]);
-        const std::vector<SeenCorner>& corners = clipping.corners;
+        const glm::dvec3 normal = glm::cross(in_eye[1] - in_eye[0], in_eye[2] - in_eye[0]);
+        const std::vector<WorldCorner>& corners = clipping.corners;
         for (std::size_t i = 0; corners.size() >= 3 && i < corners.size(); ++i) {
-            const glm::dvec3 from = eye.seen(corners[i].place);
-            const glm::dvec3 to = eye.seen(corners[(i + 1) % corners.size()].place);
+            const glm::dvec3 from = eye.in_eye(corners[i].place);
+            const glm::dvec3 to = eye.in_eye(corners[(i + 1) % corners.size()].place);
             const glm::dvec3 inward = glm::cross(normal, to - from);
             sides_.push_back({inward, glm::dot(inward, from)});
         }
@@ -184,7 +184,7 @@ class OutsideDrawing::BasePainter {
     std::uint32_t at(int triangle, int column, int row, float inv_z) {
         const std::uint32_t colour = drawing_.colours_[static_cast<std::size_t>(triangle)];
         if (!has_textures_) return colour;
-        if (triangle != last_) texture_ = seen_texture(subject_, triangle, drawing_.sample_eye_);
+        if (triangle != last_) texture_ = eye_texture(subject_, triangle, drawing_.sample_eye_);
         last_ = triangle;
         if (!texture_.is_there()) return colour;
         return shown(triangle, texture_.at(place_at(drawing_.sample_eye_, column, row, inv_z)));
@@ -204,7 +204,7 @@ class OutsideDrawing::BasePainter {
     const OutsideStyle& style_;
     bool is_ordered_, has_textures_;
     int last_ = -1;
-    SeenTexture texture_;
+    EyeTexture texture_;
 };
 
 bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& look,
@@ -229,7 +229,7 @@ bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& lo
     const bool is_whole = !moment_key_ || !base_is_done_;
     Rectangle changed = is_whole ? base_.all() : changed_by(subject, moment, *moment_key_);
     moment_key_ = std::nullopt;
-    changed = around(changed, colour_anew(subject, look.style, begun));
+    changed = around(changed, recolour(subject, look.style, begun));
     if (!base_is_done_) {
         base_key_ = std::nullopt; // for the same reason
         draw_base(subject, look.style, work_at_once);
@@ -250,9 +250,9 @@ Rectangle OutsideDrawing::changed_by(const OutsideSubject& subject, const Moment
         changed = around(box_of_triangle(last.triangle), box_of_triangle(now.triangle));
     }
     if (now.picture_number == last.picture_number) return changed;
-    const std::optional<SeenPane> pane = seen_pane(things_.plane, sample_eye_);
+    const std::optional<EyePane> pane = eye_pane(outside_scene_.plane, sample_eye_);
     if (!pane) return changed;
-    const Viewport size = things_.plane.size;
+    const Viewport size = outside_scene_.plane.size;
     const bool is_known = subject.picture_before == last.picture_number &&
                           shown_.block == block_size(subject.picture, pane->samples_a_pixel);
     Rectangle pixels{0, 0, size.width, size.height};
@@ -269,7 +269,7 @@ Rectangle OutsideDrawing::changed_by(const OutsideSubject& subject, const Moment
 
 Rectangle OutsideDrawing::box_of_triangle(std::optional<int> triangle) const {
     if (!is_triangle_of(*scene_, triangle)) return {};
-    return box_around(sample_eye_, seen_corners(*scene_, *triangle, sample_eye_), base_.all());
+    return box_around(sample_eye_, eye_corners(*scene_, *triangle, sample_eye_), base_.all());
 }
 
 void OutsideDrawing::colour_all(const OutsideSubject& subject, const OutsideStyle& style) {
@@ -281,8 +281,8 @@ void OutsideDrawing::colour_all(const OutsideSubject& subject, const OutsideStyl
 
 /// Gives a new colour to triangles that have been begun since, or are yet to come again.
 /// @return a box of samples that contains them
-Rectangle OutsideDrawing::colour_anew(const OutsideSubject& subject, const OutsideStyle& style,
-                                      int begun) {
+Rectangle OutsideDrawing::recolour(const OutsideSubject& subject, const OutsideStyle& style,
+                                   int begun) {
     const int first = std::min(begun, begun_), end = std::max(begun, begun_);
     begun_ = begun;
     BasePainter painter(*this, subject, style);
@@ -325,7 +325,7 @@ void OutsideDrawing::take_scene(const OutsideSubject& subject) {
     if (scene_ != subject.scene) {
         const Scene& scene = *subject.scene;
         scene_ = nullptr; // in case memory runs out
-        things_.box = box_of(scene);
+        outside_scene_.box = box_of(scene);
         outline_ = outline_of(scene);
         triangles_ = world_triangles(scene);
         shape_.emplace(scene.mesh);
@@ -334,9 +334,10 @@ void OutsideDrawing::take_scene(const OutsideSubject& subject) {
         scene_ = subject.scene;
     }
     const Settings& settings = subject.frame.settings;
-    things_.plane = picture_plane(settings.camera, settings.viewport, things_.box,
-                                  vertex_rules(settings, subject.frame.scene->space).projection);
-    things_.lamp = light_rule(settings).position;
+    outside_scene_.plane =
+        picture_plane(settings.camera, settings.viewport, outside_scene_.box,
+                      vertex_rules(settings, subject.frame.scene->space).projection);
+    outside_scene_.lamp = light_rule(settings).position;
 }
 
 void OutsideDrawing::begin_base(const OutsideLook& look) {
@@ -349,7 +350,7 @@ void OutsideDrawing::begin_base(const OutsideLook& look) {
         ++pixel_size_;
     image_.width = std::max(size.x / pixel_size_, 1);
     image_.height = std::max(size.y / pixel_size_, 1);
-    eye_ = eye_of(look.view, things_, size, look.margin);
+    eye_ = eye_of(look.view, outside_scene_, size, look.margin);
     sample_eye_ = scaled(eye_, static_cast<double>(samples_) / pixel_size_);
     resize(base_, samples_ * glm::ivec2(image_.width, image_.height));
     base_is_done_ = false;
@@ -368,7 +369,7 @@ std::vector<std::int32_t> OutsideDrawing::next_triangles(std::int64_t work_at_on
     while (next_ < count && work_ < end) {
         const int number = triangle_in_turn(next_++, count);
         const WorldTriangle& triangle = triangles_[static_cast<std::size_t>(number)];
-        if (is_culled(triangle, eye_.position, things_.plane.eye)) continue;
+        if (is_culled(triangle, eye_.position, outside_scene_.plane.eye)) continue;
         numbers.push_back(number);
         work_ += work_of(triangle, sample_eye_, base_.size);
     }
@@ -379,14 +380,14 @@ std::vector<std::int32_t> OutsideDrawing::next_triangles(std::int64_t work_at_on
 void OutsideDrawing::draw_base(const OutsideSubject& subject, const OutsideStyle& style,
                                std::int64_t work_at_once) {
     const bool is_first = next_ == 0; // the base still holds an earlier picture
-    shape_->draw(fast_eye(sample_eye_, base_.all()), next_triangles(work_at_once), seen_);
+    shape_->draw(fast_eye(sample_eye_, base_.all()), next_triangles(work_at_once), drawn_);
     const std::uint32_t ground = packed_colour(style.ground);
     BasePainter painter(*this, subject, style);
     for (int row = 0; row < base_.size.y; ++row) {
         for (int column = 0; column < base_.size.x; ++column) {
-            const std::size_t from = seen_.at(column, row), to = base_.at(column, row);
-            const float inv_z = seen_.inv_z[from];
-            const int triangle = seen_.owner[from];
+            const std::size_t from = drawn_.at(column, row), to = base_.at(column, row);
+            const float inv_z = drawn_.inv_z[from];
+            const int triangle = drawn_.owner[from];
             if (!is_first && !(inv_z > base_.inv_z[to])) continue;
             base_.inv_z[to] = inv_z;
             base_.id[to] = triangle;
@@ -399,7 +400,7 @@ void OutsideDrawing::draw_base(const OutsideSubject& subject, const OutsideStyle
 void OutsideDrawing::draw_outline(const OutsideStyle& style) {
     const std::uint32_t colour = packed_colour(style.line) | line_flag;
     for (const OutlineEdge& edge : outline_) {
-        draw_line(sample_eye_, sample_eye_.seen(edge.from), sample_eye_.seen(edge.to), colour,
+        draw_line(sample_eye_, sample_eye_.in_eye(edge.from), sample_eye_.in_eye(edge.to), colour,
                   samples_, base_);
     }
 }
@@ -424,16 +425,16 @@ void OutsideDrawing::draw_triangle_at_work(const OutsideSubject& subject, const 
     const Rectangle& box = at_work_.box;
     const Rectangle area = intersection(box, samples);
     if (is_empty(area)) return;
-    const SeenTexture texture = seen_texture(subject, triangle, sample_eye_);
-    const FilledPart filled(subject.frame, subject.cursor, triangle);
+    const EyeTexture texture = eye_texture(subject, triangle, sample_eye_);
+    const FillProgress filled(subject.frame, subject.cursor, triangle);
     const glm::vec3 own = own_colour(scene, triangle);
     const std::uint32_t lit = packed_colour(over_ground(style, own, 1.0f));
     const std::uint32_t dark = packed_colour(over_ground(style, own, style.drawn));
     const std::uint32_t cut_off =
         packed_colour(over_ground(style, style.cut_off, style.cut_off_share));
-    const InsideTest inside(subject.clipping, seen_corners(scene, triangle, sample_eye_),
+    const InsideTest inside(subject.clipping, eye_corners(scene, triangle, sample_eye_),
                             sample_eye_);
-    const PicturePlane& plane = things_.plane;
+    const PicturePlane& plane = outside_scene_.plane;
     // From the space of the eye outside to camera space.
     const glm::dvec3 shift = (sample_eye_.position - plane.eye) * plane.rotation;
     const auto colour_at = [&](const glm::dvec3& place) {
@@ -471,18 +472,18 @@ void OutsideDrawing::shrink_picture(const OutsideSubject& subject, double sample
     const bool is_known = is_same_size && shown_number_ == subject.picture_before;
     shown_number_ = 0;
     if (is_known) {
-        shrink_again(picture, subject.framebuffer, glass, subject.picture_changed, shown_);
+        downsample_again(picture, subject.framebuffer, glass, subject.picture_changed, shown_);
     } else {
-        shown_ = shrunken(picture, subject.framebuffer, block, glass);
+        shown_ = downsampled(picture, subject.framebuffer, block, glass);
     }
     shown_number_ = subject.picture_number;
 }
 
 void OutsideDrawing::draw_picture(const OutsideSubject& subject, const Rectangle& samples) {
-    const Viewport size = things_.plane.size;
+    const Viewport size = outside_scene_.plane.size;
     const Image& picture = subject.picture;
     if (picture.width != size.width || picture.height != size.height) return;
-    const std::optional<SeenPane> pane = seen_pane(things_.plane, sample_eye_);
+    const std::optional<EyePane> pane = eye_pane(outside_scene_.plane, sample_eye_);
     if (!pane) return;
     shrink_picture(subject, pane->samples_a_pixel);
     const Rectangle box = box_around(sample_eye_, pane->corners, samples);
@@ -502,7 +503,7 @@ void OutsideDrawing::draw_picture(const OutsideSubject& subject, const Rectangle
             const glm::ivec2 pixel(place);
             grid_.inv_z[sample] = static_cast<float>(inv_z);
             grid_.id[sample] = first_pixel_id - (pixel.y * size.width + pixel.x);
-            grid_.colour[sample] = laid_over(shown_.at(pixel.x, pixel.y), grid_.colour[sample]);
+            grid_.colour[sample] = over(shown_.at(pixel.x, pixel.y), grid_.colour[sample]);
         }
     }
 }
@@ -539,7 +540,7 @@ OutsidePick OutsideDrawing::at(glm::vec2 place) const {
     if (id > nothing) pick.triangle = id;
     if (id > nothing || id == nothing) return pick;
     const std::int32_t number = first_pixel_id - id;
-    const int width = std::max(things_.plane.size.width, 1);
+    const int width = std::max(outside_scene_.plane.size.width, 1);
     pick.pixel = {number % width, number / width};
     return pick;
 }

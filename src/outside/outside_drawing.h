@@ -10,11 +10,11 @@
 
 #include "base/image.h"
 #include "engines/fast/fast_shape.h"
+#include "outside/eye_pane.h"
 #include "outside/outline.h"
 #include "outside/outside_eye.h"
 #include "outside/sample_grid.h"
-#include "outside/seen_clipping.h"
-#include "outside/seen_pane.h"
+#include "outside/world_clipping.h"
 #include "outside/world_triangle.h"
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
@@ -34,7 +34,7 @@ struct OutsideSubject {
     const Framebuffer& framebuffer;   ///< that the picture was made from
     std::uint64_t picture_before = 0; ///< the picture with this number differs from it only in
     Rectangle picture_changed;        ///< these pixels; 0: not known
-    SeenClipping clipping{};          ///< of the triangle
+    WorldClipping clipping{};         ///< of the triangle
 };
 
 /// Its colours, 0..1.
@@ -89,7 +89,7 @@ class OutsideDrawing {
 
     /// The eye, in screen pixels, and what it looks at.
     const OutsideEye& eye() const { return eye_; }
-    const OutsideThings& things() const { return things_; }
+    const OutsideScene& outside_scene() const { return outside_scene_; }
 
     /// The thing at a point, screen pixels from the corner.
     OutsidePick at(glm::vec2 place) const;
@@ -120,7 +120,7 @@ class OutsideDrawing {
     class BasePainter;
     Rectangle box_of_triangle(std::optional<int> triangle) const;
     void colour_all(const OutsideSubject& subject, const OutsideStyle& style);
-    Rectangle colour_anew(const OutsideSubject& subject, const OutsideStyle& style, int begun);
+    Rectangle recolour(const OutsideSubject& subject, const OutsideStyle& style, int begun);
     Rectangle changed_by(const OutsideSubject& subject, const MomentKey& now,
                          const MomentKey& last) const;
     void compose(const OutsideSubject& subject, const OutsideStyle& style,
@@ -136,13 +136,13 @@ class OutsideDrawing {
     std::vector<OutlineEdge> outline_;
     std::vector<WorldTriangle> triangles_;
     std::optional<FastShape> shape_;
-    OutsideThings things_;
+    OutsideScene outside_scene_;
     OutsideEye eye_;        ///< in screen pixels
     OutsideEye sample_eye_; ///< in samples
     std::optional<BaseKey> base_key_;
     std::optional<MomentKey> moment_key_;
     std::vector<std::uint32_t> colours_; ///< of all triangles, for those without texture
-    FastPicture seen_;                   ///< those that were drawn last
+    FastPicture drawn_;                  ///< those that were drawn last
     SampleGrid base_;                    ///< the triangles of the scene
     SampleGrid grid_;                    ///< with what is over them
     /// The triangle at work alone, even where others are in front of it.
@@ -157,7 +157,7 @@ class OutsideDrawing {
     std::int64_t work_ = 0; ///< on this base so far
     int samples_ = 1;       ///< across a pixel of the image
     int pixel_size_ = 1;
-    ShrunkenPicture shown_;
+    DownsampledPicture shown_;
     std::uint64_t shown_number_ = 0; ///< of the picture it was made from; 0: none
     Image image_;
     std::uint64_t number_ = 0;

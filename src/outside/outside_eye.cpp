@@ -36,31 +36,31 @@ glm::dmat3 rotation_of(const OutsideView& view) {
     return camera_rotation(camera);
 }
 
-std::vector<glm::dvec3> places_to_see(const OutsideThings& things) {
-    const SceneBox& box = things.box;
+std::vector<glm::dvec3> places_to_see(const OutsideScene& outside_scene) {
+    const SceneBox& box = outside_scene.box;
     std::vector<glm::dvec3> places;
     for (int i = 0; i < 8; ++i) {
         places.emplace_back((i & 1) != 0 ? box.high.x : box.low.x,
                             (i & 2) != 0 ? box.high.y : box.low.y,
                             (i & 4) != 0 ? box.high.z : box.low.z);
     }
-    for (const glm::dvec3& corner : things.plane.corners()) {
+    for (const glm::dvec3& corner : outside_scene.plane.corners()) {
         places.push_back(corner);
         // If rays do not meet in the camera, its view volume begins next to it.
-        if (things.plane.mix > 0.0)
-            places.push_back(
-                things.plane.in_world(things.plane.on_ray(things.plane.in_camera(corner), 0.0)));
+        if (outside_scene.plane.mix > 0.0)
+            places.push_back(outside_scene.plane.in_world(
+                outside_scene.plane.on_ray(outside_scene.plane.in_camera(corner), 0.0)));
     }
-    places.push_back(things.plane.eye);
-    if (glm::length(things.lamp - box.middle()) <= farthest_lamp * box.radius()) {
-        places.push_back(things.lamp);
+    places.push_back(outside_scene.plane.eye);
+    if (glm::length(outside_scene.lamp - box.middle()) <= farthest_lamp * box.radius()) {
+        places.push_back(outside_scene.lamp);
     }
     return places;
 }
 
 /// The limits of the eye along one axis of the picture: every point, with z forward, must satisfy
 /// |x - eye| <= slope * (z - eye_z).
-struct Hold {
+struct AxisLimits {
     double low = -std::numeric_limits<double>::infinity(); ///< largest x - slope z
     double high = std::numeric_limits<double>::infinity(); ///< smallest x + slope z
 
@@ -88,18 +88,18 @@ double camera_focal_length(const PicturePlane& plane, glm::ivec2 size, double ma
 } // namespace
 
 std::optional<glm::dvec2> OutsideEye::pixel_of(const glm::dvec3& world) const {
-    const glm::dvec3 place = seen(world);
+    const glm::dvec3 place = in_eye(world);
     if (!(place.z >= near_distance)) return std::nullopt;
     const glm::dvec2 at = pixel(place);
     return std::isfinite(at.x) && std::isfinite(at.y) ? std::optional(at) : std::nullopt;
 }
 
-OutsideView settled(const OutsideView& view, const OutsideThings& things, glm::ivec2 size,
+OutsideView settled(const OutsideView& view, const OutsideScene& outside_scene, glm::ivec2 size,
                     double margin) {
     OutsideView whole = within_ranges(view);
     if (whole.distance > 0.0f && !whole.is_camera) return whole;
     if (whole.is_camera) {
-        const glm::dmat3& r = things.plane.rotation;
+        const glm::dmat3& r = outside_scene.plane.rotation;
         whole.yaw = static_cast<float>(std::atan2(r[2].x, r[2].z));
         whole.pitch = static_cast<float>(std::asin(std::clamp(-r[2].y, -1.0, 1.0)));
         whole.is_camera = false;
@@ -110,28 +110,28 @@ OutsideView settled(const OutsideView& view, const OutsideThings& things, glm::i
         return std::max(0.5 * side - margin, 0.2 * side) / focal_length;
     };
     const glm::dvec2 slopes(slope(std::max(size.x, 1)), slope(std::max(size.y, 1)));
-    Hold across, down;
-    for (const glm::dvec3& place : places_to_see(things)) {
+    AxisLimits across, down;
+    for (const glm::dvec3& place : places_to_see(outside_scene)) {
         const glm::dvec3 turned_place = place * rotation;
         across.add(turned_place.x, turned_place.z, slopes.x);
         down.add(turned_place.y, turned_place.z, slopes.y);
     }
     const double eye_z = std::min(across.farthest_eye(slopes.x), down.farthest_eye(slopes.y));
     // The target is as deep as the middle of the scene, and the eye turns about it.
-    const double target_z = (things.box.middle() * rotation).z;
-    const double distance = std::max(target_z - eye_z, 0.1 * things.box.radius());
+    const double target_z = (outside_scene.box.middle() * rotation).z;
+    const double distance = std::max(target_z - eye_z, 0.1 * outside_scene.box.radius());
     whole.distance = static_cast<float>(distance);
     whole.target = rotation * glm::dvec3(across.middle(), down.middle(), eye_z + distance);
     return within_ranges(whole);
 }
 
-OutsideEye eye_of(const OutsideView& view, const OutsideThings& things, glm::ivec2 size,
+OutsideEye eye_of(const OutsideView& view, const OutsideScene& outside_scene, glm::ivec2 size,
                   double margin) {
     const glm::ivec2 sides = glm::max(size, glm::ivec2(1));
     OutsideEye eye;
     eye.middle = 0.5 * glm::dvec2(sides);
     if (view.is_camera) {
-        const PicturePlane& plane = things.plane;
+        const PicturePlane& plane = outside_scene.plane;
         eye.position = plane.eye;
         eye.rotation = plane.rotation;
         eye.focal_length = camera_focal_length(plane, sides, margin);
@@ -140,10 +140,10 @@ OutsideEye eye_of(const OutsideView& view, const OutsideThings& things, glm::ive
         const glm::dvec2 scale = eye.focal_length / plane.focal_length;
         eye.middle +=
             scale * (plane.middle - 0.5 * glm::dvec2(plane.size.width, plane.size.height));
-        eye.near_distance = near_share * things.box.radius();
+        eye.near_distance = near_share * outside_scene.box.radius();
         return eye;
     }
-    const OutsideView whole = settled(view, things, sides, margin);
+    const OutsideView whole = settled(view, outside_scene, sides, margin);
     eye.rotation = rotation_of(whole);
     eye.position = glm::dvec3(whole.target) - static_cast<double>(whole.distance) * eye.rotation[2];
     eye.focal_length = usual_focal_length(sides);

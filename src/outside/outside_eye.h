@@ -23,7 +23,7 @@ struct OutsideEye {
     double near_distance = 1e-3; ///< anything nearer is not seen, world units
 
     /// A point in the space of the eye: x right, y down, z forward.
-    glm::dvec3 seen(const glm::dvec3& world) const { return (world - position) * rotation; }
+    glm::dvec3 in_eye(const glm::dvec3& world) const { return (world - position) * rotation; }
     /// A point in its space as a point in its picture, pixels; z must not be 0.
     glm::dvec2 pixel(const glm::dvec3& place) const {
         return middle + (focal_length / place.z) * glm::dvec2(place.x, place.y);
@@ -36,7 +36,7 @@ struct OutsideEye {
 
 /// What must be in view when everything is: the corners of the scene's box and of the picture, the
 /// camera, and the lamp unless it is far away.
-struct OutsideThings {
+struct OutsideScene {
     SceneBox box;
     PicturePlane plane;
     glm::dvec3 lamp{0.0};
@@ -46,11 +46,11 @@ struct OutsideThings {
 /// view through the camera becomes one that looks the same way from outside.
 /// @param size   of the picture, pixels, at least 1
 /// @param margin around what is seen, pixels
-OutsideView settled(const OutsideView& view, const OutsideThings& things, glm::ivec2 size,
+OutsideView settled(const OutsideView& view, const OutsideScene& outside_scene, glm::ivec2 size,
                     double margin);
 
 /// The eye of a view. Through the camera, what the camera sees fills most of the picture.
-OutsideEye eye_of(const OutsideView& view, const OutsideThings& things, glm::ivec2 size,
+OutsideEye eye_of(const OutsideView& view, const OutsideScene& outside_scene, glm::ivec2 size,
                   double margin);
 
 /// The view with the target moved across it.

@@ -7,14 +7,14 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "outside/seen_line.h"
+#include "outside/eye_line.h"
 
 namespace rasterwalk {
 
 namespace {
 
 /// Lines are cut this far outside the picture, pixels, so that their ends are not seen.
-constexpr double beside = 40.0;
+constexpr double margin = 40.0;
 
 /// The far plane is drawn up to this far behind the middle of the scene, radii of the scene.
 constexpr double farthest_end = 3.0;
@@ -26,9 +26,9 @@ struct Collector {
     OutsideMarks marks{};
 
     void line(OutsideLineKind kind, int number, const glm::dvec3& from, const glm::dvec3& to) {
-        const SeenLine seen = clipped_to(seen_line(eye, eye.seen(from), eye.seen(to)),
-                                         glm::dvec2(-beside), size + beside);
-        if (seen.is_seen) marks.lines.push_back({kind, number, seen.from, seen.to});
+        const EyeLine in_view = clipped_to(eye_line(eye, eye.in_eye(from), eye.in_eye(to)),
+                                           glm::dvec2(-margin), size + margin);
+        if (in_view.is_seen) marks.lines.push_back({kind, number, in_view.from, in_view.to});
     }
     void point(OutsidePointKind kind, int number, const glm::dvec3& world) {
         const std::optional<glm::dvec2> at = eye.pixel_of(world);
@@ -39,26 +39,27 @@ struct Collector {
 
 /// The depth of the middle of the scene, seen from the camera, world units; at least that of the
 /// picture. Beyond it, the frustum is wider than the scene.
-double end_of_frustum(const OutsideThings& things) {
-    return std::max(things.plane.distance, things.plane.in_camera(things.box.middle()).z);
+double end_of_frustum(const OutsideScene& outside_scene) {
+    return std::max(outside_scene.plane.distance,
+                    outside_scene.plane.in_camera(outside_scene.box.middle()).z);
 }
 
 /// Where the ray to a point in camera space begins: at the eye, or next to it if rays do not meet
 /// there.
-glm::dvec3 begin_of_ray(const PicturePlane& plane, const glm::dvec3& seen) {
-    return plane.mix == 0.0 ? plane.eye : plane.in_world(plane.on_ray(seen, 0.0));
+glm::dvec3 begin_of_ray(const PicturePlane& plane, const glm::dvec3& in_view) {
+    return plane.mix == 0.0 ? plane.eye : plane.in_world(plane.on_ray(in_view, 0.0));
 }
 
-void add_camera(const OutsideThings& things, Collector& collector) {
-    const PicturePlane& plane = things.plane;
+void add_camera(const OutsideScene& outside_scene, Collector& collector) {
+    const PicturePlane& plane = outside_scene.plane;
     const std::array<glm::dvec3, 4> corners = plane.corners();
-    const double reach = end_of_frustum(things);
+    const double reach = end_of_frustum(outside_scene);
     for (int i = 0; i < 4; ++i) {
         const glm::dvec3& corner = corners[static_cast<std::size_t>(i)];
-        const glm::dvec3 seen = plane.in_camera(corner);
+        const glm::dvec3 in_view = plane.in_camera(corner);
         collector.line(OutsideLineKind::beyond, i, corner,
-                       plane.in_world(plane.on_ray(seen, reach)));
-        collector.line(OutsideLineKind::frustum, i, begin_of_ray(plane, seen), corner);
+                       plane.in_world(plane.on_ray(in_view, reach)));
+        collector.line(OutsideLineKind::frustum, i, begin_of_ray(plane, in_view), corner);
     }
     for (int i = 0; i < 4; ++i) {
         collector.line(OutsideLineKind::border, i, corners[static_cast<std::size_t>(i)],
@@ -80,15 +81,15 @@ std::vector<Place> cut_by(const std::vector<Place>& corners, Distance distance) 
 }
 
 /// The visible part of a convex polygon in the space of the eye, pixels.
-std::vector<glm::vec2> seen_face(const OutsideEye& eye, const std::vector<glm::dvec3>& corners,
-                                 const glm::dvec2& size) {
+std::vector<glm::vec2> visible_face(const OutsideEye& eye, const std::vector<glm::dvec3>& corners,
+                                    const glm::dvec2& size) {
     std::vector<glm::dvec2> places;
     for (const glm::dvec3& corner :
          cut_by(corners, [&](const glm::dvec3& p) { return p.z - eye.near_distance; }))
         places.push_back(eye.pixel(corner));
     for (const int axis : {0, 1}) {
-        places = cut_by(places, [&](const glm::dvec2& p) { return p[axis] + beside; });
-        places = cut_by(places, [&](const glm::dvec2& p) { return size[axis] + beside - p[axis]; });
+        places = cut_by(places, [&](const glm::dvec2& p) { return p[axis] + margin; });
+        places = cut_by(places, [&](const glm::dvec2& p) { return size[axis] + margin - p[axis]; });
     }
     std::vector<glm::vec2> face;
     for (const glm::dvec2& place : places) {
@@ -105,9 +106,9 @@ const glm::dvec3& next_corner(const Corners& corners, int i) {
 }
 
 /// How far the camera sees: its near plane, and its far plane unless that is far beyond the scene.
-void add_ends(const OutsideThings& things, const glm::dvec2& ends, Collector& collector) {
-    const PicturePlane& plane = things.plane;
-    const double reach = end_of_frustum(things) + farthest_end * things.box.radius();
+void add_ends(const OutsideScene& outside_scene, const glm::dvec2& ends, Collector& collector) {
+    const PicturePlane& plane = outside_scene.plane;
+    const double reach = end_of_frustum(outside_scene) + farthest_end * outside_scene.box.radius();
     const std::array<glm::dvec3, 4> corners = plane.corners();
     for (const ClipPlane which : {ClipPlane::near, ClipPlane::far}) {
         const double end = which == ClipPlane::near ? ends.x : ends.y;
@@ -124,8 +125,8 @@ void add_ends(const OutsideThings& things, const glm::dvec2& ends, Collector& co
 }
 
 /// Adds the edges of a clipped triangle: what is left of them, and what is taken away.
-void add_cut_edges(const SeenClipping& clipping, const Corners& corners, Collector& collector) {
-    const std::vector<SeenCorner>& left = clipping.corners;
+void add_cut_edges(const WorldClipping& clipping, const Corners& corners, Collector& collector) {
+    const std::vector<WorldCorner>& left = clipping.corners;
     std::array<std::optional<std::size_t>, triangle_corners> left_of_edge;
     for (std::size_t i = 0; i < left.size(); ++i) {
         if (left[i].edge >= 0) left_of_edge[static_cast<std::size_t>(left[i].edge)] = i;
@@ -155,13 +156,14 @@ void add_cut_edges(const SeenClipping& clipping, const Corners& corners, Collect
 }
 
 /// Adds the face of the plane at work, and a place for its name.
-void add_plane(const SeenClipping& clipping, const OutsideThings& things, Collector& collector) {
-    const std::vector<glm::dvec3> face = plane_face(clipping, things.plane);
+void add_plane(const WorldClipping& clipping, const OutsideScene& outside_scene,
+               Collector& collector) {
+    const std::vector<glm::dvec3> face = plane_face(clipping, outside_scene.plane);
     if (face.size() < 3) return;
-    std::vector<glm::dvec3> seen;
+    std::vector<glm::dvec3> in_view;
     for (const glm::dvec3& corner : face)
-        seen.push_back(collector.eye.seen(corner));
-    collector.marks.face = seen_face(collector.eye, seen, collector.size);
+        in_view.push_back(collector.eye.in_eye(corner));
+    collector.marks.face = visible_face(collector.eye, in_view, collector.size);
     const int number = static_cast<int>(clipping.plane->plane);
     for (std::size_t i = 0; i < face.size(); ++i)
         collector.line(OutsideLineKind::plane, number, face[i], face[(i + 1) % face.size()]);
@@ -170,30 +172,32 @@ void add_plane(const SeenClipping& clipping, const OutsideThings& things, Collec
 }
 
 /// Adds where the division puts a vertex behind the camera: on the other side of the picture.
-void add_mirrored(int vertex, const glm::dvec3& seen, const PicturePlane& plane,
+void add_mirrored(int vertex, const glm::dvec3& in_view, const PicturePlane& plane,
                   Collector& collector) {
-    if (!(plane.w_at(seen.z) < 0.0)) return;
-    const glm::dvec3 place = plane.in_world(plane.on_ray(seen, plane.distance));
-    collector.line(OutsideLineKind::mirrored, vertex, begin_of_ray(plane, seen), place);
+    if (!(plane.w_at(in_view.z) < 0.0)) return;
+    const glm::dvec3 place = plane.in_world(plane.on_ray(in_view, plane.distance));
+    collector.line(OutsideLineKind::mirrored, vertex, begin_of_ray(plane, in_view), place);
     collector.point(OutsidePointKind::mirrored, vertex, place);
 }
 
-void add_triangle(const Scene& scene, const MarkedTriangle& marked, const OutsideThings& things,
-                  Collector& collector) {
-    const PicturePlane& plane = things.plane;
+void add_triangle(const Scene& scene, const MarkedTriangle& marked,
+                  const OutsideScene& outside_scene, Collector& collector) {
+    const PicturePlane& plane = outside_scene.plane;
     Corners corners;
     for (int i = 0; i < triangle_corners; ++i)
         corners[static_cast<std::size_t>(i)] = scene.corner(*marked.triangle, i).position;
-    const auto seen = [&](int i) { return plane.in_camera(corners[static_cast<std::size_t>(i)]); };
-    const auto lies_behind = [&](int i) { return !(plane.w_at(seen(i).z) > 0.0); };
+    const auto in_view = [&](int i) {
+        return plane.in_camera(corners[static_cast<std::size_t>(i)]);
+    };
+    const auto lies_behind = [&](int i) { return !(plane.w_at(in_view(i).z) > 0.0); };
     for (int i = 0; i < triangle_corners; ++i) {
         const bool is_behind = lies_behind(i);
         collector.line(is_behind ? OutsideLineKind::behind : OutsideLineKind::ray, i,
-                       begin_of_ray(plane, seen(i)), corners[static_cast<std::size_t>(i)]);
-        if (is_behind && marked.is_mirrored) add_mirrored(i, seen(i), plane, collector);
+                       begin_of_ray(plane, in_view(i)), corners[static_cast<std::size_t>(i)]);
+        if (is_behind && marked.is_mirrored) add_mirrored(i, in_view(i), plane, collector);
     }
     if (marked.clipping.is_cut) {
-        add_plane(marked.clipping, things, collector);
+        add_plane(marked.clipping, outside_scene, collector);
         add_cut_edges(marked.clipping, corners, collector);
     } else {
         for (int i = 0; i < triangle_corners; ++i) {
@@ -206,11 +210,11 @@ void add_triangle(const Scene& scene, const MarkedTriangle& marked, const Outsid
         const bool is_behind = lies_behind(i);
         if (!is_behind) {
             collector.point(OutsidePointKind::crossing, i,
-                            plane.in_world(plane.on_ray(seen(i), plane.distance)));
+                            plane.in_world(plane.on_ray(in_view(i), plane.distance)));
         }
         collector.point(is_behind ? OutsidePointKind::behind : OutsidePointKind::vertex, i, corner);
     }
-    for (const SeenCorner& corner : marked.clipping.made) {
+    for (const WorldCorner& corner : marked.clipping.made) {
         collector.point(OutsidePointKind::cut, static_cast<int>(corner.plane.value_or(ClipPlane{})),
                         corner.place);
     }
@@ -227,18 +231,18 @@ void add_basis(const Basis& basis, Collector& collector) {
 }
 
 /// Something met by mistake may be behind the lamp; then the way ends there.
-void add_lamp_way(const SeenLampWay& way, const glm::dvec3& lamp, Collector& collector) {
-    if (way.met) {
-        const bool is_beyond = glm::dot(*way.met - way.from, lamp - way.from) >
-                               glm::dot(lamp - way.from, lamp - way.from);
-        collector.line(OutsideLineKind::dark_way, 0, is_beyond ? way.from : *way.met,
-                       is_beyond ? *way.met : lamp);
-        if (!is_beyond) collector.line(OutsideLineKind::lamp_way, 0, way.from, *way.met);
-        collector.point(OutsidePointKind::occluder, 0, *way.met);
+void add_lamp_ray(const LampRay& lamp_ray, const glm::dvec3& lamp, Collector& collector) {
+    if (lamp_ray.met) {
+        const bool is_beyond = glm::dot(*lamp_ray.met - lamp_ray.from, lamp - lamp_ray.from) >
+                               glm::dot(lamp - lamp_ray.from, lamp - lamp_ray.from);
+        collector.line(OutsideLineKind::blocked_ray, 0, is_beyond ? lamp_ray.from : *lamp_ray.met,
+                       is_beyond ? *lamp_ray.met : lamp);
+        if (!is_beyond) collector.line(OutsideLineKind::lamp_ray, 0, lamp_ray.from, *lamp_ray.met);
+        collector.point(OutsidePointKind::occluder, 0, *lamp_ray.met);
     } else {
-        collector.line(OutsideLineKind::lamp_way, 0, way.from, lamp);
+        collector.line(OutsideLineKind::lamp_ray, 0, lamp_ray.from, lamp);
     }
-    collector.point(OutsidePointKind::shaded, 0, way.from);
+    collector.point(OutsidePointKind::shaded, 0, lamp_ray.from);
 }
 
 bool meet(const OutsideBox& a, const OutsideBox& b) {
@@ -247,15 +251,15 @@ bool meet(const OutsideBox& a, const OutsideBox& b) {
 
 /// Does the line touch the box?
 bool touches(const OutsideLine& line, const OutsideBox& box) {
-    const glm::vec2 way = line.to - line.from;
+    const glm::vec2 delta = line.to - line.from;
     float begin = 0.0f, end = 1.0f; // the part of the line that is in the box
     for (int axis = 0; axis < 2; ++axis) {
         const float low = box.low[axis] - line.from[axis], high = box.high[axis] - line.from[axis];
-        if (way[axis] == 0.0f) {
+        if (delta[axis] == 0.0f) {
             if (low > 0.0f || high < 0.0f) return false;
             continue;
         }
-        const float a = low / way[axis], b = high / way[axis];
+        const float a = low / delta[axis], b = high / delta[axis];
         begin = std::max(begin, std::min(a, b));
         end = std::min(end, std::max(a, b));
     }
@@ -311,20 +315,20 @@ bool is_off_lines(const OutsideLabel& label, const OutsideBox& box,
 
 } // namespace
 
-OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, const OutsideEye& eye,
-                           const MarkedTriangle& marked, std::optional<glm::ivec2> pixel,
-                           glm::ivec2 size, std::span<const Basis> bases,
-                           const std::optional<SeenLampWay>& lamp_way) {
+OutsideMarks outside_marks(const Scene& scene, const OutsideScene& outside_scene,
+                           const OutsideEye& eye, const MarkedTriangle& marked,
+                           std::optional<glm::ivec2> pixel, glm::ivec2 size,
+                           std::span<const Basis> bases, const std::optional<LampRay>& lamp_ray) {
     Collector collector{eye, glm::dvec2(size)};
-    add_camera(things, collector);
-    if (marked.clipping.ends) add_ends(things, *marked.clipping.ends, collector);
+    add_camera(outside_scene, collector);
+    if (marked.clipping.ends) add_ends(outside_scene, *marked.clipping.ends, collector);
     if (marked.triangle && *marked.triangle >= 0 && *marked.triangle < scene.triangle_count()) {
-        add_triangle(scene, marked, things, collector);
+        add_triangle(scene, marked, outside_scene, collector);
     }
     for (const Basis& basis : bases)
         add_basis(basis, collector);
-    if (lamp_way) add_lamp_way(*lamp_way, things.lamp, collector);
-    const PicturePlane& plane = things.plane;
+    if (lamp_ray) add_lamp_ray(*lamp_ray, outside_scene.lamp, collector);
+    const PicturePlane& plane = outside_scene.plane;
     if (pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x < plane.size.width &&
         pixel->y < plane.size.height) {
         collector.point(OutsidePointKind::pixel, 0, plane.place_of(glm::dvec2(*pixel) + 0.5));
@@ -332,7 +336,7 @@ OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, cons
     const std::array<glm::dvec3, 4> corners = plane.corners();
     for (int i = 0; i < 4; ++i)
         collector.point(OutsidePointKind::picture, i, corners[static_cast<std::size_t>(i)]);
-    collector.point(OutsidePointKind::lamp, 0, things.lamp);
+    collector.point(OutsidePointKind::lamp, 0, outside_scene.lamp);
     collector.point(OutsidePointKind::camera, 0, plane.eye);
     return std::move(collector.marks);
 }

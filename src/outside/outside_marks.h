@@ -13,27 +13,27 @@
 
 #include "outside/basis.h"
 #include "outside/outside_eye.h"
-#include "outside/seen_clipping.h"
+#include "outside/world_clipping.h"
 #include "scene/scene.h"
 
 namespace rasterwalk {
 
 enum class OutsideLineKind : std::uint8_t {
-    frustum,  ///< from the camera to a corner of its picture
-    beyond,   ///< from there onward, through the scene
-    border,   ///< of the picture
-    edge,     ///< of the triangle, or what clipping leaves of it; number: which edge
-    cut_off,  ///< what clipping takes away; number: which edge
-    cut,      ///< where a plane cuts the triangle
-    fan,      ///< between the triangles that draw what clipping leaves
-    plane,    ///< around the visible part of a plane
-    end,      ///< around near and far plane within the view volume; number: which ClipPlane
-    ray,      ///< from a vertex of the triangle to the camera; number: which vertex
-    behind,   ///< the same for a vertex that is not in front of the camera
-    mirrored, ///< from there to where the division puts such a vertex; number: which vertex
-    lamp_way, ///< from a point on a surface toward the lamp, as far as light comes from there
-    dark_way, ///< from what is in between to the lamp
-    axis,     ///< an arrow from the origin of a space; number: see axis_number()
+    frustum,     ///< from the camera to a corner of its picture
+    beyond,      ///< from there onward, through the scene
+    border,      ///< of the picture
+    edge,        ///< of the triangle, or what clipping leaves of it; number: which edge
+    cut_off,     ///< what clipping takes away; number: which edge
+    cut,         ///< where a plane cuts the triangle
+    fan,         ///< between the triangles that draw what clipping leaves
+    plane,       ///< around the visible part of a plane
+    end,         ///< around near and far plane within the view volume; number: which ClipPlane
+    ray,         ///< from a vertex of the triangle to the camera; number: which vertex
+    behind,      ///< the same for a vertex that is not in front of the camera
+    mirrored,    ///< from there to where the division puts such a vertex; number: which vertex
+    lamp_ray,    ///< from a point on a surface toward the lamp, as far as light comes from there
+    blocked_ray, ///< from what is in between to the lamp
+    axis,        ///< an arrow from the origin of a space; number: see axis_number()
 };
 
 /// A straight line in the picture of the eye, pixels.
@@ -76,7 +76,7 @@ struct OutsideMarks {
 /// The triangle whose rays are drawn, and what is known about it.
 struct MarkedTriangle {
     std::optional<int> triangle; ///< if it is in the scene
-    SeenClipping clipping{};
+    WorldClipping clipping{};
     bool is_mirrored = false; ///< it is shown where the division puts vertices behind the camera
 };
 
@@ -86,7 +86,7 @@ constexpr int axis_number(BasisOf of, int axis) {
 }
 
 /// The way from a point on a surface to the lamp.
-struct SeenLampWay {
+struct LampRay {
     glm::dvec3 from{0.0};
     std::optional<glm::dvec3> met; ///< where something is in between, or seems to be by mistake
 };
@@ -95,11 +95,12 @@ struct SeenLampWay {
 /// @param pixel the picked pixel of the scene's picture
 /// @param size  of the picture of the eye, pixels
 /// @param bases whose axes are drawn
-/// @param lamp_way the way to the lamp, if it is shown
-OutsideMarks outside_marks(const Scene& scene, const OutsideThings& things, const OutsideEye& eye,
-                           const MarkedTriangle& marked, std::optional<glm::ivec2> pixel,
-                           glm::ivec2 size, std::span<const Basis> bases = {},
-                           const std::optional<SeenLampWay>& lamp_way = {});
+/// @param lamp_ray the way to the lamp, if it is shown
+OutsideMarks outside_marks(const Scene& scene, const OutsideScene& outside_scene,
+                           const OutsideEye& eye, const MarkedTriangle& marked,
+                           std::optional<glm::ivec2> pixel, glm::ivec2 size,
+                           std::span<const Basis> bases = {},
+                           const std::optional<LampRay>& lamp_ray = {});
 
 /// A part of the picture of the eye, pixels.
 struct OutsideBox {

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view camera_word = "camera";
 
 /// NaN becomes the smallest.
-float held(float value, float smallest, float largest) {
+float clamped(float value, float smallest, float largest) {
     return value >= smallest ? std::min(value, largest) : smallest;
 }
 
@@ -60,15 +60,15 @@ std::optional<OutsideView> parse_outside_view(std::string_view text) {
 }
 
 OutsideView within_ranges(OutsideView view) {
-    view.yaw = held(view.yaw, -largest_yaw, largest_yaw);
-    view.pitch = held(view.pitch, -largest_pitch, largest_pitch);
+    view.yaw = clamped(view.yaw, -largest_yaw, largest_yaw);
+    view.pitch = clamped(view.pitch, -largest_pitch, largest_pitch);
     if (!(view.distance > 0.0f)) {
         view.distance = 0.0f;
     } else {
-        view.distance = held(view.distance, smallest_outside_distance, largest_outside_distance);
+        view.distance = clamped(view.distance, smallest_outside_distance, largest_outside_distance);
     }
     for (int i = 0; i < 3; ++i)
-        view.target[i] = held(view.target[i], -largest_coordinate, largest_coordinate);
+        view.target[i] = clamped(view.target[i], -largest_coordinate, largest_coordinate);
     return view;
 }
 

@@ -54,11 +54,11 @@ glm::vec3 own_colour(const Scene& scene, int triangle) {
     return sum / static_cast<float>(triangle_corners);
 }
 
-std::array<glm::dvec3, triangle_corners> seen_corners(const Scene& scene, int triangle,
-                                                      const OutsideEye& eye) {
+std::array<glm::dvec3, triangle_corners> eye_corners(const Scene& scene, int triangle,
+                                                     const OutsideEye& eye) {
     std::array<glm::dvec3, triangle_corners> corners;
     for (int i = 0; i < triangle_corners; ++i)
-        corners[static_cast<std::size_t>(i)] = eye.seen(scene.corner(triangle, i).position);
+        corners[static_cast<std::size_t>(i)] = eye.in_eye(scene.corner(triangle, i).position);
     return corners;
 }
 

@@ -31,7 +31,7 @@ bool is_culled(const WorldTriangle& triangle, const glm::dvec3& eye, const glm::
 glm::vec3 own_colour(const Scene& scene, int triangle);
 
 /// The corners of a triangle of the scene in the space of the eye.
-std::array<glm::dvec3, triangle_corners> seen_corners(const Scene& scene, int triangle,
-                                                      const OutsideEye& eye);
+std::array<glm::dvec3, triangle_corners> eye_corners(const Scene& scene, int triangle,
+                                                     const OutsideEye& eye);
 
 } // namespace rasterwalk

@@ -30,10 +30,10 @@ float brightest_channel(const glm::vec3& colour) {
 }
 
 /// A straight-alpha colour that further tints are laid over.
-struct LaidTints {
+struct TintStack {
     float red = 0.0f, green = 0.0f, blue = 0.0f, opacity = 0.0f;
 
-    void lay(const Tint& tint) {
+    void add(const Tint& tint) {
         const float below = opacity * (1.0f - tint.opacity);
         const float sum = tint.opacity + below;
         if (!(sum > 0.0f)) return;
@@ -164,20 +164,20 @@ Image compose_image(const Framebuffer& framebuffer, OverlaySet shown, const Amou
     std::size_t pixel = 0;
     for (int row = 0; row < image.height; ++row) {
         for (int column = 0; column < image.width; ++column, ++pixel) {
-            LaidTints laid;
+            TintStack stack;
             for (const Overlay overlay : layers) {
                 if (!shown.has(overlay)) continue;
                 const float amount = amounts.of(overlay, pixel);
                 if (amount < 0.0f) continue;
-                laid.lay(overlay_tint(overlay, amount, {column, row}, framebuffer.owner[pixel]));
+                stack.add(overlay_tint(overlay, amount, {column, row}, framebuffer.owner[pixel]));
             }
             const auto byte = [](float value) {
                 return static_cast<std::uint8_t>(std::lround(value));
             };
-            image.rgba[4 * pixel + 0] = byte(laid.red);
-            image.rgba[4 * pixel + 1] = byte(laid.green);
-            image.rgba[4 * pixel + 2] = byte(laid.blue);
-            image.rgba[4 * pixel + 3] = byte(255.0f * laid.opacity);
+            image.rgba[4 * pixel + 0] = byte(stack.red);
+            image.rgba[4 * pixel + 1] = byte(stack.green);
+            image.rgba[4 * pixel + 2] = byte(stack.blue);
+            image.rgba[4 * pixel + 3] = byte(255.0f * stack.opacity);
         }
     }
     return image;

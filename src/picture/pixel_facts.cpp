@@ -116,7 +116,7 @@ class FactsWriter {
     void note(const FragmentEvent& event) {
         const Fragment& f = event.fragment;
         const std::size_t pixel = static_cast<std::size_t>(f.row) * width_ + f.column;
-        if (!facts_.drawn_twice.empty()) note_neighbours(event.cursor.triangle, f, pixel);
+        if (!facts_.drawn_twice.empty()) record_neighbours(event.cursor.triangle, f, pixel);
         if (!facts_.depth.empty()) {
             DepthVerdicts& verdicts = facts_.depth[pixel];
             if (is_depth_tested(event.fate))
@@ -130,7 +130,7 @@ class FactsWriter {
     std::vector<glm::vec3> positions; ///< of the visible fragments, if the error is wanted
 
   private:
-    void note_neighbours(int triangle, const Fragment& fragment, std::size_t pixel) {
+    void record_neighbours(int triangle, const Fragment& fragment, std::size_t pixel) {
         if (triangle != rows_of_) make_rows(triangle);
         for (std::size_t n = 0; n < rows_.size() && n < count_; ++n) {
             const PolygonRows& rows = rows_[n];

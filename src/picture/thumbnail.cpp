@@ -29,7 +29,7 @@ struct SmallFrame {
 };
 
 /// The middle of each pixel that has a vertex moves to its place in the smaller picture.
-Mesh shrunken(const Mesh& mesh, float scale) {
+Mesh downsampled(const Mesh& mesh, float scale) {
     Mesh small;
     for (Vertex vertex : mesh.vertices()) {
         vertex.position.x = (vertex.position.x + 0.5f) * scale;
@@ -44,16 +44,16 @@ Mesh shrunken(const Mesh& mesh, float scale) {
 void prepare_small_frame(const Scene& scene, const Settings& settings, int side,
                          SmallFrame& small) {
     const float scale = scale_to(scene, settings, side);
-    const bool is_shrunken = scene.space == SceneSpace::pixels && scale < 1.0f;
-    if (is_shrunken) {
+    const bool is_downsampled = scene.space == SceneSpace::pixels && scale < 1.0f;
+    if (is_downsampled) {
         small.scene.space = scene.space;
-        small.scene.mesh = shrunken(scene.mesh, scale);
+        small.scene.mesh = downsampled(scene.mesh, scale);
         if (!scene.textures.empty()) {
             small.scene.parts = scene.parts;
             small.scene.textures = scene.textures;
         }
     }
-    prepare_frame(is_shrunken ? small.scene : scene, scaled_to(scene, settings, side), nullptr,
+    prepare_frame(is_downsampled ? small.scene : scene, scaled_to(scene, settings, side), nullptr,
                   small.frame);
 }
 

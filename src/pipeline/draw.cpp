@@ -2,13 +2,13 @@
 // before. For each polygon, in this order:
 //
 //   show_vertices    stage `points`: a mark for each vertex                     (draw_marks.cpp)
-//   tell_clip_and_cull   what has been done to it; leaves no mark            (tell_clipping.cpp)
+//   notify_clip_and_cull   what has been done to it; leaves no mark       (observe_clipping.cpp)
 //   cover            the row table and its tally; stage `edges` shows its samples    (tally.cpp)
-//     tell_pixel_tests   which pixels edge functions test; leaves no mark      (tell_tests.cpp)
+//     notify_pixel_tests   which pixels edge functions test; leaves no mark (observe_tests.cpp)
 //   show_row_ends    stage `rows`: both ends of each row                        (draw_marks.cpp)
 //   fill_rows        for each row, or without an observer all at once       (row_kernel.cpp):
 //     interpolate_row    its fragments, from the left to the right end         (fill_rows.cpp)
-//     pass_over_hidden   a completely hidden row is only counted, without varyings
+//     skip_occluded_row   a completely hidden row is only counted, without varyings
 //     is_culled          does the fragment belong to a back?
 //     fragment_alpha     is its texture clear there? then it is let through
 //     test_depth         is the fragment nearer than what its pixel shows?
@@ -22,8 +22,8 @@
 #include "pipeline/draw_marks.h"
 #include "pipeline/drawing.h"
 #include "pipeline/fill_rows.h"
-#include "pipeline/tell_clipping.h"
-#include "pipeline/tell_tests.h"
+#include "pipeline/observe_clipping.h"
+#include "pipeline/observe_tests.h"
 
 namespace rasterwalk {
 
@@ -37,9 +37,10 @@ Rectangle reach_of(const Frame& frame, int triangle) {
     // last place, 2^-24 of the largest value. The bound is twice that; the 1 is for the rounding.
     const int steps = std::max(box.right - box.left, box.bottom - box.top);
     const int largest = std::max({-box.left, box.right, -box.top, box.bottom});
-    const int stray =
+    const int rounding_slack =
         1 + static_cast<int>(0x1p-23f * static_cast<float>(steps) * static_cast<float>(largest));
-    return {box.left - stray, box.top - stray, box.right + stray, box.bottom + stray};
+    return {box.left - rounding_slack, box.top - rounding_slack, box.right + rounding_slack,
+            box.bottom + rounding_slack};
 }
 
 /// Does the scissor contain a mark that is drawn where clipping has left no corner?
@@ -73,15 +74,15 @@ void cover(Drawing& d, int triangle) {
     EdgeDrawing edges(d, triangle);
     compute_rows(d.frame, triangle, d.rows, edges.is_wanted() ? &edges : nullptr, d.carried);
     if (d.window.from <= beginning_of(triangle)) {
-        count_rows(d.frame, d.rows, triangle, d.draws_unset, d.tally);
+        count_rows(d.frame, d.rows, triangle, d.draws_empty, d.tally);
     }
-    tell_pixel_tests(d, triangle);
+    notify_pixel_tests(d, triangle);
 }
 
 void draw_polygon(Drawing& d, int triangle) {
     const Stage stage = d.frame.settings.stage;
     show_vertices(d, triangle);
-    tell_clip_and_cull(d, triangle);
+    notify_clip_and_cull(d, triangle);
     if (stage == Stage::points || !d.frame.is_drawn(triangle)) return;
     cover(d, triangle);
     if (stage == Stage::rows) show_row_ends(d, triangle);
@@ -119,7 +120,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
               .all_have_cells = frame.stages.depth_cell == depth_cell,
               .culls_fragments = frame.stages.cull_fragment != keep_fragment,
               .shades_first = settings.depth_order == DepthOrder::before_depth_test,
-              .draws_unset = draws_unset_rows(frame),
+              .draws_empty = draws_empty_rows(frame),
               .skips_hidden = observer == nullptr && !(carried == VaryingSet{}) &&
                               frame.stages.depth_test == depth_test &&
                               frame.stages.depth_cell == depth_cell &&

@@ -10,9 +10,9 @@ constexpr glm::vec3 white{1.0f};
 
 /// Points, edges and row ends are marks: one colour, no depth.
 /// @param told gives the fragment for an observer
-template <class Told>
+template <class MakeFragment>
 void put_mark(Drawing& d, const Cursor& cursor, glm::ivec2 place, const glm::vec3& colour,
-              Told told) {
+              MakeFragment make_fragment) {
     if (!contains(d.scissor, place.x, place.y)) return;
     const std::size_t pixel = d.target.at(place.x, place.y);
     const float depth = d.target.rules.depth_clear, stored = d.target.depth[pixel];
@@ -23,7 +23,7 @@ void put_mark(Drawing& d, const Cursor& cursor, glm::ivec2 place, const glm::vec
     d.target.depth[pixel] = depth;
     d.target.owner[pixel] = cursor.triangle;
     if (d.observer == nullptr || !d.observer->fragment) return;
-    d.observer->fragment({cursor, told(), Fate::written, depth, stored, before, colour});
+    d.observer->fragment({cursor, make_fragment(), Fate::written, depth, stored, before, colour});
 }
 
 void show_row_end(Drawing& d, const Cursor& cursor, const RowEnd& end, const glm::vec3& colour) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The state that the parts of draw() share; of no use to other code.
+// The state that the parts of draw() share. Private to draw().
 
 #include <vector>
 
@@ -25,7 +25,7 @@ struct Drawing {
     bool all_have_cells;  ///< each pixel of the picture has a depth cell: no check needed
     bool culls_fragments; ///< each fragment is tested for showing a back
     bool shades_first;    ///< the pixel shader comes before the depth test
-    bool draws_unset;     ///< rows that no edge sample has reached are drawn like the others
+    bool draws_empty;     ///< rows that no edge sample has reached are drawn like the others
     bool skips_hidden; ///< rows that are completely hidden go without varyings: nothing reads them
     RowKernel row_kernel; ///< draws a row at a time; null: each fragment is drawn separately
     Framebuffer& target;

@@ -69,8 +69,8 @@ std::span<const Event> events_between(const std::vector<Event>& events, const Cu
         return cursor_of(event) < cursor;
     };
     const auto first = std::lower_bound(events.begin(), events.end(), from, comes_before);
-    const auto behind = std::lower_bound(first, events.end(), std::max(from, to), comes_before);
-    return {first, behind};
+    const auto end = std::lower_bound(first, events.end(), std::max(from, to), comes_before);
+    return {first, end};
 }
 
 /// Is the pixel of an event in the part that is asked for?
@@ -79,10 +79,10 @@ bool is_in(const std::optional<Rectangle>& part, const Event& event) {
         return !part || (column >= part->left && column < part->right && row >= part->top &&
                          row < part->bottom);
     };
-    if (const auto* told = std::get_if<FragmentEvent>(&event))
-        return contains(told->fragment.column, told->fragment.row);
-    if (const auto* told = std::get_if<TestEvent>(&event))
-        return contains(told->test.column, told->test.row);
+    if (const auto* reported = std::get_if<FragmentEvent>(&event))
+        return contains(reported->fragment.column, reported->fragment.row);
+    if (const auto* reported = std::get_if<TestEvent>(&event))
+        return contains(reported->test.column, reported->test.row);
     return true;
 }
 
@@ -118,9 +118,9 @@ TriangleMoments recorded_moments(const std::vector<Event>& events, bool has_frag
     for (const Event& event :
          events_between(events, beginning_of(triangle), beginning_of(triangle + 1))) {
         const Cursor cursor = cursor_of(event);
-        const auto* const told = std::get_if<FragmentEvent>(&event);
-        if (told != nullptr && cursor.phase == Phase::rows)
-            enter_pixel(*told, has_fragments, moments.rows);
+        const auto* const reported = std::get_if<FragmentEvent>(&event);
+        if (reported != nullptr && cursor.phase == Phase::rows)
+            enter_pixel(*reported, has_fragments, moments.rows);
         if (cursor == std::exchange(last, cursor)) continue;
         PhaseMoments& phase = moments.of(cursor.phase);
         const auto index = static_cast<std::size_t>(cursor.index);

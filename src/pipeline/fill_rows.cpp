@@ -119,7 +119,7 @@ std::span<const LineSample> interpolate_row(Drawing& d, int index, const RowSpan
 
 /// Counts the fragments of a row if none of them is nearer than what its pixel shows; returns
 /// whether it did.
-bool pass_over_hidden(Drawing& d, std::span<const LineSample> fragments) {
+bool skip_occluded_row(Drawing& d, std::span<const LineSample> fragments) {
     const Fragment& first = fragments.front().fragment;
     const std::size_t begin = d.target.at(first.column, first.row);
     std::size_t pixel = begin;
@@ -165,7 +165,7 @@ void fill_rows(Drawing& d, int triangle) {
             draw_row_at_once(d, triangle, r, span, columns, surface);
             continue;
         }
-        if (d.skips_hidden && pass_over_hidden(d, interpolate_row(d, r, span, columns, {})))
+        if (d.skips_hidden && skip_occluded_row(d, interpolate_row(d, r, span, columns, {})))
             continue;
         const std::span<const LineSample> fragments =
             interpolate_row(d, r, span, columns, d.carried);

@@ -60,8 +60,8 @@ VaryingSet carried_varyings(const Frame& frame) {
                                              : carried;
 }
 
-void tell_clipping(const Frame& frame, int triangle, ClipSink& sink) {
-    if (!frame.is_clip_told(triangle)) return;
+void replay_clipping(const Frame& frame, int triangle, ClipSink& sink) {
+    if (!frame.has_clip_events(triangle)) return;
     const auto given = frame.given_clip_vertices(triangle);
     std::vector<ClipVertex> corners(given.begin(), given.end());
     frame.stages.clip(corners, ViewVolume(vertex_rules(frame.settings, frame.scene->space)), &sink);

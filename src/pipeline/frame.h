@@ -56,13 +56,13 @@ struct Frame {
     /// Are its corners no longer those of the scene's triangle?
     bool is_cut(int triangle) const { return polygons[static_cast<std::size_t>(triangle)].is_cut; }
     /// Did the triangle get as far as culling, and is anything in that slot?
-    bool is_cull_asked(int triangle) const {
+    bool is_cull_tested(int triangle) const {
         const Rejection why = rejection(triangle);
         return stages.cull != cull_nothing &&
                (why == Rejection::none || why == Rejection::back_facing);
     }
     /// Has clipping left a polygon with different corners, or nothing?
-    bool is_clip_told(int triangle) const {
+    bool has_clip_events(int triangle) const {
         return is_cut(triangle) || rejection(triangle) == Rejection::clipped_away;
     }
     /// Does the triangle have moments? Of those not drawn, only the ones removed by clip or cull:
@@ -128,8 +128,8 @@ inline bool is_textured(const Frame& frame) {
 
 /// What the alpha of textures does in the frame: if nothing is blended, no texture is.
 inline TextureAlpha texture_alpha_rule(const Frame& frame) {
-    const TextureAlpha asked = frame.settings.texture_alpha;
-    return asked == TextureAlpha::blend && !frame.blends ? TextureAlpha::off : asked;
+    const TextureAlpha chosen = frame.settings.texture_alpha;
+    return chosen == TextureAlpha::blend && !frame.blends ? TextureAlpha::off : chosen;
 }
 
 /// The varyings that edges and rows carry in the frame.
@@ -165,7 +165,7 @@ inline bool have_same_triangles(const Frame& a, const Frame& b) {
 
 /// Clips a triangle again, by the function that clipped it.
 /// @param sink    receives each edge at each plane; for a triangle that no plane has cut, nothing
-void tell_clipping(const Frame& frame, int triangle, ClipSink& sink);
+void replay_clipping(const Frame& frame, int triangle, ClipSink& sink);
 
 /// Culls a triangle again, by the function that culled it.
 /// @return what the function looked at

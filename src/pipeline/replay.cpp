@@ -15,11 +15,11 @@ constexpr double smallest_spacing = 50'000;
 /// The copies made during the first pass are at least this far apart, and at least this part of the
 /// frame: far enough that they hardly slow the drawing, and near enough that a jump back takes no
 /// longer than the drawing did.
-constexpr double first_way_spacing = 500'000;
-constexpr double first_way_part = 1.0 / 3.0;
+constexpr double first_pass_spacing = 500'000;
+constexpr double first_pass_part = 1.0 / 3.0;
 
 /// For more triangles than this it is not worth finding out which pixels have changed.
-constexpr int most_triangles_asked = 8;
+constexpr int most_triangles_checked = 8;
 
 std::int64_t area(const Rectangle& r) {
     return static_cast<std::int64_t>(std::max(r.right - r.left, 0)) * std::max(r.bottom - r.top, 0);
@@ -48,7 +48,7 @@ void Replay::begin(const Frame& frame, FrameWork& work) {
 void Replay::begin_clear() {
     cursor_ = tallied_ = cursor_begin;
     tally_ = {};
-    has_gone_back_ = false;
+    has_stepped_back_ = false;
     // Old pixels stay for a while, and their owners must be triangles of this frame too.
     const bool may_wait = framebuffer_.size == frame_->settings.viewport &&
                           framebuffer_.rules == picture_rules(*frame_) &&
@@ -81,7 +81,7 @@ void Replay::place_marks() {
     const std::size_t bytes = framebuffer_.bytes();
     const std::size_t room = bytes > 0 ? budget_ / bytes : 0;
     for (Mark& mark : marks_) {
-        if (mark.is_laid()) spare_.push_back(std::move(mark.copy));
+        if (mark.is_saved()) spare_.push_back(std::move(mark.copy));
     }
     marks_.clear();
     const bool fit = !spare_.empty() && spare_.front().bytes() == bytes;
@@ -89,26 +89,26 @@ void Replay::place_marks() {
     if (room == 0) return;
     const double total = work_.total();
     const double spacing = std::max(smallest_spacing, total / (static_cast<double>(room) + 1.0));
-    const double first_way = std::max(first_way_spacing, first_way_part * total);
+    const double first_pass = std::max(first_pass_spacing, first_pass_part * total);
     double last = 0.0; // work before the last mark laid in the first pass
     for (double next = spacing; next < total && marks_.size() < room; next += spacing) {
         Mark mark;
         mark.cursor = work_.at(next);
-        mark.on_first_way = next - last >= first_way;
-        if (mark.on_first_way) last = next;
+        mark.in_first_pass = next - last >= first_pass;
+        if (mark.in_first_pass) last = next;
         marks_.push_back(std::move(mark));
     }
 }
 
-bool Replay::is_held(const Cursor& cursor, const WorkLimit& limit) const {
+bool Replay::is_deferred(const Cursor& cursor, const WorkLimit& limit) const {
     return work_.before(cursor) - work_.before(cursor_) > limit.most;
 }
 
 const Framebuffer& Replay::toward(const Cursor& cursor, const WorkLimit& limit) {
     changed_ = std::exchange(begun_, Rectangle{});
     if (!is_clear()) clear_some(limit);
-    if (!is_clear() || is_held(cursor, limit)) return framebuffer_;
-    const Mark* const mark = last_laid(cursor);
+    if (!is_clear() || is_deferred(cursor, limit)) return framebuffer_;
+    const Mark* const mark = last_saved(cursor);
     const Cursor before = cursor_;
     // If memory runs out while it draws, any pixel may have been touched.
     const Rectangle touched_before = std::exchange(touched_, whole_picture(*frame_));
@@ -118,7 +118,7 @@ const Framebuffer& Replay::toward(const Cursor& cursor, const WorkLimit& limit) 
         restore(whole_picture(*frame_), mark);
         cursor_ = mark->cursor;
     }
-    lay_and_draw(part_end(cursor, limit));
+    save_keyframes_and_draw(part_end(cursor, limit));
     touched_ = touched_before;
     if (before != cursor_) {
         const Rectangle drawn =
@@ -140,7 +140,7 @@ void Replay::go_back(const Cursor& cursor, const Mark* mark, const WorkLimit& li
     restore(changed, mark);
     cursor_ = from;
     if (changed == whole) {
-        has_gone_back_ = true;
+        has_stepped_back_ = true;
         return;
     }
     // All other pixels are already as they are at `cursor`.
@@ -165,11 +165,11 @@ Cursor Replay::part_end(const Cursor& cursor, const WorkLimit& limit) const {
 }
 
 /// The last mark with a copy at or before the cursor; null: there is none.
-const Replay::Mark* Replay::last_laid(const Cursor& cursor) const {
+const Replay::Mark* Replay::last_saved(const Cursor& cursor) const {
     const Mark* last = nullptr;
     for (const Mark& mark : marks_) {
         if (mark.cursor > cursor) break;
-        if (mark.is_laid()) last = &mark;
+        if (mark.is_saved()) last = &mark;
     }
     return last;
 }
@@ -181,7 +181,7 @@ Rectangle Replay::changed_between(const Cursor& from, const Cursor& to) const {
     const int first_triangle = std::max(from.triangle, 0);
     const int last_triangle = std::min(to.triangle, frame_->triangle_count() - 1);
     if (frame_->settings.stage < Stage::rows) return whole;
-    if (last_triangle - first_triangle >= most_triangles_asked) return whole;
+    if (last_triangle - first_triangle >= most_triangles_checked) return whole;
     Rectangle box{whole.right, whole.bottom, 0, 0};
     PolygonRows rows;
     for (int t = first_triangle; t <= last_triangle; ++t) {
@@ -244,15 +244,15 @@ Framebuffer Replay::spare_copy() {
 }
 
 /// Draws from where the framebuffer is to the cursor, making copies on the way.
-void Replay::lay_and_draw(const Cursor& cursor) {
+void Replay::save_keyframes_and_draw(const Cursor& cursor) {
     Mark* last_passed = nullptr;
     for (Mark& mark : marks_) {
-        if (mark.cursor > cursor_ && mark.cursor <= cursor && !mark.is_laid()) last_passed = &mark;
+        if (mark.cursor > cursor_ && mark.cursor <= cursor && !mark.is_saved()) last_passed = &mark;
     }
     for (Mark& mark : marks_) {
-        if (mark.cursor <= cursor_ || mark.cursor > cursor || mark.is_laid()) continue;
+        if (mark.cursor <= cursor_ || mark.cursor > cursor || mark.is_saved()) continue;
         // One per call, the one nearest to the user's place.
-        const bool is_wanted = mark.on_first_way || (has_gone_back_ && &mark == last_passed);
+        const bool is_wanted = mark.in_first_pass || (has_stepped_back_ && &mark == last_passed);
         if (!is_wanted) continue;
         draw_on(mark.cursor);
         mark.copy = spare_copy();
@@ -276,7 +276,7 @@ void Replay::draw_on(const Cursor& cursor) {
 
 std::size_t Replay::keyframe_count() const {
     return static_cast<std::size_t>(
-        std::count_if(marks_.begin(), marks_.end(), [](const Mark& m) { return m.is_laid(); }));
+        std::count_if(marks_.begin(), marks_.end(), [](const Mark& m) { return m.is_saved(); }));
 }
 
 std::size_t Replay::keyframe_bytes() const {

@@ -33,10 +33,10 @@ class Replay {
     /// The framebuffer with everything before `cursor` drawn; valid until the next call.
     const Framebuffer& at(const Cursor& cursor) { return toward(cursor, {}); }
 
-    /// Goes toward the cursor as far as the limit allows, and stays where it is if it is_held().
-    /// The framebuffer has everything before drawn() drawn; valid until the next call. As long as
-    /// it is not clear, it is cleared first, even if it is_held(): until then its non-empty pixels
-    /// can be those of the previous frame.
+    /// Goes toward the cursor as far as the limit allows, and stays where it is if it
+    /// is_deferred(). The framebuffer has everything before drawn() drawn; valid until the next
+    /// call. As long as it is not clear, it is cleared first, even if it is_deferred(): until then
+    /// its non-empty pixels can be those of the previous frame.
     const Framebuffer& toward(const Cursor& cursor, const WorkLimit& limit);
     const Cursor& drawn() const { return cursor_; }
 
@@ -46,7 +46,7 @@ class Replay {
     bool is_at(const Cursor& cursor) const { return is_clear() && cursor_ == cursor; }
 
     /// Is more left to draw up to the cursor than the limit allows?
-    bool is_held(const Cursor& cursor, const WorkLimit& limit) const;
+    bool is_deferred(const Cursor& cursor, const WorkLimit& limit) const;
 
     /// All pixels that the last call has changed in any plane lie in this rectangle; after the
     /// first call since begin(), also those that begin() has changed.
@@ -65,21 +65,21 @@ class Replay {
   private:
     struct Mark {
         Cursor cursor;
-        bool on_first_way = false; ///< to be made before any step back
-        Framebuffer copy;          ///< of this moment; without pixels until it is made
+        bool in_first_pass = false; ///< to be made before any step back
+        Framebuffer copy;           ///< of this moment; without pixels until it is made
 
-        bool is_laid() const { return !copy.depth.empty(); }
+        bool is_saved() const { return !copy.depth.empty(); }
     };
     void begin_clear();
     void clear_some(const WorkLimit& limit);
     Framebuffer spare_copy();
     void place_marks();
-    const Mark* last_laid(const Cursor& cursor) const;
+    const Mark* last_saved(const Cursor& cursor) const;
     Rectangle changed_between(const Cursor& from, const Cursor& to) const;
     void restore(const Rectangle& pixels, const Mark* mark);
     void go_back(const Cursor& cursor, const Mark* mark, const WorkLimit& limit);
     Cursor part_end(const Cursor& cursor, const WorkLimit& limit) const;
-    void lay_and_draw(const Cursor& cursor);
+    void save_keyframes_and_draw(const Cursor& cursor);
     void draw_on(const Cursor& cursor);
 
     const Frame* frame_ = nullptr;
@@ -96,7 +96,7 @@ class Replay {
     std::vector<Mark> marks_;        ///< in order of time
     std::vector<Framebuffer> spare_; ///< copies of the previous frame: their memory is used
     std::size_t budget_;
-    bool has_gone_back_ = false;
+    bool has_stepped_back_ = false;
 };
 
 } // namespace rasterwalk

@@ -7,7 +7,7 @@
 namespace rasterwalk {
 
 Settings shadow_face_settings(const glm::vec3& lamp, int face, int resolution) {
-    const glm::vec3& way = shadow_face_ways[static_cast<std::size_t>(face)];
+    const glm::vec3& direction = shadow_face_directions[static_cast<std::size_t>(face)];
     Settings settings;
     settings.stage = Stage::depth;
     settings.coverage = Coverage::edge_functions;
@@ -21,8 +21,9 @@ Settings shadow_face_settings(const glm::vec3& lamp, int face, int resolution) {
     settings.camera.position = lamp;
     settings.camera.focal_length = 0.5f * static_cast<float>(resolution);
     settings.camera.aim = CameraAim::look_at;
-    settings.camera.target = lamp + way;
-    settings.camera.up = way.y == 0.0f ? glm::vec3(0.0f, -1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, 1.0f);
+    settings.camera.target = lamp + direction;
+    settings.camera.up =
+        direction.y == 0.0f ? glm::vec3(0.0f, -1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, 1.0f);
     return settings;
 }
 

@@ -15,9 +15,9 @@ struct DrawTally {
     int triangles_outside = 0;        ///< triangles with such samples
     int first_outside = -1;           ///< the first of them; -1: there is none
     std::int64_t shaded = 0;          ///< fragments whose colour was worked out, drawn or not
-    std::int64_t rows_looked_at = 0;  ///< rows looked at by the edge samples of whole triangles
+    std::int64_t row_lookups = 0;     ///< rows looked at by the edge samples of whole triangles
     std::int64_t pixels_tested = 0;   ///< of whole triangles, in the picture, by edge functions
-    std::int64_t unset_rows = 0;      ///< rows without a sample that are drawn all the same
+    std::int64_t empty_rows = 0;      ///< rows without a sample that are drawn all the same
     std::int64_t depth_outside = 0;   ///< tested fragments whose pixel has no depth cell
 
     friend bool operator==(const DrawTally&, const DrawTally&) = default;
@@ -29,11 +29,11 @@ DrawTally& operator+=(DrawTally& sum, const DrawTally& part);
 DrawTally tally_rows(const Frame& frame, int first);
 
 /// Are rows that no edge sample has reached drawn all the same?
-bool draws_unset_rows(const Frame& frame);
+bool draws_empty_rows(const Frame& frame);
 
 /// Counts the work of a triangle's row table, and what is wrong with it.
-/// @param draws_unset draws_unset_rows() of the frame
-void count_rows(const Frame& frame, const PolygonRows& rows, int triangle, bool draws_unset,
+/// @param draws_empty draws_empty_rows() of the frame
+void count_rows(const Frame& frame, const PolygonRows& rows, int triangle, bool draws_empty,
                 DrawTally& tally);
 
 } // namespace rasterwalk

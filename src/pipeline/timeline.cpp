@@ -26,9 +26,9 @@ class StepCounts : public ClipSink {
 };
 
 void find_clip_steps(const Frame& frame, int triangle, PhaseMoments& moments) {
-    if (!frame.is_clip_told(triangle)) return;
+    if (!frame.has_clip_events(triangle)) return;
     StepCounts counts;
-    tell_clipping(frame, triangle, counts);
+    replay_clipping(frame, triangle, counts);
     for (const int steps : counts.steps)
         moments.add({0, steps});
 }
@@ -53,8 +53,8 @@ void find_rows(const Frame& frame, const PolygonRows& rows, PhaseMoments& moment
             const RowSpan drawn = row_span(frame.stages, rows, r);
             const int left = drawn.left;
             const int first = std::max(left, area.left);
-            const int behind = std::min(left + drawn.drawn, area.right);
-            steps = fragments ? PhaseMoments::Steps{first - left, std::max(behind - first, 0)}
+            const int end = std::min(left + drawn.drawn, area.right);
+            steps = fragments ? PhaseMoments::Steps{first - left, std::max(end - first, 0)}
                               : PhaseMoments::Steps{0, 1};
         }
         moments.add(steps);
@@ -68,8 +68,8 @@ void find_tests(const Frame& frame, const TestedPolygon& tested, PhaseMoments& m
         for (int row = box.top; row < box.bottom; ++row) {
             PhaseMoments::Steps steps;
             if (row >= area.top && row < area.bottom) {
-                const ColumnRange asked = in_columns(tested.tested_columns(triangle, row), area);
-                if (asked.count() > 0) steps = {asked.first - box.left, asked.count()};
+                const ColumnRange columns = in_columns(tested.tested_columns(triangle, row), area);
+                if (columns.count() > 0) steps = {columns.first - box.left, columns.count()};
             }
             moments.add(steps);
         }
@@ -100,7 +100,7 @@ Cursor piece_begin(Cursor cursor, Granularity step) {
 }
 
 /// A cursor after every moment of the piece of size `step` that holds the moment.
-Cursor behind_piece(Cursor cursor, Granularity step) {
+Cursor end_of_piece(Cursor cursor, Granularity step) {
     switch (step) {
     case Granularity::moment:
         ++(has_steps(cursor.phase) ? cursor.step : cursor.index);
@@ -149,8 +149,8 @@ Cursor cursor_at(int ordinal, const TriangleMoments& m) {
             ordinal -= phase.count();
             continue;
         }
-        const auto behind = std::upper_bound(phase.before.begin(), phase.before.end(), ordinal);
-        const auto piece = static_cast<std::size_t>(behind - phase.before.begin()) - 1;
+        const auto end = std::upper_bound(phase.before.begin(), phase.before.end(), ordinal);
+        const auto piece = static_cast<std::size_t>(end - phase.before.begin()) - 1;
         return {m.triangle, info.phase, static_cast<int>(piece),
                 phase.pieces[piece].first + ordinal - phase.before[piece]};
     }
@@ -182,7 +182,7 @@ const TriangleMoments& Timeline::moments(int triangle) const {
         for (int v = 0; v < triangle_corners; ++v)
             cache_.of(Phase::vertices).add({0, 1});
         find_clip_steps(frame, triangle, cache_.of(Phase::clip));
-        if (frame.is_cull_asked(triangle)) cache_.of(Phase::cull).add({0, 1});
+        if (frame.is_cull_tested(triangle)) cache_.of(Phase::cull).add({0, 1});
     }
     if (frame.is_drawn(triangle)) {
         find_samples(frame, triangle, cache_.rows, cache_.of(Phase::edges));
@@ -218,7 +218,7 @@ bool Timeline::exists(const Cursor& cursor) const {
 Cursor Timeline::next(const Cursor& cursor, Granularity step) const {
     const Cursor here = at_or_after(cursor);
     if (here == cursor_end) return cursor_end;
-    return at_or_after(behind_piece(here, step));
+    return at_or_after(end_of_piece(here, step));
 }
 
 Cursor Timeline::previous(const Cursor& cursor, Granularity step) const {

@@ -151,9 +151,9 @@ double FrameWork::before(const Cursor& cursor) const {
 
 Cursor FrameWork::at(double work) const {
     if (!(work < total())) return cursor_end;
-    const auto behind = std::upper_bound(before_.begin(), before_.end(), std::max(work, 0.0));
-    const auto triangle = static_cast<int>(behind - before_.begin()) - 1;
-    const double begin = before_[static_cast<std::size_t>(triangle)], of_triangle = *behind - begin;
+    const auto end = std::upper_bound(before_.begin(), before_.end(), std::max(work, 0.0));
+    const auto triangle = static_cast<int>(end - before_.begin()) - 1;
+    const double begin = before_[static_cast<std::size_t>(triangle)], of_triangle = *end - begin;
     if (!is_divided(*frame_, of_triangle)) return {triangle, Phase::vertices, 0, 0};
     const Box box = box_of(*frame_, triangle);
     const Box shown = in_picture(box, frame_->settings.viewport);

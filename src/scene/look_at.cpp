@@ -33,10 +33,10 @@ glm::vec3 across(const glm::vec3& forward, const glm::vec3& direction) {
 glm::mat3 look_at_rotation(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up) {
     const glm::vec3 forward = forward_to(eye, target);
     // y runs down: right, down and forward go round as x, y and z do.
-    const glm::vec3 beside =
+    const glm::vec3 sideways =
         std::abs(forward.y) < 0.9f ? glm::vec3(0.0f, -1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, -1.0f);
     const glm::vec3 right =
-        unit_or(across(forward, up), unit_or(across(forward, beside), {1.0f, 0.0f, 0.0f}));
+        unit_or(across(forward, up), unit_or(across(forward, sideways), {1.0f, 0.0f, 0.0f}));
     return {right, glm::cross(forward, right), forward};
 }
 

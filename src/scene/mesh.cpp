@@ -34,7 +34,7 @@ void Mesh::add_triangle(const TriangleIndices& indices) {
         }
     }
     triangles_.push_back(indices);
-    note_differences();
+    record_differences();
 }
 
 void Mesh::add_triangle_of(const std::array<Vertex, triangle_corners>& corners) {
@@ -42,7 +42,7 @@ void Mesh::add_triangle_of(const std::array<Vertex, triangle_corners>& corners) 
     std::transform(corners.begin(), corners.end(), indices.begin(),
                    [this](const Vertex& vertex) { return add_vertex(vertex); });
     triangles_.push_back(indices);
-    note_differences();
+    record_differences();
 }
 
 CornerDifferences Mesh::differences(int triangle) const {
@@ -57,7 +57,7 @@ CornerDifferences Mesh::differences(int triangle) const {
 }
 
 /// Notes those of the triangle that was added last.
-void Mesh::note_differences() {
+void Mesh::record_differences() {
     const CornerDifferences found = differences(triangle_count() - 1);
     differences_.normals = differences_.normals || found.normals;
     differences_.colours = differences_.colours || found.colours;

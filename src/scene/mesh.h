@@ -97,7 +97,7 @@ class Mesh {
 
   private:
     bool is_shared(int vertex) const;
-    void note_differences();
+    void record_differences();
 
     std::vector<Vertex> vertices_;
     std::vector<TriangleIndices> triangles_;

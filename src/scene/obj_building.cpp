@@ -101,9 +101,9 @@ class ModelBuilder {
     /// coordinates and normals that do not exist.
     void keep_sound_faces() {
         const auto is_wrong = [&](const ObjFace& face) {
-            const std::string trouble = trouble_of(face);
-            if (trouble.empty()) return false;
-            reporter_.fault(model_.path, face.line, [&] { return trouble; });
+            const std::string problem = problem_of(face);
+            if (problem.empty()) return false;
+            reporter_.fault(model_.path, face.line, [&] { return problem; });
             return true;
         };
         // In order, since only the first faults are kept.
@@ -163,7 +163,7 @@ class ModelBuilder {
     }
 
     /// What is wrong with the points of a face now that all are known; empty: nothing.
-    std::string trouble_of(const ObjFace& face) const {
+    std::string problem_of(const ObjFace& face) const {
         for (int i = 0; i < face.corner_count; ++i) {
             const int position = file_.corner(face, i).position;
             if (static_cast<std::size_t>(position) >= file_.positions.size())

@@ -9,7 +9,7 @@
 #include "base/limits.h"
 #include "base/quoted.h"
 #include "base/text_parts.h"
-#include "scene/beside_file.h"
+#include "scene/companion_file.h"
 #include "scene/obj_words.h"
 
 namespace rasterwalk {
@@ -21,7 +21,7 @@ void ObjLibraries::read(std::string_view names, int line) {
     if (lists_.size() >= most_material_files) return refuse_library();
     lists_.emplace(names);
     // A single name may have blanks without quotes, or contain a quote.
-    if (beside_.find(names).trouble.empty()) return read_library(names);
+    if (companions_.find(names).problem.empty()) return read_library(names);
     std::string_view rest = names;
     do {
         read_library(take_name(rest));
@@ -40,9 +40,9 @@ void ObjLibraries::read_library(std::string_view name) {
     if (names_.contains(name)) return;
     if (names_.size() >= most_material_files) return refuse_library();
     names_.emplace(name);
-    const BesideFile file = beside_.find(name);
-    if (!file.trouble.empty()) {
-        return fault([&] { return fmt::format("'mtllib': {}; it is left out.", file.trouble); });
+    const CompanionFile file = companions_.find(name);
+    if (!file.problem.empty()) {
+        return fault([&] { return fmt::format("'mtllib': {}; it is left out.", file.problem); });
     }
     if (!file.remark.empty())
         reporter_.note(model_, line_, fmt::format("'mtllib': {}.", file.remark));
@@ -55,9 +55,9 @@ void ObjLibraries::read_library(std::string_view name) {
                              "the file is UTF-16; a material file must be plain text.");
         }
         parse_mtl(text, file.path, model_, watched_, reporter_, materials_);
-    } catch (const Error& trouble) {
+    } catch (const Error& problem) {
         fault([&] {
-            return fmt::format("'mtllib': {} It is left out.", visible_line(trouble.what()));
+            return fmt::format("'mtllib': {} It is left out.", visible_line(problem.what()));
         });
     }
 }
@@ -74,9 +74,9 @@ std::string image_name(const std::string& path) {
 /// fault, however many materials name it.
 int ObjImages::index_of(const ReadTexture& image, const ObjMaterial& of, std::string_view word,
                         int line) {
-    if (image.trouble.empty() || !told_.insert(image.trouble).second) return image.index;
+    if (image.problem.empty() || !reported_.insert(image.problem).second) return image.index;
     reporter_.fault(of.file, line, [&] {
-        return fmt::format("'{}': {} The image is left out.", word, visible_line(image.trouble));
+        return fmt::format("'{}': {} The image is left out.", word, visible_line(image.problem));
     });
     return image.index;
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/limits.h"
-#include "scene/beside_file.h"
+#include "scene/companion_file.h"
 #include "scene/obj_report.h"
 #include "scene/read_mtl.h"
 #include "scene/texture_files.h"
@@ -25,7 +25,7 @@ class ObjLibraries {
     ObjLibraries(const std::string& model, std::vector<ObjMaterial>& materials,
                  WatchedSteps& watched, ObjReporter& reporter)
         : model_(model), materials_(materials), watched_(watched), reporter_(reporter),
-          beside_({model}) {}
+          companions_({model}) {}
 
     /// Reads what a statement names. What cannot be read becomes a fault. Throws ReadingStopped.
     /// @param names one that may contain blanks, or several
@@ -44,11 +44,11 @@ class ObjLibraries {
     std::vector<ObjMaterial>& materials_;
     WatchedSteps& watched_;
     ObjReporter& reporter_;
-    BesideFiles beside_;
+    CompanionFiles companions_;
     int line_ = 0;
     std::set<std::string, std::less<>> lists_; ///< what has been named so far
     std::set<std::string, std::less<>> names_; ///< names that were looked for
-    BesideBytes bytes_{most_material_bytes, "all material files"};
+    CompanionBytes bytes_{most_material_bytes, "all material files"};
 };
 
 /// The pictures of a surface, as indices of textures; -1: none.
@@ -75,8 +75,8 @@ class ObjImages {
     const std::vector<ObjMaterial>& materials_;
     ObjReporter& reporter_;
     TextureFiles files_;
-    std::map<int, ObjMaps> known_; ///< of the materials that are drawn
-    std::set<std::string> told_;   ///< reported faults of images
+    std::map<int, ObjMaps> known_;   ///< of the materials that are drawn
+    std::set<std::string> reported_; ///< reported faults of images
 };
 
 } // namespace rasterwalk

@@ -13,9 +13,9 @@ namespace rasterwalk {
 
 namespace {
 
-glm::vec3 unit_or_zero(const glm::dvec3& way) {
-    const double length = glm::length(way);
-    return length > 0.0 ? glm::vec3(way / length) : glm::vec3(0.0f);
+glm::vec3 unit_or_zero(const glm::dvec3& direction) {
+    const double length = glm::length(direction);
+    return length > 0.0 ? glm::vec3(direction / length) : glm::vec3(0.0f);
 }
 
 /// Normals of faces, and the angle of each corner.

@@ -74,7 +74,7 @@ std::vector<std::string> fault_lines(const ObjReport& report) {
     return lines;
 }
 
-std::vector<std::string> note_lines(const ObjReport& report) {
+std::vector<std::string> remark_lines(const ObjReport& report) {
     std::vector<std::string> lines;
     for (const ObjFault& note : report.notes)
         lines.push_back(fault_line(note));
@@ -93,15 +93,15 @@ std::vector<std::string> skipped_lines(const ObjReport& report) {
 }
 
 std::string fault_notice(const ObjReport& report) {
-    constexpr std::size_t most_told = 3;
+    constexpr std::size_t most_shown = 3;
     std::string notice;
     const auto add = [&](const std::string& sentence) {
         notice.append(notice.empty() ? "" : " ").append(sentence);
     };
-    const std::size_t told = std::min(report.faults.size(), most_told);
-    for (std::size_t i = 0; i < told; ++i)
+    const std::size_t shown = std::min(report.faults.size(), most_shown);
+    for (std::size_t i = 0; i < shown; ++i)
         add(fault_line(report.faults[i]));
-    const std::int64_t more = faults_after(report, told);
+    const std::int64_t more = faults_after(report, shown);
     if (more > 0) add(counted(more, "more fault", "more faults") + " after that.");
     return notice;
 }

@@ -170,7 +170,7 @@ std::string fault_line(const ObjFault& fault);
 std::vector<std::string> fault_lines(const ObjReport& report);
 
 /// The notes as sentences with file:line.
-std::vector<std::string> note_lines(const ObjReport& report);
+std::vector<std::string> remark_lines(const ObjReport& report);
 
 /// The same for what was skipped: "m.obj:3: 4 statements 's' are skipped: ..."
 std::vector<std::string> skipped_lines(const ObjReport& report);

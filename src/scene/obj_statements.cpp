@@ -207,10 +207,10 @@ class StatementReader {
 
     void read_normal(std::string_view rest) {
         check_room(file_.normals, indexed_kinds[2].many);
-        std::array<double, 3> way{};
+        std::array<double, 3> direction{};
         file_.normals.emplace_back(0.0f);
-        if (!read_numbers(ObjFaultKind::normal, "vn", rest, 3, way)) return;
-        const glm::dvec3 normal(way[0], way[1], way[2]);
+        if (!read_numbers(ObjFaultKind::normal, "vn", rest, 3, direction)) return;
+        const glm::dvec3 normal(direction[0], direction[1], direction[2]);
         const double length = glm::length(normal);
         if (length > 0.0) {
             file_.normals.back() = glm::vec3(normal / length);

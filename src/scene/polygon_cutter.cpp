@@ -36,10 +36,10 @@ PolygonCut PolygonCutter::cut(std::span<const glm::vec3> corners) {
         return PolygonCut::fan;
     }
     flatten(corners);
-    before_.resize(corners.size());
-    std::iota(before_.begin(), before_.end(), 0);
+    previous_.resize(corners.size());
+    std::iota(previous_.begin(), previous_.end(), 0);
     if (is_fan()) {
-        add_fan(before_);
+        add_fan(previous_);
         return PolygonCut::fan;
     }
     if (!is_begun_) work_left_ = most_ear_tests;
@@ -71,8 +71,8 @@ void PolygonCutter::flatten(std::span<const glm::vec3> corners) {
     double far_out = 0.0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const glm::dvec3 place(corners[i]);
-        const glm::dvec3 way = place - origin;
-        places_[i] = {way[first], side * way[second]};
+        const glm::dvec3 offset = place - origin;
+        places_[i] = {offset[first], side * offset[second]};
         extent = glm::max(extent, glm::abs(places_[i]));
         far_out = std::max({far_out, std::abs(place[first]), std::abs(place[second])});
     }
@@ -106,7 +106,7 @@ double PolygonCutter::turn(int a, int b, int c) const {
 /// count.
 bool PolygonCutter::is_ear(int corner) {
     const auto at = static_cast<std::size_t>(corner);
-    const int a = before_[at], b = corner, c = behind_[at];
+    const int a = previous_[at], b = corner, c = next_[at];
     if (!(turn(a, b, c) > 0.0)) return false;
     const auto is_at = [&](int i, int j) {
         return places_[static_cast<std::size_t>(i)] == places_[static_cast<std::size_t>(j)];
@@ -122,14 +122,14 @@ bool PolygonCutter::is_ear(int corner) {
 /// Cuts a corner, and its triangle, from the ring.
 void PolygonCutter::clip(int corner) {
     const auto at = static_cast<std::size_t>(corner);
-    const int a = before_[at], c = behind_[at];
+    const int a = previous_[at], c = next_[at];
     triangles_.push_back({a, corner, c});
-    behind_[static_cast<std::size_t>(a)] = c;
-    before_[static_cast<std::size_t>(c)] = a;
+    next_[static_cast<std::size_t>(a)] = c;
+    previous_[static_cast<std::size_t>(c)] = a;
     work_left_ -= static_cast<long long>(reflex_.size());
     const auto is_convex_now = [&](int p) {
         const auto here = static_cast<std::size_t>(p);
-        return p == corner || ((p == a || p == c) && turn(before_[here], p, behind_[here]) > 0.0);
+        return p == corner || ((p == a || p == c) && turn(previous_[here], p, next_[here]) > 0.0);
     };
     reflex_.erase(std::remove_if(reflex_.begin(), reflex_.end(), is_convex_now), reflex_.end());
 }
@@ -143,8 +143,8 @@ int PolygonCutter::find_ear(int start) {
         if (work_left_ <= 0) return -1;
         if (is_ear(corner)) return corner;
         const auto at = static_cast<std::size_t>(corner);
-        if (flat < 0 && std::abs(turn(before_[at], corner, behind_[at])) <= fuzz_) flat = corner;
-        corner = behind_[at];
+        if (flat < 0 && std::abs(turn(previous_[at], corner, next_[at])) <= fuzz_) flat = corner;
+        corner = next_[at];
         --work_left_;
     } while (corner != start);
     return flat;
@@ -152,15 +152,15 @@ int PolygonCutter::find_ear(int start) {
 
 PolygonCut PolygonCutter::cut_ears() {
     const int count = static_cast<int>(places_.size());
-    behind_.resize(places_.size());
+    next_.resize(places_.size());
     for (int i = 0; i < count; ++i) {
-        before_[static_cast<std::size_t>(i)] = (i + count - 1) % count;
-        behind_[static_cast<std::size_t>(i)] = (i + 1) % count;
+        previous_[static_cast<std::size_t>(i)] = (i + count - 1) % count;
+        next_[static_cast<std::size_t>(i)] = (i + 1) % count;
     }
     reflex_.clear();
     for (int i = 0; i < count; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        if (!(turn(before_[at], i, behind_[at]) > 0.0)) reflex_.push_back(i);
+        if (!(turn(previous_[at], i, next_[at]) > 0.0)) reflex_.push_back(i);
     }
     int at = 0;
     for (int left = count; left > 3; --left) {
@@ -170,19 +170,19 @@ PolygonCut PolygonCutter::cut_ears() {
             std::vector<int> ring;
             for (int i = 0; i < left; ++i) {
                 ring.push_back(at);
-                at = behind_[static_cast<std::size_t>(at)];
+                at = next_[static_cast<std::size_t>(at)];
             }
             add_fan(ring);
             return PolygonCut::crossed;
         }
         clip(ear);
         // The corner after next: otherwise the ears of a round polygon would become a fan.
-        at = behind_[static_cast<std::size_t>(behind_[static_cast<std::size_t>(ear)])];
+        at = next_[static_cast<std::size_t>(next_[static_cast<std::size_t>(ear)])];
     }
     const auto last = static_cast<std::size_t>(at);
-    const bool is_turned = turn(before_[last], at, behind_[last]) < -fuzz_;
+    const bool is_turned = turn(previous_[last], at, next_[last]) < -fuzz_;
     triangles_.push_back(
-        {before_[static_cast<std::size_t>(at)], at, behind_[static_cast<std::size_t>(at)]});
+        {previous_[static_cast<std::size_t>(at)], at, next_[static_cast<std::size_t>(at)]});
     return is_turned ? PolygonCut::crossed : PolygonCut::ears;
 }
 

@@ -56,7 +56,7 @@ class PolygonCutter {
     std::vector<std::array<int, 3>> triangles_;
     std::vector<glm::dvec2> places_; ///< in the plane; counterclockwise has a positive area
     double fuzz_ = 0.0;              ///< doubled areas below it are rounding
-    std::vector<int> before_, behind_;
+    std::vector<int> previous_, next_;
     std::vector<int> reflex_;
     long long work_left_ = 0;
     bool is_begun_ = false;

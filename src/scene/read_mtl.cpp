@@ -13,7 +13,7 @@
 #include "base/limits.h"
 #include "base/quoted.h"
 #include "base/text_parts.h"
-#include "scene/beside_file.h"
+#include "scene/companion_file.h"
 #include "scene/obj_words.h"
 
 namespace rasterwalk {
@@ -86,7 +86,7 @@ class MtlReader {
   public:
     MtlReader(std::string_view text, const std::string& path, const std::string& model_path,
               WatchedSteps& watched, ObjReporter& reporter, std::vector<ObjMaterial>& materials)
-        : lines_(text), path_(path), beside_({path, model_path}), watched_(watched),
+        : lines_(text), path_(path), companions_({path, model_path}), watched_(watched),
           reporter_(reporter), materials_(materials) {}
 
     void read() {
@@ -123,7 +123,7 @@ class MtlReader {
         }
         ObjMaterial& material = materials_.back();
         const bool has_numbers = !is_bump && key != "map_kd" && key != "map_d";
-        if (has_numbers && tells_comma(word, rest)) return;
+        if (has_numbers && reports_comma(word, rest)) return;
         if (key == "kd") {
             material.diffuse_line = lines_.line();
             return read_colour(word, rest, material.diffuse);
@@ -151,7 +151,7 @@ class MtlReader {
     }
 
     /// Is a word of a statement a number with a decimal comma? If so, reports it.
-    bool tells_comma(std::string_view statement, std::string_view rest) {
+    bool reports_comma(std::string_view statement, std::string_view rest) {
         std::string_view word = take_number_word(rest);
         while (!word.empty() && !has_decimal_comma(word))
             word = take_number_word(rest);
@@ -237,14 +237,14 @@ class MtlReader {
     /// @param used the options that have an effect; others are reported as skipped
     void read_options(std::string_view& rest, const UsedOptions& used, MapOptions& options) {
         while (true) {
-            std::string_view behind = rest;
-            const std::string_view option = take_word(behind);
+            std::string_view remainder = rest;
+            const std::string_view option = take_word(remainder);
             const auto known = std::find_if(std::begin(map_options), std::end(map_options),
                                             [&](const MapOption& o) { return o.name == option; });
             if (known == std::end(map_options)) return;
             const bool is_used = std::find(used.begin(), used.end(), option) != used.end();
             for (int i = 0; i < known->most; ++i) {
-                std::string_view after = behind;
+                std::string_view after = remainder;
                 const std::string_view word = take_word(after);
                 // The name follows: it may look like a number, but there is always one.
                 if (trimmed(after).empty()) break;
@@ -254,24 +254,24 @@ class MtlReader {
                 else if (i >= known->fewest && !number)
                     break;
                 if (number) options.set(option, i, static_cast<float>(*number));
-                behind = after;
+                remainder = after;
             }
             if (!is_used) skip(option, skipped_option);
-            rest = behind;
+            rest = remainder;
         }
     }
 
     void read_map(std::string_view word, std::string_view rest, std::string& map,
                   const UsedOptions& used, MapOptions& options) {
         read_options(rest, used, options);
-        if (++looked_for_ > most_lookups) {
+        if (++lookups_ > most_lookups) {
             return fault([&] {
                 return fmt::format("{}: more than {} images are named; the image is left out.",
                                    in_quotes(word), most_lookups);
             });
         }
-        const BesideFile file = beside_.find(readings_of_name(trimmed(rest)));
-        if (file.trouble.empty()) {
+        const CompanionFile file = companions_.find(readings_of_name(trimmed(rest)));
+        if (file.problem.empty()) {
             map = file.path;
             if (!file.remark.empty())
                 reporter_.note(path_, lines_.line(),
@@ -279,17 +279,17 @@ class MtlReader {
             return;
         }
         fault([&] {
-            return fmt::format("{}: {}; the image is left out.", in_quotes(word), file.trouble);
+            return fmt::format("{}: {}; the image is left out.", in_quotes(word), file.problem);
         });
     }
 
     ObjLines lines_;
     const std::string& path_;
-    BesideFiles beside_;
+    CompanionFiles companions_;
     WatchedSteps& watched_;
     ObjReporter& reporter_;
     std::vector<ObjMaterial>& materials_;
-    std::size_t looked_for_ = 0; ///< images, whether they are there or not
+    std::size_t lookups_ = 0; ///< images, whether they are there or not
     bool is_begun_ = false;
     bool is_left_out_ = false; ///< the material to which the statements belong
 };

@@ -190,10 +190,10 @@ int TextureReader::read(const TomlInput& part, std::string_view key) {
         part.fail(*node, fmt::format("the {} '{}' cannot be used: {}",
                                      key == "texture" ? "texture" : "normal map", name, why));
     };
-    const BesideFile file = beside_.find_exactly(name);
-    if (!file.trouble.empty()) refuse(file.trouble + ".");
+    const CompanionFile file = companions_.find_exactly(name);
+    if (!file.problem.empty()) refuse(file.problem + ".");
     const ReadTexture texture = files_.read(file.path, name);
-    if (texture.index < 0) refuse(texture.trouble);
+    if (texture.index < 0) refuse(texture.problem);
     return texture.index;
 }
 

@@ -18,7 +18,7 @@
 
 #include "base/toml_input.h"
 #include "scene/averaged_normals.h"
-#include "scene/beside_file.h"
+#include "scene/companion_file.h"
 #include "scene/scene.h"
 #include "scene/texture_files.h"
 
@@ -87,15 +87,15 @@ class TextureReader {
     /// @param watched    is asked before each file; must outlive this
     TextureReader(const std::string& scene_path, std::vector<SharedTexture>& textures,
                   const WatchedSteps& watched)
-        : beside_({scene_path}), files_(textures, watched) {}
+        : companions_({scene_path}), files_(textures, watched) {}
 
     /// The index of the picture that a part names under a key, `texture` or `normal_map`; -1 if it
     /// names none. Throws InputError at the line of the name for a file that is not found (see
-    /// BesideFiles::find_exactly) or cannot be used, and ReadingStopped.
+    /// CompanionFiles::find_exactly) or cannot be used, and ReadingStopped.
     int read(const TomlInput& part, std::string_view key);
 
   private:
-    BesideFiles beside_;
+    CompanionFiles companions_;
     TextureFiles files_;
 };
 

@@ -34,10 +34,10 @@ std::array<Vertex, triangle_corners> corners_of(const Scene& scene, int triangle
 }
 
 int part_of(const Scene& scene, int triangle) {
-    const auto behind =
+    const auto end =
         std::upper_bound(scene.parts.begin(), scene.parts.end(), triangle,
                          [](int number, const Part& part) { return number < part.first_triangle; });
-    return static_cast<int>(behind - scene.parts.begin()) - 1;
+    return static_cast<int>(end - scene.parts.begin()) - 1;
 }
 
 const Texture* texture_of(const Scene& scene, int triangle) {

@@ -122,7 +122,7 @@ struct Scene {
     std::vector<Part> parts; ///< one after another: every triangle belongs to one of them
     std::vector<SharedTexture> textures; ///< each once, however many parts show it
     std::string
-        laid_texture; ///< file of an image that was laid on it, see with_texture(); empty: none
+        applied_texture; ///< file of an image that was laid on it, see with_texture(); empty: none
     std::vector<ScenePolygon> polygons; ///< in drawing order; only in a scene in pixels
     std::vector<BenchExample> examples;
     Camera camera;

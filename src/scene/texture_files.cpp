@@ -26,7 +26,7 @@ std::string without_links(const std::string& path) {
 }
 
 /// Gives a picture the alpha of another.
-void lay_alpha(const Image& from, Image& image) {
+void apply_alpha(const Image& from, Image& image) {
     bool has_alpha = false;
     for (std::size_t i = 3; i < from.rgba.size(); i += 4)
         has_alpha = has_alpha || from.rgba[i] != 255;
@@ -84,7 +84,7 @@ ReadTexture TextureFiles::read_known(const Recipe& paths, const std::string& nam
     try {
         texture.index = read_new(files, paths, name);
     } catch (const Error& error) {
-        texture.trouble = error.what();
+        texture.problem = error.what();
     }
     return known_[files] = texture;
 }
@@ -119,7 +119,7 @@ Image TextureFiles::image_with_alpha(const Recipe& files, const Recipe& paths) {
     const std::string& shown = files.file.empty() ? files.alpha_file : files.file;
     Image image = image_of(shown, files.file.empty() ? paths.alpha_file : paths.file);
     if (files.file.empty()) std::fill(image.rgba.begin(), image.rgba.end(), std::uint8_t{255});
-    lay_alpha(image_of(files.alpha_file, paths.alpha_file), image);
+    apply_alpha(image_of(files.alpha_file, paths.alpha_file), image);
     use(shown, paths.alpha_file);
     return image;
 }
@@ -144,10 +144,10 @@ const Image& TextureFiles::image_of(const std::string& file, const std::string& 
                                     [&](glm::ivec2 size) { take_texels(path, size); });
             drop_empty_alpha(read.image);
         } catch (const Error& error) {
-            read.trouble = error.what();
+            read.problem = error.what();
         }
     }
-    if (!read.trouble.empty()) throw InputError(read.trouble);
+    if (!read.problem.empty()) throw InputError(read.problem);
     return read.image;
 }
 

@@ -9,7 +9,7 @@
 
 #include "base/image.h"
 #include "base/limits.h"
-#include "scene/beside_file.h"
+#include "scene/companion_file.h"
 #include "scene/reading.h"
 #include "scene/texture.h"
 
@@ -18,7 +18,7 @@ namespace rasterwalk {
 /// A file that was read as a texture.
 struct ReadTexture {
     int index = -1;      ///< in the list of textures; -1: it cannot be used
-    std::string trouble; ///< why not: a sentence with the file; empty if it can
+    std::string problem; ///< why not: a sentence with the file; empty if it can
 };
 
 /// Reads the textures of a scene or of a model: each file once, whether or not it can be used.
@@ -52,7 +52,7 @@ class TextureFiles {
     /// A file that was unpacked.
     struct ReadImage {
         Image image;
-        std::string trouble;  ///< empty: it was unpacked
+        std::string problem;  ///< empty: it was unpacked
         bool is_used = false; ///< a texture was made from it
     };
     using Strength = std::optional<float>; ///< of heights; none: the picture as it is
@@ -79,7 +79,7 @@ class TextureFiles {
     const WatchedSteps& watched_;
     std::map<Recipe, ReadTexture> known_;     ///< by the paths without links
     std::map<std::string, ReadImage> images_; ///< by paths too
-    BesideBytes bytes_{most_image_bytes, "all images"};
+    CompanionBytes bytes_{most_image_bytes, "all images"};
     std::size_t texels_ = 0; ///< of all unpacked files, and of further textures made from them
 };
 

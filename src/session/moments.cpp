@@ -64,7 +64,7 @@ std::string row_sentence(const Frame& frame, const Cursor& cursor, const std::st
 }
 
 std::string clip_sentence(const Frame& frame, const Cursor& cursor, const std::string& triangle) {
-    if (!frame.is_clip_told(cursor.triangle)) return "no plane cuts " + triangle;
+    if (!frame.has_clip_events(cursor.triangle)) return "no plane cuts " + triangle;
     const Timeline timeline(frame);
     const PhaseMoments& planes = timeline.moments(cursor.triangle).of(Phase::clip);
     const auto plane = static_cast<std::size_t>(cursor.index);
@@ -82,7 +82,7 @@ std::string clip_sentence(const Frame& frame, const Cursor& cursor, const std::s
 }
 
 std::string cull_sentence(const Frame& frame, const Cursor& cursor, const std::string& triangle) {
-    if (frame.is_cull_asked(cursor.triangle)) return "culling is a single moment";
+    if (frame.is_cull_tested(cursor.triangle)) return "culling is a single moment";
     return frame.rejection(cursor.triangle) == Rejection::clipped_away
                ? "clipping leaves nothing of " + triangle
                : "no triangle is culled";

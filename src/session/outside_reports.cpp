@@ -6,18 +6,18 @@ namespace rasterwalk {
 
 namespace {
 
-SeenCorner seen_corner(const CutCorner& corner) {
-    SeenCorner seen;
-    seen.place = corner.vertex.varyings.position_world;
-    if (corner.is_new()) seen.plane = corner.plane;
-    seen.edge = corner.edge;
-    return seen;
+WorldCorner world_corner(const CutCorner& corner) {
+    WorldCorner result;
+    result.place = corner.vertex.varyings.position_world;
+    if (corner.is_new()) result.plane = corner.plane;
+    result.edge = corner.edge;
+    return result;
 }
 
 /// The plane to show, as an index in the history: the one at work, the chosen one if it cuts, or
 /// the first that does; -1: none does.
-int plane_on_show(const ClipHistory& history, const std::optional<ClipProgress>& progress,
-                  std::optional<ClipPlane> chosen) {
+int shown_plane(const ClipHistory& history, const std::optional<ClipProgress>& progress,
+                std::optional<ClipPlane> chosen) {
     if (progress) return progress->planes;
     const auto& planes = history.planes;
     const auto found = std::find_if(planes.begin(), planes.end(),
@@ -28,13 +28,13 @@ int plane_on_show(const ClipHistory& history, const std::optional<ClipProgress>&
 
 } // namespace
 
-SeenClipping clipping_outside(const Frame& frame, const ClipHistory& history,
-                              const std::optional<Cursor>& done, std::optional<ClipPlane> chosen) {
-    SeenClipping seen;
+WorldClipping clipping_outside(const Frame& frame, const ClipHistory& history,
+                               const std::optional<Cursor>& done, std::optional<ClipPlane> chosen) {
+    WorldClipping result;
     if (history.cuts || depth_kind(frame) != ClipDepth::inv_z)
-        seen.ends = glm::dvec2(frame.settings.near, frame.settings.far);
-    seen.is_cut = history.clipped.is_cut || !history.planes.empty();
-    if (!seen.is_cut) return seen;
+        result.ends = glm::dvec2(frame.settings.near, frame.settings.far);
+    result.is_cut = history.clipped.is_cut || !history.planes.empty();
+    if (!result.is_cut) return result;
     const std::optional<ClipProgress> progress = clip_progress(history, done);
     // Until the last edge is done the plane has not taken anything away.
     const bool is_at_work =
@@ -44,44 +44,46 @@ SeenClipping clipping_outside(const Frame& frame, const ClipHistory& history,
                 history.planes[static_cast<std::size_t>(progress->planes)].steps.size());
     const int planes = progress ? progress->planes + (is_at_work ? 0 : 1) : INT_MAX;
     for (const CutCorner& corner : corners_before(history, planes))
-        seen.corners.push_back(seen_corner(corner));
-    if (history.clipped.rejection != Rejection::none && !progress) seen.corners.clear();
+        result.corners.push_back(world_corner(corner));
+    if (history.clipped.rejection != Rejection::none && !progress) result.corners.clear();
     const std::vector<CutCorner> passed =
         progress ? corners_passed(history, *progress) : corners_before(history);
     for (const CutCorner& corner : passed) {
-        if (corner.is_new()) seen.made.push_back(seen_corner(corner));
+        if (corner.is_new()) result.made.push_back(world_corner(corner));
     }
-    const int at = plane_on_show(history, progress, chosen);
-    if (at < 0) return seen;
+    const int at = shown_plane(history, progress, chosen);
+    if (at < 0) return result;
     const PlaneHistory& plane = history.planes[static_cast<std::size_t>(at)];
-    SeenPlane& shown = seen.plane.emplace();
+    WorldPlane& shown = result.plane.emplace();
     shown.plane = plane.plane;
     shown.depth = plane.plane == ClipPlane::far ? frame.settings.far : frame.settings.near;
     shown.coefficients = history.codes.planes[static_cast<std::size_t>(plane.plane)];
     for (const ClipStep& step : plane.steps) {
         if (step.is_cut) shown.cuts.emplace_back(step.cut.varyings.position_world);
     }
-    return seen;
+    return result;
 }
 
-std::optional<SeenLampWay> lamp_way_outside(const Frame& frame,
-                                            const std::optional<FragmentReport>& fragment) {
+std::optional<LampRay> lamp_ray_outside(const Frame& frame,
+                                        const std::optional<FragmentReport>& fragment) {
     if (!fragment || occluders_of(frame) == nullptr) return std::nullopt;
     const ShadowTerms& shadow = fragment->shading == Shading::flat
                                     ? fragment->light_per_triangle.shadow
                                     : fragment->light.shadow;
-    if (!shadow.is_asked) return std::nullopt;
-    SeenLampWay way{glm::dvec3(shadow.point.position_world), {}};
+    if (!shadow.is_tested) return std::nullopt;
+    LampRay lamp_ray{glm::dvec3(shadow.point.position_world), {}};
     if (shadow.hit.is_hit())
-        way.met = glm::dvec3(shadow.ray.from) + double{shadow.hit.t} * glm::dvec3(shadow.ray.way);
+        lamp_ray.met =
+            glm::dvec3(shadow.ray.from) + double{shadow.hit.t} * glm::dvec3(shadow.ray.direction);
     // On the way from the lamp, at the depth it saw.
     const glm::dvec3 lamp(shadow.point.lamp);
-    for (int i = 0; i < shadow.texel_count && !way.met; ++i) {
+    for (int i = 0; i < shadow.texel_count && !lamp_ray.met; ++i) {
         const ShadowTexel& texel = shadow.texels[static_cast<std::size_t>(i)];
         if (!texel.is_lit)
-            way.met = lamp + (way.from - lamp) / (double{texel.inv_depth} * double{shadow.seen.z});
+            lamp_ray.met = lamp + (lamp_ray.from - lamp) /
+                                      (double{texel.inv_depth} * double{shadow.from_face.z});
     }
-    return way;
+    return lamp_ray;
 }
 
 } // namespace rasterwalk

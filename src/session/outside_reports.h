@@ -5,7 +5,7 @@
 #include "explain/fragment_report.h"
 #include "inspect/cut_corners.h"
 #include "outside/outside_marks.h"
-#include "outside/seen_clipping.h"
+#include "outside/world_clipping.h"
 
 namespace rasterwalk {
 
@@ -13,12 +13,12 @@ namespace rasterwalk {
 /// it is what was just done.
 /// @param done   the moment just done, if there is one
 /// @param chosen the plane to show, unless clipping is at work on another
-SeenClipping clipping_outside(const Frame& frame, const ClipHistory& history,
-                              const std::optional<Cursor>& done, std::optional<ClipPlane> chosen);
+WorldClipping clipping_outside(const Frame& frame, const ClipHistory& history,
+                               const std::optional<Cursor>& done, std::optional<ClipPlane> chosen);
 
 /// The way from the fragment shown to the lamp, as the view from outside draws it, with what is in
 /// between, or what the lamp saw there; none if shadows were not tested.
-std::optional<SeenLampWay> lamp_way_outside(const Frame& frame,
-                                            const std::optional<FragmentReport>& fragment);
+std::optional<LampRay> lamp_ray_outside(const Frame& frame,
+                                        const std::optional<FragmentReport>& fragment);
 
 } // namespace rasterwalk

@@ -20,7 +20,7 @@ bool move_between(Session& session, std::vector<Place>& from, std::vector<Place>
 
 } // namespace
 
-void note_place(Session& session) {
+void record_visit(Session& session) {
     PlaceHistory& places = session.places;
     const Place& place = session;
     const bool is_new = place.selection != places.now.selection || session.jumps != places.jumps;
@@ -34,12 +34,12 @@ void note_place(Session& session) {
 }
 
 bool go_back(Session& session) {
-    note_place(session);
+    record_visit(session);
     return move_between(session, session.places.past, session.places.future);
 }
 
 bool go_forward(Session& session) {
-    note_place(session);
+    record_visit(session);
     return move_between(session, session.places.future, session.places.past);
 }
 

@@ -39,7 +39,7 @@ struct PlaceHistory {
 
 /// Call it when the input is at rest. A jump or a new selection begins a new place; stepping and
 /// scrubbing only move the present one.
-void note_place(Session& session);
+void record_visit(Session& session);
 
 /// Goes to the previous or next place visited. False if there is none.
 bool go_back(Session& session);

@@ -92,7 +92,7 @@ void update_history(const Session& session, const RunChanges& changes, const Wor
         if (pixel) results.history_work.emplace(results.a.frame, *pixel);
     }
     // First the picture, then what fell on one of its pixels.
-    if (!results.history_work || !(results.a.is_drawn() || results.a.is_held)) return;
+    if (!results.history_work || !(results.a.is_drawn() || results.a.is_deferred)) return;
     // And not both in one update, if the picture was a lot of work.
     const bool was_much = results.a.replay.work().total() > limit.at_once;
     if (changes.picture && was_much) return;
@@ -224,13 +224,13 @@ void for_each_run(const Session& session, Results& results, const Visitor& visit
 }
 
 /// Are there steps that have yet to draw what is asked for?
-bool are_steps_behind(const Session& session, Results& results) {
-    bool are_behind = false;
+bool are_steps_late(const Session& session, Results& results) {
+    bool are_late = false;
     for_each_run(session, results, [&](const Run& run, const RunResults& of) {
-        const bool is_late = !is_on_show(session.scene, run, of);
-        are_behind = are_behind || is_late || !of.is_complete();
+        const bool is_late = !is_shown(session.scene, run, of);
+        are_late = are_late || is_late || !of.is_complete();
     });
-    return are_behind;
+    return are_late;
 }
 
 /// Is it known that the steps need more than one update for the pictures?
@@ -257,10 +257,10 @@ void hide_previews(Results& results) {
 /// can be no previews.
 bool follow_hand(const Session& session, const WorkLimit& limit, Results& results) {
     const bool steps_wait = results.hand.has_moved() && may_preview(session, results) &&
-                            is_much_to_draw(limit, results) && are_steps_behind(session, results);
+                            is_much_to_draw(limit, results) && are_steps_late(session, results);
     if (!steps_wait) return false;
     for_each_run(session, results, [&](const Run& run, RunResults& of) {
-        of.is_frame_late = !is_on_show(session.scene, run, of);
+        of.is_frame_late = !is_shown(session.scene, run, of);
     });
     show_previews(session, results);
     return true;
@@ -270,9 +270,9 @@ bool follow_hand(const Session& session, const WorkLimit& limit, Results& result
 /// left to do.
 void update_previews(const Session& session, Results& results) {
     const bool are_wanted = results.hand.has_moved() || results.a.preview.is_shown;
-    const bool is_held = results.a.is_held || (results.b && results.b->is_held);
-    if (are_wanted && !is_held && may_preview(session, results) &&
-        are_steps_behind(session, results)) {
+    const bool is_deferred = results.a.is_deferred || (results.b && results.b->is_deferred);
+    if (are_wanted && !is_deferred && may_preview(session, results) &&
+        are_steps_late(session, results)) {
         show_previews(session, results);
     } else {
         hide_previews(results);

@@ -10,10 +10,10 @@
 #include "compare/compare.h"
 #include "engines/engine_picture.h"
 #include "inspect/pixel_history.h"
-#include "inspect/seen_hints.h"
+#include "inspect/visibility_hints.h"
 #include "picture/overlay.h"
 #include "picture/view_image.h"
-#include "pipeline/leap.h"
+#include "pipeline/stepping.h"
 #include "session/depth_view.h"
 #include "session/preview.h"
 #include "session/run_results.h"
@@ -60,10 +60,10 @@ struct GroundSource {
 /// Hints about the whole picture of A, and about settings that would show more. Those about the
 /// previous picture stay until those about this one are known.
 struct PictureHints {
-    std::vector<SeenHint> found;
-    std::shared_ptr<const Scene> scene; ///< of the picture; null: none are wanted
-    bool are_due = false;               ///< `found` is about an earlier picture
-    std::optional<SeenHintsWork> work;  ///< looks for them once all else is done
+    std::vector<VisibilityHint> found;
+    std::shared_ptr<const Scene> scene;      ///< of the picture; null: none are wanted
+    bool are_due = false;                    ///< `found` is about an earlier picture
+    std::optional<VisibilityHintsWork> work; ///< looks for them once all else is done
 };
 
 /// Everything that the panels show, derived from the session. Written only by update(); must not be

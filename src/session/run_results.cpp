@@ -58,7 +58,7 @@ bool have_same_size(const std::optional<Run>& a, const Run& b) {
 }
 
 void begin_next(const std::shared_ptr<const Scene>& scene, const Run& run, RunResults& results) {
-    NextFrame& next = results.next;
+    PendingFrame& next = results.next;
     next.run = std::nullopt;
     next.is_done = false;
     next.frame.tessellated = results.frame.tessellated;
@@ -68,7 +68,7 @@ void begin_next(const std::shared_ptr<const Scene>& scene, const Run& run, RunRe
 }
 
 /// Prepares the vertices and polygons, then counts how much work they are to draw.
-void advance_next(const WorkLimit& limit, NextFrame& next) {
+void advance_next(const WorkLimit& limit, PendingFrame& next) {
     if (next.preparation) {
         next.preparation->advance(limit);
         if (!next.preparation->is_done()) return;
@@ -82,7 +82,7 @@ void advance_next(const WorkLimit& limit, NextFrame& next) {
 
 /// Shows the frame that is ready; false: there is none.
 bool take_next(RunResults& results) {
-    NextFrame& next = results.next;
+    PendingFrame& next = results.next;
     if (!next.run || !next.is_done) return false;
     // Noted as shown only when it is, so that after an exception it is prepared again.
     results.run = std::nullopt;
@@ -107,21 +107,21 @@ bool update_cursor(const Cursor& wanted, bool new_frame, RunResults& results) {
 
 /// Finds what is wrong in the whole frame. Row tables that have not been drawn are counted, unless
 /// that is too much work or they are still being drawn; then only what has been drawn is counted.
-void update_troubles(const WorkLimit& limit, RunResults& results) {
+void update_warnings(const WorkLimit& limit, RunResults& results) {
     DrawTally tally = results.replay.tally();
     const FrameWork& work = results.replay.work();
     const Cursor& to = results.replay.tallied();
-    results.has_all_troubles =
+    results.has_all_warnings =
         results.is_drawn() && work.total() - work.before(to) <= limit.at_once;
-    if (results.has_all_troubles && to < cursor_end) {
+    if (results.has_all_warnings && to < cursor_end) {
         const bool has_begun = to > Cursor{to.triangle, Phase::vertices, 0, 0};
         tally += tally_rows(results.frame, has_begun ? to.triangle + 1 : to.triangle);
     }
-    results.troubles = describe_troubles(results.frame, tally);
+    results.warnings = describe_warnings(results.frame, tally);
 }
 
 /// The number of pixels that the stages give to a row that no edge sample has reached.
-int unset_row_pixels(const Frame& frame) {
+int empty_row_pixels(const Frame& frame) {
     PolygonRows rows;
     frame.stages.begin_polygon_rows(std::array<ScreenVertex, 1>{}, edge_rules(frame.settings),
                                     rows);
@@ -215,15 +215,15 @@ int lesson_of(Rejection rejection) {
 
 } // namespace
 
-bool is_on_show(const std::shared_ptr<const Scene>& scene, const Run& run,
-                const RunResults& results) {
+bool is_shown(const std::shared_ptr<const Scene>& scene, const Run& run,
+              const RunResults& results) {
     return results.scene == scene && results.run == run;
 }
 
 bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, bool is_aside,
                  const WorkLimit& limit, RunResults& results) {
-    NextFrame& next = results.next;
-    if (is_on_show(scene, run, results)) {
+    PendingFrame& next = results.next;
+    if (is_shown(scene, run, results)) {
         next.run = std::nullopt;
         return true;
     }
@@ -241,35 +241,35 @@ bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, bool
     return next.is_done;
 }
 
-std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tally) {
-    std::vector<Trouble> troubles;
+std::vector<Warning> describe_warnings(const Frame& frame, const DrawTally& tally) {
+    std::vector<Warning> warnings;
     for (SettingFault& fault : setting_faults(frame.settings, *frame.given))
-        troubles.push_back({std::move(fault.sentence), std::move(fault.in_short)});
+        warnings.push_back({std::move(fault.sentence), std::move(fault.in_short)});
     if (frame.settings.engine == Engine::fast) {
         const std::string refusal = fast_engine_refuses(*frame.scene, frame.settings);
         if (!refusal.empty())
-            troubles.push_back({refusal + ", so the steps draw", "engine=fast: the steps draw"});
+            warnings.push_back({refusal + ", so the steps draw", "engine=fast: the steps draw"});
     }
     const LeftOut left_out = count_left_out(frame);
     for (const RejectionWords& reason : rejection_list) {
         const int count = left_out.of(reason.rejection);
         if (count == 0) continue;
         const std::string left_out_count = counted(count, "triangle", "triangles") + " left out";
-        troubles.push_back({left_out_count + ": " + std::string(reason.cause), left_out_count,
+        warnings.push_back({left_out_count + ": " + std::string(reason.cause), left_out_count,
                             false, -1, lesson_of(reason.rejection)});
     }
-    const std::int64_t unset = tally.unset_rows;
-    if (unset > 0) {
-        troubles.push_back(
+    const std::int64_t empty_row_count = tally.empty_rows;
+    if (empty_row_count > 0) {
+        warnings.push_back(
             {fmt::format("{} that no edge sample reached: right − left + 1 is {} there, and none "
                          "of those pixels are in the picture",
-                         counted(unset, "row", "rows"), unset_row_pixels(frame)),
-             counted(unset, "empty row", "empty rows"), true});
+                         counted(empty_row_count, "row", "rows"), empty_row_pixels(frame)),
+             counted(empty_row_count, "empty row", "empty rows"), true});
     }
     const Viewport size = frame.settings.viewport;
     if (frame.settings.depth_index == DepthIndex::transposed && size.width != size.height &&
         depth_rule(frame.settings) != DepthTest::off) {
-        troubles.push_back(
+        warnings.push_back(
             {fmt::format("[x][y] is outside the depth buffer for every pixel with x ≥ {} or y ≥ "
                          "{}, so nothing is written there",
                          size.height, size.width),
@@ -278,11 +278,11 @@ std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tall
     // Some small triangles of a model always have one, and it makes no visible difference.
     if (tally.samples_outside > 0 && !frame.scene->model_report) {
         const std::string samples = counted(tally.samples_outside, "edge sample", "edge samples");
-        troubles.push_back({fmt::format("{} outside the row table of {}, and not written", samples,
+        warnings.push_back({fmt::format("{} outside the row table of {}, and not written", samples,
                                         counted(tally.triangles_outside, "triangle", "triangles")),
                             samples + " outside", true, tally.first_outside, 12});
     }
-    return troubles;
+    return warnings;
 }
 
 RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor) {
@@ -295,13 +295,13 @@ RunChanges update_run(const Session& session, const Run& run, bool takes_frame,
                       RunResults& results) {
     RunChanges changes;
     changes.frame = takes_frame && take_next(results);
-    results.is_frame_late = !is_on_show(session.scene, run, results);
+    results.is_frame_late = !is_shown(session.scene, run, results);
     if (changes.frame) results.frame_number = ++numbers;
     const Cursor wanted =
         shared != nullptr ? moment_of_shared(*shared, session.cursor, results) : session.cursor;
     changes.moment = update_cursor(wanted, changes.frame, results);
     results.is_fast = is_drawn_fast(*results.frame.scene, results.frame.settings, results.cursor);
-    results.is_held = !results.is_fast && results.replay.is_held(results.cursor, limit);
+    results.is_deferred = !results.is_fast && results.replay.is_deferred(results.cursor, limit);
     const bool draws_on = changes.moment || results.is_drawing();
     const std::optional<DepthInterval> depths =
         shared != nullptr ? shared->depths : session.depth_range;
@@ -310,7 +310,7 @@ RunChanges update_run(const Session& session, const Run& run, bool takes_frame,
         results.view = std::nullopt; // after an exception, paint all next time
         draw_some(limit, results);
         results.view = view_before;
-        if (changes.frame || !results.has_all_troubles) update_troubles(limit, results);
+        if (changes.frame || !results.has_all_warnings) update_warnings(limit, results);
     }
     const bool is_other_view = results.view != session.view || results.depth_range != depths;
     changes.picture = draws_on || is_other_view || !is_empty(results.unpainted);

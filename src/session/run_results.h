@@ -21,18 +21,18 @@
 namespace rasterwalk {
 
 /// Something wrong in a frame.
-struct Trouble {
+struct Warning {
     std::string sentence;
     std::string in_short;    ///< the same where there is little room
     bool is_of_rows = false; ///< it is about row tables, which not everyone knows yet
     int triangle = -1;       ///< one that shows it; -1: none does
     int lesson = 0;          ///< the number of the one that explains why it happens; 0: none does
 
-    friend bool operator==(const Trouble&, const Trouble&) = default;
+    friend bool operator==(const Warning&, const Warning&) = default;
 };
 
 /// The frame that will replace the one shown; prepared in parts if that is a lot of work.
-struct NextFrame {
+struct PendingFrame {
     std::shared_ptr<const Scene> scene;
     std::optional<Run> run; ///< none: nothing has begun
     Frame frame;            ///< before that, the previous run's, whose memory is reused
@@ -71,10 +71,10 @@ struct RunResults {
     RowHistory rows;             ///< row table of that triangle, as far as it is at the cursor
     PolygonRows whole_rows;      ///< the whole table; empty if the triangle is not drawn
     Inspected inspected; ///< the vertices, the fragment and the row shown, with their formulas
-    std::vector<Trouble> troubles; ///< see describe_troubles()
-    bool has_all_troubles = false; ///< false: only of what has been drawn so far
+    std::vector<Warning> warnings; ///< see describe_warnings()
+    bool has_all_warnings = false; ///< false: only of what has been drawn so far
     bool is_frame_late = false;    ///< the session asks for another frame, which is being prepared
-    bool is_held = false; ///< more is left to draw than the limit of the last update allows
+    bool is_deferred = false; ///< more is left to draw than the limit of the last update allows
     bool is_fast = false; ///< the fast engine draws this moment, not the steps: the settings ask
                           ///< for it, and it is the whole picture
     Preview preview;      ///< while it is shown, in place of `picture`
@@ -83,7 +83,7 @@ struct RunResults {
     std::shared_ptr<const Scene> scene; ///< keeps the frame's scene alive; null before the
                                         ///< first update
     std::optional<Run> run;
-    NextFrame next;
+    PendingFrame next;
     std::optional<View> view;                 ///< that `picture` shows
     std::optional<DepthInterval> depth_range; ///< that it colours
     PictureRules rules;                       ///< that it is coloured by
@@ -95,7 +95,7 @@ struct RunResults {
     /// Is it being drawn, in further updates?
     bool is_drawing() const {
         if (is_fast) return !fast.is_whole;
-        return !replay.is_clear() || (!is_drawn() && !is_held);
+        return !replay.is_clear() || (!is_drawn() && !is_deferred);
     }
     /// Is it drawn and painted as far as it should be?
     bool is_complete() const { return !is_drawing() && is_empty(unpainted); }
@@ -111,11 +111,10 @@ struct RunChanges {
 /// What is wrong in a frame: settings that contradict each other, triangles left out, samples
 /// outside.
 /// @param tally the sums over its row tables
-std::vector<Trouble> describe_troubles(const Frame& frame, const DrawTally& tally);
+std::vector<Warning> describe_warnings(const Frame& frame, const DrawTally& tally);
 
 /// Is this what is shown?
-bool is_on_show(const std::shared_ptr<const Scene>& scene, const Run& run,
-                const RunResults& results);
+bool is_shown(const std::shared_ptr<const Scene>& scene, const Run& run, const RunResults& results);
 
 /// The row table of a triangle, as far as it is at the cursor; empty if it is not drawn.
 RowHistory rows_at_cursor(const Frame& frame, int triangle, const Cursor& cursor);

@@ -104,7 +104,7 @@ void swap_runs(Session& session) {
     session.runs_before = RunPair{session.a, *session.b};
 }
 
-void carry_changes_to_b(Session& session) {
+void mirror_changes_to_b(Session& session) {
     if (!session.b) {
         session.runs_before = std::nullopt;
         return;
@@ -129,7 +129,7 @@ void carry_changes_to_b(Session& session) {
 std::vector<RunDifference> run_differences(const Settings& a, const Settings& b) {
     std::vector<RunDifference> differences;
     for (const Setting& setting : setting_table()) {
-        if (!must_be_said(setting, a, b)) continue;
+        if (!must_be_listed(setting, a, b)) continue;
         differences.push_back({setting.name, value_text(setting, a), value_text(setting, b)});
     }
     return differences;
@@ -168,7 +168,7 @@ std::span<const ComparePair> compare_pairs() {
     return pairs;
 }
 
-const PairWay& offer_of(const ComparePair& pair, const Settings& a) {
+const PairMethod& offer_of(const ComparePair& pair, const Settings& a) {
     return has_all(a, pair.right.sets) ? pair.left : pair.right;
 }
 
@@ -189,11 +189,11 @@ const ComparePair* pair_of_runs(const Session& session) {
     const std::vector<RunDifference> differences = run_differences(session);
     if (differences.empty()) return nullptr;
     for (const ComparePair& pair : compare_pairs()) {
-        const PairWay& way = offer_of(pair, session.a.settings);
+        const PairMethod& method = offer_of(pair, session.a.settings);
         const bool is_all =
             std::all_of(differences.begin(), differences.end(),
-                        [&](const RunDifference& d) { return names(way.sets, d.setting); });
-        if (is_all && has_all(session.b->settings, way.sets)) return &pair;
+                        [&](const RunDifference& d) { return names(method.sets, d.setting); });
+        if (is_all && has_all(session.b->settings, method.sets)) return &pair;
     }
     return nullptr;
 }

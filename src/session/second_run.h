@@ -50,7 +50,7 @@ struct CompareViewInfo {
 /// All of them, in the order of their switches; indexed by CompareView.
 const std::array<CompareViewInfo, compare_view_count>& compare_view_list();
 
-/// Both runs as they stood when carry_changes_to_b() last looked.
+/// Both runs as they stood when mirror_changes_to_b() last looked.
 struct RunPair {
     Run a, b;
 
@@ -84,7 +84,7 @@ void swap_runs(Session& session);
 /// A setting that has changed in A changes in B too if both had the same value before, so that
 /// turning the camera turns both. Call it once per frame, before update(). If B has changed since
 /// the last call, it is left alone.
-void carry_changes_to_b(Session& session);
+void mirror_changes_to_b(Session& session);
 
 /// A setting in which two runs differ.
 struct RunDifference {
@@ -99,7 +99,7 @@ std::vector<RunDifference> run_differences(const Settings& a, const Settings& b)
 std::vector<RunDifference> run_differences(const Session& session);
 
 /// One of two ways of drawing.
-struct PairWay {
+struct PairMethod {
     std::string_view title;                 ///< "affine interpolation"
     std::string_view words;                 ///< what it does, a sentence
     std::span<const std::string_view> sets; ///< name=value
@@ -108,7 +108,7 @@ struct PairWay {
 /// Two ways of drawing that are often compared: a button each.
 struct ComparePair {
     std::string_view name; ///< for tests and links: `affine`
-    PairWay left, right;
+    PairMethod left, right;
     StripStep first_step, last_step; ///< steps in which the pair shows; from any other step, the
                                      ///< nearer of these is used
 };
@@ -117,7 +117,7 @@ struct ComparePair {
 std::span<const ComparePair> compare_pairs();
 
 /// The way that run B uses: the right one, unless run A already has it.
-const PairWay& offer_of(const ComparePair& pair, const Settings& a);
+const PairMethod& offer_of(const ComparePair& pair, const Settings& a);
 
 /// Run B for this run A, which must be at a step in which the pair shows.
 Settings offered_settings(const ComparePair& pair, const Settings& a);

@@ -55,13 +55,13 @@ void show_scene(Session& session, std::shared_ptr<const Scene> scene) {
     session.canvas.outside.distance = 0.0f;
 }
 
-void tell(Session& session, std::string sentence) {
-    session.news = sentence;
+void show_info(Session& session, std::string sentence) {
+    session.last_info = sentence;
     session.notice = std::move(sentence);
 }
 
 bool is_fault(const Session& session) {
-    return !session.notice.empty() && session.notice != session.news;
+    return !session.notice.empty() && session.notice != session.last_info;
 }
 
 } // namespace rasterwalk

@@ -48,7 +48,7 @@ struct SessionInputs : Choices, Place {
 struct Session : SessionInputs {
     std::vector<Preset> presets;
     std::vector<Term> glossary;
-    std::optional<RunPair> runs_before; ///< only for carry_changes_to_b()
+    std::optional<RunPair> runs_before; ///< only for mirror_changes_to_b()
     CompareView compare_view = CompareView::run_a;
     float wipe = 0.5f;        ///< position of the divider, 0 left to 1 right
     std::optional<Quiz> quiz; ///< hides the settings while in progress
@@ -64,11 +64,11 @@ struct Session : SessionInputs {
     std::string lesson_folder;        ///< folder of the lessons; empty: lessons_folder()
     SidePage page = SidePage::lesson; ///< next to the picture
     std::string notice;               ///< a sentence for the status line; may be empty
-    std::string news; ///< the last notice that reported success; any other is a fault
+    std::string last_info; ///< the last notice that reported success; any other is a fault
 };
 
 /// Reports what was done. A notice set without this says what could not be done.
-void tell(Session& session, std::string sentence);
+void show_info(Session& session, std::string sentence);
 
 /// Does the notice say what could not be done?
 bool is_fault(const Session& session);

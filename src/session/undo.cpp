@@ -52,7 +52,7 @@ std::size_t bytes_of(const std::vector<Element>& list) {
 
 } // namespace
 
-void note_choices(Session& session) {
+void record_undo_step(Session& session) {
     UndoStack& stack = session.undo;
     const Choices& choices = session;
     if (choices == stack.now) return;
@@ -66,12 +66,12 @@ void note_choices(Session& session) {
 }
 
 bool undo(Session& session) {
-    note_choices(session);
+    record_undo_step(session);
     return move_between(session, session.undo.past, session.undo.future);
 }
 
 bool redo(Session& session) {
-    note_choices(session);
+    record_undo_step(session);
     return move_between(session, session.undo.future, session.undo.past);
 }
 

@@ -34,7 +34,7 @@ struct Choices {
 /// Memory of the scenes that undo keeps besides the open one, bytes.
 inline constexpr std::size_t most_undo_bytes = std::size_t{256} << 20;
 
-/// The choices made, one after the other. Changes need not be reported: note_choices() notices
+/// The choices made, one after the other. Changes need not be reported: record_undo_step() notices
 /// them.
 struct UndoStack {
     Choices now;
@@ -46,7 +46,7 @@ struct UndoStack {
 
 /// Call it when the input is at rest (no button or key is held): a change since the last call
 /// becomes one step, however many values a drag went through.
-void note_choices(Session& session);
+void record_undo_step(Session& session);
 
 /// Undoes the last step, or redoes it. False if there is none.
 bool undo(Session& session);

@@ -16,7 +16,7 @@ Instant after(const Timeline& timeline, const FrameLength& length, const Play& p
     case SpeedUnit::steps: {
         const double steps = play.passed + seconds * speed.value;
         const double whole = std::floor(steps);
-        return {leap(timeline, cursor, static_cast<std::int64_t>(whole), play.granularity),
+        return {advance(timeline, cursor, static_cast<std::int64_t>(whole), play.granularity),
                 steps - whole};
     }
     case SpeedUnit::frame:

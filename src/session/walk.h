@@ -1,7 +1,7 @@
 #pragma once
 
 #include "inspect/pixel_history.h"
-#include "pipeline/leap.h"
+#include "pipeline/stepping.h"
 #include "pipeline/timeline.h"
 #include "session/session.h"
 

@@ -66,7 +66,7 @@ std::string idle_reason(const Setting& setting, const Settings& settings) {
     const Coverage coverage = coverage_rule(settings);
     if (found == std::end(coverage_settings) || uses(coverage, *found)) return {};
     if (coverage != settings.coverage) return "before the Rows stage";
-    return "while pixels are found by " + said_value(*find_setting("coverage"), settings);
+    return "while pixels are found by " + value_words(*find_setting("coverage"), settings);
 }
 
 } // namespace rasterwalk

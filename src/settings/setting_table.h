@@ -114,11 +114,11 @@ bool has_same_value(const Setting& setting, const Settings& a, const Settings& b
 bool is_word_of_whole(const Setting& part, std::string_view word);
 
 /// Is the setting a part, and does it have the value that its whole sets?
-bool is_said_by_whole(const Setting& part, const Settings& settings);
+bool follows_from_whole(const Setting& part, const Settings& settings);
 
 /// Must a list of what differs in b name this setting? Not if its whole is in the list and sets it
 /// too. Setting what is listed, in the order of the table, turns a into b.
-bool must_be_said(const Setting& setting, const Settings& a, const Settings& b);
+bool must_be_listed(const Setting& setting, const Settings& a, const Settings& b);
 
 /// The setting that this one means with a value: a different one if the word has moved.
 const Setting& meant_setting(const Setting& setting, std::string_view value);

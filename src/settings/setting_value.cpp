@@ -246,7 +246,7 @@ std::string value_text(const Setting& setting, const Settings& settings) {
     return std::visit(Reader{settings}, setting.kind);
 }
 
-bool is_said_by_whole(const Setting& part, const Settings& settings) {
+bool follows_from_whole(const Setting& part, const Settings& settings) {
     if (part.ties.part_of.empty()) return false;
     Settings said = settings;
     copy_value(*find_setting(part.ties.part_of), settings, said);
@@ -261,19 +261,20 @@ bool is_word_of_whole(const Setting& part, std::string_view word) {
     return choice != nullptr && find_word(*choice, word) != no_word;
 }
 
-bool must_be_said(const Setting& setting, const Settings& a, const Settings& b) {
+bool must_be_listed(const Setting& setting, const Settings& a, const Settings& b) {
     const bool is_same = has_same_value(setting, a, b);
     const Setting* const whole = find_setting(setting.ties.part_of);
-    if (whole != nullptr && must_be_said(*whole, a, b)) {
-        return !is_said_by_whole(setting, b) || (!is_same && !is_said_by_whole(setting, a));
+    if (whole != nullptr && must_be_listed(*whole, a, b)) {
+        return !follows_from_whole(setting, b) || (!is_same && !follows_from_whole(setting, a));
     }
     return !is_same && !value_text(setting, a).empty() && !value_text(setting, b).empty();
 }
 
 const Setting& meant_setting(const Setting& setting, std::string_view value) {
-    const Setting* const heir = find_setting(setting.ties.words_moved_to);
-    const auto* const choice = heir != nullptr ? std::get_if<ChoiceSetting>(&heir->kind) : nullptr;
-    return choice != nullptr && find_word(*choice, value) != no_word ? *heir : setting;
+    const Setting* const successor = find_setting(setting.ties.words_moved_to);
+    const auto* const choice =
+        successor != nullptr ? std::get_if<ChoiceSetting>(&successor->kind) : nullptr;
+    return choice != nullptr && find_word(*choice, value) != no_word ? *successor : setting;
 }
 
 bool has_same_value(const Setting& setting, const Settings& a, const Settings& b) {

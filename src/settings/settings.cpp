@@ -132,7 +132,7 @@ float depth_clear_rule(const Settings& settings, SceneSpace space) {
     const ClipDepth kind = clip_depth_rule(settings, space);
     const float clear =
         is_smaller_nearer(kind) ? 1.0f - settings.depth_clear : settings.depth_clear;
-    return held_depth(clear, depth_rules(settings, space));
+    return depth_in_buffer(clear, depth_rules(settings, space));
 }
 
 float depth_epsilon_rule(const Settings& settings) {

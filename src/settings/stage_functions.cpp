@@ -114,19 +114,19 @@ void put_corner_snap(Stages& stages, const Settings& s, const Scene*) {
 
 // The parts of the light, in the order of the words of LightDirection, LightFalloff and LightSum.
 
-struct LightWay {
-    decltype(&way_to_lamp) way;
+struct LightVector {
+    decltype(&vector_to_lamp) lamp_vector;
     decltype(&own_square) square;
     decltype(&own_length) length;
 };
-constexpr std::array light_ways{LightWay{way_to_lamp, own_square, own_length},
-                                LightWay{way_from_lamp, own_square, own_length},
-                                LightWay{way_to_lamp, own_square, not_normalized},
-                                LightWay{way_to_lamp, square_with_w, own_length}};
+constexpr std::array light_vectors{LightVector{vector_to_lamp, own_square, own_length},
+                                   LightVector{vector_from_lamp, own_square, own_length},
+                                   LightVector{vector_to_lamp, own_square, not_normalized},
+                                   LightVector{vector_to_lamp, square_with_w, own_length}};
 constexpr std::array light_areas{sphere_area, area_without_4pi,     area_of_distance,  area_of_one,
                                  cubed_area,  area_with_pi_of_atan, area_with_pi_three};
 constexpr std::array light_sums{reflectance_times, reflectance_plus, reflectance_twice};
-static_assert(light_ways.size() == enum_words<LightDirection>.size());
+static_assert(light_vectors.size() == enum_words<LightDirection>.size());
 static_assert(light_areas.size() == enum_words<LightFalloff>.size());
 static_assert(light_sums.size() == enum_words<LightSum>.size());
 
@@ -135,19 +135,20 @@ template <std::size_t... i>
 constexpr auto lights_of(std::index_sequence<i...>) {
     constexpr std::size_t sums = light_sums.size(), in_a_way = light_areas.size() * sums;
     return std::array{
-        mistaken_light<light_ways[i / in_a_way].way, light_ways[i / in_a_way].square,
-                       light_ways[i / in_a_way].length, light_areas[i / sums % light_areas.size()],
-                       light_sums[i % sums]>...};
+        mistaken_light<light_vectors[i / in_a_way].lamp_vector, light_vectors[i / in_a_way].square,
+                       light_vectors[i / in_a_way].length,
+                       light_areas[i / sums % light_areas.size()], light_sums[i % sums]>...};
 }
 
 void put_light(Stages& stages, const Settings& s, const Scene*) {
     static constexpr auto lights = lights_of(
-        std::make_index_sequence<light_ways.size() * light_areas.size() * light_sums.size()>());
+        std::make_index_sequence<light_vectors.size() * light_areas.size() * light_sums.size()>());
     const LightRules& rules = s.light_rules;
-    const auto way = static_cast<std::size_t>(rules.direction);
+    const auto lamp_vector = static_cast<std::size_t>(rules.direction);
     const auto area = static_cast<std::size_t>(rules.falloff);
     const auto sum = static_cast<std::size_t>(rules.sum);
-    stages.reflected_light = lights[(way * light_areas.size() + area) * light_sums.size() + sum];
+    stages.reflected_light =
+        lights[(lamp_vector * light_areas.size() + area) * light_sums.size() + sum];
 }
 
 template <bool normals_differ>
@@ -417,7 +418,7 @@ const RegistryRow registry_rows[] = {
     {"light.renormalize=off", put<&Stages::unit_normal, normal_as_interpolated>,
      "mistakes/highlight.h"},
     {"light.sides=two", put<&Stages::light_side, side_of_eye>, "stages/light_side.h"},
-    {"light.direction=from_light", part<&Stages::reflected_light, way_from_lamp, put_light>,
+    {"light.direction=from_light", part<&Stages::reflected_light, vector_from_lamp, put_light>,
      "mistakes/light.h"},
     {"light.direction=not_normalized", part<&Stages::reflected_light, not_normalized, put_light>,
      "mistakes/light.h"},
@@ -455,9 +456,9 @@ const RegistryRow registry_rows[] = {
     {"stage=points|edges|rows|fill", put<&Stages::depth_test, no_depth_test>,
      "stages/depth_test.h"},
     {"depth_format=inv_z_24|inv_z_16|ndc_24|ndc_16|reversed_24|reversed_16",
-     put<&Stages::depth_test, no_depth_test_as_held>, "stages/depth_test.h", without_depth_test},
+     put<&Stages::depth_test, no_depth_test_in_buffer>, "stages/depth_test.h", without_depth_test},
     {"depth_format=inv_z_24|inv_z_16|ndc_32|ndc_24|ndc_16|reversed_24|reversed_16",
-     put<&Stages::depth_test, depth_test_as_held>, "stages/depth_test.h", by_labs_depth_test},
+     put<&Stages::depth_test, depth_test_in_buffer>, "stages/depth_test.h", by_labs_depth_test},
     {"depth_epsilon", put<&Stages::depth_test, depth_test_with_epsilon>, "stages/depth_test.h",
      if_ties_count},
     {"depth_index=transposed", put<&Stages::depth_cell, depth_cell_transposed>,

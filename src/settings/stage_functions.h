@@ -20,7 +20,7 @@ struct SlotFunction {
     void (*put)(Stages&, const Settings&, const Scene*);
 };
 
-/// A row of the registry. setting->help, said_word() and the comments at the word and at the
+/// A row of the registry. setting->help, choice_words() and the comments at the word and at the
 /// function say what it does.
 struct StageFunction {
     const Setting* setting = nullptr;

@@ -7,12 +7,12 @@ namespace rasterwalk {
 namespace {
 
 /// A word that does not explain itself, and how it is said.
-struct SaidWord {
+struct ChoiceWords {
     std::string_view setting; ///< empty: any
     std::string_view word, said;
 };
 
-constexpr SaidWord said_words[] = {
+constexpr ChoiceWords choice_word_list[] = {
     {"", "truncate", "cut toward 0"},
     {"", "floor", "rounded down"},
     {"", "round", "to the nearest"},
@@ -165,22 +165,22 @@ constexpr SaidWord said_words[] = {
 
 } // namespace
 
-std::string said_word(const Setting& setting, std::string_view word) {
-    const auto* const found =
-        std::find_if(std::begin(said_words), std::end(said_words), [&](const SaidWord& said) {
+std::string choice_words(const Setting& setting, std::string_view word) {
+    const auto* const found = std::find_if(
+        std::begin(choice_word_list), std::end(choice_word_list), [&](const ChoiceWords& said) {
             return said.word == word && (said.setting.empty() || said.setting == setting.name);
         });
-    std::string said(found != std::end(said_words) ? found->said : word);
+    std::string said(found != std::end(choice_word_list) ? found->said : word);
     std::replace(said.begin(), said.end(), '_', ' ');
     return said;
 }
 
-std::string said_value(const Setting& setting, const Settings& settings) {
+std::string value_words(const Setting& setting, const Settings& settings) {
     const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
     if (choice == nullptr) return value_text(setting, settings);
     const int now = choice->read(settings);
     return now == no_word ? "mixed"
-                          : said_word(setting, choice->words[static_cast<std::size_t>(now)]);
+                          : choice_words(setting, choice->words[static_cast<std::size_t>(now)]);
 }
 
 } // namespace rasterwalk

@@ -66,18 +66,18 @@ class ActiveEdges {
             const std::size_t next = (i + 1) % vertices.size();
             const DownEdge edge =
                 down_edge({vertices[i], points[i]}, {vertices[next], points[next]});
-            if (edge.top.y < edge.bottom.y) to_come_.push_back(edge);
+            if (edge.top.y < edge.bottom.y) upcoming_.push_back(edge);
         }
         // The last one comes first.
-        std::sort(to_come_.begin(), to_come_.end(),
+        std::sort(upcoming_.begin(), upcoming_.end(),
                   [](const DownEdge& a, const DownEdge& b) { return a.top.y > b.top.y; });
     }
 
     /// The stretches of the next row, which must lie below all earlier rows.
     SpanList in_row(int row) {
         const std::int64_t y = pixel_centre(row);
-        for (; !to_come_.empty() && to_come_.back().top.y <= y; to_come_.pop_back())
-            active_.push_back(to_come_.back());
+        for (; !upcoming_.empty() && upcoming_.back().top.y <= y; upcoming_.pop_back())
+            active_.push_back(upcoming_.back());
         std::erase_if(active_, [y](const DownEdge& edge) { return edge.bottom.y < y; });
         // The edges just below the row's centres, and those just above: an edge counts at its upper
         // end in the first case, and at its lower end in the second.
@@ -118,7 +118,7 @@ class ActiveEdges {
         return spans;
     }
 
-    std::vector<DownEdge> to_come_, active_;
+    std::vector<DownEdge> upcoming_, active_;
     OwnedEnds owned_;
     bool owns_top_ = true, owns_bottom_ = false;
     VaryingSet carried_;

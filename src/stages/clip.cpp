@@ -46,7 +46,7 @@ ClipPlanes planes(const VertexRules& rules, float left, float right, float top, 
 }
 
 /// The planes with their sides this many pixels outside the picture.
-ClipPlanes planes_beside_picture(const VertexRules& rules, float pixels) {
+ClipPlanes planes_with_margin(const VertexRules& rules, float pixels) {
     const glm::vec2 middle = viewport_middle(rules);
     const glm::vec2 rest = glm::vec2(rules.viewport.width, rules.viewport.height) - middle;
     return planes(rules, middle.x + pixels, rest.x + pixels, middle.y + pixels, rest.y + pixels);
@@ -86,11 +86,11 @@ Clipped clip_by(const ViewVolume& volume, const ClipPlanes& planes, std::size_t 
 } // namespace
 
 ClipPlanes view_planes(const VertexRules& rules) {
-    return planes_beside_picture(rules, 0.0f);
+    return planes_with_margin(rules, 0.0f);
 }
 
 ClipPlanes outer_planes(const VertexRules& rules) {
-    return planes_beside_picture(rules, 2.0f);
+    return planes_with_margin(rules, 2.0f);
 }
 
 ClipPlanes guard_band_planes(const VertexRules& rules) {

@@ -65,26 +65,26 @@ inline int depth_step(float depth, int bits) {
 
 /// Which of its values a buffer of whole numbers stores for a depth. 1/z is at most 1/near in the
 /// view, so they are spread over that. NaN is stored as farthest.
-inline int held_step(float depth, const DepthRules& rules) {
+inline int buffer_step(float depth, const DepthRules& rules) {
     const ClipDepth kind = rules.projection.clip_depth;
     const float shown = std::isnan(depth) ? farthest_depth(kind) : depth;
     return depth_step(kind == ClipDepth::inv_z ? shown * rules.near : shown, rules.bits);
 }
 
 /// A depth as the buffer stores it.
-inline float held_depth(float depth, const DepthRules& rules) {
+inline float depth_in_buffer(float depth, const DepthRules& rules) {
     if (rules.bits == 0) return depth;
     const int largest = (1 << rules.bits) - 1;
-    const float part = static_cast<float>(held_step(depth, rules)) / static_cast<float>(largest);
+    const float part = static_cast<float>(buffer_step(depth, rules)) / static_cast<float>(largest);
     return rules.projection.clip_depth == ClipDepth::inv_z ? part / rules.near : part;
 }
 
 /// The nearer one is drawn, whatever the buffer holds. In a buffer of whole numbers, depths that
 /// fall on the same step are equally near, and the fragment drawn first stays. Under perspective a
 /// step is small near the camera and large far away: surfaces there flicker through each other.
-inline DepthResult depth_test_as_held(const Fragment& fragment, float stored,
-                                      const DepthRules& rules) {
-    const float depth = held_depth(fragment.depth, rules);
+inline DepthResult depth_test_in_buffer(const Fragment& fragment, float stored,
+                                        const DepthRules& rules) {
+    const float depth = depth_in_buffer(fragment.depth, rules);
     return {depth, is_nearer(depth, stored, rules.projection.clip_depth)};
 }
 
@@ -95,7 +95,7 @@ inline DepthResult depth_test_as_held(const Fragment& fragment, float stored,
 inline DepthResult depth_test_with_epsilon(const Fragment& fragment, float stored,
                                            const DepthRules& rules) {
     const ClipDepth kind = rules.projection.clip_depth;
-    const float depth = held_depth(fragment.depth, rules);
+    const float depth = depth_in_buffer(fragment.depth, rules);
     const float limit = is_smaller_nearer(kind) ? stored - rules.epsilon : stored + rules.epsilon;
     return {depth, is_nearer(depth, limit, kind)};
 }
@@ -106,8 +106,9 @@ inline DepthResult no_depth_test(const Fragment& fragment, float, const DepthRul
 }
 
 /// The same, with a buffer of whole numbers.
-inline DepthResult no_depth_test_as_held(const Fragment& fragment, float, const DepthRules& rules) {
-    return {held_depth(fragment.depth, rules), true};
+inline DepthResult no_depth_test_in_buffer(const Fragment& fragment, float,
+                                           const DepthRules& rules) {
+    return {depth_in_buffer(fragment.depth, rules), true};
 }
 
 /// The cell (x, y) of the depth buffer that belongs to the pixel (column, row).

@@ -61,8 +61,8 @@ TestedTriangle set_up_triangle(const FanTriangle& fan, int corner_count, const S
         EdgeFunction& edge = triangle.edges[i];
         edge = {*from, {to->x - from->x, to->y - from->y}};
         edge.number = polygon_edge(fan, i, corner_count);
-        edge.owns_points =
-            fan.is_inner[i] ? owns_top_left(edge.way) : stages.edge_owns_points(edge.way);
+        edge.owns_points = fan.is_inner[i] ? owns_top_left(edge.direction)
+                                           : stages.edge_owns_points(edge.direction);
     }
     return triangle;
 }
@@ -121,11 +121,11 @@ PixelTest test_pixel(const TestedPolygon& polygon, int triangle, int column, int
     test.e = of.values_at(centre_of(column, row));
     for (std::size_t i = 0; i < test.e.size(); ++i) {
         test.edges[i] = of.edges[i].number;
-        test.passes[i] = of.edges[i].admits(test.e[i]);
+        test.passes[i] = of.edges[i].contains(test.e[i]);
     }
     test.weights = stages.weights(test.e, of.area);
     test.is_given_corner = of.gives_away_corner(test.e);
-    test.is_inside = of.admits(test.e);
+    test.is_inside = of.contains(test.e);
     return test;
 }
 
@@ -164,7 +164,7 @@ const TestedTriangle& triangle_of_pixel(const TestedPolygon& polygon, int column
     const GridPoint centre = centre_of(column, row);
     const TestedTriangle* with_area = &polygon.triangles.front();
     for (const TestedTriangle& triangle : polygon.triangles) {
-        if (triangle.admits(triangle.values_at(centre))) return triangle;
+        if (triangle.contains(triangle.values_at(centre))) return triangle;
         if (with_area->area == 0) with_area = &triangle;
     }
     return *with_area;

@@ -56,19 +56,19 @@ struct Stages;
 /// The edge function of one edge. Lengths in 256ths of a pixel; E in 65536ths of a square pixel.
 struct EdgeFunction {
     GridPoint from;
-    EdgeDirection way;
+    EdgeDirection direction;
     bool owns_points = false; ///< points on the edge are inside
     int number = -1;          ///< of the polygon's edges; -1: an inner edge of the fan
 
     /// E at a point.
     std::int64_t at(const GridPoint& p) const {
-        return way.dx * (p.y - from.y) - way.dy * (p.x - from.x);
+        return direction.dx * (p.y - from.y) - direction.dy * (p.x - from.x);
     }
     /// How much E grows from a pixel to the one on its right, or below.
-    std::int64_t one_right() const { return -way.dy * grid_parts; }
-    std::int64_t one_down() const { return way.dx * grid_parts; }
+    std::int64_t one_right() const { return -direction.dy * grid_parts; }
+    std::int64_t one_down() const { return direction.dx * grid_parts; }
     /// Does a point with this E lie on the inner side?
-    bool admits(std::int64_t e) const { return e > 0 || (e == 0 && owns_points); }
+    bool contains(std::int64_t e) const { return e > 0 || (e == 0 && owns_points); }
 };
 
 inline constexpr std::size_t edge_function_count = 3;
@@ -96,9 +96,10 @@ struct TestedTriangle {
     bool gives_away_corner(const EdgeValues& e) const {
         return area > 0 && e[0] == 0 && e[2] == 0 && !owns_corner;
     }
-    bool admits(const EdgeValues& e) const {
+    bool contains(const EdgeValues& e) const {
         if (gives_away_corner(e)) return false;
-        return area > 0 && edges[0].admits(e[0]) && edges[1].admits(e[1]) && edges[2].admits(e[2]);
+        return area > 0 && edges[0].contains(e[0]) && edges[1].contains(e[1]) &&
+               edges[2].contains(e[2]);
     }
 };
 

@@ -50,13 +50,13 @@ constexpr bool faces_lamp(const LightTerms& terms) {
     return terms.cosine > 0.0f;
 }
 /// h of two directions of unit length.
-inline glm::vec3 half_way(const glm::vec3& to_light, const glm::vec3& to_eye) {
+inline glm::vec3 halfway_vector(const glm::vec3& to_light, const glm::vec3& to_eye) {
     const glm::vec3 sum = to_light + to_eye;
     const float length = std::sqrt(glm::dot(sum, sum));
     return length > 0.0f ? sum / length : glm::vec3(0.0f);
 }
 
-/// The highlight with these parts; the right ones are faces_lamp and half_way.
+/// The highlight with these parts; the right ones are faces_lamp and halfway_vector.
 template <auto shines, auto half_vector>
 HighlightTerms highlight_with(const LightTerms& light, const HighlightPoint& point,
                               const glm::vec3& lamp_power) {
@@ -78,7 +78,7 @@ HighlightTerms highlight_with(const LightTerms& light, const HighlightPoint& poi
 /// S = k P max(n . h, 0)^e / area, only where n . l > 0.
 inline HighlightTerms highlight(const LightTerms& light, const HighlightPoint& point,
                                 const glm::vec3& lamp_power) {
-    return highlight_with<faces_lamp, half_way>(light, point, lamp_power);
+    return highlight_with<faces_lamp, halfway_vector>(light, point, lamp_power);
 }
 
 } // namespace rasterwalk

@@ -117,7 +117,7 @@ void interpolate(const LineEnd& a, const LineEnd&, const LineStep& step, const L
         }
     };
     // One after the other: then nothing has to be decided at each sample.
-    if (part.has_places) {
+    if (part.needs_positions) {
         const glm::vec2 start(a.x, a.y);
         add_up(start, glm::vec2(step.x, step.y), [&](LineSample& sample, const glm::vec2& at) {
             sample.x = at.x;

@@ -68,7 +68,7 @@ struct LinePart {
     int first = 0; ///< the first sample that is wanted, 0 <= first
     Rounding rounding = Rounding::truncate;
     VaryingSet carried = VaryingSet::all(); ///< the other varyings of the samples are left alone
-    bool has_places = true;                 ///< false: where the samples lie is not needed
+    bool needs_positions = true;            ///< false: where the samples lie is not needed
 };
 
 /// `count` samples in a buffer that grows and never shrinks: making new ones for each line takes

@@ -9,11 +9,11 @@ namespace rasterwalk {
 namespace {
 
 /// Fills in what a sink gets for a sample. It is reused for each, since varyings are slow to copy.
-void note(const LineSample& sample, bool has_varyings, EdgeSample& told) {
-    told.x = sample.x;
-    told.y = sample.y;
-    told.fragment.row = sample.fragment.row;
-    enter(sample.fragment.column, sample.fragment, has_varyings, told.fragment);
+void fill_event(const LineSample& sample, bool has_varyings, EdgeSample& event) {
+    event.x = sample.x;
+    event.y = sample.y;
+    event.fragment.row = sample.fragment.row;
+    enter(sample.fragment.column, sample.fragment, has_varyings, event.fragment);
 }
 
 /// Room for the decisions of an edge.
@@ -28,7 +28,7 @@ template <class EnterIn>
 RowWrite enter_sample(int column, int row, EnterIn enter_in, const Stages& stages,
                       PolygonRows& rows) {
     const FoundRow found = call<find_row>(stages.find_row, row, rows);
-    rows.looked_at += found.looked_at;
+    rows.lookups += found.lookups;
     if (found.index < 0) {
         ++rows.outside;
         return {};
@@ -84,7 +84,7 @@ Rectangle polygon_box(PolygonCorners vertices, const EdgeRules&, const Stages&) 
 void empty_table(int first_row, int count, PolygonRows& rows) {
     rows.first_row = first_row;
     rows.outside = 0;
-    rows.looked_at = 0;
+    rows.lookups = 0;
     rows.tested.triangles.clear();
     rows.left.resize(static_cast<std::size_t>(count));
     rows.right.resize(static_cast<std::size_t>(count));
@@ -119,8 +119,8 @@ void compute_polygon_rows(PolygonCorners vertices, const EdgeRules& rules, const
     if (sink != nullptr) sink->begin_rows(rows);
     const bool has_varyings = !(rules.carried == VaryingSet{});
     const bool keeps_nothing = sink == nullptr && has_running_samples(stages);
-    const bool tells_decisions = sink != nullptr && stages.line != line_by_interpolate;
-    EdgeSample told;
+    const bool wants_decisions = sink != nullptr && stages.line != line_by_interpolate;
+    EdgeSample event;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const ScreenVertex& from = vertices[i];
         const ScreenVertex& to = vertices[(i + 1) % vertices.size()];
@@ -133,18 +133,18 @@ void compute_polygon_rows(PolygonCorners vertices, const EdgeRules& rules, const
             continue;
         }
         const std::span<LineSample> line = samples_of(rows.line, count);
-        const std::span<LineDecision> decisions = decisions_of(rows, tells_decisions ? count : 0);
+        const std::span<LineDecision> decisions = decisions_of(rows, wants_decisions ? count : 0);
         call<line_by_interpolate>(stages.line, a, b, part, stages, line, decisions);
         for (int s = 0; s < entered; ++s) {
             const LineSample& sample = line[static_cast<std::size_t>(s)];
             const RowWrite write = add_edge_sample(sample.fragment, rules.carried, stages, rows);
             if (sink == nullptr) continue;
-            told.edge = static_cast<int>(i);
-            told.sample = s;
-            told.write = write;
-            if (tells_decisions) told.decision = decisions[static_cast<std::size_t>(s)];
-            note(sample, has_varyings, told);
-            sink->edge_sample(told);
+            event.edge = static_cast<int>(i);
+            event.sample = s;
+            event.write = write;
+            if (wants_decisions) event.decision = decisions[static_cast<std::size_t>(s)];
+            fill_event(sample, has_varyings, event);
+            sink->edge_sample(event);
         }
     }
 }

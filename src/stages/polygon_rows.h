@@ -44,7 +44,7 @@ struct PolygonRows {
     std::vector<RowEnd> left;     ///< the lab's leftPixels
     std::vector<RowEnd> right;    ///< the lab's rightPixels
     int outside = 0;              ///< samples that fell above or below the table; never written
-    std::int64_t looked_at = 0;   ///< rows looked at to find those of the samples
+    std::int64_t lookups = 0;     ///< rows looked at to find those of the samples
     std::vector<LineSample> line; ///< room for the samples of an edge; kept to save allocations
     std::vector<LineDecision> decisions; ///< room too, used only if there is a sink
     std::vector<GridPoint> points;       ///< room for the snapped corners
@@ -95,8 +95,8 @@ struct EdgeRules {
 
 /// Where a row of the picture is in the table.
 struct FoundRow {
-    int index = -1;    ///< in the table; -1: the table has no such row
-    int looked_at = 1; ///< rows that were looked at
+    int index = -1;  ///< in the table; -1: the table has no such row
+    int lookups = 1; ///< rows that were looked at
 };
 
 /// All pixels that the rows of a polygon can reach, apart from the rounding errors of the walk.

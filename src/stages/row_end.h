@@ -15,7 +15,7 @@ struct RowEnd {
     friend bool operator==(const RowEnd&, const RowEnd&) = default;
 };
 
-/// Puts a sample of an edge at the end of a row, or into what a sink gets for it.
+/// Copies an edge sample into a row end or an event.
 /// @param values       of the sample
 /// @param has_varyings false: none are carried, and those already there stay as they were
 template <class Values, class End>

@@ -30,7 +30,7 @@ struct ScanConversion {
 
     /// Lays a row of pixels. A row already laid there by other triangles of the polygon is
     /// lengthened.
-    void lay_row(const HalfSides& sides, int row) {
+    void set_row(const HalfSides& sides, int row) {
         const std::int64_t y = pixel_centre(row);
         const RowCrossing left = crossing_at(sides.left, y);
         const RowCrossing right = crossing_at(sides.right, y);
@@ -43,9 +43,9 @@ struct ScanConversion {
         if (span.first < rows.left[i].column) rows.left[i] = values.at(span.first);
         if (span.last > rows.right[i].column) rows.right[i] = values.at(span.last);
     }
-    void lay_rows(const HalfSides& sides, int first, int last) {
+    void set_rows(const HalfSides& sides, int first, int last) {
         for (int row = first; row <= last; ++row)
-            lay_row(sides, row);
+            set_row(sides, row);
     }
 };
 
@@ -110,7 +110,7 @@ void convert_triangle(const FanTriangle& triangle, PolygonCorners vertices,
     // A row of centres through the middle corner belongs to the lower half, if there is one.
     if (!has_level_top) {
         const bool keeps_last = has_level_bottom && !lower.is_inner && conversion.owns_bottom;
-        conversion.lay_rows(sides(upper), first_row_from(upper.top.y),
+        conversion.set_rows(sides(upper), first_row_from(upper.top.y),
                             keeps_last ? last_row_to(split) : first_row_from(split) - 1);
     }
     if (!has_level_bottom) {
@@ -122,10 +122,10 @@ void convert_triangle(const FanTriangle& triangle, PolygonCorners vertices,
             const OwnedEnds above = sides(upper).owned;
             at_corner.owned = {at_corner.owned.left && above.left,
                                at_corner.owned.right && above.right};
-            conversion.lay_rows(at_corner, first, first);
+            conversion.set_rows(at_corner, first, first);
             ++first;
         }
-        conversion.lay_rows(sides(lower), first, last_row_to(lower.bottom.y));
+        conversion.set_rows(sides(lower), first, last_row_to(lower.bottom.y));
     }
 }
 

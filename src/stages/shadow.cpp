@@ -32,7 +32,7 @@ ShadowTerms no_shadow(const ShadowPoint&, const Occluders&, const Stages&) {
 ShadowTerms shadow_by_ray(const ShadowPoint& point, const Occluders& occluders,
                           const Stages& stages) {
     ShadowTerms terms;
-    terms.is_asked = true;
+    terms.is_tested = true;
     terms.point = point;
     terms.ray = stages.shadow_ray(point, occluders.rules.offset);
     terms.hit = occluders.triangles->first_hit(terms.ray);
@@ -47,12 +47,13 @@ int shadow_face_of(const glm::vec3& from_lamp) {
     return from_lamp.z >= 0.0f ? 4 : 5;
 }
 
-glm::vec2 shadow_place(const glm::vec3& seen, int resolution) {
+glm::vec2 shadow_place(const glm::vec3& from_face, int resolution) {
     const float focal_length = 0.5f * static_cast<float>(resolution);
     const int half = resolution / 2; // like viewport_middle()
     const auto middle = static_cast<float>(half);
-    const float inv_z = 1.0f / seen.z;
-    return {focal_length * seen.x * inv_z + middle, focal_length * seen.y * inv_z + middle};
+    const float inv_z = 1.0f / from_face.z;
+    return {focal_length * from_face.x * inv_z + middle,
+            focal_length * from_face.y * inv_z + middle};
 }
 
 namespace {
@@ -90,16 +91,16 @@ ShadowTerms shadow_by_map(const ShadowPoint& point, const Occluders& occluders,
     const int which = shadow_face_of(from_lamp);
     const ShadowFace& face = map.faces[static_cast<std::size_t>(which)];
     // 0 is added so that no component is −0.
-    const glm::vec3 seen = from_lamp * face.axes + 0.0f;
+    const glm::vec3 from_face = from_lamp * face.axes + 0.0f;
     // At the lamp itself there is no direction.
-    if (!(seen.z > 0.0f)) return terms;
-    terms.is_asked = true;
+    if (!(from_face.z > 0.0f)) return terms;
+    terms.is_tested = true;
     terms.point = point;
     terms.face = which;
-    terms.seen = seen;
-    terms.place = shadow_place(seen, map.resolution);
-    terms.bias = bias_at(point, seen.z, map.resolution, occluders.rules);
-    terms.compared = seen.z - terms.bias;
+    terms.from_face = from_face;
+    terms.place = shadow_place(from_face, map.resolution);
+    terms.bias = bias_at(point, from_face.z, map.resolution, occluders.rules);
+    terms.compared = from_face.z - terms.bias;
     ShadowTexels texels{};
     terms.texel_count = stages.shadow_texels(terms.place, map.resolution, texels);
     int lit = 0;

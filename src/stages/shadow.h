@@ -46,12 +46,13 @@ struct ShadowRules {
 
 /// The six faces of the cube around the lamp, by the axis of the world that each looks along.
 inline constexpr int shadow_face_count = 6;
-inline constexpr std::array<glm::vec3, shadow_face_count> shadow_face_ways{{{1.0f, 0.0f, 0.0f},
-                                                                            {-1.0f, 0.0f, 0.0f},
-                                                                            {0.0f, 1.0f, 0.0f},
-                                                                            {0.0f, -1.0f, 0.0f},
-                                                                            {0.0f, 0.0f, 1.0f},
-                                                                            {0.0f, 0.0f, -1.0f}}};
+inline constexpr std::array<glm::vec3, shadow_face_count> shadow_face_directions{
+    {{1.0f, 0.0f, 0.0f},
+     {-1.0f, 0.0f, 0.0f},
+     {0.0f, 1.0f, 0.0f},
+     {0.0f, -1.0f, 0.0f},
+     {0.0f, 0.0f, 1.0f},
+     {0.0f, 0.0f, -1.0f}}};
 inline constexpr std::array<const char*, shadow_face_count> shadow_face_names{"+x", "−x", "+y",
                                                                               "−y", "+z", "−z"};
 
@@ -96,18 +97,18 @@ inline constexpr int most_shadow_texels = 4;
 
 /// Every number on the way to the share of light.
 struct ShadowTerms {
-    bool is_asked = false; ///< false: nothing casts a shadow, or the point faces away
-    ShadowPoint point{};   ///< the point tested
-    float lit = 1.0f;      ///< the share of the lamp's power that arrives, 0..1
+    bool is_tested = false; ///< false: nothing casts a shadow, or the point faces away
+    ShadowPoint point{};    ///< the point tested
+    float lit = 1.0f;       ///< the share of the lamp's power that arrives, 0..1
     // By ray:
     WorldRay ray{};
     TriangleHit hit{}; ///< the first triangle in between
     // By map:
-    int face = -1;         ///< in which the point lies; -1: no map is used
-    glm::vec3 seen{0.0f};  ///< the point seen from the lamp: right, down and forward of that face
-    glm::vec2 place{0.0f}; ///< the same in texels from the left and from the top
-    float bias = 0.0f;     ///< the one used here
-    float compared = 0.0f; ///< its depth minus the bias: dark if the lamp saw something nearer
+    int face = -1;             ///< in which the point lies; -1: no map is used
+    glm::vec3 from_face{0.0f}; ///< the point from the lamp: right, down and forward of that face
+    glm::vec2 place{0.0f};     ///< the same in texels from the left and from the top
+    float bias = 0.0f;         ///< the one used here
+    float compared = 0.0f;     ///< its depth minus the bias: dark if the lamp saw something nearer
     std::array<ShadowTexel, most_shadow_texels> texels{};
     int texel_count = 0;
 
@@ -142,7 +143,7 @@ int shadow_face_of(const glm::vec3& from_lamp);
 /// Where a point in the space of a face falls, in texels from the left and from the top. Like the
 /// drawing of the face, this has a focal length of half a side, so that it sees 90 degrees.
 /// @param seen right, down, forward; forward above 0
-glm::vec2 shadow_place(const glm::vec3& seen, int resolution);
+glm::vec2 shadow_place(const glm::vec3& from_face, int resolution);
 
 /// Which texels a point is compared with: writes them to `texels`.
 /// @return how many

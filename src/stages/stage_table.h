@@ -73,8 +73,8 @@ struct Stages {
     decltype(&rasterwalk::shadow_ray) shadow_ray = rasterwalk::shadow_ray;
     decltype(&nearest_shadow_texel) shadow_texels = nearest_shadow_texel;
 
-    // Coverage: from vertices to rows, and from a row to its fragments. Functions here whose rows
-    // leave the box of the vertices need another polygon_box as well.
+    // Coverage: from vertices to rows, and from a row to its fragments. If a replacement can leave
+    // the bounding box, replace polygon_box too.
     decltype(&rasterwalk::polygon_box) polygon_box = rasterwalk::polygon_box;
     decltype(&rasterwalk::begin_polygon_rows) begin_polygon_rows = rasterwalk::begin_polygon_rows;
     decltype(&rasterwalk::edge_sample_count) edge_sample_count = rasterwalk::edge_sample_count;

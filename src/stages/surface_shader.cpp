@@ -70,7 +70,7 @@ SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const P
 }
 
 glm::vec3 normal_map_colour(const Fragment& fragment, const Surface& surface, const Stages& stages,
-                            TakenTexels* taken) {
+                            SampledTexels* taken) {
     return stages.sample_texture(*surface.normal_map, place_in_texture(fragment, surface, stages),
                                  stages, taken);
 }

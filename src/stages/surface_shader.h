@@ -69,7 +69,7 @@ SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const P
 /// The colour of the normal map where a fragment lies; the surface must have one.
 /// @param taken receives the texels, or null
 glm::vec3 normal_map_colour(const Fragment& fragment, const Surface& surface, const Stages& stages,
-                            TakenTexels* taken);
+                            SampledTexels* taken);
 
 /// The point with its normal bent by the surface's normal map, and the space in which its light is
 /// then worked out; the surface must have a map.

@@ -35,7 +35,7 @@ TexelPair pair_round(float coordinate, TextureDirection direction, int count,
 /// Adds the four texels around a position in one level to a colour.
 /// @param share of the level
 void add_four(const Texture& texture, int level, const glm::vec2& texcoord, float share,
-              const Stages& stages, glm::vec3& colour, TakenTexels* taken) {
+              const Stages& stages, glm::vec3& colour, SampledTexels* taken) {
     const TextureLevel& texels = texture.levels[static_cast<std::size_t>(level)];
     const TexelPair x = pair_round(texcoord.x, TextureDirection::u, texels.width, stages);
     const TexelPair y = pair_round(texcoord.y, TextureDirection::v, texels.height, stages);
@@ -72,7 +72,7 @@ float among_texels(float coordinate, int count) {
 }
 
 glm::vec3 sample_nearest(const Texture& texture, const TexturePlace& place, const Stages& stages,
-                         TakenTexels* taken) {
+                         SampledTexels* taken) {
     const TextureLevel& texels = texture.base();
     const auto texel_at = [&stages](float coordinate, TextureDirection direction, int count) {
         const float among = call<texel_place>(stages.texel_place, coordinate, direction, count);
@@ -86,14 +86,14 @@ glm::vec3 sample_nearest(const Texture& texture, const TexturePlace& place, cons
 }
 
 glm::vec3 sample_bilinear(const Texture& texture, const TexturePlace& place, const Stages& stages,
-                          TakenTexels* taken) {
+                          SampledTexels* taken) {
     glm::vec3 colour(0.0f);
     add_four(texture, 0, place.texcoord, 1.0f, stages, colour, taken);
     return colour;
 }
 
 glm::vec3 sample_mipmap(const Texture& texture, const TexturePlace& place, const Stages& stages,
-                        TakenTexels* taken) {
+                        SampledTexels* taken) {
     glm::vec3 colour(0.0f);
     add_four(texture, nearest_level(stages.texture_level(place.footprint, texture)), place.texcoord,
              1.0f, stages, colour, taken);
@@ -101,7 +101,7 @@ glm::vec3 sample_mipmap(const Texture& texture, const TexturePlace& place, const
 }
 
 glm::vec3 sample_trilinear(const Texture& texture, const TexturePlace& place, const Stages& stages,
-                           TakenTexels* taken) {
+                           SampledTexels* taken) {
     const float level = stages.texture_level(place.footprint, texture);
     const int first = static_cast<int>(level);
     const float share = level - static_cast<float>(first);
@@ -113,10 +113,10 @@ glm::vec3 sample_trilinear(const Texture& texture, const TexturePlace& place, co
 }
 
 float sample_alpha(const Texture& texture, const TexturePlace& place, const Stages& stages) {
-    TakenTexels taken;
+    SampledTexels taken;
     stages.sample_texture(texture, place, stages, &taken);
     float alpha = 0.0f;
-    for (const TakenTexel& texel : taken) {
+    for (const SampledTexel& texel : taken) {
         const TextureLevel& level = texture.levels[static_cast<std::size_t>(texel.level)];
         alpha += texel.weight * level.alpha_at(texel.column, texel.row);
     }

@@ -66,23 +66,23 @@ enum class TextureAlpha : std::uint8_t {
 inline constexpr float cut_out_limit = 0.5f;
 
 /// A texel that a fragment took.
-struct TakenTexel {
+struct SampledTexel {
     int level = 0;
     int column = 0, row = 0; ///< in the level; below 0 with mistake B67
     float weight = 0.0f;     ///< 0..1; those of all texels that a fragment takes add up to 1
     glm::vec3 colour{0.0f};
 
-    friend bool operator==(const TakenTexel&, const TakenTexel&) = default;
+    friend bool operator==(const SampledTexel&, const SampledTexel&) = default;
 };
 
 /// The texels that a fragment took, in the order in which their colours were added.
-struct TakenTexels {
-    std::array<TakenTexel, 8> list;
+struct SampledTexels {
+    std::array<SampledTexel, 8> list;
     int count = 0;
 
-    void add(const TakenTexel& texel) { list[static_cast<std::size_t>(count++)] = texel; }
-    const TakenTexel* begin() const { return list.data(); }
-    const TakenTexel* end() const { return list.data() + count; }
+    void add(const SampledTexel& texel) { list[static_cast<std::size_t>(count++)] = texel; }
+    const SampledTexel* begin() const { return list.data(); }
+    const SampledTexel* end() const { return list.data() + count; }
 };
 
 /// The number of the texel at place `texel` of a line of `count` texels, count > 0. It is 0 or more
@@ -115,13 +115,13 @@ inline glm::vec3 read_texel(const TextureLevel& level, int column, int row) {
 /// @param stages the table whose functions find the position, wrap and read
 /// @param taken  receives the texels, or null
 glm::vec3 sample_nearest(const Texture& texture, const TexturePlace& place, const Stages& stages,
-                         TakenTexels* taken);
+                         SampledTexels* taken);
 glm::vec3 sample_bilinear(const Texture& texture, const TexturePlace& place, const Stages& stages,
-                          TakenTexels* taken);
+                          SampledTexels* taken);
 glm::vec3 sample_mipmap(const Texture& texture, const TexturePlace& place, const Stages& stages,
-                        TakenTexels* taken);
+                        SampledTexels* taken);
 glm::vec3 sample_trilinear(const Texture& texture, const TexturePlace& place, const Stages& stages,
-                           TakenTexels* taken);
+                           SampledTexels* taken);
 
 /// The alpha of a texture at a position, 0 to 1: from the texels whose colours are mixed there,
 /// with the same weights.

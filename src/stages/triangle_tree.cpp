@@ -28,12 +28,12 @@ RayTriangle ray_triangle(const Mesh& mesh, int triangle) {
 bool passes(const WorldRay& ray, const glm::vec3& low, const glm::vec3& high, float before) {
     float enters = 0.0f, leaves = before;
     for (int i = 0; i < 3; ++i) {
-        if (ray.way[i] == 0.0f) {
+        if (ray.direction[i] == 0.0f) {
             if (!(ray.from[i] >= low[i] && ray.from[i] <= high[i])) return false;
             continue;
         }
-        const float to_low = (low[i] - ray.from[i]) / ray.way[i];
-        const float to_high = (high[i] - ray.from[i]) / ray.way[i];
+        const float to_low = (low[i] - ray.from[i]) / ray.direction[i];
+        const float to_high = (high[i] - ray.from[i]) / ray.direction[i];
         enters = std::max(enters, std::min(to_low, to_high));
         leaves = std::min(leaves, std::max(to_low, to_high));
     }
@@ -42,19 +42,19 @@ bool passes(const WorldRay& ray, const glm::vec3& low, const glm::vec3& high, fl
 
 } // namespace
 
-float meeting_of(const WorldRay& ray, const RayTriangle& triangle) {
+float intersect(const WorldRay& ray, const RayTriangle& triangle) {
     constexpr float nowhere = std::numeric_limits<float>::infinity();
     // Cramer's rule for from + t way = a + u ab + v ac. Written so that NaN meets nothing.
-    const glm::vec3 across = glm::cross(ray.way, triangle.ac);
+    const glm::vec3 across = glm::cross(ray.direction, triangle.ac);
     const float whole = glm::dot(triangle.ab, across);
     if (!(whole > 0.0f || whole < 0.0f)) return nowhere;
     const glm::vec3 from_a = ray.from - triangle.a;
     const float u = glm::dot(from_a, across) / whole;
     if (!(u >= 0.0f && u <= 1.0f)) return nowhere;
-    const glm::vec3 beside = glm::cross(from_a, triangle.ab);
-    const float v = glm::dot(ray.way, beside) / whole;
+    const glm::vec3 across_edge = glm::cross(from_a, triangle.ab);
+    const float v = glm::dot(ray.direction, across_edge) / whole;
     if (!(v >= 0.0f && u + v <= 1.0f)) return nowhere;
-    const float t = glm::dot(triangle.ac, beside) / whole;
+    const float t = glm::dot(triangle.ac, across_edge) / whole;
     return t > 0.0f && t < ray.end ? t : nowhere;
 }
 
@@ -104,7 +104,7 @@ void TriangleTree::fill(std::size_t box, int first, int count) {
 }
 
 void TriangleTree::ask(const WorldRay& ray, int triangle, TriangleHit& hit) const {
-    const float t = meeting_of(ray, triangles_[static_cast<std::size_t>(triangle)]);
+    const float t = intersect(ray, triangles_[static_cast<std::size_t>(triangle)]);
     if (t < hit.t || (t == hit.t && hit.is_hit() && triangle < hit.triangle)) hit = {triangle, t};
 }
 

@@ -27,8 +27,8 @@ namespace rasterwalk {
 /// A stretch of a straight line: from + t way, 0 < t < end.
 struct WorldRay {
     glm::vec3 from{0.0f};
-    glm::vec3 way{0.0f}; ///< any length but 0
-    float end = 1.0f;    ///< 1: it ends at from + way
+    glm::vec3 direction{0.0f}; ///< any length but 0
+    float end = 1.0f;          ///< 1: it ends at from + direction
 };
 
 /// Where a ray meets a triangle.
@@ -49,7 +49,7 @@ struct RayTriangle {
 /// Where the line of a ray meets a triangle, from either side; its edges count as part of it.
 /// @return t of that point, or infinity: outside, beyond the ray's ends, or parallel to the
 ///         triangle
-float meeting_of(const WorldRay& ray, const RayTriangle& triangle);
+float intersect(const WorldRay& ray, const RayTriangle& triangle);
 
 /// The triangles of a mesh in boxes.
 class TriangleTree {

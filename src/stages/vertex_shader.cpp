@@ -17,22 +17,22 @@ bool is_finite(const glm::vec3& v) {
 }
 
 /// A vertex as the camera sees it.
-struct SeenVertex {
+struct CameraVertex {
     CameraPlace place;
     glm::vec4 clip;
 };
 
-SeenVertex seen_by_camera(const glm::vec3& position_world, const glm::mat3& rotation,
-                          const VertexRules& rules, const Stages& stages) {
-    SeenVertex seen;
-    seen.place = call<to_camera_space>(stages.to_camera_space, position_world, rules.camera,
-                                       rotation, stages);
-    seen.clip = stages.to_clip_space(seen.place.rotated, rules);
-    return seen;
+CameraVertex to_camera_vertex(const glm::vec3& position_world, const glm::mat3& rotation,
+                              const VertexRules& rules, const Stages& stages) {
+    CameraVertex camera_vertex;
+    camera_vertex.place = call<to_camera_space>(stages.to_camera_space, position_world,
+                                                rules.camera, rotation, stages);
+    camera_vertex.clip = stages.to_clip_space(camera_vertex.place.rotated, rules);
+    return camera_vertex;
 }
 
 /// In a scene in pixel space x and y are already columns and rows: there is no camera.
-SeenVertex given_in_pixels(const glm::vec3& position, const VertexRules& rules) {
+CameraVertex given_in_pixels(const glm::vec3& position, const VertexRules& rules) {
     return {{position, position}, {position.x, position.y, clip_z(position.z, rules), position.z}};
 }
 
@@ -60,9 +60,9 @@ SurfaceLight light_at_vertex(const Vertex& vertex, const VertexRules& rules, con
     const glm::vec3 normal = stages.light_normal(vertex.normal, rules.camera);
     const SurfacePoint point{vertex.position, normal, vertex.reflectance, vertex.shine};
     // The camera's direction costs sines, and only highlights and lit backs need it.
-    const bool is_asked =
+    const bool needs_sight_rays =
         rules.light.model != LightModel::lambert || stages.light_side != side_of_normal;
-    const SightRays rays = is_asked ? sight_rays(rules) : SightRays{};
+    const SightRays rays = needs_sight_rays ? sight_rays(rules) : SightRays{};
     return surface_light(on_lit_side(point, rays, stages), rules.light, rays, rules.occluders,
                          stages);
 }
@@ -87,16 +87,18 @@ glm::vec3 VertexSpaces::in(std::string_view space) const {
 
 ClipVertex vertex_shader(const Vertex& vertex, const glm::mat3& rotation, const VertexRules& rules,
                          const Stages& stages, VertexSpaces* spaces) {
-    const SeenVertex seen = rules.space == SceneSpace::world
-                                ? seen_by_camera(vertex.position, rotation, rules, stages)
-                                : given_in_pixels(vertex.position, rules);
+    const CameraVertex camera_vertex =
+        rules.space == SceneSpace::world
+            ? to_camera_vertex(vertex.position, rotation, rules, stages)
+            : given_in_pixels(vertex.position, rules);
     if (spaces != nullptr) {
         spaces->add("world", vertex.position);
-        spaces->add("minus_camera", seen.place.minus_camera);
-        spaces->add("rotated", seen.place.rotated);
+        spaces->add("minus_camera", camera_vertex.place.minus_camera);
+        spaces->add("rotated", camera_vertex.place.rotated);
     }
     constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-    const glm::vec4 clip = is_finite(seen.place.rotated) ? seen.clip : glm::vec4(not_a_number);
+    const glm::vec4 clip =
+        is_finite(camera_vertex.place.rotated) ? camera_vertex.clip : glm::vec4(not_a_number);
     return {clip, start_varyings(vertex, rules, stages)};
 }
 

@@ -96,13 +96,13 @@ class Reader {
             faults_->push_back(std::move(sentence));
         }
     }
-    void say_no_match() {
+    void report_no_match() {
         say("the braces of the formula " + in_quotes(whole_) + " do not match.");
     }
-    void say_missing(const std::string& of) {
+    void report_missing(const std::string& of) {
         say(in_quotes(of) + " has nothing to act on in the formula " + in_quotes(whole_) + ".");
     }
-    void note_depth(int depth) {
+    void record_depth(int depth) {
         if (depth <= deepest_formula) return;
         say("the formula " + in_quotes(whole_) + " is nested deeper than " +
             std::to_string(deepest_formula) + " levels.");
@@ -119,18 +119,18 @@ MathNode Reader::row(int depth) {
     if (depth >= deepest_math) rest_ = {};
     for (skip_blanks(); !rest_.empty(); skip_blanks()) {
         if (take('}')) {
-            if (depth == 0) say_no_match();
+            if (depth == 0) report_no_match();
             return result;
         }
         result.children.push_back(scripts(atom(depth), depth));
     }
-    if (depth > 0) say_no_match();
+    if (depth > 0) report_no_match();
     return result;
 }
 
 /// The content of braces; the first has already been taken.
 MathNode Reader::group(int depth) {
-    note_depth(depth);
+    record_depth(depth);
     return row(depth + 1);
 }
 
@@ -158,7 +158,7 @@ MathNode Reader::scripts(MathNode base, int depth) {
 MathNode Reader::argument(const std::string& of, int depth) {
     if (depth >= deepest_math) rest_ = {};
     if (is_at_end()) {
-        say_missing(of);
+        report_missing(of);
         return {};
     }
     if (take('{')) return group(depth);
@@ -167,18 +167,18 @@ MathNode Reader::argument(const std::string& of, int depth) {
 
 /// The text in braces, unchanged.
 std::string_view Reader::raw_argument(const std::string& of) {
-    if (is_at_end()) say_missing(of);
+    if (is_at_end()) report_missing(of);
     if (!take('{')) return {};
-    if (rest_.find('}') == rest_.npos) say_no_match();
+    if (rest_.find('}') == rest_.npos) report_no_match();
     return take_part(rest_, '}');
 }
 
 MathNode Reader::atom(int depth) {
     const char c = rest_[0];
     if (take('{')) return group(depth);
-    note_depth(depth);
+    record_depth(depth);
     if (take('\\')) return command(depth);
-    if ((c == '^' || c == '_') && rest_.size() == 1) say_missing(std::string(1, c));
+    if ((c == '^' || c == '_') && rest_.size() == 1) report_missing(std::string(1, c));
     const auto byte = static_cast<unsigned char>(c);
     if (std::isdigit(byte) != 0) {
         std::size_t end = 0;
@@ -235,7 +235,7 @@ MathNode Reader::command(int depth) {
     }
     if (name == "left" || name == "right") {
         // The bracket itself follows; a dot means none.
-        if (is_at_end()) say_missing(written);
+        if (is_at_end()) report_missing(written);
         if (is_at_end() || take('.')) return {};
         return atom(depth);
     }

@@ -30,7 +30,7 @@ ViewField tab_field() {
     form.parse = [](const GivenOption& given, const std::string& word) {
         return std::string(tab_names()[option_index(given, tab_names(), word)]);
     };
-    form.tell = [](const Session& session) {
+    form.read_session = [](const Session& session) {
         // In a lesson the usual one may change, because its author may hide other panels.
         const bool is_usual = session.lesson.empty() && session.tab == usual_tab(session);
         return is_usual ? std::nullopt : std::optional(session.tab);
@@ -103,7 +103,7 @@ ViewField overlays_field() {
     ViewForm<OverlaySet> form{&ViewState::overlays};
     form.read = read_overlays;
     form.toml = [](const OverlaySet& overlays) { return toml_list(texts_of(overlays)); };
-    form.tell = [](const Session& session) {
+    form.read_session = [](const Session& session) {
         return session.overlays.empty() ? std::nullopt : std::optional(session.overlays);
     };
     form.show = [](const auto& overlays, Session& session) {
@@ -163,7 +163,7 @@ ViewField depth_range_field() {
         return range;
     };
     form.word = [](const auto& range) { return range ? to_text(*range) : std::string(no_value); };
-    form.tell = [](const Session& session) {
+    form.read_session = [](const Session& session) {
         const std::optional<DepthInterval>& range = session.depth_range;
         return range && range->smallest <= range->largest ? range : std::nullopt;
     };
@@ -206,7 +206,7 @@ ViewField zoom_field() {
         if (!zoom) refuse_option(given, "a number from 0.25 to 64 or fit", word);
         return zoom;
     };
-    form.tell = [](const Session& session) {
+    form.read_session = [](const Session& session) {
         const float zoom = session.canvas.zoom;
         return zoom > 0.0f ? std::optional(std::clamp(zoom, smallest_zoom, largest_zoom))
                            : std::nullopt;
@@ -255,7 +255,7 @@ ViewField centre_field() {
         }
         return centre;
     };
-    form.tell = [](const Session& session) -> std::optional<glm::vec2> {
+    form.read_session = [](const Session& session) -> std::optional<glm::vec2> {
         if (session.canvas.zoom <= 0.0f) return std::nullopt;
         const glm::vec2& centre = session.canvas.centre;
         return glm::vec2{std::clamp(centre.x, -farthest_centre, farthest_centre),
@@ -298,7 +298,7 @@ ViewField switch_field(std::string_view key, const ViewOption& option, std::stri
     form.word = [shown](const auto& on) {
         return std::string(on.value_or(CanvasView().*shown) ? "on" : "off");
     };
-    form.tell = [shown](const Session& session) {
+    form.read_session = [shown](const Session& session) {
         const bool on = session.canvas.*shown;
         return on != CanvasView().*shown ? std::optional(on) : std::nullopt;
     };
@@ -390,7 +390,7 @@ ViewField outside_field() {
         return view;
     };
     form.word = [](const auto& view) { return to_text(view.value_or(OutsideView())); };
-    form.tell = [](const Session& session) {
+    form.read_session = [](const Session& session) {
         const OutsideView view = within_ranges(session.canvas.outside);
         return to_text(view) != to_text(OutsideView()) ? std::optional(view) : std::nullopt;
     };

@@ -84,7 +84,7 @@ std::string view_text(const Session& session, const std::string& path) {
     const Scene original = scene_in_file(session);
     std::string text = "# A view of Rasterwalk, to be opened with it.\n";
     add_line(text, "scene", toml_text(name_from(folder, session.scene->path, "scene")));
-    const std::string& texture = session.scene->laid_texture;
+    const std::string& texture = session.scene->applied_texture;
     if (!texture.empty())
         add_line(text, "texture", toml_text(name_from(folder, texture, "texture")));
     const std::string lesson = name_of_lesson(session, folder);

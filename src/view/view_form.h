@@ -25,8 +25,8 @@ struct ViewForm {
     std::function<std::string(const T&)> toml{}; ///< missing: a saved view cannot hold it
     /// From one word of an option; none clears it. Missing: see ViewField::parse.
     std::function<std::optional<T>(const GivenOption&, const std::string&)> parse{};
-    std::function<std::string(const std::optional<T>&)> word{}; ///< what parse() reads again
-    std::function<std::optional<T>(const Session&)> tell{};     ///< none: as in a fresh session
+    std::function<std::string(const std::optional<T>&)> word{};     ///< what parse() reads again
+    std::function<std::optional<T>(const Session&)> read_session{}; ///< none: as in a fresh session
     std::function<void(const std::optional<T>&, Session&)> show{};
 };
 
@@ -89,10 +89,10 @@ ViewField make_field(std::string_view key, ViewPart part, ViewOption option, Vie
             return words;
         };
     }
-    if (form.tell) {
-        field.tell = [member, tell = std::move(form.tell)](const Session& session, const Scene&,
-                                                           ViewState& state) {
-            state.*member = tell(session);
+    if (form.read_session) {
+        field.read_session = [member, read_session = std::move(form.read_session)](
+                                 const Session& session, const Scene&, ViewState& state) {
+            state.*member = read_session(session);
         };
     }
     if (form.show) {
@@ -127,7 +127,7 @@ ViewField word_field(std::string_view key, ViewPart part, const ViewOption& opti
     form.word = [usual](const auto& value) {
         return std::string(word_of(value.value_or(usual())));
     };
-    form.tell = [shown, usual](const Session& session) {
+    form.read_session = [shown, usual](const Session& session) {
         const Enum value = shown(session);
         return value != usual() ? std::optional(value) : std::nullopt;
     };

@@ -82,7 +82,7 @@ std::vector<Fault> show_on_scene(Session& session, const ViewState& state) {
 ViewState state_of(const Session& session, const Scene& original) {
     ViewState state;
     for (const ViewField& field : view_table()) {
-        if (field.tell) field.tell(session, original, state);
+        if (field.read_session) field.read_session(session, original, state);
     }
     return state;
 }

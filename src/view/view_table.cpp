@@ -26,7 +26,7 @@ ViewField compare_field() {
     ViewForm<std::vector<std::string>> form{&ViewState::compare};
     form.read = read_assignments;
     form.toml = toml_list;
-    form.tell = [](const Session& session) -> std::optional<std::vector<std::string>> {
+    form.read_session = [](const Session& session) -> std::optional<std::vector<std::string>> {
         if (!session.b) return std::nullopt;
         return assignments_between(session.a.settings, session.b->settings);
     };
@@ -79,7 +79,7 @@ ViewField wipe_field() {
         return wipe;
     };
     form.word = [](const auto& wipe) { return number_text(wipe.value_or(Session().wipe)); };
-    form.tell = [](const Session& session) {
+    form.read_session = [](const Session& session) {
         return session.wipe != Session().wipe ? std::optional(std::clamp(session.wipe, 0.0f, 1.0f))
                                               : std::nullopt;
     };
@@ -114,7 +114,7 @@ ViewField set_field() {
     field.write = [](const ViewState& state) {
         return state.set.empty() ? std::string() : toml_list(state.set);
     };
-    field.tell = [](const Session& session, const Scene& original, ViewState& state) {
+    field.read_session = [](const Session& session, const Scene& original, ViewState& state) {
         state.set = assignments_between(default_settings(original), session.a.settings);
     };
     field.take = [](const ViewState& over, ViewState& state) {
@@ -162,7 +162,7 @@ ViewField vertices_field() {
     field.words = [](const ViewChange& change) {
         return texts_of(moved_triangles(*change.to_session.scene, *change.from_session.scene));
     };
-    field.tell = [](const Session& session, const Scene& original, ViewState& state) {
+    field.read_session = [](const Session& session, const Scene& original, ViewState& state) {
         std::vector<PlacedTriangle> moved = moved_triangles(*session.scene, original);
         if (!moved.empty()) state.vertices = std::move(moved);
     };
@@ -183,7 +183,7 @@ ViewField cursor_field() {
     };
     form.toml = [](const Cursor& cursor) { return toml_text(to_text(cursor)); };
     form.word = [](const auto& cursor) { return to_text(cursor.value_or(cursor_end)); };
-    form.tell = [](const Session& session) -> std::optional<Cursor> {
+    form.read_session = [](const Session& session) -> std::optional<Cursor> {
         if (session.cursor == cursor_end) return std::nullopt;
         const Frame frame = prepare_frame(*session.scene, session.a.settings);
         const Cursor cursor = Timeline(frame).at_or_after(session.cursor);
@@ -223,7 +223,7 @@ ViewField pixel_field() {
         return pixel;
     };
     form.word = [text](const auto& pixel) { return pixel ? text(*pixel) : std::string(no_value); };
-    form.tell = [is_inside](const Session& session) {
+    form.read_session = [is_inside](const Session& session) {
         const std::optional<glm::ivec2>& pixel = session.selection.pixel;
         return pixel && is_inside(*pixel, session.a.settings.viewport) ? pixel : std::nullopt;
     };
@@ -277,7 +277,7 @@ ViewField number_field(std::string_view name, std::string_view plural, std::stri
     form.word = [](const auto& number) {
         return number ? std::to_string(*number) : std::string(no_value);
     };
-    form.tell = [count, selected](const Session& session) {
+    form.read_session = [count, selected](const Session& session) {
         const std::optional<int>& number = session.selection.*selected;
         return number && *number >= 0 && *number < count(session) ? number : std::nullopt;
     };

@@ -79,7 +79,7 @@ struct ViewField {
     /// The words of the option, one occurrence each; none if nothing changes.
     std::function<std::vector<std::string>(const ViewChange&)> words{};
     /// Reads it from the session, if that differs from a fresh session.
-    std::function<void(const Session&, const Scene& original, ViewState&)> tell{};
+    std::function<void(const Session&, const Scene& original, ViewState&)> read_session{};
     /// Shows it, given or not; what is drawn is already shown. Throws UsageError for what does not
     /// exist. Missing if show_state() does it before all others.
     std::function<void(const ViewState&, Session&)> show{};

@@ -36,7 +36,7 @@ std::string complaint_about(const std::string& path) {
 
 /// The same in a process that can take only this many more bytes of memory.
 std::string complaint_within(std::size_t memory, const std::string& path) {
-    return test::said_within(memory, [&] { return complaint_about(path); });
+    return test::output_within(memory, [&] { return complaint_about(path); });
 }
 
 } // namespace

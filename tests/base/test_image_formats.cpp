@@ -74,7 +74,7 @@ Image read_bytes(const std::string& bytes) {
 
 /// The message about a picture in a process with only this much memory; "" if it is read.
 std::string refusal_within(std::size_t memory, const std::string& bytes) {
-    return test::said_within(memory, [&]() -> std::string {
+    return test::output_within(memory, [&]() -> std::string {
         try {
             parse_image(bytes, "x");
         } catch (const InputError& fault) {

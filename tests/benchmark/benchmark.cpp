@@ -202,8 +202,8 @@ void print_culling_times(const Scene& scene) {
         culling_costs(scene, default_settings(scene), cursor_end, milliseconds_now);
     std::printf("\n%-32s %12s %12s %12s\n", ("culling, " + scene.name).c_str(), "fragments",
                 "median", "x none");
-    for (const CullingCost& cost : costs.ways)
-        std::printf("%-32s %12lld %12.3f %12.3f\n", std::string(word_of(cost.way)).c_str(),
+    for (const CullingCost& cost : costs.rules)
+        std::printf("%-32s %12lld %12.3f %12.3f\n", std::string(word_of(cost.rule)).c_str(),
                     static_cast<long long>(cost.stats.fragments), cost.milliseconds, cost.share);
 }
 

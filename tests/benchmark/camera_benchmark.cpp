@@ -76,7 +76,7 @@ void take_session_figures(const Figures& figures, const std::string& scene, Sess
         Results results;
         figures.take(step, [&] {
             session.a.settings.camera.yaw += turn;
-            carry_changes_to_b(session);
+            mirror_changes_to_b(session);
             finish(session, results);
         });
         finish(session, results);

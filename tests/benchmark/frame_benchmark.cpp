@@ -150,7 +150,7 @@ void measure_frames(const FrameCase& one) {
     std::vector<Time> updates, frames;
     for (int i = 0; i < turns_before + turns; ++i) {
         turn_once(ui.session, i);
-        carry_changes_to_b(ui.session);
+        mirror_changes_to_b(ui.session);
         const Time of_update = time_of([&] { update(ui.session, ui.results, work_limit(ui)); });
         Time of_frame = frame_time(interface);
         of_frame += of_update;

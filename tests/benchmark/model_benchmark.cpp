@@ -142,7 +142,7 @@ void measure_model(const MeasuredModel& model, const KnownFigures& others) {
     longest_frame(interface);
     print("turn-comparing", longest_while(interface, [](Ui& ui, int i) {
               turn_camera(ui, i);
-              carry_changes_to_b(ui.session);
+              mirror_changes_to_b(ui.session);
           }));
     stop_comparing(interface.ui.session);
     interface.ui.session.canvas.shows = CanvasShows::both;

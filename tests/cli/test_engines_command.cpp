@@ -202,15 +202,15 @@ TEST_CASE("Ctrl+C is noted, however often, and the previous handler is then rest
     {
         const Interrupt interrupt;
         std::raise(SIGINT);
-        CHECK_FALSE(interrupt.is_noted()); // ignored, as nohup wants it
+        CHECK_FALSE(interrupt.was_interrupted()); // ignored, as nohup wants it
     }
     std::signal(SIGINT, SIG_DFL);
     {
         const Interrupt interrupt;
-        CHECK_FALSE(interrupt.is_noted());
+        CHECK_FALSE(interrupt.was_interrupted());
         std::raise(SIGINT);
         std::raise(SIGINT); // as `timeout -s INT` sends it to a program and to its group
-        CHECK(interrupt.is_noted());
+        CHECK(interrupt.was_interrupted());
     }
     CHECK(std::signal(SIGINT, SIG_DFL) == SIG_DFL);
 }

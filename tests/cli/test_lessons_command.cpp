@@ -51,13 +51,13 @@ TEST_CASE("'rasterwalk lessons' lists the lessons and their progress") {
     Progress progress;
     const Lesson edges = read_lesson(lessons_folder() + "/04-edges.md");
     for (int step = 0; step < static_cast<int>(edges.steps.size()); ++step)
-        progress.note_step(edges.id, step);
+        progress.record_step(edges.id, step);
     for (const LessonTask& task : edges.tasks)
-        progress.note_task(edges.id, task.id);
+        progress.record_task(edges.id, task.id);
     for (const LessonPrediction& prediction : edges.predictions)
-        progress.note_answer(edges.id, prediction.id, {"1", false});
-    progress.note_step("05-row-table", 2);
-    progress.note_step("99-gone", 1);
+        progress.record_answer(edges.id, prediction.id, {"1", false});
+    progress.record_step("05-row-table", 2);
+    progress.record_step("99-gone", 1);
     write_progress({}, progress, state.progress());
     const CliRun later = run({"lessons"});
     CHECK(later.err.empty());

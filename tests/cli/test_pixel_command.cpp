@@ -130,13 +130,13 @@ TEST_CASE("pixel without a pixel of the picture is wrong usage, and says which p
 
 TEST_CASE("pixel says which of its tests have been done at the moment") {
     const std::string bench = lessons_folder() + "/scenes/one-triangle.toml";
-    const auto told = [&](const std::string& moment, const std::string& form) {
+    const auto output = [&](const std::string& moment, const std::string& form) {
         return without_blanks(run({"pixel", "9,8", "--scene", bench, "--stage", "fill", "--set",
                                    "coverage=edge_functions", "--to", moment, form})
                                   .out);
     };
-    CHECK(count_of("\"asked\":false", told("t0/v0", "--json")) == 1);
-    CHECK(count_of("\"asked\":true", told("end", "--json")) == 1);
+    CHECK(count_of("\"asked\":false", output("t0/v0", "--json")) == 1);
+    CHECK(count_of("\"asked\":true", output("end", "--json")) == 1);
     const std::string text = run({"pixel", "9,8", "--scene", bench, "--stage", "fill", "--set",
                                   "coverage=edge_functions", "--to", "t0/v0"})
                                  .out;
@@ -233,7 +233,8 @@ TEST_CASE("pixel --json --formulas adds each formula to what --json prints") {
     const std::string formulas = without_blanks(json);
     CHECK_THAT(formulas, ContainsSubstring("\"id\":\"pixel_light.r.x\""));
     CHECK_THAT(formulas, ContainsSubstring("\"section\":\"pixel_light.lamp\""));
-    CHECK_THAT(formulas, ContainsSubstring("{\"from\":\"pixel_light.cosine\",\"symbol\":\"cosine\""));
+    CHECK_THAT(formulas,
+               ContainsSubstring("{\"from\":\"pixel_light.cosine\",\"symbol\":\"cosine\""));
     // All that comes before the formulas, without the end of the object.
     const std::string before = plain.substr(0, plain.rfind("\n}"));
     CHECK(json.starts_with(before));

@@ -143,13 +143,13 @@ TEST_CASE("stats counts what is rejected, clipped, culled and outside, as a seco
             CAPTURE(view.scene, view.position, rule[0], rule[1], rule[2]);
             const CliRun result = run(arguments);
             REQUIRE(result.exit_code == 0);
-            const auto told = nlohmann::json::parse(result.out);
+            const auto output = nlohmann::json::parse(result.out);
             const Counts counts = count_again(scene, settings);
-            CHECK(told["rejected"] == counts.rejected);
-            CHECK(told["clipped"] == counts.clipped);
-            CHECK(told["clip_triangles"] == counts.clip_triangles);
-            CHECK(told["culled"] == counts.culled);
-            CHECK(told["fragments_outside"] == counts.fragments_outside);
+            CHECK(output["rejected"] == counts.rejected);
+            CHECK(output["clipped"] == counts.clipped);
+            CHECK(output["clip_triangles"] == counts.clip_triangles);
+            CHECK(output["culled"] == counts.culled);
+            CHECK(output["fragments_outside"] == counts.fragments_outside);
             sum.rejected += counts.rejected;
             sum.clipped += counts.clipped;
             sum.culled += counts.culled;
@@ -164,8 +164,8 @@ TEST_CASE("stats counts what is rejected, clipped, culled and outside, as a seco
 
 TEST_CASE("The help of stats says what each of its numbers counts") {
     const std::string help = run({"stats", "--help"}).out;
-    const auto told = nlohmann::json::parse(run({"stats", "--json"}).out);
-    for (const auto& [name, value] : told.items()) {
+    const auto output = nlohmann::json::parse(run({"stats", "--json"}).out);
+    for (const auto& [name, value] : output.items()) {
         CAPTURE(name);
         CHECK_THAT(help, ContainsSubstring("\n  " + name + " "));
     }
@@ -193,9 +193,9 @@ TEST_CASE("stats --time shows how much each way of culling saves") {
         std::vector<std::string> alone = arguments;
         alone.erase(alone.begin() + 1);
         alone.insert(alone.end(), {"--json", "--set", std::string("cull=") + names[i]});
-        const auto told = nlohmann::json::parse(run(alone).out);
+        const auto output = nlohmann::json::parse(run(alone).out);
         for (const char* count : {"culled", "fragments", "shaded"})
-            CHECK(ways[i][count] == told[count]);
+            CHECK(ways[i][count] == output[count]);
     }
     CHECK(ways[1]["culled"] == 10);
     const CliRun text = run(arguments, steady_clock(200.0));

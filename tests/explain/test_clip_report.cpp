@@ -240,10 +240,11 @@ TEST_CASE("The test for culling is written as each projection has it") {
                 const double mix = projection.mix, yaw = 0.4, pitch = -0.2;
                 const glm::dvec3 forward(std::cos(pitch) * std::sin(yaw), -std::sin(pitch),
                                          std::cos(pitch) * std::cos(yaw));
-                const glm::dvec3 way_to =
+                const glm::dvec3 first_click_to =
                     glm::dvec3(at.position_world) - glm::dvec3(settings.camera.position);
-                CHECK(glm::dot(glm::dvec3(at.normal), (1.0 - mix) * way_to + mix * forward) ==
-                      Approx(history.cull.values.front()).margin(1e-5));
+                CHECK(
+                    glm::dot(glm::dvec3(at.normal), (1.0 - mix) * first_click_to + mix * forward) ==
+                    Approx(history.cull.values.front()).margin(1e-5));
                 const VertexReport vertex = vertex_report(frame, t, 0);
                 for (const FormulaInput& input : formula->inputs) {
                     if (input.symbol.find("forward") == std::string::npos) continue;
@@ -266,15 +267,15 @@ TEST_CASE("Each way of culling says what it would do") {
         for (int t = 0; t < frame.triangle_count(); ++t) {
             const std::vector<CullAnswer> answers = cull_answers(frame, clip_history(frame, t));
             for (const CullAnswer& answer : answers) {
-                if (answer.way == Cull::fragment_normal) continue; // it leaves out no triangle
+                if (answer.rule == Cull::fragment_normal) continue; // it leaves out no triangle
                 Settings settings = frame.settings;
-                settings.cull = answer.way;
+                settings.cull = answer.rule;
                 const Frame culled = prepare_frame(room, settings);
-                CAPTURE(i, t, std::string(word_of(answer.way)));
+                CAPTURE(i, t, std::string(word_of(answer.rule)));
                 CHECK((culled.rejection(t) == Rejection::back_facing) == answer.is_back);
-                if (!answer.is_open && answer.way != Cull::screen_area)
+                if (!answer.is_open && answer.rule != Cull::screen_area)
                     CHECK((answer.measure > 0.0f) == answer.is_back);
-                if (!answer.is_open && answer.way == Cull::screen_area)
+                if (!answer.is_open && answer.rule == Cull::screen_area)
                     CHECK((answer.measure < 0.0f) == answer.is_back);
                 backs += answer.is_back ? 1 : 0;
             }

@@ -94,7 +94,7 @@ std::vector<FragmentEvent> some_fragments(const Frame& frame, int count, test::R
 /// @return how many fragments were looked at
 int check_choice(const Scene& scene, const Choice& choice, test::Random& random) {
     const Frame frame = prepare_frame(scene, choice.settings);
-    int looked_at = 0;
+    int checked = 0;
     for (const FragmentEvent& event : some_fragments(frame, 2, random)) {
         const std::string where = fmt::format("{}, {}", choice.name, to_text(event.cursor));
         const std::optional<FragmentReport> report = fragment_report(frame, event.cursor);
@@ -105,9 +105,9 @@ int check_choice(const Scene& scene, const Choice& choice, test::Random& random)
         test::check_formulas(
             frame, vertex_report(frame, event.cursor.triangle, vertex).formulas,
             fmt::format("{}, t{}/v{}", choice.name, event.cursor.triangle, vertex));
-        ++looked_at;
+        ++checked;
     }
-    return looked_at;
+    return checked;
 }
 
 constexpr std::array<const char*, 4> shadings{"shading=unlit", "shading=flat", "shading=gouraud",
@@ -115,19 +115,19 @@ constexpr std::array<const char*, 4> shadings{"shading=unlit", "shading=flat", "
 
 TEST_CASE("Under every setting each formula gives its number, and the last the drawn colour") {
     test::Random random(1);
-    int looked_at = 0;
+    int checked = 0;
     for (const char* const name :
          {"lab-room", "six-sides", "studs", "checkered-floor", "two-panes", "one-triangle"}) {
         const Scene scene = test::lesson_scene(name);
         for (const Choice& choice : test::some_of(test::single_choices(scene, "shading=phong"), 12))
-            looked_at += check_choice(scene, choice, random);
+            checked += check_choice(scene, choice, random);
         for (const char* const shading : shadings) {
             for (const Choice& choice :
                  test::mixed_choices(scene, shading, test::rounds(40, 6), random))
-                looked_at += check_choice(scene, choice, random);
+                checked += check_choice(scene, choice, random);
         }
     }
-    CHECK(looked_at > 400);
+    CHECK(checked > 400);
 }
 
 /// A number that follows an unusual rule.

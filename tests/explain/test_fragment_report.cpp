@@ -229,7 +229,7 @@ class RayCaster {
     }
 
     /// Where a point is seen, pixels from the middle of the picture.
-    glm::dvec2 seen_at(const glm::dvec3& point) const {
+    glm::dvec2 pixel_at(const glm::dvec3& point) const {
         const glm::dvec3 d = point - glm::dvec3(settings_.camera.position);
         const double f = settings_.camera.focal_length;
         const double z = glm::dot(d, forward_);
@@ -239,8 +239,8 @@ class RayCaster {
     /// The place by affine interpolation: the corners blended by the areas that they span in the
     /// picture.
     glm::dvec3 affine(int triangle, double x, double y) const {
-        const glm::dvec2 a = seen_at(corner(triangle, 0)), b = seen_at(corner(triangle, 1)),
-                         c = seen_at(corner(triangle, 2));
+        const glm::dvec2 a = pixel_at(corner(triangle, 0)), b = pixel_at(corner(triangle, 1)),
+                         c = pixel_at(corner(triangle, 2));
         const glm::dvec2 p(x, y);
         const auto area = [](const glm::dvec2& u, const glm::dvec2& v) {
             return u.x * v.y - u.y * v.x;
@@ -365,7 +365,7 @@ TEST_CASE(
         const glm::dvec3 hit = rays.hit(t, x, y);
         const glm::dvec3 right_way(report->under(Interpolation::perspective).position_world);
         const glm::dvec3 wrong_way(report->under(Interpolation::affine).position_world);
-        const double shift = glm::length(rays.seen_at(right_way) - glm::dvec2(x, y));
+        const double shift = glm::length(rays.pixel_at(right_way) - glm::dvec2(x, y));
         largest_shift = std::max(largest_shift, shift);
         largest_distance = std::max(largest_distance, glm::length(right_way - hit));
         largest_affine = std::max(largest_affine, glm::length(wrong_way - hit));

@@ -85,11 +85,11 @@ TEST_CASE("Every number on the way to a shadow has a formula that gives it") {
             const bool is_flat = report->shading == Shading::flat;
             const SurfaceLight& light = is_flat ? report->light_per_triangle : report->light;
             const std::string said = shadow_text(light.shadow, frame);
-            if (!light.shadow.is_asked) {
+            if (!light.shadow.is_tested) {
                 ++facing_away;
                 CHECK(find_formula(report->formulas, one.id) == nullptr);
                 CHECK(said == "Unlit: the surface faces away from the lamp");
-                CHECK_FALSE(lamp_way_outside(frame, report));
+                CHECK_FALSE(lamp_ray_outside(frame, report));
                 continue;
             }
             ++asked;
@@ -98,7 +98,7 @@ TEST_CASE("Every number on the way to a shadow has a formula that gives it") {
             CHECK(shown_by(*report, is_flat ? "triangle_light.lit" : "pixel_light.lit") ==
                   light.shadow.lit);
             CHECK(said.starts_with("Lit") == (light.shadow.lit == 1.0f));
-            const std::optional<SeenLampWay> way = lamp_way_outside(frame, report);
+            const std::optional<LampRay> way = lamp_ray_outside(frame, report);
             REQUIRE(way);
             CHECK(way->met.has_value() == light.shadow.is_dark());
             if (report->shading != Shading::phong || event.fate != Fate::written) continue;
@@ -137,7 +137,7 @@ TEST_CASE("Without shadows nothing is said about them") {
     REQUIRE(report);
     CHECK(shadow_text(report->light.shadow, frame).empty());
     CHECK(find_formula(report->formulas, "pixel_light.lit") == nullptr);
-    CHECK_FALSE(lamp_way_outside(frame, report));
+    CHECK_FALSE(lamp_ray_outside(frame, report));
     for (const Formula& formula : report->formulas)
         CHECK(formula.id.find("shadow") == std::string::npos);
 }
@@ -151,7 +151,7 @@ TEST_CASE("Where light is blocked, the blocker is on the way to the lamp, by ray
             for (int column = 0; column < 40; ++column) {
                 const auto cursor = fragment_on_pixel(frame, {column, row}, cursor_end);
                 if (!cursor) continue;
-                const auto way = lamp_way_outside(frame, fragment_report(frame, *cursor));
+                const auto way = lamp_ray_outside(frame, fragment_report(frame, *cursor));
                 if (!way || !way->met) continue;
                 ++met;
                 const glm::dvec3 whole = lamp - way->from, part = *way->met - way->from;

@@ -72,7 +72,7 @@ std::string id_of_light(const Frame& frame, const FragmentReport& report, int ch
 
 TEST_CASE("Every term of a shiny, bent, coloured surface is shown with its formula") {
     const Scene scene = coloured_cylinder();
-    int told = 0, shining = 0;
+    int reported = 0, shining = 0;
     for (const char* shading : {"stage=fill", "shading=flat", "shading=gouraud", "shading=phong"}) {
         for (const char* rule :
              {"light.model=lambert", "light.falloff=linear", "light.falloff=none",
@@ -98,12 +98,12 @@ TEST_CASE("Every term of a shiny, bent, coloured surface is shown with its formu
                         FAIL(where << "channel " << c << " shows " << shown << ", drawn is "
                                    << event.after[c]);
                 }
-                ++told;
+                ++reported;
                 shining += report->light.highlight.power > 0.1f ? 1 : 0;
             }
         }
     }
-    CHECK(told == 4 * 12 * 3);
+    CHECK(reported == 4 * 12 * 3);
     CHECK(shining > 5);
 }
 

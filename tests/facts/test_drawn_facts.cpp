@@ -211,7 +211,7 @@ TEST_CASE("The pixels of a row are counted by the function that draws them") {
     for (const EmptyRows rule : {EmptyRows::skipped, EmptyRows::overflow}) {
         settings.empty_rows = rule;
         asked.show(settings);
-        int unset = 0;
+        int empty_row_count = 0;
         for (int t = 0; t < asked.frame().triangle_count(); ++t) {
             PolygonRows rows;
             compute_rows(asked.frame(), t, rows);
@@ -225,11 +225,11 @@ TEST_CASE("The pixels of a row are counted by the function that draws them") {
                 sum += *count;
                 if (!rows.is_empty_row(r)) continue;
                 CHECK(*count == (rule == EmptyRows::overflow ? 3.0 : 0.0));
-                ++unset;
+                ++empty_row_count;
             }
             CHECK(asked.number("table.fragments") == sum);
         }
-        CHECK(unset == 5);
+        CHECK(empty_row_count == 5);
     }
 }
 
@@ -258,13 +258,13 @@ TEST_CASE("t at the near plane is where the function that clips puts the corner"
         const auto cut = static_cast<double>(in) + *t * static_cast<double>(out - in);
         // clip_all() may go on to cut at the sides; then the corner is reported, not drawn.
         const test::Recorder recorder = record(asked.frame());
-        const bool is_told = std::any_of(
+        const bool is_reported = std::any_of(
             recorder.clip_steps.begin(), recorder.clip_steps.end(), [&](const ClipEvent& event) {
                 return event.step.is_cut && event.step.plane == ClipPlane::near &&
                        static_cast<double>(event.step.cut.position_clip.w) ==
                            Approx(cut).margin(1e-4);
             });
-        CHECK(is_told);
+        CHECK(is_reported);
     }
 }
 

@@ -48,14 +48,14 @@ void set_timer() {
     ::setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
-void tell(const Task& task, const ChangedFormat& format, Progress& progress,
-          const std::string& trouble) {
+void report(const Task& task, const ChangedFormat& format, Progress& progress,
+            const std::string& problem) {
     ++progress.findings;
     const std::string path =
         fmt::format("{}/{}-{}-{}", task.folder, format.name, task.start, progress.file);
     std::ofstream(path, std::ios::binary) << changed_file(format, number_of(task, progress.file));
     fmt::print("{}: file {} of start value {}: {}\n    It is kept as {}.\n", format.name,
-               progress.file, task.start, trouble, path);
+               progress.file, task.start, problem, path);
     std::fflush(stdout);
 }
 
@@ -72,7 +72,7 @@ bool goes_on(const Task& task, const Progress& progress) {
         const std::string bytes = changed_file(format, number_of(task, progress.file));
         const FileOutcome outcome = outcome_of(format, bytes, folder);
         progress.read += outcome.is_read ? 1 : 0;
-        if (!outcome.trouble.empty()) tell(task, format, progress, outcome.trouble);
+        if (!outcome.problem.empty()) report(task, format, progress, outcome.problem);
     }
     ::_exit(0);
 }
@@ -90,7 +90,7 @@ void fuzz(const Task& task, const ChangedFormat& format, Progress& progress) {
         ::waitpid(child, &status, 0);
         if (status == 0) break;
         const bool is_late = WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF;
-        tell(task, format, progress, is_late ? "it takes too long." : "it ends the program.");
+        report(task, format, progress, is_late ? "it takes too long." : "it ends the program.");
         ++progress.file;
     }
     fmt::print("{}: {} files from start value {}, {} read, {} findings\n", format.name,

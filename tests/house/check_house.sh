@@ -70,7 +70,7 @@ faulty src/stages/project.cpp '#pragma STDC FP_CONTRACT ON' 'this pragma'
 new_house; mkdir "$tree/src/misc"; touch "$tree/src/misc/a.h"; echo >>"$tree/src/misc/a.h"
 expect "src/misc/a.h:1: this folder has no place"
 new_house; flags "-O3 -ffp-contract=off -ffast-math"; expect "compile_commands.json:4: $tree/src/scene/a.cpp is compiled with -ffast-math"
-for library in core drawing telling; do
+for library in core drawing reporting; do
     new_house; flags "-O3" "/b/rasterwalk_$library.dir/Unity/unity_src_stages_cxx.cxx"
     expect "$library.dir/Unity/unity_src_stages_cxx.cxx is compiled without -ffp-contract=off"
 done

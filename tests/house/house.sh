@@ -105,7 +105,7 @@ if [ -n "$commands" ]; then
             file = $0
             sub(/^[ \t]*"file":[ \t]*"/, "", file); sub(/".*$/, "", file)
             # Or the file that includes all sources of a folder of the core.
-            if (index(file, root "/src/") != 1 && file !~ /\/rasterwalk_(core|drawing|engines|following|telling)\.dir\/Unity\/[^\/]*$/) next
+            if (index(file, root "/src/") != 1 && file !~ /\/rasterwalk_(core|drawing|engines|following|reporting)\.dir\/Unity\/[^\/]*$/) next
             ++core
             # The loops of the fast engine do not promise the same bits.
             if (file ~ /\/src\/engines\/fast\/fast_loops_[a-z0-9]*\.cpp$/) next

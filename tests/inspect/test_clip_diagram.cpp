@@ -153,11 +153,11 @@ TEST_CASE("In the diagram of a plane the new corners are on its line and on the 
                     const CutCorner& b = diagram->corners[(from + 1) % diagram->corners.size()];
                     const double d_a = own_distance(frame.settings, work.plane, a);
                     const double d_b = own_distance(frame.settings, work.plane, b);
-                    const glm::dvec2 meeting =
+                    const glm::dvec2 crossing =
                         diagram->place(a) +
                         d_a / (d_a - d_b) * (diagram->place(b) - diagram->place(a));
                     const glm::dvec2 off =
-                        share_of(*diagram, diagram->place(corner)) - share_of(*diagram, meeting);
+                        share_of(*diagram, diagram->place(corner)) - share_of(*diagram, crossing);
                     CHECK(std::hypot(off.x, off.y) < 1e-3);
                 }
                 const auto cuts = std::count_if(work.steps.begin(), work.steps.end(),

@@ -272,9 +272,9 @@ TEST_CASE("The history's polygon and culling are those of the frame") {
             const ClipHistory history = clip_history(frame, t);
             CAPTURE(t);
             REQUIRE(history.rejection == frame.rejection(t));
-            REQUIRE(history.is_cull_asked ==
+            REQUIRE(history.is_cull_tested ==
                     (frame.settings.cull != Cull::none && !history.polygon.empty()));
-            if (history.is_cull_asked) {
+            if (history.is_cull_tested) {
                 REQUIRE(history.cull.is_back == (frame.rejection(t) == Rejection::back_facing));
                 REQUIRE_FALSE(history.cull.reason.empty());
             }
@@ -361,8 +361,8 @@ TEST_CASE("The lines of clip and cull in the list of moments say what each does"
             }
         }
         steps += static_cast<int>(expected.size());
-        culls += history.is_cull_asked ? 1 : 0;
-        if (history.is_cull_asked)
+        culls += history.is_cull_tested ? 1 : 0;
+        if (history.is_cull_tested)
             expected.push_back("t" + std::to_string(t) + "/k  " + culling_text(history.cull));
         const int first = list.moments.of(Phase::vertices).count();
         for (std::size_t i = 0; i < expected.size(); ++i)

@@ -88,23 +88,23 @@ std::string first_odd_one(const std::vector<Cursor>& a, const std::vector<Cursor
     return to_text(p == a.end() ? *q : q == b.end() ? *p : std::min(*p, *q));
 }
 
-struct Told {
+struct Recorded {
     Framebuffer picture;
     Recorder events{true};
     DrawTally tally;
 };
 
-Told told_of(const Frame& frame) {
-    Told told;
-    clear(told.picture, frame);
-    told.tally = draw(frame, {}, told.picture, &told.events);
-    return told;
+Recorded record_of(const Frame& frame) {
+    Recorded recorded;
+    clear(recorded.picture, frame);
+    recorded.tally = draw(frame, {}, recorded.picture, &recorded.events);
+    return recorded;
 }
 
 /// The pixels that tests found inside, row by row of the picture.
-std::map<int, std::set<int>> inside_rows(const Recorder& told, int triangle, const Cursor& to) {
+std::map<int, std::set<int>> inside_rows(const Recorder& recorded, int triangle, const Cursor& to) {
     std::map<int, std::set<int>> rows;
-    for (const TestEvent& event : told.tests) {
+    for (const TestEvent& event : recorded.tests) {
         if (event.cursor.triangle == triangle && event.cursor < to && event.test.is_inside)
             rows[event.test.row].insert(event.test.column);
     }
@@ -126,7 +126,7 @@ std::map<int, std::set<int>> table_rows_in_picture(const Frame& frame, const Pol
     return rows;
 }
 
-void check_triangle(const Frame& frame, const Told& told, int triangle) {
+void check_triangle(const Frame& frame, const Recorded& recorded, int triangle) {
     const TriangleReport report = triangle_report(frame, triangle);
     CHECK(report.edges.size() == frame.triangle_vertices(triangle).size());
     CHECK(report.rows.sample_count == 0);
@@ -135,11 +135,11 @@ void check_triangle(const Frame& frame, const Told& told, int triangle) {
     CHECK(report.rows.rows.left == table.left);
     CHECK(report.rows.rows.right == table.right);
     if (tests_pixels(frame.stages)) {
-        CHECK(inside_rows(told.events, triangle, cursor_end) ==
+        CHECK(inside_rows(recorded.events, triangle, cursor_end) ==
               table_rows_in_picture(frame, table));
     }
     std::map<int, std::set<int>> drawn;
-    for (const FragmentEvent& event : told.events.fragments) {
+    for (const FragmentEvent& event : recorded.events.fragments) {
         if (event.cursor.triangle == triangle)
             drawn[event.fragment.row].insert(event.fragment.column);
     }
@@ -154,15 +154,16 @@ void check_triangle(const Frame& frame, const Told& told, int triangle) {
           edge_sample_count(v[0], v[1]));
 }
 
-void check_pixels(const Frame& frame, const Told& told) {
+void check_pixels(const Frame& frame, const Recorded& recorded) {
     const Viewport size = frame.settings.viewport;
     for (int row = 0; row < size.height; row += 5) {
         for (int column = 0; column < size.width; column += 3) {
             CAPTURE(column, row);
             const PixelHistory history = pixel_history(frame, {column, row});
-            CHECK(history.entries.size() == told.picture.overdraw[told.picture.at(column, row)]);
+            CHECK(history.entries.size() ==
+                  recorded.picture.overdraw[recorded.picture.at(column, row)]);
             std::vector<TestEvent> tests;
-            for (const TestEvent& event : told.events.tests) {
+            for (const TestEvent& event : recorded.events.tests) {
                 if (event.test.column == column && event.test.row == row) tests.push_back(event);
             }
             REQUIRE(history.tests.size() == tests.size());
@@ -206,15 +207,15 @@ std::vector<ScreenVertex> five_corners() {
 
 TEST_CASE("However the pixels are found, everything shown agrees") {
     for_each_covered_frame([](const Frame& frame) {
-        const Told told = told_of(frame);
-        CHECK(draw_frame(frame) == told.picture); // also without an observer
-        CHECK(told.events.samples.empty());
-        CHECK(told.events.tests.empty() != tests_pixels(frame.stages));
+        const Recorded recorded = record_of(frame);
+        CHECK(draw_frame(frame) == recorded.picture); // also without an observer
+        CHECK(recorded.events.samples.empty());
+        CHECK(recorded.events.tests.empty() != tests_pixels(frame.stages));
         for (int t = 0; t < frame.triangle_count(); ++t) {
-            if (frame.is_drawn(t)) check_triangle(frame, told, t);
+            if (frame.is_drawn(t)) check_triangle(frame, recorded, t);
         }
         const std::vector<Cursor> expected = all_moments(frame);
-        const std::vector<Cursor> heard = told_moments(told.events, frame.settings.stage);
+        const std::vector<Cursor> heard = recorded_moments(recorded.events, frame.settings.stage);
         std::vector<Cursor> moments = expected;
         // A row without fragments is not reported as a moment.
         if (frame.settings.stage == Stage::rows)
@@ -227,17 +228,17 @@ TEST_CASE("However the pixels are found, everything shown agrees") {
             walked.push_back(at);
         CHECK(first_odd_one(walked, expected) == "none");
         const FrameStats stats = frame_stats(frame);
-        CHECK(stats.pixels_tested == static_cast<std::int64_t>(told.events.tests.size()));
-        CHECK(stats.fragments == static_cast<std::int64_t>(told.events.fragments.size()));
+        CHECK(stats.pixels_tested == static_cast<std::int64_t>(recorded.events.tests.size()));
+        CHECK(stats.fragments == static_cast<std::int64_t>(recorded.events.fragments.size()));
         CHECK(tally_rows(frame, 0).pixels_tested == stats.pixels_tested);
-        check_pixels(frame, told);
+        check_pixels(frame, recorded);
     });
 }
 
 TEST_CASE("Forward and backward in time the picture and the rows are those of the moment") {
     Random random(1988);
     for_each_covered_frame([&](const Frame& frame) {
-        const Told told = told_of(frame);
+        const Recorded recorded = record_of(frame);
         const std::vector<Cursor> moments = all_moments(frame);
         if (moments.empty()) return;
         const Timeline timeline(frame);
@@ -259,7 +260,8 @@ TEST_CASE("Forward and backward in time the picture and the rows are those of th
             // Rows reach as far as the tested pixels; those outside the picture are tested without
             // moments.
             const auto rows = table_rows_in_picture(frame, history.rows);
-            for (const auto& [row, columns] : inside_rows(told.events, cursor.triangle, cursor)) {
+            for (const auto& [row, columns] :
+                 inside_rows(recorded.events, cursor.triangle, cursor)) {
                 REQUIRE(rows.contains(row));
                 CHECK(*rows.at(row).begin() == *columns.begin());
                 CHECK(*rows.at(row).rbegin() == *columns.rbegin());
@@ -390,15 +392,16 @@ TEST_CASE("At any moment a pixel is known as the earlier tests found it") {
             set_up_tests(frame.triangle_vertices(t), frame.stages, polygon);
             in_fans += polygon.triangles.size() > 1 ? 1 : 0;
             std::map<std::pair<int, int>, bool> inside; // by row and column
-            const std::vector<TestEvent> told = told_of(frame).events.tests;
+            const std::vector<TestEvent> recorded = record_of(frame).events.tests;
             int number = 0;
-            for (std::size_t k = 0; k < told.size(); ++k) {
-                if (told[k].cursor.triangle != t) continue;
-                bool& is_inside = inside[{told[k].test.row, told[k].test.column}];
-                is_inside = is_inside || told[k].test.is_inside;
-                const bool is_last = k + 1 == told.size() || told[k + 1].cursor.triangle != t;
+            for (std::size_t k = 0; k < recorded.size(); ++k) {
+                if (recorded[k].cursor.triangle != t) continue;
+                bool& is_inside = inside[{recorded[k].test.row, recorded[k].test.column}];
+                is_inside = is_inside || recorded[k].test.is_inside;
+                const bool is_last =
+                    k + 1 == recorded.size() || recorded[k + 1].cursor.triangle != t;
                 if (number++ % 97 != 0 && !is_last) continue;
-                const Cursor to = is_last ? Cursor{t, Phase::rows, 0, 0} : told[k + 1].cursor;
+                const Cursor to = is_last ? Cursor{t, Phase::rows, 0, 0} : recorded[k + 1].cursor;
                 ++moments;
                 for (int row = 0; row < size.height; ++row) {
                     std::map<int, bool> known;
@@ -433,14 +436,14 @@ TEST_CASE("Only the tests inside the scissor are reported, in order") {
     const Frame frame = prepare_frame(
         scene, settings_of(scene, {Stage::fill},
                            {Coverage::edge_functions, FillRule::top_left, Snap::subpixel}));
-    const Told told = told_of(frame);
+    const Recorded recorded = record_of(frame);
     const Rectangle scissor{3, 4, 9, 8};
     Framebuffer picture;
     clear(picture, frame);
     Recorder part(true);
     draw(frame, {cursor_begin, cursor_end, scissor}, picture, &part);
     std::vector<TestEvent> expected;
-    for (const TestEvent& event : told.events.tests) {
+    for (const TestEvent& event : recorded.events.tests) {
         const bool is_in = event.test.column >= 3 && event.test.column < 9 && event.test.row >= 4 &&
                            event.test.row < 8;
         if (is_in) expected.push_back(event);

@@ -30,24 +30,25 @@ TEST_CASE("The time of a way of culling is the median of its draws, which take t
     NotingClock clock;
     const CullingCosts costs = culling_costs(scene, default_settings(scene), cursor_end,
                                              [&clock] { return clock.look(); });
-    REQUIRE(costs.ways.size() == 5);
-    CHECK(costs.ways.front().way == Cull::none);
+    REQUIRE(costs.rules.size() == 5);
+    CHECK(costs.rules.front().rule == Cull::none);
     CHECK(costs.draws % 2 == 1);
     CHECK(costs.draws >= fewest_draws);
     CHECK(costs.draws <= most_draws);
     // A look before all draws, two for each, and now and then one whether it is enough: the time
     // of a draw is longer than that of the draw before it, of whatever way.
-    for (std::size_t i = 0; i < costs.ways.size(); ++i) {
+    for (std::size_t i = 0; i < costs.rules.size(); ++i) {
         CAPTURE(i);
-        CHECK(costs.ways[i].milliseconds > 0.0);
-        if (i > 0) CHECK(costs.ways[i].milliseconds == costs.ways[i - 1].milliseconds + 0.5);
-        CHECK(costs.ways[i].share == costs.ways[i].milliseconds / costs.ways.front().milliseconds);
+        CHECK(costs.rules[i].milliseconds > 0.0);
+        if (i > 0) CHECK(costs.rules[i].milliseconds == costs.rules[i - 1].milliseconds + 0.5);
+        CHECK(costs.rules[i].share ==
+              costs.rules[i].milliseconds / costs.rules.front().milliseconds);
     }
     // The median is that of the draw in the middle: as many readings before it as after it, except
     // for those that check whether it is enough.
     const double longest = clock.looks.back() - clock.looks[clock.looks.size() - 2];
-    CHECK(costs.ways[2].milliseconds > 0.4 * longest);
-    CHECK(costs.ways[2].milliseconds < 0.6 * longest);
+    CHECK(costs.rules[2].milliseconds > 0.4 * longest);
+    CHECK(costs.rules[2].milliseconds < 0.6 * longest);
 }
 
 TEST_CASE("A slow machine draws three times, a fast one only as often as useful") {
@@ -74,11 +75,11 @@ TEST_CASE("The counts for each way of culling are those of its frame") {
     double now = 0.0;
     const CullingCosts costs =
         culling_costs(room, settings, cursor_end, [&now] { return now += 1000.0; });
-    for (const CullingCost& cost : costs.ways) {
-        settings.cull = cost.way;
-        CAPTURE(word_of(cost.way));
+    for (const CullingCost& cost : costs.rules) {
+        settings.cull = cost.rule;
+        CAPTURE(word_of(cost.rule));
         CHECK(cost.stats == frame_stats(prepare_frame(room, settings)));
     }
-    CHECK(costs.ways[1].stats.fragments < costs.ways[0].stats.fragments);
-    CHECK(costs.ways[4].stats.fragments == costs.ways[0].stats.fragments);
+    CHECK(costs.rules[1].stats.fragments < costs.rules[0].stats.fragments);
+    CHECK(costs.rules[4].stats.fragments == costs.rules[0].stats.fragments);
 }

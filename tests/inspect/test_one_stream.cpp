@@ -263,14 +263,14 @@ struct Story {
     Framebuffer picture;
     Image image;
     Image depth_image;
-    Recorder told{true};
+    Recorder recorded{true};
     DrawTally tally;
 };
 
 Story story_of(const Frame& frame) {
     Story story;
     clear(story.picture, frame);
-    story.tally = draw(frame, {}, story.picture, &story.told);
+    story.tally = draw(frame, {}, story.picture, &story.recorded);
     story.image = view_image(story.picture, View::colour, std::nullopt);
     story.depth_image = view_image(story.picture, View::depth, std::nullopt);
     return story;
@@ -281,18 +281,18 @@ bool same_place(const EdgeSample& a, const EdgeSample& b) {
            same_bits(a.fragment, b.fragment) && a.write == b.write && a.decision == b.decision;
 }
 
-std::vector<EdgeSample> told_samples(const Story& story, int triangle) {
+std::vector<EdgeSample> recorded_samples(const Story& story, int triangle) {
     std::vector<EdgeSample> samples;
-    for (const SampleEvent& event : story.told.samples) {
+    for (const SampleEvent& event : story.recorded.samples) {
         if (event.cursor.triangle == triangle) samples.push_back(event.sample);
     }
     return samples;
 }
 
 /// The columns of a triangle's fragments, row by row of its table.
-std::map<int, std::vector<int>> told_rows(const Story& story, int triangle) {
+std::map<int, std::vector<int>> recorded_rows(const Story& story, int triangle) {
     std::map<int, std::vector<int>> rows;
-    for (const FragmentEvent& event : story.told.fragments) {
+    for (const FragmentEvent& event : story.recorded.fragments) {
         if (event.cursor.triangle == triangle)
             rows[event.cursor.index].push_back(event.fragment.column);
     }
@@ -300,19 +300,19 @@ std::map<int, std::vector<int>> told_rows(const Story& story, int triangle) {
 }
 
 void check_tables(const Frame& frame, const Story& story, int triangle) {
-    const std::vector<EdgeSample> told = told_samples(story, triangle);
+    const std::vector<EdgeSample> recorded = recorded_samples(story, triangle);
     const TriangleReport report = triangle_report(frame, triangle);
     std::vector<EdgeSample> reported;
     for (const EdgeReport& edge : report.edges)
         reported.insert(reported.end(), edge.samples.begin(), edge.samples.end());
-    REQUIRE(reported.size() == told.size());
-    CHECK(std::equal(told.begin(), told.end(), reported.begin(), same_place));
-    CHECK(report.rows.sample_count == static_cast<int>(told.size()));
+    REQUIRE(reported.size() == recorded.size());
+    CHECK(std::equal(recorded.begin(), recorded.end(), reported.begin(), same_place));
+    CHECK(report.rows.sample_count == static_cast<int>(recorded.size()));
     REQUIRE(report.rows.last);
-    CHECK(same_place(*report.rows.last, told.back()));
+    CHECK(same_place(*report.rows.last, recorded.back()));
     // What is drawn of each row of the table is what the observer got.
     const Rectangle area = drawn_area(frame);
-    const std::map<int, std::vector<int>> rows = told_rows(story, triangle);
+    const std::map<int, std::vector<int>> rows = recorded_rows(story, triangle);
     const PolygonRows& table = report.rows.rows;
     for (int r = 0; r < table.size(); ++r) {
         std::vector<int> expected;
@@ -331,12 +331,12 @@ void check_tables(const Frame& frame, const Story& story, int triangle) {
 
 void check_microscope(const Frame& frame, const Story& story, int triangle) {
     const PolygonCorners v = frame.triangle_vertices(triangle);
-    const std::vector<EdgeSample> told = told_samples(story, triangle);
+    const std::vector<EdgeSample> recorded = recorded_samples(story, triangle);
     for (std::size_t e = 0; e < v.size(); ++e) {
         const EdgeMicroscope edge =
             microscope(v[e], v[(e + 1) % v.size()], edge_rules(frame.settings), frame.stages);
         std::size_t i = 0;
-        for (const EdgeSample& sample : told) {
+        for (const EdgeSample& sample : recorded) {
             if (sample.edge != static_cast<int>(e)) continue;
             REQUIRE(i < edge.forward.size());
             CHECK(same_bits(edge.forward[i].x, sample.x));
@@ -353,21 +353,21 @@ void check_microscope(const Frame& frame, const Story& story, int triangle) {
 }
 
 void check_moments(const Frame& frame, const Story& story) {
-    std::vector<Cursor> told;
-    for (const auto& vertex : story.told.vertices)
-        told.push_back(vertex.cursor);
-    for (const ClipEvent& event : story.told.clip_steps)
-        told.push_back(event.cursor);
-    for (const CullEvent& event : story.told.culls)
-        told.push_back(event.cursor);
-    for (const SampleEvent& event : story.told.samples)
-        told.push_back(event.cursor);
-    for (const FragmentEvent& event : story.told.fragments)
-        told.push_back(event.cursor);
-    std::sort(told.begin(), told.end());
+    std::vector<Cursor> recorded;
+    for (const auto& vertex : story.recorded.vertices)
+        recorded.push_back(vertex.cursor);
+    for (const ClipEvent& event : story.recorded.clip_steps)
+        recorded.push_back(event.cursor);
+    for (const CullEvent& event : story.recorded.culls)
+        recorded.push_back(event.cursor);
+    for (const SampleEvent& event : story.recorded.samples)
+        recorded.push_back(event.cursor);
+    for (const FragmentEvent& event : story.recorded.fragments)
+        recorded.push_back(event.cursor);
+    std::sort(recorded.begin(), recorded.end());
     const Timeline timeline(frame);
     Cursor cursor = timeline.first();
-    for (const Cursor& expected : told) {
+    for (const Cursor& expected : recorded) {
         if (cursor != expected) FAIL(to_text(cursor) + " for " + to_text(expected));
         cursor = timeline.next(cursor, Granularity::moment);
     }
@@ -376,9 +376,9 @@ void check_moments(const Frame& frame, const Story& story) {
 
 /// History, report and list of moments show the clipping and culling that the observer got.
 void check_clipping(const Frame& frame, const Story& story, int triangle) {
-    std::vector<std::string> told, of_history, of_report;
-    for (const ClipEvent& event : story.told.clip_steps) {
-        if (event.cursor.triangle == triangle) told.push_back(clip_step_text(event.step));
+    std::vector<std::string> recorded, of_history, of_report;
+    for (const ClipEvent& event : story.recorded.clip_steps) {
+        if (event.cursor.triangle == triangle) recorded.push_back(clip_step_text(event.step));
     }
     const auto steps_of = [](const ClipHistory& history) {
         std::vector<std::string> steps;
@@ -390,22 +390,22 @@ void check_clipping(const Frame& frame, const Story& story, int triangle) {
     };
     const ClipHistory history = clip_history(frame, triangle);
     CAPTURE(triangle);
-    CHECK(steps_of(history) == told);
-    CHECK(steps_of(triangle_report(frame, triangle).clip) == told);
+    CHECK(steps_of(history) == recorded);
+    CHECK(steps_of(triangle_report(frame, triangle).clip) == recorded);
     const EventList list = list_events(frame, triangle);
     std::vector<std::string> of_list;
     for (const Event& event : list.events) {
         if (const auto* clip = std::get_if<ClipEvent>(&event))
             of_list.push_back(clip_step_text(clip->step));
     }
-    CHECK(of_list == told);
+    CHECK(of_list == recorded);
     const auto cull =
-        std::find_if(story.told.culls.begin(), story.told.culls.end(),
+        std::find_if(story.recorded.culls.begin(), story.recorded.culls.end(),
                      [&](const CullEvent& event) { return event.cursor.triangle == triangle; });
-    const bool is_told = cull != story.told.culls.end();
-    REQUIRE(list.moments.of(Phase::cull).count() == (is_told ? 1 : 0));
-    CHECK(history.is_cull_asked == is_told);
-    if (!is_told) return;
+    const bool is_reported = cull != story.recorded.culls.end();
+    REQUIRE(list.moments.of(Phase::cull).count() == (is_reported ? 1 : 0));
+    CHECK(history.is_cull_tested == is_reported);
+    if (!is_reported) return;
     CHECK(culling_text(history.cull) == culling_text(cull->test));
     const auto listed =
         std::find_if(list.events.begin(), list.events.end(),
@@ -441,15 +441,15 @@ void check_pixels(const Frame& frame, const Story& story) {
 
 void check_stats(const Frame& frame, const Story& story) {
     const FrameStats stats = frame_stats(frame);
-    CHECK(stats.fragments == static_cast<std::int64_t>(story.told.fragments.size()));
+    CHECK(stats.fragments == static_cast<std::int64_t>(story.recorded.fragments.size()));
     CHECK(stats.uncovered ==
           std::count(story.picture.overdraw.begin(), story.picture.overdraw.end(), 0U));
     const auto outside =
-        std::count_if(story.told.samples.begin(), story.told.samples.end(),
+        std::count_if(story.recorded.samples.begin(), story.recorded.samples.end(),
                       [](const SampleEvent& event) { return !event.sample.write.inside; });
     CHECK(stats.rows_outside == outside);
     CHECK(tally_rows(frame, 0).samples_outside == outside);
-    CHECK(stats.rows_looked_at == story.tally.rows_looked_at);
+    CHECK(stats.row_lookups == story.tally.row_lookups);
 }
 
 /// The small scene in front of a camera that sees it much as it is in pixels.
@@ -493,11 +493,11 @@ TEST_CASE(
         const Story usual = story_of(prepare_frame(scene, settings));
         const Frame frame = prepare_frame(scene, settings, replacement.replace);
         const Story story = story_of(frame);
-        const bool tells_something_new = !(story.picture == usual.picture) ||
-                                         !(story.image.rgba == usual.image.rgba) ||
-                                         !(story.depth_image.rgba == usual.depth_image.rgba) ||
-                                         story.tally.samples_outside != usual.tally.samples_outside;
-        CHECK(tells_something_new);
+        const bool has_new_events = !(story.picture == usual.picture) ||
+                                    !(story.image.rgba == usual.image.rgba) ||
+                                    !(story.depth_image.rgba == usual.depth_image.rgba) ||
+                                    story.tally.samples_outside != usual.tally.samples_outside;
+        CHECK(has_new_events);
         CHECK(draw_frame(frame) == story.picture); // also without an observer
         for (int t = 0; t < frame.triangle_count(); ++t) {
             if (frame.has_moments(t)) check_clipping(frame, story, t);

@@ -129,7 +129,7 @@ glm::vec3 reflected(const StudentProgram& program, const StudentPoint& point) {
 }
 
 /// The three corners of a triangle on the screen, and whether it is drawn at all.
-struct SeenTriangle {
+struct CameraTriangle {
     std::array<Sample, 3> corners;
     bool is_seen = true;
 };
@@ -178,9 +178,9 @@ int to_pixel(float along, float z, float zinv, float focal_length, int size,
 }
 
 /// VertexShader() of the lab for all three.
-SeenTriangle seen_triangle(const StudentTriangle& triangle, const StudentProgram& program) {
+CameraTriangle camera_triangle(const StudentTriangle& triangle, const StudentProgram& program) {
     const StudentMistakes& wrong = program.mistakes;
-    SeenTriangle seen;
+    CameraTriangle seen;
     if (wrong.culled_by_lamp &&
         glm::dot(triangle.normal, program.lamp - triangle.corners[0]) < 0.0f)
         seen.is_seen = false;
@@ -331,7 +331,7 @@ Image draw(const StudentProgram& program) {
     if (program.change_room) program.change_room(room);
     Screen screen(program);
     for (const StudentTriangle& triangle : room) {
-        const SeenTriangle seen = seen_triangle(triangle, program);
+        const CameraTriangle seen = camera_triangle(triangle, program);
         if (seen.is_seen) draw_rows(row_table(seen.corners, program), triangle, screen);
     }
     Image image{program.width, program.height, {}};

@@ -99,7 +99,7 @@ constexpr Word words[] = {
 struct Line {
     const char* mistakes;
     const char* words;
-    bool is_camera_told = false;
+    bool is_camera_known = false;
 };
 
 constexpr Line right_ones[] = {
@@ -261,7 +261,7 @@ BroughtPicture picture_of_line(StudentKind kind, const Line& line) {
         picture.mistakes.push_back(known_mistake(id));
         picture.mistakes.back().make(picture.program.mistakes);
     }
-    picture.is_camera_told = line.is_camera_told;
+    picture.is_camera_known = line.is_camera_known;
     return picture;
 }
 

@@ -36,7 +36,7 @@ struct BroughtPicture {
     StudentKind kind = StudentKind::right;
     StudentProgram program;
     std::vector<KnownMistake> mistakes{}; ///< one of a single, two of a pair
-    bool is_camera_told = false; ///< does the laboratory know where the student's camera is?
+    bool is_camera_known = false; ///< does the laboratory know where the student's camera is?
 };
 
 /// The list. Its order mixes the kinds, so that any part of it has some of each.

@@ -323,16 +323,16 @@ TEST_CASE("B6: a triangle left of the picture leaves a line of pixels in column 
 
 TEST_CASE("B7: rows that were never set are counted, and none of them is drawn") {
     const Runs runs("B7");
-    CHECK(runs.wrong_stats.unset_rows == 5);
-    CHECK(runs.correct_stats.unset_rows == 0);
+    CHECK(runs.wrong_stats.empty_rows == 5);
+    CHECK(runs.correct_stats.empty_rows == 0);
     CHECK(same_planes(runs.wrong_picture, runs.correct_picture));
     CHECK(row_pixel_count_wrapped(empty_left, empty_right) == 3);
     CHECK(row_pixel_count_wrapped(7, 9) == 3);
     CHECK(row_pixel_count_wrapped(500, 0) == -499);
     Results results;
     update(runs.session, results);
-    REQUIRE(results.a.troubles.size() == 1);
-    CHECK(results.a.troubles[0].sentence ==
+    REQUIRE(results.a.warnings.size() == 1);
+    CHECK(results.a.warnings[0].sentence ==
           "5 rows that no edge sample reached: right − left + 1 is 3 there, and none of those "
           "pixels are in the picture");
 }
@@ -547,8 +547,8 @@ TEST_CASE("B17c: in a picture that is not square the cells outside are not writt
         CHECK(runs.wrong_stats.depth_outside == outside);
         Results results;
         update(runs.session, results);
-        REQUIRE_FALSE(results.a.troubles.empty());
-        CHECK_THAT(results.a.troubles[0].sentence,
+        REQUIRE_FALSE(results.a.warnings.empty());
+        CHECK_THAT(results.a.warnings[0].sentence,
                    ContainsSubstring("[x][y] is outside the depth buffer"));
     }
 }
@@ -688,8 +688,8 @@ TEST_CASE("B27: the same picture to the last bit, with every sample looked at fo
             comparisons += std::int64_t{count} * tables[static_cast<std::size_t>(t)].size();
         }
     }
-    CHECK(runs.correct_stats.rows_looked_at == samples);
-    CHECK(runs.wrong_stats.rows_looked_at == comparisons);
+    CHECK(runs.correct_stats.row_lookups == samples);
+    CHECK(runs.wrong_stats.row_lookups == comparisons);
     CHECK(compare_runs(runs.wrong, runs.correct).is_same());
 }
 

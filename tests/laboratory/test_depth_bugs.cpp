@@ -22,7 +22,7 @@ template <class Passes>
 std::vector<std::int32_t> owners(const DrawnRun& run, const Passes& passes) {
     std::vector<std::int32_t> owner(run.picture.owner.size(), -1);
     std::vector<float> stored(owner.size(), 0.0f);
-    for (const FragmentEvent& event : run.told.fragments) {
+    for (const FragmentEvent& event : run.reported.fragments) {
         const std::size_t at = run.picture.at(event.fragment.column, event.fragment.row);
         if (!passes(event.fragment.depth, stored[at])) continue;
         stored[at] = event.fragment.depth;
@@ -38,10 +38,10 @@ std::string part_of(const DrawnRun& run, int triangle) {
 /// Calls f with the two runs' fragments of the same moment and pixel.
 template <class F>
 void for_each_pair(const BugRuns& runs, const F& f) {
-    REQUIRE(runs.wrong.told.fragments.size() == runs.right.told.fragments.size());
-    for (std::size_t i = 0; i < runs.right.told.fragments.size(); ++i) {
-        const FragmentEvent &wrong = runs.wrong.told.fragments[i],
-                            &right = runs.right.told.fragments[i];
+    REQUIRE(runs.wrong.reported.fragments.size() == runs.right.reported.fragments.size());
+    for (std::size_t i = 0; i < runs.right.reported.fragments.size(); ++i) {
+        const FragmentEvent &wrong = runs.wrong.reported.fragments[i],
+                            &right = runs.right.reported.fragments[i];
         REQUIRE(wrong.cursor == right.cursor);
         REQUIRE(wrong.fragment.column == right.fragment.column);
         f(wrong, right);
@@ -100,7 +100,7 @@ TEST_CASE("B17e: the picture is the same to the last bit, and only empty cells d
     }
     CHECK(empty == 998);
     // With z, where the smaller value wins, nothing would pass.
-    for (const FragmentEvent& event : runs.right.told.fragments)
+    for (const FragmentEvent& event : runs.right.reported.fragments)
         REQUIRE_FALSE(event.fragment.z < -static_cast<float>(INT_MAX));
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("B88b: the poster is not nearer by 0.0001 of 1/z, and all of it is los
     CHECK(poster == different_pixels(runs.wrong.picture, runs.right.picture));
     CHECK(poster > 3000);
     CHECK(decal > 3000);
-    for (const FragmentEvent& event : runs.right.told.fragments) {
+    for (const FragmentEvent& event : runs.right.reported.fragments) {
         if (part_of(runs.right, event.cursor.triangle) != "poster") continue;
         REQUIRE(event.fragment.inv_w < 1.0f / 3.2f);
         if (event.fate == Fate::written) REQUIRE(event.depth > event.stored);

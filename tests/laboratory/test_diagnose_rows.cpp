@@ -31,10 +31,10 @@ std::string table_text(const std::vector<ScreenVertex>& vertices, const Settings
 Diagnosis diagnose(const std::string& text, const std::vector<glm::ivec2>& polygon,
                    std::string* about = nullptr) {
     const Scene scene = lab_room();
-    std::string held_against;
+    std::string compared_with;
     const Diagnosis diagnosis = diagnose_rows(parse_printed_rows(text, "rows.txt"), polygon, scene,
-                                              default_settings(scene), read_bugs(), held_against);
-    if (about != nullptr) *about = held_against;
+                                              default_settings(scene), read_bugs(), compared_with);
+    if (about != nullptr) *about = compared_with;
     return diagnosis;
 }
 

@@ -41,9 +41,9 @@ TEST_CASE("Every mistake is named even if vertices are cut after adding the midd
         apply_bug_rule(bug, wrong);
         constexpr std::int64_t least_pixels = 20;
         const Image picture = picture_of(room, wrong);
-        const bool is_told = wrong.vertex_rounding == right.vertex_rounding && changes_rule(bug) &&
-                             !is_made_by(bug, reference);
-        if (!is_told || differences_of(picture, picture_of(room, right)).pixels < least_pixels)
+        const bool is_reported = wrong.vertex_rounding == right.vertex_rounding &&
+                                 changes_rule(bug) && !is_made_by(bug, reference);
+        if (!is_reported || differences_of(picture, picture_of(room, right)).pixels < least_pixels)
             continue;
         ++shown;
         const Diagnosis diagnosis = diagnose_picture(picture, room, reference, bugs);

@@ -80,7 +80,7 @@ Outcome outcome(const BroughtPicture& picture, const Diagnosis& diagnosis) {
 /// The settings that the laboratory compares with: its own, with the student's camera if given.
 Settings reference_of(const BroughtPicture& picture, const Scene& scene, const Image& image) {
     Settings reference = fitted_to(default_settings(scene), image, SceneSpace::world);
-    if (picture.is_camera_told) {
+    if (picture.is_camera_known) {
         reference.camera.position = picture.program.camera;
         reference.camera.yaw = picture.program.yaw;
         reference.camera.focal_length *= picture.program.zoom;

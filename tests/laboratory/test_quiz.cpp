@@ -65,7 +65,7 @@ TEST_CASE("A correct guess wins, hints and wrong guesses cost points, the settin
     const std::vector<Bug> bugs = read_bugs();
     Session session = small_room();
     const Settings before = session.a.settings;
-    note_choices(session);
+    record_undo_step(session);
     REQUIRE(start_quiz(session, bugs, 5));
     CHECK_FALSE(undo(session));
     Quiz& quiz = *session.quiz;

@@ -20,7 +20,7 @@ using RowOf = std::function<std::optional<int>(const SampleEvent&)>;
 /// Checks that every table of the wrong run is made of these samples of the right one.
 void require_tables(const BugRuns& runs, const RowOf& row_of) {
     std::map<int, RowsOfTriangle> wanted;
-    for (const SampleEvent& event : runs.right.told.samples) {
+    for (const SampleEvent& event : runs.right.reported.samples) {
         if (const std::optional<int> row = row_of(event))
             widen(wanted[event.cursor.triangle], event.sample.fragment.column, *row);
     }
@@ -60,7 +60,7 @@ TEST_CASE("B91: every edge lacks its last sample, and the pixel where float sums
         return event.sample.fragment.row;
     });
     CHECK(left_out == 3);
-    CHECK(runs.wrong.told.samples.size() + 3 == runs.right.told.samples.size());
+    CHECK(runs.wrong.reported.samples.size() + 3 == runs.right.reported.samples.size());
     CHECK(runs.right.stats.rows_outside == 1);
     CHECK(runs.wrong.stats.rows_outside == 0);
     // Without it the outline is that of the walk without error.
@@ -90,8 +90,8 @@ TEST_CASE("B92: sample i of N is at i N-ths of its edge, and no edge reaches its
     const BugRuns runs("B92");
     const Frame& frame = runs.wrong.frame;
     int behind = 0, borders = 0;
-    REQUIRE(runs.wrong.told.samples.size() == runs.right.told.samples.size());
-    for (const SampleEvent& event : runs.wrong.told.samples) {
+    REQUIRE(runs.wrong.reported.samples.size() == runs.right.reported.samples.size());
+    for (const SampleEvent& event : runs.wrong.reported.samples) {
         const PolygonCorners v = frame.triangle_vertices(event.cursor.triangle);
         const ScreenVertex& a = v[static_cast<std::size_t>(event.sample.edge)];
         const ScreenVertex& b = v[static_cast<std::size_t>(event.sample.edge + 1) % v.size()];
@@ -232,8 +232,8 @@ TEST_CASE("B90: all columns are right, and every fragment has a 1/z of 0") {
     const BugRuns runs("B90");
     for (int t = 0; t < runs.wrong.frame.triangle_count(); ++t)
         REQUIRE(rows_of_table(runs.wrong, t) == rows_of_table(runs.right, t));
-    REQUIRE(runs.wrong.told.fragments.size() == runs.right.told.fragments.size());
-    for (const FragmentEvent& event : runs.wrong.told.fragments) {
+    REQUIRE(runs.wrong.reported.fragments.size() == runs.right.reported.fragments.size());
+    for (const FragmentEvent& event : runs.wrong.reported.fragments) {
         if (event.fragment.inv_w != 0.0f || event.fate != Fate::depth_failed)
             FAIL(to_text(event.cursor) << " is not at 1/z = 0");
     }

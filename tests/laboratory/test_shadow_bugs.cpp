@@ -42,7 +42,7 @@ std::optional<ShadowTerms> shadow_at(const Frame& frame, glm::ivec2 pixel) {
     REQUIRE(cursor);
     const std::optional<FragmentReport> report = fragment_report(frame, *cursor);
     REQUIRE(report);
-    if (!report->light.shadow.is_asked) return std::nullopt;
+    if (!report->light.shadow.is_tested) return std::nullopt;
     return report->light.shadow;
 }
 
@@ -56,7 +56,7 @@ TEST_CASE("B58: without a bias lit surfaces are striped, and the two depths are 
         const std::optional<ShadowTerms> shadow = shadow_at(runs.wrong, {column, 14});
         if (!shadow || !shadow->is_dark()) continue;
         ++stripes;
-        near += std::abs(1.0f / shadow->texels[0].inv_depth - shadow->seen.z) < 0.05f ? 1 : 0;
+        near += std::abs(1.0f / shadow->texels[0].inv_depth - shadow->from_face.z) < 0.05f ? 1 : 0;
     }
     CHECK(stripes > 5);
     CHECK(near == stripes);
@@ -79,7 +79,7 @@ TEST_CASE("B59: with far too much bias shadows begin away from what casts them")
             if (dark.colour[i] == lit.colour[i]) continue;
             const std::optional<ShadowTerms> shadow = shadow_at(runs.right, {column, row});
             REQUIRE(shadow);
-            const float behind = shadow->seen.z - 1.0f / shadow->texels[0].inv_depth;
+            const float behind = shadow->from_face.z - 1.0f / shadow->texels[0].inv_depth;
             CHECK(behind > 0.05f);
             CHECK(behind <= 0.5f);
             ++seen;
@@ -108,7 +108,7 @@ TEST_CASE(
             ++lit;
             // Extended, the ray leaves the room by the open side, z = −1, within x and y from −1 to
             // 1.
-            const glm::dvec3 from(shadow->ray.from), way(shadow->ray.way);
+            const glm::dvec3 from(shadow->ray.from), way(shadow->ray.direction);
             CHECK(way.z < 0.0);
             const glm::dvec3 out = from + way * ((-1.0 - from.z) / way.z);
             CHECK(std::abs(out.x) < 1.0 + 1e-3);

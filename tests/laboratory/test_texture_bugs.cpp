@@ -171,30 +171,30 @@ TEST_CASE("B97: each pixel has the level for its width along x, and far ones are
         for (const glm::vec3& texel : level.texels)
             chain.back().texels.emplace_back(texel);
     }
-    const std::vector<FragmentEvent>& told = runs.wrong.told.fragments;
+    const std::vector<FragmentEvent>& reported = runs.wrong.reported.fragments;
     int held = 0, finer = 0;
-    for (std::size_t i = 1; i + 1 < told.size(); ++i) {
+    for (std::size_t i = 1; i + 1 < reported.size(); ++i) {
         const auto place = [&](const FragmentEvent& event) {
             return glm::dvec2(event.fragment.varyings.texcoord) /
                    static_cast<double>(event.fragment.inv_w);
         };
-        const Cursor &before = told[i - 1].cursor, &behind = told[i + 1].cursor;
+        const Cursor &before = reported[i - 1].cursor, &behind = reported[i + 1].cursor;
         const bool is_one_row = before.triangle == behind.triangle && before.index == behind.index;
         // The last fragment drawn stays.
         const std::size_t pixel =
-            runs.wrong.picture.at(told[i].fragment.column, told[i].fragment.row);
-        if (!is_one_row || runs.wrong.picture.owner[pixel] != told[i].cursor.triangle) continue;
+            runs.wrong.picture.at(reported[i].fragment.column, reported[i].fragment.row);
+        if (!is_one_row || runs.wrong.picture.owner[pixel] != reported[i].cursor.triangle) continue;
         // Along a row of this floor z is the same, and u grows in equal steps.
-        const glm::dvec2 right = (place(told[i + 1]) - place(told[i - 1])) / 2.0;
+        const glm::dvec2 right = (place(reported[i + 1]) - place(reported[i - 1])) / 2.0;
         const test::OracleColour wanted =
-            test::oracle_sample(chain, place(told[i]), right, glm::dvec2(0.0),
+            test::oracle_sample(chain, place(reported[i]), right, glm::dvec2(0.0),
                                 TextureFilter::mipmap, TextureWrap::repeat);
         if (wanted.is_tie) continue;
         ++held;
         const glm::dvec3 off =
             glm::abs(glm::dvec3(runs.wrong.picture.colour[pixel]) - wanted.colour);
         if (std::max({off.x, off.y, off.z}) > 2.0 / 255.0)
-            FAIL(to_text(told[i].cursor) << " has a different level");
+            FAIL(to_text(reported[i].cursor) << " has a different level");
         finer += runs.wrong.picture.colour[pixel] != runs.right.picture.colour[pixel] ? 1 : 0;
     }
     CHECK(held > 10000);

@@ -41,18 +41,18 @@ Lines expected_lines() {
 }
 
 /// Both lists, where they differ.
-void compare(const Lines& told, const Lines& expected) {
-    for (const std::string& line : told) {
+void compare(const Lines& reported, const Lines& expected) {
+    for (const std::string& line : reported) {
         if (std::find(expected.begin(), expected.end(), line) == expected.end()) {
             UNSCOPED_INFO("is not expected: " << line);
         }
     }
     for (const std::string& line : expected) {
-        if (std::find(told.begin(), told.end(), line) == told.end()) {
+        if (std::find(reported.begin(), reported.end(), line) == reported.end()) {
             UNSCOPED_INFO("is not reported: " << line);
         }
     }
-    CHECK(told == expected);
+    CHECK(reported == expected);
 }
 
 } // namespace
@@ -68,10 +68,10 @@ TEST_CASE("Every fault of the broken lessons is named, with its line") {
         if (!name.ends_with(".md")) continue;
         INFO(name);
         const Lesson lesson = read_lesson(entry.path().string());
-        Lines told;
+        Lines reported;
         for (const Fault& fault : check_lesson(lesson, session))
-            told.push_back(from_folder(fault_text(lesson, fault)));
-        compare(told, expected[name]);
+            reported.push_back(from_folder(fault_text(lesson, fault)));
+        compare(reported, expected[name]);
         ++lessons;
     }
     CHECK(lessons == expected.size());

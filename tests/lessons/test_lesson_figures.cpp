@@ -16,8 +16,8 @@
 #include "session/content.h"
 #include "settings/setting_table.h"
 #include "support/oracle.h"
+#include "support/quoted_text.h"
 #include "support/random.h"
-#include "support/said.h"
 #include "tests/support/catch.h"
 
 using namespace rasterwalk;
@@ -70,7 +70,7 @@ std::set<ColumnRow> filled(const Frame& frame, bool has_last) {
 } // namespace
 
 TEST_CASE("About one edge in a hundred misses its end by a + i * step; by a (1 - t) + b t none") {
-    require_said("04-edges.md", "This happens to about one edge in a hundred.");
+    require_text("04-edges.md", "This happens to about one edge in a hundred.");
     constexpr int edges = 20'000;
     Random random(4);
     int missed = 0, mixed_missed = 0;
@@ -115,7 +115,7 @@ TEST_CASE(
 }
 
 TEST_CASE("24 of the room's 90 edges miss their end, and they have 15 109 samples") {
-    require_said("04-edges.md", "Of the room's 90 edges, 24 miss their own end point.");
+    require_text("04-edges.md", "Of the room's 90 edges, 24 miss their own end point.");
     const Drawn room({"stage=edges"});
     int edges = 0, missed = 0, samples = 0;
     for (int t = 0; t < room.frame.triangle_count(); ++t) {
@@ -135,7 +135,7 @@ TEST_CASE("24 of the room's 90 edges miss their end, and they have 15 109 sample
 }
 
 TEST_CASE("Without the last pixel of each row the lab's triangle loses two rows and two tips") {
-    require_said("06-filling.md", "Rows 5 and 15 have only one pixel, so they vanish");
+    require_text("06-filling.md", "Rows 5 and 15 have only one pixel, so they vanish");
     const Drawn bench({"stage=fill"}, "one-triangle");
     const std::set<ColumnRow> all = filled(bench.frame, true),
                               without_last = filled(bench.frame, false);
@@ -152,8 +152,8 @@ TEST_CASE("Without the last pixel of each row the lab's triangle loses two rows 
 }
 
 TEST_CASE("Without the last pixel of each row the room loses column 499, and no gap opens") {
-    require_said("bugs.toml", "In the room, the whole of column 499 is black.");
-    require_said("stages/fill.md", "column 499 stays black");
+    require_text("bugs.toml", "In the room, the whole of column 499 is black.");
+    require_text("stages/fill.md", "column 499 stays black");
     const Drawn whole({"stage=fill"}), narrow({"stage=fill", "spans=last_dropped"});
     CHECK(whole.stats.uncovered == 998);
     CHECK(narrow.stats.uncovered == 1'497);
@@ -170,7 +170,7 @@ TEST_CASE("Without the last pixel of each row the room loses column 499, and no 
 }
 
 TEST_CASE("About 1.6 percent of the fragments of the room are second copies on a shared edge") {
-    require_said("bugs.toml", "About 1.6 percent of all fragments are second copies.");
+    require_text("bugs.toml", "About 1.6 percent of all fragments are second copies.");
     const Drawn room({"stage=fill"});
     const double share =
         100.0 * static_cast<double>(room.drawn_twice()) / static_cast<double>(room.stats.fragments);
@@ -178,13 +178,13 @@ TEST_CASE("About 1.6 percent of the fragments of the room are second copies on a
 }
 
 TEST_CASE("The lamp would appear in row 142") {
-    require_said("09-light-per-vertex.md", "(pixel:250,142)");
+    require_text("09-light-per-vertex.md", "(pixel:250,142)");
     // The lab's vertex shader: the fraction is cut before the middle is added.
     CHECK(static_cast<int>(500.0 * -0.5 / (-0.7 + 3.001)) + 250 == 142);
 }
 
 TEST_CASE("The spot on the ceiling is pale and not white: its red is 0.74") {
-    require_said("10-light-per-pixel.md", "while red still grows, up to 0.74");
+    require_text("10-light-per-pixel.md", "while red still grows, up to 0.74");
     const Drawn room({"stage=pixel_light", "light.power=14"});
     float red = 0.0f, green = 0.0f;
     for (std::size_t i = 0; i < room.picture.colour.size(); ++i) {
@@ -231,23 +231,23 @@ TEST_CASE("Lessons 17 to 19 state what clipping, rejecting and culling leave") {
     const Drawn left_out({"stage=depth", "camera.position=0,0,-0.9", "camera.focal_length=250"});
     CHECK(left_out.stats.left_out.of(Rejection::behind_camera) == 8);
     CHECK(std::count(left_out.picture.owner.begin(), left_out.picture.owner.end(), -1) == 126'200);
-    require_said("17-near-plane.md", "8 of 30 triangles");
-    require_said("17-near-plane.md", "126 200 pixels");
+    require_text("17-near-plane.md", "8 of 30 triangles");
+    require_text("17-near-plane.md", "126 200 pixels");
 
     const Drawn cut({"stage=depth", "clip=all", "camera.position=0,0,-1.05"});
     CHECK(cut.stats.fragments_outside == 1311);
     CHECK(cut.stats.clipped == 21);
-    require_said("18-outcodes.md", "only 1311 fragments of this frame fall outside");
-    require_said("18-outcodes.md", "here 21 triangles are cut");
+    require_text("18-outcodes.md", "only 1311 fragments of this frame fall outside");
+    require_text("18-outcodes.md", "here 21 triangles are cut");
 
     const Drawn turned({"stage=depth", "reject=outcodes", "clip=all", "camera.position=0,0,-1.5",
                         "camera.yaw=0.2"});
     CHECK(turned.stats.left_out.of(Rejection::outside) == 4);
     CHECK(turned.stats.left_out.of(Rejection::clipped_away) == 2);
     CHECK(turned.frame.rejection(2) == Rejection::outside);
-    require_said("18-outcodes.md", "reject four triangles; `triangles[2]`");
+    require_text("18-outcodes.md", "reject four triangles; `triangles[2]`");
 
     const Drawn culled({"stage=depth", "cull=face_normal"});
     CHECK(culled.stats.fragments == 294'473);
-    require_said("19-culling.md", "whole triangles leaves only 294 473");
+    require_text("19-culling.md", "whole triangles leaves only 294 473");
 }

@@ -30,7 +30,7 @@ namespace {
 Judgement judged(const std::string& lesson_id, const std::string& prediction_id,
                  const GivenAnswer& answer) {
     CAPTURE(lesson_id, prediction_id);
-    note_asked(lesson_id, prediction_id);
+    record_question(lesson_id, prediction_id);
     static const Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     const Lesson lesson = read_lesson(lessons_folder() + "/" + lesson_id + ".md");
     const LessonPrediction* const prediction = find_prediction(lesson, prediction_id);

@@ -36,7 +36,7 @@ struct Asked {
         : lesson(read_lesson(lessons_folder() + "/" + id + ".md")) {}
 
     const LessonPrediction& prediction(const std::string& id) const {
-        note_asked(lesson.id, id);
+        record_question(lesson.id, id);
         const LessonPrediction* found = find_prediction(lesson, id);
         INFO(id);
         REQUIRE(found != nullptr);

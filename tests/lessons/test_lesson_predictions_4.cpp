@@ -17,7 +17,7 @@
 #include "stages/matrices.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
-#include "support/said.h"
+#include "support/quoted_text.h"
 #include "tests/support/catch.h"
 
 using namespace rasterwalk;
@@ -140,7 +140,7 @@ PREDICTIONS_TEST("Lesson 15: matrices by hand", "15-matrices", "last-column", "n
     int different = 0;
     for (std::size_t i = 0; i < by_lines.size(); ++i)
         different += by_lines[i] != by_matrices[i] ? 1 : 0;
-    require_said("15-matrices.md", "2 of 250 000 pixels differ");
+    require_text("15-matrices.md", "2 of 250 000 pixels differ");
     CHECK(different == 2);
 }
 

@@ -22,7 +22,7 @@
 #include "support/oracle.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
-#include "support/said.h"
+#include "support/quoted_text.h"
 #include "tests/support/catch.h"
 
 using namespace rasterwalk;
@@ -282,12 +282,12 @@ TEST_CASE("Lesson 21: what it says about the room in figures") {
     CHECK(lab.twice == 5321);
     CHECK(lab.empty == 998);
     CHECK(lab.fragments == 328'789);
-    require_said("21-edge-functions.md", "marks 5 321 pixels");
-    require_said("21-edge-functions.md", "left 998 empty, and had 328 789 fragments");
+    require_text("21-edge-functions.md", "marks 5 321 pixels");
+    require_text("21-edge-functions.md", "left 998 empty, and had 328 789 fragments");
     const RoomCount inclusive =
         count_room(room.frame, room_pixels(room.frame, FillRule::inclusive));
     CHECK(inclusive.twice == 750);
-    require_said("21-edge-functions.md", "750 pixels would be drawn twice");
+    require_text("21-edge-functions.md", "750 pixels would be drawn twice");
     // Corners at the centres of their pixels: the default.
     std::int64_t tested = 0, fragments = 0;
     for (int t = 0; t < room.frame.triangle_count(); ++t) {
@@ -306,9 +306,9 @@ TEST_CASE("Lesson 21: what it says about the room in figures") {
     }
     CHECK(tested == 719'256);
     CHECK(fragments == 325'329);
-    require_said("21-edge-functions.md", "719 256 pixels for 325 329 fragments");
+    require_text("21-edge-functions.md", "719 256 pixels for 325 329 fragments");
     // The interval tests exactly what is inside or on an edge.
-    require_said("21-edge-functions.md", "In the room 325 329 of the 719 256 tests are left.");
+    require_text("21-edge-functions.md", "In the room 325 329 of the 719 256 tests are left.");
 }
 
 /// Which needle a pixel shows, by weights in double; -1: none.

@@ -22,7 +22,7 @@ namespace {
 const std::string lesson_of_lines = "20-bresenham";
 
 Judgement judged_line(const std::string& id, const GivenAnswer& answer) {
-    note_asked(lesson_of_lines, id);
+    record_question(lesson_of_lines, id);
     static const Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     static const Lesson lesson = read_lesson(lessons_folder() + "/" + lesson_of_lines + ".md");
     const LessonPrediction* const prediction = find_prediction(lesson, id);

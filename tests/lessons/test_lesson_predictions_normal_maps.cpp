@@ -13,7 +13,7 @@
 #include "scene/read_scene.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
-#include "support/said.h"
+#include "support/quoted_text.h"
 #include "tests/support/catch.h"
 
 using namespace rasterwalk;
@@ -75,7 +75,7 @@ PREDICTIONS_TEST("Lesson 29: the normal of a roof that is stretched", "29-normal
     CHECK(glm::dot(glm::dvec3(0, -2, 1), glm::dvec3(0, -0.5, -1)) == 0.0);
     for (const char* figure : {"−0.89: stretched", "−0.71: directions stay", "−0.45: it leans",
                                "have a product of 3", "y is −0.71"})
-        require_said(file, figure);
+        require_text(file, figure);
     const Questions lesson("29-normal-maps");
     lesson.require_choice("twice-as-high", 2);
 }
@@ -85,7 +85,7 @@ PREDICTIONS_TEST("Lesson 29: the flat blue of bytes, and colours used as arrows"
     const glm::dvec3 out{0, 0, 1};
     const double middle = 2.0 * 128.0 / 255.0 - 1.0;
     CHECK(middle == Approx(0.0039).margin(0.00005));
-    require_said(file, "but 0.0039");
+    require_text(file, "but 0.0039");
     const OnBoard ground(12, 12);
     CHECK(ground.arrow.x == middle);
     CHECK(ground.arrow.y == middle);
@@ -106,8 +106,8 @@ PREDICTIONS_TEST("Lesson 29: the upper half of a stud, with green up and down", 
     CHECK(stud.arrow.y > 0.4);
     CHECK(stud.cosine(stud.arrow) == Approx(0.95).margin(0.005));
     CHECK(stud.cosine({0, 0, 1}) == Approx(0.73).margin(0.005));
-    require_said(file, "n · l is 0.95");
-    require_said(file, "would have 0.73");
+    require_text(file, "n · l is 0.95");
+    require_text(file, "would have 0.73");
     const glm::dvec3 turned{stud.arrow.x, -stud.arrow.y, stud.arrow.z};
     CHECK(stud.cosine(turned) < 0.5);
     const Questions lesson("29-normal-maps");

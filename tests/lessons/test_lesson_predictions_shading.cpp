@@ -16,7 +16,7 @@
 #include "settings/setting_table.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
-#include "support/said.h"
+#include "support/quoted_text.h"
 #include "tests/support/catch.h"
 
 using namespace rasterwalk;
@@ -220,8 +220,8 @@ PREDICTIONS_TEST("Lesson 27: the light of the drum in double, at pixels and over
     const glm::dvec3 weights = drum.weights_at(owner, 119, 120);
     CHECK(drum.phong(owner, weights).colour.x == Approx(0.55).margin(0.005));
     CHECK(drum.gouraud(owner, weights, 1).x == Approx(0.11).margin(0.005));
-    require_said(file, "its red is 0.55");
-    require_said(file, "About 0.11");
+    require_text(file, "its red is 0.55");
+    require_text(file, "About 0.11");
     lesson.require_choice("middle-of-a-side", 2);
 
     // Neighbouring sides are 30 degrees apart, and a corner is halfway between them.
@@ -238,8 +238,8 @@ PREDICTIONS_TEST("Lesson 27: the light of the drum in double, at pixels and over
     CHECK(whole.largest == Approx(0.52).margin(0.005));
     CHECK(whole.brightest_phong == Approx(0.56).margin(0.005));
     CHECK(whole.brightest == Approx(0.14).margin(0.005));
-    require_said(file, "a pixel is off by 0.032, at worst by 0.52");
-    require_said(file, "falls from 0.56 to 0.14");
+    require_text(file, "a pixel is off by 0.032, at worst by 0.52");
+    require_text(file, "falls from 0.56 to 0.14");
     double before = 0.0; // the mean error with half as many parts
     for (const int n : {1, 2, 7, 8, 16}) {
         const std::string cut = "tessellation=" + std::to_string(n);
@@ -257,7 +257,7 @@ PREDICTIONS_TEST("Lesson 27: the light of the drum in double, at pixels and over
         if (n == 16) CHECK(error.mean == Approx(before / 4.0).epsilon(0.1));
         before = error.mean;
     }
-    require_said(file, "from 8 parts to 16, the error falls to a quarter once more");
+    require_text(file, "from 8 parts to 16, the error falls to a quarter once more");
     lesson.require_choice("cut-in-two", 2);
 
     const Scene room = read_scene(lessons_folder() + "/scenes/lab-room.toml");
@@ -291,9 +291,9 @@ PREDICTIONS_TEST("Lesson 28: half vectors, powers and lengths in double", "28-sh
     CHECK(tilted.n_dot_h == Approx(0.9845).margin(0.0001));
     CHECK(std::acos(tilted.n_dot_h) * 180.0 / pi == Approx(10.0).margin(0.3));
     CHECK(tilted.shine == Approx(std::pow(0.9845, 50.0)).margin(0.01));
-    require_said(file, "is still 0.9845");
+    require_text(file, "is still 0.9845");
     CHECK(std::pow(0.9845, 200.0) == Approx(0.04).margin(0.005));
-    require_said(file, "with e = 200 only 0.04 would be left");
+    require_text(file, "with e = 200 only 0.04 would be left");
     lesson.require_choice("ten-degrees", 1);
 
     const LitScene bright("six-sides", {"light.power=125.6"});
@@ -303,8 +303,8 @@ PREDICTIONS_TEST("Lesson 28: half vectors, powers and lengths in double", "28-sh
     CHECK(stored == 433);
     CHECK(static_cast<int>(255.0 * 1.7) == 433);
     CHECK(stored % 256 == 177);
-    require_said(file, "`int(255 * 1.7)` is 433");
-    require_said(file, "433 − 256");
+    require_text(file, "`int(255 * 1.7)` is 433");
+    require_text(file, "433 − 256");
     CHECK_FALSE(lesson.answered("in-a-byte", {433.0 - 255.0}).is_right);
     lesson.require_number("in-a-byte", stored % 256, 0.9, 255.0);
 
@@ -321,13 +321,13 @@ PREDICTIONS_TEST("Lesson 28: half vectors, powers and lengths in double", "28-sh
     const Framebuffer not_unit = wall.drawn({"light.renormalize=off"});
     CHECK(static_cast<double>(not_unit.colour[not_unit.at(120, 120)].z) ==
           Approx(short_normal.colour.z).margin(0.002));
-    require_said(file, "0.866 to the power of 50");
+    require_text(file, "0.866 to the power of 50");
     lesson.require_choice("what-is-left", 2);
 
     CHECK(2.0 * std::cos(pi / 6.0) == Approx(1.73).margin(0.005));
-    require_said(file, "2 · 0.866 = 1.73");
+    require_text(file, "2 · 0.866 = 1.73");
     CHECK(std::pow(2.0, 50.0) == Approx(1.13e15).epsilon(0.01));
-    require_said(file, "about a 1 with fifteen zeros");
+    require_text(file, "about a 1 with fifteen zeros");
 
     const LitScene behind("cylinder", {"light.position=3.4,1.8,3.2", "light.power=300"});
     const Framebuffer drum = behind.drawn({});

@@ -7,7 +7,7 @@
 #include "session/content.h"
 #include "support/prediction_checks.h"
 #include "support/questions.h"
-#include "support/said.h"
+#include "support/quoted_text.h"
 #include "tests/support/catch.h"
 
 using namespace rasterwalk;
@@ -30,14 +30,14 @@ PREDICTIONS_TEST("Lesson 23: places in a texture from depths and corners", "23-t
     const double across = (100.0 - 20.0) / (180.0 - 20.0);
     const double affine_v = (80.0 - 20.0 - across * (50.0 - 20.0)) / (140.0 - 20.0);
     CHECK(affine_v == Approx(0.38).margin(0.006));
-    require_said(file, "says about 0.38");
+    require_text(file, "says about 0.38");
 
     // The room's floor is 1 below the camera, and v goes from 2 in front to 0 at the back.
     const double depth = 500.0 / (470.0 - 250.0);
     CHECK(1.0 - (depth - 3.001) == Approx(1.74).margin(0.02));
     const double plain = 2.0 * (470.0 - 374.0) / (499.0 - 374.0);
     CHECK(plain == Approx(1.54).margin(0.01));
-    require_said(file, "the true v is 1.74, and the plain blend says 1.54");
+    require_text(file, "the true v is 1.74, and the plain blend says 1.54");
     // With one depth for all corners both ways are the same, whatever the weights.
     const double w0 = 0.2, w1 = 0.7, w2 = 0.1, u0 = 0.0, u1 = 2.0, u2 = 0.5, same_z = 4.001;
     CHECK((w0 * u0 / same_z + w1 * u1 / same_z + w2 * u2 / same_z) /
@@ -57,9 +57,9 @@ PREDICTIONS_TEST("Lesson 23: places in a texture from depths and corners", "23-t
 
     const double beyond = 8.0 / 3.0 - 2.5; // the centre of texel 2
     CHECK(beyond == Approx(0.17).margin(0.005));
-    require_said(file, "column 2 counts 0.83, and column 3 counts 0.17");
+    require_text(file, "column 2 counts 0.83, and column 3 counts 0.17");
     CHECK(8.0 / 3.0 - 2.0 == Approx(0.67).margin(0.005));
-    require_said(file, "Then column 3 counts 0.67");
+    require_text(file, "Then column 3 counts 0.67");
 }
 
 /// How far the floor of lesson 24 is away where the middle of a row of pixels sees it: it lies 0.5
@@ -80,7 +80,7 @@ PREDICTIONS_TEST("Lesson 24: footprints of a floor by its slope", "24-mipmaps", 
     CHECK(floor_depth(92) == 8.0);
     CHECK(floor_length(92) == Approx(2.56));
     CHECK(4.0 * floor_depth(92) / 200.0 == Approx(0.16)); // four texels a unit across, too
-    require_said(file, "the footprint is 0.16 texels wide and 2.56 texels long");
+    require_text(file, "the footprint is 0.16 texels wide and 2.56 texels long");
     CHECK(floor_depth(86) == Approx(15.4).margin(0.05));
     CHECK(4.0 * floor_depth(86) / 200.0 == Approx(0.31).margin(0.005));
     lesson.require_number("reach", floor_length(86), 0.2, floor_length(92) * 15.4 / 8.0);
@@ -91,12 +91,12 @@ PREDICTIONS_TEST("Lesson 24: footprints of a floor by its slope", "24-mipmaps", 
     // Dozens of texels at the horizon: the first row of the floor, which ends at depth 61.
     CHECK(floor_depth(81) > 61.0);
     CHECK(floor_length(82) * 4.0 * floor_depth(82) / 200.0 == Approx(51.2));
-    require_said(file, "At the horizon there are dozens.");
+    require_text(file, "At the horizon there are dozens.");
     // The task: the last row of level 0 in the middle of the picture.
     CHECK(floor_length(99) > 1.0);
     CHECK(floor_length(100) == Approx(0.952).margin(0.0005));
     CHECK(std::log2(floor_length(92)) == Approx(1.36).margin(0.005));
-    require_said(file, "1.36");
+    require_text(file, "1.36");
     const double wanted = std::log2(floor_length(86));
     CHECK(wanted == Approx(3.24).margin(0.01));
     const double last = std::log2(8.0);
@@ -107,9 +107,9 @@ PREDICTIONS_TEST("Lesson 24: footprints of a floor by its slope", "24-mipmaps", 
         CHECK_FALSE(lesson.answered("which-level", {wrong}).is_right);
     // The two colours of the checkerboard.
     CHECK((235.0 + 44.0) / 2.0 / 255.0 == Approx(0.547).margin(0.0005));
-    require_said(file, "red 0.547");
+    require_text(file, "red 0.547");
     CHECK(8 * 8 + 4 * 4 + 2 * 2 + 1 == 85);
-    require_said(file, "Together that is 85 texels");
+    require_text(file, "Together that is 85 texels");
 }
 
 } // namespace texture_track

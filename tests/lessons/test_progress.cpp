@@ -14,12 +14,12 @@ namespace {
 
 Progress some_progress() {
     Progress progress;
-    progress.note_step("04-edges", 0);
-    progress.note_step("04-edges", 3);
-    progress.note_task("04-edges", "no-gap");
-    progress.note_answer("04-edges", "how-many", {"12 \"samples\"\n\\ and π", false});
-    progress.note_answer("05-row-table", "index", {"-1", true});
-    progress.note_step("05-row-table", 1);
+    progress.record_step("04-edges", 0);
+    progress.record_step("04-edges", 3);
+    progress.record_task("04-edges", "no-gap");
+    progress.record_answer("04-edges", "how-many", {"12 \"samples\"\n\\ and π", false});
+    progress.record_answer("05-row-table", "index", {"-1", true});
+    progress.record_step("05-row-table", 1);
     return progress;
 }
 
@@ -35,9 +35,9 @@ Lesson small_lesson(const std::string& id) {
 
 void finish(Progress& progress, const std::string& lesson) {
     for (const int step : {0, 1, 2})
-        progress.note_step(lesson, step);
-    progress.note_task(lesson, "task");
-    progress.note_answer(lesson, "prediction", {"5", false});
+        progress.record_step(lesson, step);
+    progress.record_task(lesson, "task");
+    progress.record_answer(lesson, "prediction", {"5", false});
 }
 
 std::string fault_of(const std::string& text) {
@@ -68,12 +68,12 @@ TEST_CASE("Progress is the same after it was written and read") {
 
 TEST_CASE("Only the first answer counts, and the last step is remembered") {
     Progress progress = some_progress();
-    progress.note_answer("05-row-table", "index", {"0", false});
+    progress.record_answer("05-row-table", "index", {"0", false});
     CHECK(progress.of("05-row-table").answers.at("index") == FirstAnswer{"-1", true});
     CHECK(progress.last_lesson == "05-row-table");
     CHECK(progress.of("04-edges").last_step == 3);
-    CHECK(progress.is_step_seen("04-edges", 0));
-    CHECK_FALSE(progress.is_step_seen("04-edges", 1));
+    CHECK(progress.was_step_shown("04-edges", 0));
+    CHECK_FALSE(progress.was_step_shown("04-edges", 1));
     CHECK(progress.is_task_done("04-edges", "no-gap"));
     CHECK_FALSE(progress.is_task_done("05-row-table", "no-gap"));
     CHECK(progress.of("never opened") == LessonProgress{});
@@ -83,7 +83,7 @@ TEST_CASE("A wrong first answer counts once the program has shown its own") {
     const Lesson lesson = small_lesson("01-a");
     Progress progress;
     const std::string id = lesson.predictions.at(0).id;
-    progress.note_answer("01-a", id, {"7", false, true});
+    progress.record_answer("01-a", id, {"7", false, true});
     CHECK(progress.has_second_try("01-a", id));
     CHECK_FALSE(progress.is_revealed("01-a", id));
     CHECK(score_of(progress, lesson).done == 0);
@@ -101,7 +101,7 @@ TEST_CASE("A wrong first answer counts once the program has shown its own") {
     // But one opened again there stays open if this window has changed nothing.
     CHECK(merged(progress, progress, before).has_second_try("01-a", id));
     Progress theirs = before;
-    theirs.note_step("02-b", 1);
+    theirs.record_step("02-b", 1);
     CHECK_FALSE(merged(before, progress, theirs).has_second_try("01-a", id));
     CHECK(progress_text(progress).find("second_try") == std::string::npos);
 }
@@ -111,8 +111,8 @@ TEST_CASE("A lesson is done when all was seen, solved and answered, rightly or n
     Progress progress;
     CHECK(score_of(progress, lesson).all == 2);
     CHECK(score_of(progress, lesson).done == 0);
-    progress.note_task("01-a", "task");
-    progress.note_task("01-a", "a task that the lesson had once");
+    progress.record_task("01-a", "task");
+    progress.record_task("01-a", "a task that the lesson had once");
     CHECK(score_of(progress, lesson).done == 1);
     finish(progress, "01-a");
     CHECK(score_of(progress, lesson).is_done);
@@ -131,7 +131,7 @@ TEST_CASE("The student goes on with the lesson that was left, or the first that 
     Progress progress;
     CHECK(lesson_to_open(progress, {}).empty());
     CHECK(lesson_to_open(progress, lessons) == "01-a");
-    progress.note_step("02-b", 1);
+    progress.record_step("02-b", 1);
     CHECK(lesson_to_open(progress, lessons) == "02-b");
     finish(progress, "02-b");
     CHECK(lesson_to_open(progress, lessons) == "01-a");
@@ -169,7 +169,7 @@ TEST_CASE("Progress over all lessons is computed again only when it has changed"
         scores.renew(progress, lessons);
     CHECK(scores.number() == first);
     for (const int step : {0, 1}) {
-        progress.note_step("01-a", step);
+        progress.record_step("01-a", step);
         scores.renew(progress, lessons);
         CHECK(are_right());
     }
@@ -242,16 +242,16 @@ TEST_CASE("What two windows do is kept, whichever writes last") {
     const std::string path = folder.file("progress.toml");
     const Progress start = write_progress({}, some_progress(), path);
     Progress a = start, b = start;
-    a.note_step("06-filling", 1);
-    a.note_answer("06-filling", "how-many", {"5", true});
-    b.note_task("06-filling", "paint");
-    b.note_answer("06-filling", "how-many", {"6", false});
-    b.note_step("04-edges", 5);
+    a.record_step("06-filling", 1);
+    a.record_answer("06-filling", "how-many", {"5", true});
+    b.record_task("06-filling", "paint");
+    b.record_answer("06-filling", "how-many", {"6", false});
+    b.record_step("04-edges", 5);
     const Progress after_a = write_progress(start, a, path);
     CHECK(after_a == a);
     const Progress after_b = write_progress(start, b, path);
     CHECK(read_progress(path) == after_b);
-    CHECK(after_b.is_step_seen("06-filling", 1));
+    CHECK(after_b.was_step_shown("06-filling", 1));
     CHECK(after_b.is_task_done("06-filling", "paint"));
     CHECK(after_b.of("06-filling").answers.at("how-many") == FirstAnswer{"5", true});
     CHECK(after_b.of("04-edges").last_step == 5);
@@ -259,10 +259,10 @@ TEST_CASE("What two windows do is kept, whichever writes last") {
     // What one forgets does not come back through the other, which still has it.
     write_progress(after_b, {}, path);
     Progress later = after_b;
-    later.note_step("07-painters-order", 0);
+    later.record_step("07-painters-order", 0);
     const Progress left = write_progress(after_b, later, path);
     CHECK(left.lessons.size() == 1);
-    CHECK(left.is_step_seen("07-painters-order", 0));
+    CHECK(left.was_step_shown("07-painters-order", 0));
 }
 
 TEST_CASE("Two processes that write at the same time lose none of each other's work") {
@@ -276,7 +276,7 @@ TEST_CASE("Two processes that write at the same time lose none of each other's w
             Progress kept;
             for (int step = 0; step < count; ++step) {
                 Progress mine = kept;
-                mine.note_step(lesson, step);
+                mine.record_step(lesson, step);
                 try {
                     kept = write_progress(kept, mine, path);
                 } catch (const Error&) {

@@ -129,14 +129,14 @@ TEST_CASE("An arrow goes from the origin of a space to its axis's tip, and is na
     const Frame frame = prepare_frame(scene, by_matrices(scene));
     const std::vector<Basis> bases = bases_of(frame, triangle);
     REQUIRE(bases.size() == 3);
-    OutsideThings things;
-    things.box = box_of(scene);
-    things.plane = picture_plane(scene.camera, scene.viewport, things.box);
-    things.lamp = scene.light.position;
+    OutsideScene outside_scene;
+    outside_scene.box = box_of(scene);
+    outside_scene.plane = picture_plane(scene.camera, scene.viewport, outside_scene.box);
+    outside_scene.lamp = scene.light.position;
     const glm::ivec2 size(900, 700);
-    const OutsideEye eye = eye_of({}, things, size, 40.0);
+    const OutsideEye eye = eye_of({}, outside_scene, size, 40.0);
     const auto marks_with = [&](std::span<const Basis> some) {
-        return outside_marks(scene, things, eye, {triangle}, std::nullopt, size, some);
+        return outside_marks(scene, outside_scene, eye, {triangle}, std::nullopt, size, some);
     };
     const OutsideMarks marks = marks_with(bases), plain = marks_with({});
     const auto is_axis = [](const auto& mark) { return mark.kind == decltype(mark.kind)::axis; };

@@ -40,8 +40,8 @@ OutsideLook camera_look(glm::ivec2 size) {
 }
 
 /// Where a ray from the eye meets a triangle, in lengths of its direction; none if it misses.
-std::optional<double> meeting(const Scene& scene, int triangle, const glm::dvec3& from,
-                              const glm::dvec3& direction, double inset) {
+std::optional<double> intersection(const Scene& scene, int triangle, const glm::dvec3& from,
+                                   const glm::dvec3& direction, double inset) {
     const glm::dvec3 a = scene.corner(triangle, 0).position;
     const glm::dvec3 ab = glm::dvec3(scene.corner(triangle, 1).position) - a;
     const glm::dvec3 ac = glm::dvec3(scene.corner(triangle, 2).position) - a;
@@ -80,8 +80,8 @@ std::optional<int> met_by_one_ray(const Scene& scene, const OutsideDrawing& draw
     double nearest = std::numeric_limits<double>::infinity();
     for (int t = 0; t < scene.triangle_count(); ++t) {
         if (is_wall_between(scene, t, eye.position)) continue;
-        const auto inside = meeting(scene, t, eye.position, direction, hair);
-        const auto about = meeting(scene, t, eye.position, direction, -hair);
+        const auto inside = intersection(scene, t, eye.position, direction, hair);
+        const auto about = intersection(scene, t, eye.position, direction, -hair);
         if (about && !inside) return std::nullopt;
         if (!inside) continue;
         if (std::abs(*inside - nearest) < 1e-3 * nearest) return std::nullopt;
@@ -181,7 +181,7 @@ TEST_CASE("From outside a click on the picture finds the pixel whose ray goes th
     const Moment moment(lab_room());
     OutsideDrawing drawing;
     draw_all(drawing, moment, look_at(-0.75f, -0.4f, {900, 700}));
-    const PicturePlane& plane = drawing.things().plane;
+    const PicturePlane& plane = drawing.outside_scene().plane;
     int found = 0;
     for (int row = 5; row < 500; row += 35) {
         for (int column = 5; column < 500; column += 35) {
@@ -274,7 +274,7 @@ TEST_CASE("Where nothing is drawn yet the picture is like a pane of glass") {
     OutsideDrawing drawing;
     const OutsideLook look = look_at(-0.75f, -0.4f, {900, 700});
     draw_all(drawing, moment, look);
-    const auto at = drawing.eye().pixel_of(drawing.things().plane.place_of({250.0, 250.0}));
+    const auto at = drawing.eye().pixel_of(drawing.outside_scene().plane.place_of({250.0, 250.0}));
     REQUIRE(at);
     const glm::ivec2 place(*at);
     const glm::vec3 through = pixel_of(drawing.image(), place.x, place.y);
@@ -315,14 +315,14 @@ TEST_CASE("Nothing is drawn again if nothing has changed") {
 namespace {
 
 /// The same picture as one drawn from scratch, and the same things under every fifth place.
-void require_as_if_drawn_anew(const OutsideDrawing& drawing, const Moment& moment,
-                              const OutsideLook& look) {
-    OutsideDrawing anew;
-    draw_all(anew, moment, look);
-    REQUIRE(drawing.image() == anew.image());
+void require_same_as_redrawn(const OutsideDrawing& drawing, const Moment& moment,
+                             const OutsideLook& look) {
+    OutsideDrawing redrawn;
+    draw_all(redrawn, moment, look);
+    REQUIRE(drawing.image() == redrawn.image());
     for (int y = 0; y < look.size.y; y += 5) {
         for (int x = 0; x < look.size.x; x += 5) {
-            const OutsidePick a = drawing.at({x, y}), b = anew.at({x, y});
+            const OutsidePick a = drawing.at({x, y}), b = redrawn.at({x, y});
             REQUIRE((a.triangle == b.triangle && a.pixel == b.pixel));
         }
     }
@@ -387,7 +387,7 @@ TEST_CASE("After any walk the view from outside is, bit for bit, as if drawn fro
             drawing.update(moment.subject(), look, way == 5 ? 20'000 : 2'500'000);
             if (drawing.is_working()) continue;
             INFO("side " << side << ", round " << i << ", way " << way);
-            require_as_if_drawn_anew(drawing, moment, look);
+            require_same_as_redrawn(drawing, moment, look);
             ++walked;
         }
         CHECK(walked > rounds(60, 15) / 4);
@@ -403,7 +403,7 @@ TEST_CASE("Moving on to a later triangle does not restart the view") {
     moment.go_to({17, Phase::vertices, 0, 0});
     CHECK(drawing.update(moment.subject(), look, 1));
     CHECK_FALSE(drawing.is_working());
-    require_as_if_drawn_anew(drawing, moment, look);
+    require_same_as_redrawn(drawing, moment, look);
 }
 
 TEST_CASE("A large scene is drawn in parts, the first of which shows all of it") {

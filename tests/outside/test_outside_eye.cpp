@@ -22,12 +22,12 @@ using namespace rasterwalk::test;
 
 namespace {
 
-OutsideThings things_of(const Scene& scene, const Camera& camera, const Viewport& viewport) {
-    OutsideThings things;
-    things.box = box_of(scene);
-    things.plane = picture_plane(camera, viewport, things.box);
-    things.lamp = scene.light.position;
-    return things;
+OutsideScene outside_scene_of(const Scene& scene, const Camera& camera, const Viewport& viewport) {
+    OutsideScene outside_scene;
+    outside_scene.box = box_of(scene);
+    outside_scene.plane = picture_plane(camera, viewport, outside_scene.box);
+    outside_scene.lamp = scene.light.position;
+    return outside_scene;
 }
 
 /// By the stages: pixels from the picture's corner, before rounding; none behind the camera.
@@ -69,10 +69,10 @@ TEST_CASE("Through the camera, every vertex falls on the same pixel as in the pi
         const Camera camera = any_camera(random);
         const Viewport viewport{random.integer(1, 700), random.integer(1, 700)};
         const glm::ivec2 size(random.integer(50, 1500), random.integer(50, 1500));
-        const OutsideThings things = things_of(room, camera, viewport);
+        const OutsideScene outside_scene = outside_scene_of(room, camera, viewport);
         OutsideView view;
         view.is_camera = true;
-        const OutsideEye eye = eye_of(view, things, size, 20.0);
+        const OutsideEye eye = eye_of(view, outside_scene, size, 20.0);
         const double scale = eye.focal_length / static_cast<double>(camera.focal_length);
         // The picture is in the middle, and all of it is seen.
         const glm::dvec2 corner =
@@ -103,13 +103,13 @@ TEST_CASE("Through the camera, the view of a box is as large as fits, whatever i
         settings.view_box =
             ViewBox{left, left + random.number(0.1, 2), bottom, bottom + random.number(0.1, 2)};
         const Frame frame = prepare_frame(room, settings);
-        OutsideThings things = things_of(room, settings.camera, settings.viewport);
-        things.plane = picture_plane(settings.camera, settings.viewport, things.box,
-                                     vertex_rules(settings, room.space).projection);
+        OutsideScene outside_scene = outside_scene_of(room, settings.camera, settings.viewport);
+        outside_scene.plane = picture_plane(settings.camera, settings.viewport, outside_scene.box,
+                                            vertex_rules(settings, room.space).projection);
         const glm::ivec2 size(random.integer(100, 1500), random.integer(100, 1500));
         OutsideView view;
         view.is_camera = true;
-        const OutsideEye eye = eye_of(view, things, size, 20.0);
+        const OutsideEye eye = eye_of(view, outside_scene, size, 20.0);
         // A window as wide to its height as the box, in the middle, which touches two borders.
         const ViewBox& box = *settings.view_box;
         const glm::dvec2 sides_of_box =
@@ -205,20 +205,20 @@ TEST_CASE("A view that has no distance yet shows everything as large as possible
     Random random(53);
     const Scene room = lab_room();
     for (int i = 0; i < rounds(400, 60); ++i) {
-        const OutsideThings things = things_of(room, any_camera(random), {400, 300});
+        const OutsideScene outside_scene = outside_scene_of(room, any_camera(random), {400, 300});
         const glm::ivec2 size(random.integer(100, 1500), random.integer(100, 1500));
         const double margin = random.real(0.0, 30.0);
         OutsideView view;
         view.yaw = random.number(-4, 4);
         view.pitch = random.number(-1.57, 1.57);
-        const OutsideEye eye = eye_of(view, things, size, margin);
+        const OutsideEye eye = eye_of(view, outside_scene, size, margin);
         std::vector<glm::dvec3> places;
         for (const Vertex& vertex : room.mesh.vertices())
             places.emplace_back(vertex.position);
-        for (const glm::dvec3& corner : things.plane.corners())
+        for (const glm::dvec3& corner : outside_scene.plane.corners())
             places.push_back(corner);
-        places.push_back(things.plane.eye);
-        places.push_back(things.lamp);
+        places.push_back(outside_scene.plane.eye);
+        places.push_back(outside_scene.lamp);
         // The distance of the outermost place from the border.
         double nearest = std::numeric_limits<double>::infinity();
         for (const glm::dvec3& place : places) {
@@ -229,7 +229,8 @@ TEST_CASE("A view that has no distance yet shows everything as large as possible
         CHECK(nearest > margin - 0.5);
         CHECK(nearest < margin + 1.0);
         // The same view with all its numbers set.
-        const OutsideEye again = eye_of(settled(view, things, size, margin), things, size, margin);
+        const OutsideEye again =
+            eye_of(settled(view, outside_scene, size, margin), outside_scene, size, margin);
         CHECK(glm::length(again.position - eye.position) < 1e-5);
     }
 }
@@ -239,24 +240,24 @@ TEST_CASE("After leaving the camera's view the eye outside looks the same way") 
     const Scene room = lab_room();
     for (int i = 0; i < 50; ++i) {
         const Camera camera = any_camera(random);
-        const OutsideThings things = things_of(room, camera, {400, 300});
+        const OutsideScene outside_scene = outside_scene_of(room, camera, {400, 300});
         OutsideView view;
         view.is_camera = true;
-        const OutsideView outside = settled(view, things, {800, 600}, 20.0);
+        const OutsideView outside = settled(view, outside_scene, {800, 600}, 20.0);
         CHECK_FALSE(outside.is_camera);
         CHECK(outside.distance > 0.0f);
-        const OutsideEye eye = eye_of(outside, things, {800, 600}, 20.0);
-        CHECK(glm::length(eye.rotation[2] - things.plane.rotation[2]) < 1e-5);
+        const OutsideEye eye = eye_of(outside, outside_scene, {800, 600}, 20.0);
+        CHECK(glm::length(eye.rotation[2] - outside_scene.plane.rotation[2]) < 1e-5);
     }
 }
 
 TEST_CASE("A drag across the view moves the target along") {
     const Scene room = lab_room();
     const glm::ivec2 size(800, 600);
-    const OutsideThings things = things_of(room, room.camera, room.viewport);
-    const OutsideView view = settled({}, things, size, 10.0);
-    const OutsideEye eye = eye_of(view, things, size, 10.0);
-    const OutsideEye moved = eye_of(shifted(view, eye, {30.0f, -20.0f}), things, size, 10.0);
+    const OutsideScene outside_scene = outside_scene_of(room, room.camera, room.viewport);
+    const OutsideView view = settled({}, outside_scene, size, 10.0);
+    const OutsideEye eye = eye_of(view, outside_scene, size, 10.0);
+    const OutsideEye moved = eye_of(shifted(view, eye, {30.0f, -20.0f}), outside_scene, size, 10.0);
     const std::optional<glm::dvec2> at = moved.pixel_of(view.target);
     REQUIRE(at);
     CHECK(is_near(*at, {430.0, 280.0}, 0.01));
@@ -279,11 +280,11 @@ TEST_CASE("No camera, scene or size makes an eye without a place") {
                     Camera camera;
                     camera.position = glm::vec3(place);
                     camera.focal_length = focal;
-                    const OutsideThings things = things_of(scene, camera, {4096, 1});
+                    const OutsideScene outside_scene = outside_scene_of(scene, camera, {4096, 1});
                     for (const bool is_camera : {false, true}) {
                         OutsideView view;
                         view.is_camera = is_camera;
-                        const OutsideEye eye = eye_of(view, things, size, 40.0);
+                        const OutsideEye eye = eye_of(view, outside_scene, size, 40.0);
                         const double sum = eye.position.x + eye.position.y + eye.position.z +
                                            eye.focal_length + eye.near_distance;
                         CHECK(std::isfinite(sum));

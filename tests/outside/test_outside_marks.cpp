@@ -8,8 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "outside/eye_line.h"
 #include "outside/outline.h"
-#include "outside/seen_line.h"
 #include "support/effort.h"
 #include "support/samples.h"
 #include "tests/support/catch.h"
@@ -20,18 +20,18 @@ using namespace rasterwalk::test;
 namespace {
 
 struct Seen {
-    OutsideThings things;
+    OutsideScene outside_scene;
     OutsideEye eye;
     glm::ivec2 size{900, 700};
 
     Seen(const Scene& scene, const OutsideView& view) {
-        things.box = box_of(scene);
-        things.plane = picture_plane(scene.camera, scene.viewport, things.box);
-        things.lamp = scene.light.position;
-        eye = eye_of(view, things, size, 40.0);
+        outside_scene.box = box_of(scene);
+        outside_scene.plane = picture_plane(scene.camera, scene.viewport, outside_scene.box);
+        outside_scene.lamp = scene.light.position;
+        eye = eye_of(view, outside_scene, size, 40.0);
     }
     OutsideMarks marks(const Scene& scene, int triangle) const {
-        return outside_marks(scene, things, eye, {triangle}, glm::ivec2(250, 400), size);
+        return outside_marks(scene, outside_scene, eye, {triangle}, glm::ivec2(250, 400), size);
     }
 };
 
@@ -78,10 +78,10 @@ TEST_CASE("The rays of a triangle go from its vertices through the picture into 
             CHECK(distance_to(rays[v], crossings[v].at) < 0.05f);
             CHECK(crossings[v].number == static_cast<int>(v));
             // It goes through the pixel on which the vertex falls.
-            const glm::dvec3 p =
-                seen.things.plane.in_camera(room.corner(triangle, static_cast<int>(v)).position);
+            const glm::dvec3 p = seen.outside_scene.plane.in_camera(
+                room.corner(triangle, static_cast<int>(v)).position);
             const glm::dvec2 pixel(500.0 * p.x / p.z + 250.0, 500.0 * p.y / p.z + 250.0);
-            const auto at = seen.eye.pixel_of(seen.things.plane.place_of(pixel));
+            const auto at = seen.eye.pixel_of(seen.outside_scene.plane.place_of(pixel));
             REQUIRE(at);
             CHECK(glm::length(glm::vec2(*at) - crossings[v].at) < 0.01f);
         }
@@ -291,15 +291,15 @@ TEST_CASE("A line is cut at the near plane and at the border") {
     eye.focal_length = 100.0;
     eye.middle = {50.0, 50.0};
     eye.near_distance = 0.5;
-    const SeenLine cut = seen_line(eye, {1.0, 0.0, -1.5}, {1.0, 0.0, 2.5});
+    const EyeLine cut = eye_line(eye, {1.0, 0.0, -1.5}, {1.0, 0.0, 2.5});
     REQUIRE(cut.is_seen);
     CHECK(cut.from.x == Approx(50.0 + 100.0 / 0.5));
     CHECK(cut.to.x == Approx(50.0 + 100.0 / 2.5));
     CHECK(cut.inv_z_from == Approx(2.0));
-    CHECK_FALSE(seen_line(eye, {0.0, 0.0, 0.1}, {1.0, 1.0, -3.0}).is_seen);
+    CHECK_FALSE(eye_line(eye, {0.0, 0.0, 0.1}, {1.0, 1.0, -3.0}).is_seen);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK_FALSE(seen_line(eye, {nan, 0.0, 1.0}, {1.0, 1.0, 3.0}).is_seen);
-    const SeenLine part = clipped_to(cut, {0.0, 0.0}, {100.0, 100.0});
+    CHECK_FALSE(eye_line(eye, {nan, 0.0, 1.0}, {1.0, 1.0, 3.0}).is_seen);
+    const EyeLine part = clipped_to(cut, {0.0, 0.0}, {100.0, 100.0});
     REQUIRE(part.is_seen);
     CHECK(part.from.x == Approx(100.0));
     CHECK(part.from.y == Approx(50.0));
@@ -311,18 +311,18 @@ TEST_CASE("A line is cut at the near plane and at the border") {
 TEST_CASE("The way to the lamp is light up to the blocker, and dashed beyond it") {
     const Scene scene = test::lab_room();
     const Seen seen(scene, {});
-    const glm::dvec3 from(0.5, 1.0, 0.2), lamp(seen.things.lamp);
-    const auto marks_of = [&](const std::optional<SeenLampWay>& way) {
-        return outside_marks(scene, seen.things, seen.eye, {}, {}, seen.size, {}, way);
+    const glm::dvec3 from(0.5, 1.0, 0.2), lamp(seen.outside_scene.lamp);
+    const auto marks_of = [&](const std::optional<LampRay>& way) {
+        return outside_marks(scene, seen.outside_scene, seen.eye, {}, {}, seen.size, {}, way);
     };
-    CHECK(lines_of(marks_of({}), OutsideLineKind::lamp_way).empty());
+    CHECK(lines_of(marks_of({}), OutsideLineKind::lamp_ray).empty());
     CHECK(points_of(marks_of({}), OutsidePointKind::shaded).empty());
 
-    const OutsideMarks lit = marks_of(SeenLampWay{from, {}});
-    REQUIRE(lines_of(lit, OutsideLineKind::lamp_way).size() == 1);
-    CHECK(lines_of(lit, OutsideLineKind::dark_way).empty());
+    const OutsideMarks lit = marks_of(LampRay{from, {}});
+    REQUIRE(lines_of(lit, OutsideLineKind::lamp_ray).size() == 1);
+    CHECK(lines_of(lit, OutsideLineKind::blocked_ray).empty());
     CHECK(points_of(lit, OutsidePointKind::occluder).empty());
-    const OutsideLine whole = lines_of(lit, OutsideLineKind::lamp_way).front();
+    const OutsideLine whole = lines_of(lit, OutsideLineKind::lamp_ray).front();
     const auto is_at = [&](const glm::vec2& place, const glm::dvec3& world) {
         return glm::distance(glm::dvec2(place), *seen.eye.pixel_of(world)) < 0.01;
     };
@@ -330,17 +330,17 @@ TEST_CASE("The way to the lamp is light up to the blocker, and dashed beyond it"
     CHECK(is_at(whole.to, lamp));
 
     const glm::dvec3 between = from + 0.3 * (lamp - from);
-    const OutsideMarks dark = marks_of(SeenLampWay{from, between});
-    REQUIRE(lines_of(dark, OutsideLineKind::lamp_way).size() == 1);
-    REQUIRE(lines_of(dark, OutsideLineKind::dark_way).size() == 1);
-    CHECK(is_at(lines_of(dark, OutsideLineKind::lamp_way).front().to, between));
-    CHECK(is_at(lines_of(dark, OutsideLineKind::dark_way).front().to, lamp));
+    const OutsideMarks dark = marks_of(LampRay{from, between});
+    REQUIRE(lines_of(dark, OutsideLineKind::lamp_ray).size() == 1);
+    REQUIRE(lines_of(dark, OutsideLineKind::blocked_ray).size() == 1);
+    CHECK(is_at(lines_of(dark, OutsideLineKind::lamp_ray).front().to, between));
+    CHECK(is_at(lines_of(dark, OutsideLineKind::blocked_ray).front().to, lamp));
     REQUIRE(points_of(dark, OutsidePointKind::occluder).size() == 1);
     CHECK(is_at(points_of(dark, OutsidePointKind::occluder).front().at, between));
 
     const glm::dvec3 behind = from + 1.2 * (lamp - from);
-    const OutsideMarks beyond = marks_of(SeenLampWay{from, behind});
-    CHECK(lines_of(beyond, OutsideLineKind::lamp_way).empty());
-    REQUIRE(lines_of(beyond, OutsideLineKind::dark_way).size() == 1);
-    CHECK(is_at(lines_of(beyond, OutsideLineKind::dark_way).front().to, behind));
+    const OutsideMarks beyond = marks_of(LampRay{from, behind});
+    CHECK(lines_of(beyond, OutsideLineKind::lamp_ray).empty());
+    REQUIRE(lines_of(beyond, OutsideLineKind::blocked_ray).size() == 1);
+    CHECK(is_at(lines_of(beyond, OutsideLineKind::blocked_ray).front().to, behind));
 }

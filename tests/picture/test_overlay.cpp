@@ -406,11 +406,11 @@ TEST_CASE("Overlays can be distinguished without colour because no two patterns 
 
 TEST_CASE("Undo takes back overlays and the range of the depth view") {
     Session session = room_session();
-    note_choices(session);
+    record_undo_step(session);
     session.overlays.set(Overlay::uncovered, true);
-    note_choices(session);
+    record_undo_step(session);
     session.depth_range = DepthInterval{0.3f, 0.4f};
-    note_choices(session);
+    record_undo_step(session);
     REQUIRE(undo(session));
     CHECK_FALSE(session.depth_range);
     CHECK(session.overlays.has(Overlay::uncovered));

@@ -105,16 +105,16 @@ Scene any_scene(Random& random, Viewport size) {
     return pixel_scene(triangles, size);
 }
 
-struct Told {
+struct Recorded {
     Framebuffer picture;
     Recorder events{true};
 };
 
-Told told_of(const Frame& frame) {
-    Told told;
-    clear(told.picture, frame);
-    draw(frame, {}, told.picture, &told.events);
-    return told;
+Recorded record_of(const Frame& frame) {
+    Recorded reported;
+    clear(reported.picture, frame);
+    draw(frame, {}, reported.picture, &reported.events);
+    return reported;
 }
 
 /// Draws the scene both ways; the second way's tests must be those of the first whose three values
@@ -124,7 +124,7 @@ std::array<std::int64_t, 2> check_scene(const Scene& scene, Settings settings) {
     const Frame all = prepare_frame(scene, settings);
     settings.box_walk = BoxWalk::interval;
     const Frame interval = prepare_frame(scene, settings);
-    const Told by_all = told_of(all), by_interval = told_of(interval);
+    const Recorded by_all = record_of(all), by_interval = record_of(interval);
     CHECK(first_difference(by_all.picture, by_interval.picture).empty());
     CHECK(first_difference(by_interval.picture, draw_frame(interval)).empty());
     std::vector<TestEvent> expected;

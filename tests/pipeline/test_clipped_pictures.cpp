@@ -100,7 +100,7 @@ void check_walk_by_rows(const Walk& walk) {
     constexpr double margin = 3.0;
     Random random(walk.seed);
     std::int64_t compared = 0, pixels = 0;
-    int cut = 0, told = 0;
+    int cut = 0, reported = 0;
     const int cameras = rounds(400, 40);
     for (int i = 0; i < cameras; ++i) {
         Settings settings = somewhere_on(walk, random);
@@ -111,14 +111,14 @@ void check_walk_by_rows(const Walk& walk) {
         settings.reject = rejections[i % 4];
         const Frame frame = prepare_frame(walk.scene, settings);
         cut += count_clipping(frame).clipped;
-        const bool is_told = count_left_out(frame).of(Rejection::too_far_out) > 0;
-        if (is_told && settings.clip == Clip::near) {
+        const bool is_reported = count_left_out(frame).of(Rejection::too_far_out) > 0;
+        if (is_reported && settings.clip == Clip::near) {
             // The near plane alone leaves corners too far out for the arithmetic, which is
             // reported.
-            ++told;
+            ++reported;
             continue;
         }
-        REQUIRE_FALSE(is_told);
+        REQUIRE_FALSE(is_reported);
         // Cut at the very border, a corner is rounded to a whole pixel on either side of it.
         const int border = settings.clip == Clip::all ? 1 : 0;
         const PixelCount count = compare_with_rays(frame, margin, border);
@@ -126,10 +126,10 @@ void check_walk_by_rows(const Walk& walk) {
         compared += count.compared;
         pixels += small_picture.width * small_picture.height;
     }
-    CAPTURE(cameras, compared, pixels, cut, told);
+    CAPTURE(cameras, compared, pixels, cut, reported);
     CHECK(2 * compared > pixels);
     CHECK(cut > cameras);
-    CHECK(told <= 1 + cameras / 20);
+    CHECK(reported <= 1 + cameras / 20);
 }
 
 /// If coverage tests the centres of pixels and corners are snapped to 256ths of one, outlines are

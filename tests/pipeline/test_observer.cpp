@@ -36,14 +36,15 @@ TEST_CASE("An observer gets every moment in order, and changes no bit") {
         CHECK(std::is_sorted(recorder.samples.begin(), recorder.samples.end(), is_earlier));
         // Vertices, clip steps, culling, samples, tests and fragments together are the moments, if
         // the stage is `edges` or later.
-        const std::vector<Cursor> told = told_moments(recorder, stage);
+        const std::vector<Cursor> reported = recorded_moments(recorder, stage);
         std::vector<Cursor> expected = all_moments(frame);
         if (stage == Stage::rows) {
             std::erase_if(expected, [](const Cursor& c) { return c.phase == Phase::rows; });
         }
-        REQUIRE(told.size() == expected.size());
-        for (std::size_t i = 0; i < told.size(); ++i) {
-            if (told[i] != expected[i]) FAIL(to_text(told[i]) + " for " + to_text(expected[i]));
+        REQUIRE(reported.size() == expected.size());
+        for (std::size_t i = 0; i < reported.size(); ++i) {
+            if (reported[i] != expected[i])
+                FAIL(to_text(reported[i]) + " for " + to_text(expected[i]));
         }
     };
     for_each_frame(small_scene(), check);

@@ -293,7 +293,7 @@ TEST_CASE("The tally has every fragment and every row table once, in whichever d
         CHECK(replay.tally().samples_outside == whole.samples_outside);
         CHECK(replay.tally().triangles_outside == whole.triangles_outside);
         CHECK(replay.tally().first_outside == whole.first_outside);
-        CHECK(replay.tally().rows_looked_at == whole.rows_looked_at);
+        CHECK(replay.tally().row_lookups == whole.row_lookups);
         CHECK(replay.tallied() == cursor_end);
     }
 }

@@ -145,14 +145,14 @@ Compared compare_rays(const Settings& settings) {
             const glm::dvec3 place = place_of_pixel(room(), settings, triangle, column, row);
             const glm::dvec3 above =
                 place + glm::dvec3(vertex.normal) * double{settings.shadow_rules.offset};
-            const bool is_asked = faces(settings, vertex, place);
+            const bool is_tested = faces(settings, vertex, place);
             const Between found = between(room(), above, glm::dvec3(settings.light.position));
             ++result.pixels;
-            if (is_asked && found.is_tie) {
+            if (is_tested && found.is_tie) {
                 ++result.ties;
                 continue;
             }
-            const bool is_dark = is_asked && found.triangle >= 0;
+            const bool is_dark = is_tested && found.triangle >= 0;
             result.dark += is_dark ? 1 : 0;
             require_colour(picture, i,
                            light_in_double(settings, vertex, place, is_dark ? 0.0 : 1.0), column,
@@ -250,7 +250,7 @@ TEST_CASE("Each texel of the map holds the depth that a ray from the lamp finds"
     for (int face = 0; face < shadow_face_count; ++face) {
         const ShadowFace& drawn = map.faces[static_cast<std::size_t>(face)];
         const glm::dvec3 right(drawn.axes[0]), down(drawn.axes[1]), forward(drawn.axes[2]);
-        REQUIRE(glm::vec3(forward) == shadow_face_ways[static_cast<std::size_t>(face)]);
+        REQUIRE(glm::vec3(forward) == shadow_face_directions[static_cast<std::size_t>(face)]);
         for (int row = 0; row < resolution; ++row) {
             for (int column = 0; column < resolution; ++column) {
                 const glm::dvec3 way = forward + right * (2.0 * (column + 0.5) / resolution - 1.0) +
@@ -290,8 +290,8 @@ TEST_CASE("A place falls on the texel in its direction") {
     for (int i = 0; i < test::rounds(4'000, 400); ++i) {
         const glm::vec3 way(random.number(-3, 3), random.number(-3, 3), random.number(-3, 3));
         const int face = shadow_face_of(way);
-        const glm::vec3 along = shadow_face_ways[static_cast<std::size_t>(face)];
-        for (const glm::vec3& other : shadow_face_ways)
+        const glm::vec3 along = shadow_face_directions[static_cast<std::size_t>(face)];
+        for (const glm::vec3& other : shadow_face_directions)
             REQUIRE(glm::dot(way, along) >= glm::dot(way, other));
         const glm::mat3 axes = camera_rotation(shadow_face_settings(lamp, face, 32).camera);
         const glm::vec2 place = shadow_place(way * axes, 32);

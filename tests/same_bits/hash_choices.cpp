@@ -41,7 +41,7 @@ std::vector<std::string> scene_files() {
 std::string tally_text(const DrawTally& t) {
     return fmt::format("{} {} {} {} {} {} {} {} {} {}", t.fragments, t.fragments_outside,
                        t.samples_outside, t.triangles_outside, t.first_outside, t.shaded,
-                       t.rows_looked_at, t.pixels_tested, t.unset_rows, t.depth_outside);
+                       t.row_lookups, t.pixels_tested, t.empty_rows, t.depth_outside);
 }
 
 void print_hash(const Scene& scene, const std::string& name, const Settings& settings) {

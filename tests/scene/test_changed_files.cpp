@@ -18,13 +18,13 @@ TEST_CASE("Changed files of every format are read or refused, within their bound
     test::lay_out(folder);
     for (const test::ChangedFormat& format : test::changed_formats()) {
         const int count = test::rounds(1000, 200);
-        const std::string said = test::said_within(test::most_memory, [&]() -> std::string {
+        const std::string said = test::output_within(test::most_memory, [&]() -> std::string {
             int read = 0, refused = 0;
             for (int i = 0; i < count; ++i) {
                 const auto number = static_cast<std::uint32_t>(i);
                 const std::string bytes = test::changed_file(format, number);
                 const test::FileOutcome outcome = test::outcome_of(format, bytes, folder);
-                if (!outcome.trouble.empty()) return fmt::format("file {}: {}", i, outcome.trouble);
+                if (!outcome.problem.empty()) return fmt::format("file {}: {}", i, outcome.problem);
                 ++(outcome.is_read ? read : refused);
             }
             // Most changes leave no scene: its file has required words and no others.
@@ -45,7 +45,7 @@ TEST_CASE("Every seed from which files are changed is read") {
         for (std::size_t i = 0; i < format.seeds.size(); ++i) {
             INFO(format.name << ", seed " << i);
             const test::FileOutcome outcome = test::outcome_of(format, format.seeds[i], folder);
-            CHECK(outcome.trouble == "");
+            CHECK(outcome.problem == "");
             CHECK(outcome.is_read);
         }
     }

@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/image.h"
 #include "base/limits.h"
-#include "scene/beside_file.h"
+#include "scene/companion_file.h"
 #include "scene/read_obj.h"
 #include "scene/read_scene.h"
 #include "scene/texture_files.h"
@@ -65,9 +65,9 @@ TEST_CASE("A damaged image is tried once and reported once, whatever names it") 
         const std::string path = model_with_maps(folder, 200, lines);
         for (int i = 0; std::string_view(lines) == "map_Kd {}.png" && i < 200; ++i)
             std::filesystem::create_symlink("c.png", folder.file(fmt::format("{}.png", i)));
-        const std::vector<std::string> told = fault_lines(read_obj(path).report);
-        REQUIRE(told.size() == 1);
-        CHECK(told[0].find(": the picture cannot be read: its data is damaged.") !=
+        const std::vector<std::string> reported = fault_lines(read_obj(path).report);
+        REQUIRE(reported.size() == 1);
+        CHECK(reported[0].find(": the picture cannot be read: its data is damaged.") !=
               std::string::npos);
     }
 }
@@ -93,20 +93,21 @@ TEST_CASE("Images unpacked in vain count toward the limit of texels") {
     const test::TemporaryFolder folder;
     for (const char* const name : {"0.png", "1.png", "2.png"})
         folder.write(name, damaged_png());
-    const std::vector<std::string> told =
+    const std::vector<std::string> reported =
         fault_lines(read_obj(model_with_maps(folder, 3, "map_Kd {}.png")).report);
-    REQUIRE(told.size() == 3);
-    CHECK(told[0].find("0.png: the picture cannot be read: ") != std::string::npos);
-    for (std::size_t i = 1; i < told.size(); ++i) {
-        CHECK(told[i].find(fmt::format("{}.png: all textures together have more than {} texels.", i,
-                                       most_texels)) != std::string::npos);
+    REQUIRE(reported.size() == 3);
+    CHECK(reported[0].find("0.png: the picture cannot be read: ") != std::string::npos);
+    for (std::size_t i = 1; i < reported.size(); ++i) {
+        CHECK(
+            reported[i].find(fmt::format("{}.png: all textures together have more than {} texels.",
+                                         i, most_texels)) != std::string::npos);
     }
 }
 
 TEST_CASE("Files that a scene names are read up to a limit of bytes, one for each kind") {
     const test::TemporaryFolder folder;
     const std::string six = folder.write("six", "123456");
-    BesideBytes bytes(4 * megabyte, "all images");
+    CompanionBytes bytes(4 * megabyte, "all images");
     bytes.add(folder.write("much", std::string(4 * megabyte - 10, 'x')));
     bytes.add(six);
     CHECK_THROWS_WITH(bytes.add(six), six + ": with this file, all images exceed 4 MB in total.");
@@ -164,21 +165,22 @@ TEST_CASE("Reading a scene reports its progress, and can be stopped") {
     for (int i = 0; i < count; ++i)
         text += "\"A B C\",\n";
     text += "]\n";
-    std::vector<ReadingState> told;
+    std::vector<ReadingState> reported;
     const Scene scene = parse_scene(text, "s.toml", {}, [&](const ReadingState& state) {
-        told.push_back(state);
+        reported.push_back(state);
         return true;
     });
     CHECK(scene == parse_scene(text, "s.toml"));
-    REQUIRE(told.size() > 10);
-    CHECK(told.front().part == ReadingPart::bytes);
-    CHECK(told.front().all == std::ssize(text));
-    CHECK(told.back().part == ReadingPart::triangles);
-    CHECK(told.back().done > count / 2);
-    CHECK(told.back().all == count);
-    for (std::size_t i = 1; i < told.size(); ++i)
-        if (told[i].part == told[i - 1].part) CHECK(told[i].done >= told[i - 1].done);
-    for (std::size_t last = 0; last < told.size(); ++last) {
+    REQUIRE(reported.size() > 10);
+    CHECK(reported.front().part == ReadingPart::bytes);
+    CHECK(reported.front().all == std::ssize(text));
+    CHECK(reported.back().part == ReadingPart::triangles);
+    CHECK(reported.back().done > count / 2);
+    CHECK(reported.back().all == count);
+    for (std::size_t i = 1; i < reported.size(); ++i)
+        if (reported[i].part == reported[i - 1].part)
+            CHECK(reported[i].done >= reported[i - 1].done);
+    for (std::size_t last = 0; last < reported.size(); ++last) {
         INFO("stopped when asked for the time " << last);
         std::size_t asked = 0;
         CHECK_THROWS_AS(
@@ -202,7 +204,7 @@ TEST_CASE(
         const std::string whole = test::bytes_of(folder.file(name));
         for (int i = 0; i < 100; ++i) {
             folder.write(name, changed(whole, random));
-            const std::string said = test::said_within(100 * megabyte, [&] {
+            const std::string said = test::output_within(100 * megabyte, [&] {
                 std::string lines;
                 try {
                     for (const std::string& line : fault_lines(read_obj(path).report))

@@ -19,7 +19,7 @@ TEST_CASE("A model cut off at any byte is read or refused") {
             INFO(length);
             try {
                 const ObjModel model = parse_obj(seed.substr(0, length), "m.obj");
-                CHECK(test::trouble_of_model(model) == "");
+                CHECK(test::problem_of_model(model) == "");
             } catch (const InputError& error) {
                 CHECK(test::has_line(error.what(), "m.obj"));
             }
@@ -62,5 +62,5 @@ TEST_CASE("A fan of many faces around one point is not compared pair by pair") {
     }
     const ObjModel model = parse_obj(text, "m.obj");
     CHECK(model.mesh.triangle_count() == count);
-    CHECK(test::trouble_of_model(model) == "");
+    CHECK(test::problem_of_model(model) == "");
 }

@@ -59,7 +59,7 @@ TEST_CASE("Kd 0 counts as 1 where an image is named, and is black where none is"
     CHECK(fault_lines(missing.report) ==
           folder.with_path({":3: 'map_Kd': there is no file 'none.png'; the image is left out.",
                             ":2:" + counts}));
-    CHECK(note_lines(missing.report) ==
+    CHECK(remark_lines(missing.report) ==
           folder.with_path({":5: the material 'b' is black because its Kd is 0 and it has no "
                             "map_Kd."}));
     // A dark colour is one.
@@ -89,8 +89,8 @@ TEST_CASE("A material that is wholly transparent is reported with its line") {
         const Scene scene = scene_of_model(
             folder.model_with("newmtl a\nKd 1 1 1\n" + d + "newmtl b\nKd 1 1 1\n" + d));
         CHECK(model_notice(scene).empty()); // the picture is what says it
-        REQUIRE(note_lines(*scene.model_report).size() == 2);
-        CHECK(note_lines(*scene.model_report)[0] ==
+        REQUIRE(remark_lines(*scene.model_report).size() == 2);
+        CHECK(remark_lines(*scene.model_report)[0] ==
               folder.folder.file("m.mtl") +
                   ":3: the material 'a' is fully transparent because its alpha is 0.");
     }

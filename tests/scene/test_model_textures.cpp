@@ -139,9 +139,9 @@ TEST_CASE(
         folder.write("m.mtl", "newmtl a\nKd 0.5 0.5 0.5\nmap_Kd " + name +
                                   "\nnewmtl b\nmap_Kd whole.png\nnewmtl c\n");
         const ObjModel model = read_obj(path);
-        const std::vector<std::string> told = fault_lines(model.report);
-        REQUIRE(told.size() == 1);
-        CHECK_THAT(told[0], Catch::Matchers::StartsWith(mtl + ":3: 'map_Kd': " + begins));
+        const std::vector<std::string> reported = fault_lines(model.report);
+        REQUIRE(reported.size() == 1);
+        CHECK_THAT(reported[0], Catch::Matchers::StartsWith(mtl + ":3: 'map_Kd': " + begins));
         CHECK(model.report.counts.textures == 1);
         CHECK(model.parts[0].texture == -1);
         CHECK(model.mesh.corner(0, 0).reflectance == glm::vec3(0.5f));
@@ -222,15 +222,15 @@ TEST_CASE("norm is a map of normals; bump is one of heights, or of normals if it
     for (const char* const name : {"a", "b", "c", "d", "e"})
         text += fmt::format("usemtl {}\nf 1/1 2/2 3/3\n", name);
     const ObjModel model = read_obj(folder.write("m.obj", text));
-    const std::vector<std::string> told = [&] {
+    const std::vector<std::string> reported = [&] {
         std::vector<std::string> lines;
         for (const ObjFault& fault : model.report.faults)
             lines.push_back(fault.sentence);
         return lines;
     }();
-    REQUIRE(told.size() == 1);
-    CHECK_THAT(told[0], Catch::Matchers::StartsWith("'bump': "));
-    CHECK_THAT(told[0], Catch::Matchers::EndsWith("The image is left out."));
+    REQUIRE(reported.size() == 1);
+    CHECK_THAT(reported[0], Catch::Matchers::StartsWith("'bump': "));
+    CHECK_THAT(reported[0], Catch::Matchers::EndsWith("The image is left out."));
     REQUIRE(model.parts.size() == 5);
     CHECK(model.report.counts.textures == static_cast<std::int64_t>(model.textures.size()));
     const Scene scene = scene_of_model(model);

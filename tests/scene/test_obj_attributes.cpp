@@ -67,13 +67,13 @@ TEST_CASE("A normal or texture coordinate that is wrong costs no face, and is re
         const ObjModel model = parse_obj(before + faces_with(one.behind), "m.obj");
         CHECK(model.mesh == wanted);
         const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-        std::vector<std::string> told;
+        std::vector<std::string> reported;
         if (!one.fault.empty()) {
-            told.push_back("m.obj:" + std::to_string(line) + ": " + one.fault +
-                           " There is 1 more like it.");
+            reported.push_back("m.obj:" + std::to_string(line) + ": " + one.fault +
+                               " There is 1 more like it.");
         }
-        CHECK(fault_lines(model.report) == told);
-        CHECK(model.report.counts.faults == (told.empty() ? 0 : 2));
+        CHECK(fault_lines(model.report) == reported);
+        CHECK(model.report.counts.faults == (reported.empty() ? 0 : 2));
     }
 }
 

@@ -71,7 +71,7 @@ TEST_CASE("Colours taken to run to 255 are noted with the line that shows it") {
     using namespace coloured_points;
     const ObjReport report =
         parse_obj(triangle_with({"0 0 1", "9 0 0", "255 0 0"}), "m.obj").report;
-    CHECK(note_lines(report) ==
+    CHECK(remark_lines(report) ==
           std::vector<std::string>{"m.obj:2: the colours of the points are taken to run from 0 to "
                                    "255."});
     CHECK(parse_obj(triangle_with({"0 0 1", "1 0 0", "0 0 0"}), "m.obj").report.notes.empty());

@@ -556,30 +556,33 @@ TEST_CASE("Reading reports its progress, and stops where its watch says so") {
         text += "v " + std::to_string(i) + " " + std::to_string(i % 7) + " 0\n";
         if (i >= 2) text += "f -3 -2 -1\n";
     }
-    std::vector<ReadingState> told;
+    std::vector<ReadingState> reported;
     const ObjModel model = parse_obj(text, "m.obj", {}, [&](const ReadingState& state) {
-        told.push_back(state);
+        reported.push_back(state);
         return true;
     });
     CHECK(model.mesh == parse_obj(text, "m.obj").mesh);
     REQUIRE(model.mesh.triangle_count() == count - 2);
     // A step is a statement or a face. Progress is reported for those, and once more for each part.
     const std::size_t steps = count + 2 * (count - 2);
-    CHECK(told.size() == steps / WatchedSteps::steps_between + 2);
-    const auto first_made = std::find_if(told.begin(), told.end(), [](const ReadingState& state) {
-        return state.part == ReadingPart::triangles;
-    });
-    REQUIRE(first_made > told.begin());
-    REQUIRE(first_made < told.end());
+    CHECK(reported.size() == steps / WatchedSteps::steps_between + 2);
+    const auto first_made =
+        std::find_if(reported.begin(), reported.end(), [](const ReadingState& state) {
+            return state.part == ReadingPart::triangles;
+        });
+    REQUIRE(first_made > reported.begin());
+    REQUIRE(first_made < reported.end());
     CHECK(*(first_made - 1) ==
           ReadingState{ReadingPart::bytes, std::ssize(text), std::ssize(text)});
     CHECK(*first_made == ReadingState{ReadingPart::triangles, 0, count - 2});
-    for (std::size_t i = 1; i < told.size(); ++i) {
+    for (std::size_t i = 1; i < reported.size(); ++i) {
         INFO(i);
-        if (told[i].part == told[i - 1].part) CHECK(told[i].done > told[i - 1].done);
-        CHECK(told[i].all == (told[i].part == ReadingPart::bytes ? std::ssize(text) : count - 2));
+        if (reported[i].part == reported[i - 1].part)
+            CHECK(reported[i].done > reported[i - 1].done);
+        CHECK(reported[i].all ==
+              (reported[i].part == ReadingPart::bytes ? std::ssize(text) : count - 2));
     }
-    for (std::size_t last = 0; last < told.size(); ++last) {
+    for (std::size_t last = 0; last < reported.size(); ++last) {
         INFO("stopped when asked for the time " << last);
         std::size_t asked = 0;
         CHECK_THROWS_AS(

@@ -46,7 +46,7 @@ TEST_CASE("While a frame is prepared the previous one is shown in full") {
     finish(session, expected);
     CHECK_FALSE(results.a.picture == before);
     CHECK(results.a.picture == expected.a.picture);
-    CHECK(results.a.troubles == expected.a.troubles);
+    CHECK(results.a.warnings == expected.a.warnings);
 }
 
 TEST_CASE("A frame that is no longer wanted leaves the frame on screen alone") {

@@ -17,7 +17,7 @@ namespace {
 
 /// The moment that the words describe, put together from their numbers; what is wrong with
 /// them, if they do not count from 0.
-std::string told_moment(const std::string& words, int triangles) {
+std::string named_moment(const std::string& words, int triangles) {
     static const std::regex form(
         "triangles\\[(\\d+)\\] of (\\d+) \\([^)]*\\) · "
         "(?:vertices\\[(\\d+)\\] of (\\d+)"
@@ -42,7 +42,7 @@ std::string told_moment(const std::string& words, int triangles) {
 }
 
 /// Every moment of the frame at this granularity, put into words and read back.
-void tell_all(const std::string& scene, StripStep step, Granularity granularity) {
+void describe_all(const std::string& scene, StripStep step, Granularity granularity) {
     const Scene read = read_scene_file(lessons_folder() + "/scenes/" + scene);
     Settings settings = default_settings(read);
     set_step(settings, step);
@@ -52,10 +52,10 @@ void tell_all(const std::string& scene, StripStep step, Granularity granularity)
     std::string last;
     for (Cursor at = timeline.first(); at != cursor_end; at = timeline.next(at, granularity)) {
         const std::string words = describe_moment(frame, at);
-        const std::string told = told_moment(words, frame.triangle_count());
+        const std::string reported = named_moment(words, frame.triangle_count());
         ++moments;
-        if (told != to_text(at))
-            FAIL(to_text(at) << " is described as '" << words << "': " << told);
+        if (reported != to_text(at))
+            FAIL(to_text(at) << " is described as '" << words << "': " << reported);
         last = words;
     }
     CHECK(moments > frame.triangle_count());
@@ -68,9 +68,9 @@ void tell_all(const std::string& scene, StripStep step, Granularity granularity)
 TEST_CASE("Every moment of the bench and the room is counted from 0, in words as in its text") {
     for (const StageInfo& info : test::some_of(stage_list(), 4)) {
         INFO(info.name);
-        tell_all("one-triangle.toml", info.step, Granularity::moment);
-        tell_all("lab-room.toml", info.step,
-                 has_fragments(info.step.stage) ? Granularity::line : Granularity::moment);
+        describe_all("one-triangle.toml", info.step, Granularity::moment);
+        describe_all("lab-room.toml", info.step,
+                     has_fragments(info.step.stage) ? Granularity::line : Granularity::moment);
     }
 }
 

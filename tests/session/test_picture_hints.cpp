@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "inspect/seen_hints.h"
+#include "inspect/visibility_hints.h"
 #include "pipeline/draw.h"
 #include "session/results.h"
 #include "session/second_run.h"
@@ -26,9 +26,9 @@ Session session_of_box() {
     return session;
 }
 
-std::vector<SeenHint> hints_at_once(const Session& session) {
+std::vector<VisibilityHint> hints_at_once(const Session& session) {
     const Frame frame = prepare_frame(*session.scene, session.a.settings);
-    return seen_hints(frame, draw_frame(frame));
+    return visibility_hints(frame, draw_frame(frame));
 }
 
 } // namespace hints_of_box
@@ -61,7 +61,7 @@ TEST_CASE("Hints stay until those of the next picture are known, and another vie
     Session session = session_of_box();
     Results results;
     finish(session, results);
-    const std::vector<SeenHint> before = results.hints.found;
+    const std::vector<VisibilityHint> before = results.hints.found;
     REQUIRE(before.size() == 2);
     session.view = View::depth;
     update(session, results, in_small_parts);
@@ -114,5 +114,5 @@ TEST_CASE("The fast engine's picture has hints of its own pixels") {
     finish(session, results);
     REQUIRE(results.a.is_fast);
     REQUIRE(results.hints.found.size() == 2);
-    CHECK(results.hints.found == seen_hints(results.a.frame, *results.a.framebuffer));
+    CHECK(results.hints.found == visibility_hints(results.a.frame, *results.a.framebuffer));
 }

@@ -190,7 +190,7 @@ TEST_CASE("A window that was hidden for long has missed one second, no more") {
     player.begin(Granularity::moment, {SpeedUnit::steps, 8.0});
     advance_play(player.session, timeline, player.results.length, 0.0f);
     advance_play(player.session, timeline, player.results.length, 3600.0f);
-    CHECK(player.session.cursor == leap(timeline, cursor_begin, 8, Granularity::moment));
+    CHECK(player.session.cursor == advance(timeline, cursor_begin, 8, Granularity::moment));
     // A clock that has stopped, or runs back, or is broken, moves nothing.
     const Cursor before = player.session.cursor;
     for (const float seconds : {0.0f, -5.0f, std::nanf("")}) {

@@ -195,7 +195,7 @@ TEST_CASE("engine=fast draws the whole picture, and the steps all moments before
     CHECK(a.picture == view_image(fast, View::colour));
     const Frame frame = prepare_frame(*session.scene, by_steps);
     CHECK_FALSE(test::first_difference(fast, draw_frame(frame)).empty());
-    CHECK(a.troubles == describe_troubles(frame, tally_rows(frame, 0)));
+    CHECK(a.warnings == describe_warnings(frame, tally_rows(frame, 0)));
 
     const Cursor middle{12, Phase::edges, 1, 4};
     for (const Cursor& cursor : {middle, cursor_end, middle, cursor_begin, cursor_end}) {
@@ -231,8 +231,8 @@ TEST_CASE("The steps draw what the fast engine refuses, and the reason is given"
     Results results;
     update(session, results);
     CHECK_FALSE(results.a.is_fast);
-    REQUIRE_FALSE(results.a.troubles.empty());
-    CHECK(results.a.troubles.front().sentence ==
+    REQUIRE_FALSE(results.a.warnings.empty());
+    CHECK(results.a.warnings.front().sentence ==
           "the fast engine does not support shading=flat, so the steps draw");
     test::require_same(*results.a.framebuffer,
                        draw_frame(prepare_frame(*session.scene, session.a.settings)));

@@ -259,7 +259,7 @@ TEST_CASE("Work too long for one update is done by several, with the same result
     Results expected;
     finish(session, expected);
     CHECK_FALSE(is_working(expected));
-    REQUIRE(expected.a.troubles.size() == 1);
+    REQUIRE(expected.a.warnings.size() == 1);
     const WorkLimit limit{5'000.0, 3'000.0};
     Results results;
     int updates = 0;
@@ -271,9 +271,9 @@ TEST_CASE("Work too long for one update is done by several, with the same result
     } while (is_working(results));
     CHECK(updates > 20);
     CHECK(results.a.picture == expected.a.picture);
-    CHECK(results.a.troubles == expected.a.troubles);
+    CHECK(results.a.warnings == expected.a.warnings);
     CHECK(results.b->picture == expected.b->picture);
-    CHECK(results.b->troubles == expected.b->troubles);
+    CHECK(results.b->warnings == expected.b->warnings);
     CHECK(results.comparison.whole().pixels == expected.comparison.whole().pixels);
     CHECK(results.comparison.whole().divergences.count ==
           expected.comparison.whole().divergences.count);
@@ -355,7 +355,7 @@ TEST_CASE("The lab's room is drawn in one update; the moments of two runs are co
     update(session, results);
     CHECK(results.a.is_complete());
     CHECK(results.b->is_complete());
-    CHECK(results.a.has_all_troubles);
+    CHECK(results.a.has_all_warnings);
     CHECK(results.comparison.progress.is_done);
     CHECK(results.comparison.pixels ==
           pixel_difference(*results.a.framebuffer, *results.b->framebuffer));
@@ -389,13 +389,13 @@ TEST_CASE("Troubles are reported for the whole frame, wherever the cursor is") {
     Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
     Results end;
     update(session, end);
-    REQUIRE_FALSE(end.a.troubles.empty());
+    REQUIRE_FALSE(end.a.warnings.empty());
     for (const Cursor& cursor : {cursor_begin, Cursor{12, Phase::vertices, 0, 0},
                                  Cursor{12, Phase::edges, 1, 4}, Cursor{3, Phase::rows, 20, 2}}) {
         session.cursor = cursor;
         Results results;
         update(session, results);
-        CHECK(results.a.troubles == end.a.troubles);
+        CHECK(results.a.warnings == end.a.warnings);
         session.cursor = cursor_end;
     }
 }

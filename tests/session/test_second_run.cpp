@@ -83,11 +83,11 @@ TEST_CASE("The part of a setting that only B has stays B's, and the rest follows
     set_from_text(session.a.settings, "stage=pixel_light");
     session.b = session.a;
     set_from_text(session.b->settings, "shading=unlit");
-    carry_changes_to_b(session);
+    mirror_changes_to_b(session);
     set_from_text(session.a.settings, "stage=depth");
-    carry_changes_to_b(session);
+    mirror_changes_to_b(session);
     set_from_text(session.a.settings, "stage=pixel_light");
-    carry_changes_to_b(session);
+    mirror_changes_to_b(session);
     CHECK(session.b->settings.stage == Stage::shade);
     CHECK(session.b->settings.shading == Shading::unlit);
     CHECK(session.a.settings.shading == Shading::phong);
@@ -95,9 +95,9 @@ TEST_CASE("The part of a setting that only B has stays B's, and the rest follows
     session.b = session.a;
     session.runs_before = std::nullopt;
     set_from_text(session.b->settings, "vertex_rounding=truncate_sum");
-    carry_changes_to_b(session);
+    mirror_changes_to_b(session);
     set_from_text(session.a.settings, "rounding=floor");
-    carry_changes_to_b(session);
+    mirror_changes_to_b(session);
     CHECK(session.b->settings.vertex_rounding == VertexRounding::truncate_sum);
     CHECK(session.b->settings.line_rounding == Rounding::floor);
 }
@@ -117,27 +117,27 @@ TEST_CASE("The end of a comparison brings back a picture without light") {
 TEST_CASE("What changes in A changes in B too, unless they differ in it") {
     Session session = room();
     start_pair(session, compare_pairs()[0]);
-    carry_changes_to_b(session);
+    mirror_changes_to_b(session);
     session.a.settings.camera.yaw = 0.25f;
     set_from_text(session.a.settings, "stage=vertex_light");
-    carry_changes_to_b(session);
+    mirror_changes_to_b(session);
     CHECK(settings_of(session) == "interpolation perspective affine; ");
     CHECK(session.b->settings.camera.yaw == 0.25f);
     set_from_text(session.a.settings, "interpolation=affine");
-    carry_changes_to_b(session);
+    mirror_changes_to_b(session);
     CHECK(settings_of(session).empty());
     set_from_text(session.b->settings, "rounding=floor");
-    carry_changes_to_b(session);
+    mirror_changes_to_b(session);
     CHECK(settings_of(session) == "rounding truncate floor; ");
 }
 
 TEST_CASE("A second run that was set separately is left alone") {
     Session session = room();
     start_pair(session, compare_pairs()[3]);
-    carry_changes_to_b(session);
+    mirror_changes_to_b(session);
     session.a.settings.camera.yaw = 0.5f;
     set_from_text(session.b->settings, "stage=fill");
-    carry_changes_to_b(session);
+    mirror_changes_to_b(session);
     CHECK(session.b->settings.camera.yaw == 0.0f);
     CHECK(session.b->settings.stage == Stage::fill);
 }
@@ -146,21 +146,21 @@ TEST_CASE("The runs are swapped") {
     Session session = room();
     start_pair(session, compare_pairs()[0]);
     swap_runs(session);
-    carry_changes_to_b(session);
+    mirror_changes_to_b(session);
     CHECK(settings_of(session) == "interpolation affine perspective; ");
 }
 
 TEST_CASE("Undo takes back the second run, and follows nothing") {
     Session session = room();
-    note_choices(session);
+    record_undo_step(session);
     start_pair(session, compare_pairs()[0]);
-    carry_changes_to_b(session);
-    note_choices(session);
+    mirror_changes_to_b(session);
+    record_undo_step(session);
     set_from_text(session.a.settings, "interpolation=affine");
-    carry_changes_to_b(session);
-    note_choices(session);
+    mirror_changes_to_b(session);
+    record_undo_step(session);
     REQUIRE(undo(session));
-    carry_changes_to_b(session);
+    mirror_changes_to_b(session);
     CHECK(settings_of(session) == "interpolation perspective affine; ");
     REQUIRE(undo(session));
     CHECK_FALSE(session.b);
@@ -223,11 +223,11 @@ TEST_CASE("A scene opened while a mistake is on stays when it is turned off") {
 
 TEST_CASE("Undo brings back which mistake was on") {
     Session session = room();
-    note_choices(session);
+    record_undo_step(session);
     start_pair(session, compare_pairs()[0]);
-    note_choices(session);
+    record_undo_step(session);
     apply_bug(find_bug(read_bugs(), "B5"), session);
-    note_choices(session);
+    record_undo_step(session);
     REQUIRE(undo(session));
     CHECK_FALSE(is_on(session, "B5"));
     CHECK(session.b->settings.interpolation == Interpolation::affine);

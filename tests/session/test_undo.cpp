@@ -56,7 +56,7 @@ TEST_CASE("Undo forgets the oldest scenes when they take too much, but never the
     CHECK(UndoStack{}.most_bytes == std::size_t{256} << 20);
     const auto open = [&](const std::string& name, int triangles) {
         set_scene(session, large_scene(name, triangles, texture));
-        note_choices(session);
+        record_undo_step(session);
     };
     const auto oldest = [&] {
         while (undo(session)) {
@@ -73,7 +73,7 @@ TEST_CASE("Undo forgets the oldest scenes when they take too much, but never the
     // Steps that share a scene take its memory once.
     for (int i = 0; i < 50; ++i) {
         session.view = i % 2 == 0 ? View::depth : View::colour;
-        note_choices(session);
+        record_undo_step(session);
     }
     CHECK(session.undo.past.size() == 7 + 50);
     CHECK(oldest() == "0");

@@ -497,7 +497,7 @@ namespace {
 std::string differing(const Settings& a, const Settings& b) {
     std::string names;
     for (const Setting& setting : setting_table()) {
-        if (must_be_said(setting, a, b)) names.append(setting.name).append(" ");
+        if (must_be_listed(setting, a, b)) names.append(setting.name).append(" ");
     }
     return names;
 }
@@ -540,7 +540,7 @@ TEST_CASE("Setting the differences in the order of the table makes one the other
         for (const Settings& to : all) {
             Settings made = from;
             for (const Setting& setting : setting_table()) {
-                if (must_be_said(setting, from, to)) {
+                if (must_be_listed(setting, from, to)) {
                     set_value(made, setting, value_text(setting, to));
                 }
             }

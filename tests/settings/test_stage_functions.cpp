@@ -161,12 +161,13 @@ TEST_CASE("A function made of parts has the part of each setting") {
     CHECK(choose_stages(lab_with({"light.direction=from_light", "light.falloff=cubed",
                                   "light.sum=reflectance_twice"}))
               .reflected_light ==
-          mistaken_light<way_from_lamp, own_square, own_length, cubed_area, reflectance_twice>);
+          mistaken_light<vector_from_lamp, own_square, own_length, cubed_area, reflectance_twice>);
     CHECK(choose_stages(lab_with({"light.direction=with_w", "light.falloff=pi_three"}))
-              .reflected_light == mistaken_light<way_to_lamp, square_with_w, own_length,
+              .reflected_light == mistaken_light<vector_to_lamp, square_with_w, own_length,
                                                  area_with_pi_three, reflectance_times>);
-    CHECK(choose_stages(lab_with({"light.direction=not_normalized"})).reflected_light ==
-          mistaken_light<way_to_lamp, own_square, not_normalized, sphere_area, reflectance_times>);
+    CHECK(
+        choose_stages(lab_with({"light.direction=not_normalized"})).reflected_light ==
+        mistaken_light<vector_to_lamp, own_square, not_normalized, sphere_area, reflectance_times>);
     CHECK(choose_stages(lab_with({"image_axes=mirrored", "divided_by=distance"})).to_clip_space ==
           to_clip_space_with<axes_mirrored, to_clip_space_by_distance<to_clip_space>>);
     CHECK(choose_stages(lab_with({"image_axes=exchanged", "projection_mix=0.5"})).to_clip_space ==

@@ -99,12 +99,12 @@ TEST_CASE("A fragment is drawn if it is nearer by more than epsilon, in every fo
         INFO(word);
         int near_the_limit = 0;
         for (int i = 0; i < rounds(4000, 400); ++i) {
-            const auto stored = held_depth(static_cast<float>(random.number(0, 1)), rules);
+            const auto stored = depth_in_buffer(static_cast<float>(random.number(0, 1)), rules);
             Fragment fragment;
             fragment.depth =
                 static_cast<float>(static_cast<double>(stored) + random.number(-0.3, 0.3));
             const DepthResult result = test(fragment, stored, rules);
-            CHECK(result.depth == held_depth(fragment.depth, rules));
+            CHECK(result.depth == depth_in_buffer(fragment.depth, rules));
             const double ahead =
                 sign * (static_cast<double>(result.depth) - static_cast<double>(stored)) - 0.125;
             // A float of this size has steps of 6e-8.

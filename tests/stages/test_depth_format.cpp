@@ -39,21 +39,22 @@ DepthRules rules_of(std::string_view word) {
     return depth_rules(with_format({}, word), SceneSpace::world);
 }
 
-float held_at(double z, const DepthRules& rules) {
-    return held_depth(depth_at(static_cast<float>(z), rules), rules);
+float depth_at_distance(double z, const DepthRules& rules) {
+    return depth_in_buffer(depth_at(static_cast<float>(z), rules), rules);
 }
 
 /// The smallest distance at which the buffer separates every pair of surfaces behind z, up to 1 %.
-double told_apart(double z, const DepthRules& rules, Random& random) {
-    const auto tells = [&](double distance) {
+double smallest_separation(double z, const DepthRules& rules, Random& random) {
+    const auto separates = [&](double distance) {
         for (int i = 0; i < rounds(2000, 500); ++i) {
             const double front = z + 0.01 * random.number(-1, 1);
-            if (held_at(front, rules) == held_at(front + distance, rules)) return false;
+            if (depth_at_distance(front, rules) == depth_at_distance(front + distance, rules))
+                return false;
         }
         return true;
     };
     double distance = 1e-5;
-    while (!tells(distance))
+    while (!separates(distance))
         distance *= 1.01;
     return distance;
 }
@@ -86,10 +87,10 @@ TEST_CASE("Each word of the depth format is a quantity and its bits") {
             const double largest = format.kind == ClipDepth::inv_z ? 1.0 / near : 1.0;
             const double step = format.bits == 0 ? 0.0 : largest / (std::exp2(format.bits) - 1.0);
             CAPTURE(z, expected);
-            CHECK(std::abs(static_cast<double>(held_at(z, rules)) - expected) <=
+            CHECK(std::abs(static_cast<double>(depth_at_distance(z, rules)) - expected) <=
                   0.5 * step + 4e-7 * largest);
             if (format.bits == 0)
-                CHECK(z_of_depth(held_at(z, rules), rules) == Approx(z).epsilon(2e-3));
+                CHECK(z_of_depth(depth_at_distance(z, rules), rules) == Approx(z).epsilon(2e-3));
         }
     }
 }
@@ -114,14 +115,14 @@ TEST_CASE(
     CHECK(of_step == Approx(0.0024).epsilon(0.02));
     for (const char* word : {"ndc_16", "reversed_16"}) {
         CAPTURE(word);
-        CHECK(told_apart(4.0, rules_of(word), random) == Approx(of_step).epsilon(0.04));
+        CHECK(smallest_separation(4.0, rules_of(word), random) == Approx(of_step).epsilon(0.04));
     }
     // 1/z has as many steps, from 0 to 1/near.
-    CHECK(told_apart(4.0, rules_of("inv_z_16"), random) ==
+    CHECK(smallest_separation(4.0, rules_of("inv_z_16"), random) ==
           Approx(1.0 / near / 65535.0 * 16.0).epsilon(0.04));
     // In 32 bits only the reversed form gains from float's small steps near 0.
-    const double reversed = told_apart(50.0, rules_of("reversed_32"), random);
-    const double normal = told_apart(50.0, rules_of("ndc_32"), random);
+    const double reversed = smallest_separation(50.0, rules_of("reversed_32"), random);
+    const double normal = smallest_separation(50.0, rules_of("ndc_32"), random);
     CHECK(reversed < 0.1 * normal);
 }
 
@@ -136,8 +137,8 @@ TEST_CASE("Two surfaces very close together fight only if the buffer has few bit
             const double z = 4.0 + 0.01 * random.number(-1, 1), distance = 0.0008;
             Fragment behind;
             behind.depth = depth_at(static_cast<float>(z + distance), rules);
-            const float stored = held_at(z, rules);
-            const DepthResult result = depth_test_as_held(behind, stored, rules);
+            const float stored = depth_at_distance(z, rules);
+            const DepthResult result = depth_test_in_buffer(behind, stored, rules);
             CHECK_FALSE(result.passed);
             ties += result.depth == stored ? 1 : 0;
         }
@@ -166,7 +167,8 @@ TEST_CASE("Every depth test acts with every format, the right way round") {
                 Fragment fragment;
                 fragment.depth = depth_at(static_cast<float>(z), rules);
                 fragment.z = static_cast<float>(z);
-                const float stored = held_at(before, rules), held = held_at(z, rules);
+                const float stored = depth_at_distance(before, rules),
+                            held = depth_at_distance(z, rules);
                 const DepthResult over = stages.depth_test(fragment, stored, rules);
                 CHECK(over.depth == held);
                 // If the buffer holds both as equally near, only a missing test lets z pass.
@@ -191,8 +193,8 @@ TEST_CASE("Depths that are not numbers never pass") {
         Fragment fragment;
         fragment.depth = std::numeric_limits<float>::quiet_NaN();
         CAPTURE(format.word);
-        CHECK_FALSE(depth_test_as_held(fragment, clear, rules).passed);
-        CHECK(std::isfinite(held_depth(fragment.depth, rules)) == (format.bits > 0));
+        CHECK_FALSE(depth_test_in_buffer(fragment, clear, rules).passed);
+        CHECK(std::isfinite(depth_in_buffer(fragment.depth, rules)) == (format.bits > 0));
     }
 }
 

@@ -115,7 +115,7 @@ TEST_CASE("Without a direction there is no highlight, and never NaN") {
         CHECK_FALSE(std::isnan(highlight(front, far_eye, glm::vec3(1.0f)).reflected.r));
     }
     // Lamp and eye on opposite sides have no direction halfway between them.
-    CHECK(half_way({1, 0, 0}, {-1, 0, 0}) == glm::vec3(0.0f));
+    CHECK(halfway_vector({1, 0, 0}, {-1, 0, 0}) == glm::vec3(0.0f));
     CHECK(unit_normal(glm::vec3(0.0f)) == glm::vec3(0.0f));
     CHECK(glm::length(unit_normal({0.1f, 0.2f, -0.4f})) == Approx(1.0));
     CHECK(normal_as_interpolated({0.1f, 0.2f, -0.4f}) == glm::vec3(0.1f, 0.2f, -0.4f));

@@ -46,7 +46,7 @@ float in_bits(float depth, int bits) {
     DepthRules rules;
     rules.projection.clip_depth = ClipDepth::reversed;
     rules.bits = bits;
-    return held_depth(depth, rules);
+    return depth_in_buffer(depth, rules);
 }
 
 } // namespace

@@ -89,12 +89,12 @@ TEST_CASE("The texels used add up to the colour, and their weights to 1") {
             const TexturePlace place{
                 {random.number(-3, 3), random.number(-3, 3)},
                 footprint_of(texture, random.number(0, 16), random.number(0, 16))};
-            TakenTexels taken;
+            SampledTexels taken;
             const glm::vec3 colour = stages.sample_texture(texture, place, stages, &taken);
             CHECK(colour == stages.sample_texture(texture, place, stages, nullptr));
             float weights = 0.0f;
             glm::dvec3 sum(0.0);
-            for (const TakenTexel& texel : taken) {
+            for (const SampledTexel& texel : taken) {
                 const TextureLevel& level = texture.levels[static_cast<std::size_t>(texel.level)];
                 CHECK(texel.colour == level.at(texel.column, texel.row));
                 CHECK(texel.weight >= 0.0f);
@@ -144,7 +144,7 @@ TEST_CASE("Places that are not numbers, or huge, still give some texel") {
                 for (std::size_t wrap = 0; wrap < enum_words<TextureWrap>.size(); ++wrap) {
                     const Stages stages = stages_with(static_cast<TextureFilter>(filter),
                                                       static_cast<TextureWrap>(wrap));
-                    TakenTexels taken;
+                    SampledTexels taken;
                     const glm::vec3 colour = stages.sample_texture(
                         texture, {{u, 0.2f}, {{side, 0.0f}, {0.0f, side}}}, stages, &taken);
                     INFO(u << " " << side << " " << filter << " " << wrap);

@@ -44,11 +44,12 @@ TEST_CASE("A ray meets the same triangle with boxes and without") {
         const TriangleTree tree(mesh);
         for (int i = 0; i < rounds[static_cast<std::size_t>(r)]; ++i) {
             WorldRay ray{random_place(random, 7.0), random_place(random, 7.0), 1.0f};
-            if (i % 5 == 0) ray.way[i % 3] = 0.0f;
+            if (i % 5 == 0) ray.direction[i % 3] = 0.0f;
             if (i % 11 == 0) ray.end = std::numeric_limits<float>::infinity();
             // From a corner, and along an edge.
             if (i % 4 == 0) ray.from = mesh.corner(i % triangles, i % 3).position;
-            if (i % 8 == 0) ray.way = mesh.corner(i % triangles, (i + 1) % 3).position - ray.from;
+            if (i % 8 == 0)
+                ray.direction = mesh.corner(i % triangles, (i + 1) % 3).position - ray.from;
             const TriangleHit found = tree.first_hit(ray), all = tree.first_hit_of_all(ray);
             if (found.triangle != all.triangle || (found.is_hit() && found.t != all.t))
                 FAIL("ray " << i << " meets triangle " << found.triangle << " at " << found.t
@@ -68,8 +69,8 @@ TEST_CASE("A ray meets a triangle where its plane and weights in double say") {
         const glm::vec3 a = random_place(random, 2.0), b = random_place(random, 2.0),
                         c = random_place(random, 2.0);
         const WorldRay ray{random_place(random, 4.0), random_place(random, 8.0), 1.0f};
-        const float t = meeting_of(ray, {a, b - a, c - a});
-        const glm::dvec3 da(a), db(b), dc(c), from(ray.from), way(ray.way);
+        const float t = intersect(ray, {a, b - a, c - a});
+        const glm::dvec3 da(a), db(b), dc(c), from(ray.from), way(ray.direction);
         const glm::dvec3 normal = glm::cross(db - da, dc - da);
         const double wanted = glm::dot(normal, da - from) / glm::dot(normal, way);
         const glm::dvec3 at = from + way * wanted;
@@ -97,7 +98,7 @@ TEST_CASE("A ray meets a triangle where its plane and weights in double say") {
 TEST_CASE("A ray stops at its ends, meets both sides, and edges belong to a triangle") {
     const RayTriangle wall{{0, 0, 2}, {4, 0, 0}, {0, 4, 0}};
     const auto t_of = [&](const glm::vec3& from, const glm::vec3& way, float end = 1.0f) {
-        return meeting_of({from, way, end}, wall);
+        return intersect({from, way, end}, wall);
     };
     constexpr float nowhere = std::numeric_limits<float>::infinity();
     CHECK(t_of({1, 1, 0}, {0, 0, 4}) == 0.5f);

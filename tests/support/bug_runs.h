@@ -18,12 +18,12 @@ namespace rasterwalk::test {
 struct DrawnRun {
     Frame frame;
     Framebuffer picture;
-    Recorder told{true};
+    Recorder reported{true};
     FrameStats stats;
 
     DrawnRun(const Scene& scene, const Settings& settings) : frame(prepare_frame(scene, settings)) {
         clear(picture, frame);
-        draw(frame, {}, picture, &told);
+        draw(frame, {}, picture, &reported);
         stats = frame_stats(frame);
     }
     bool is_drawn(int column, int row) const { return picture.owner[picture.at(column, row)] >= 0; }

@@ -102,7 +102,7 @@ std::vector<std::string> bmp_seeds() {
             bmp_of(3, 2, 32, 0, "", pixels(24))};
 }
 
-std::string trouble_of_refusal(const std::string& sentence, bool has_beginning) {
+std::string problem_of_refusal(const std::string& sentence, bool has_beginning) {
     const bool is_sentence = sentence.ends_with('.') && sentence.size() < 2000;
     if (has_beginning && is_sentence && sentence.find("outofmem") == sentence.npos) return "";
     return "it is refused without its name or without a sentence: " + sentence;
@@ -118,7 +118,7 @@ FileOutcome picture_outcome(const std::string& bytes, const TemporaryFolder&) {
         return {true, is_whole ? "" : "its pixels are not as many as its sides say."};
     } catch (const InputError& fault) {
         const std::string said = fault.what();
-        return {false, trouble_of_refusal(said, said.starts_with("x: "))};
+        return {false, problem_of_refusal(said, said.starts_with("x: "))};
     }
 }
 
@@ -148,14 +148,14 @@ FileOutcome text_outcome(const std::string& path, const std::string& other_path,
     } catch (const InputError& fault) {
         const std::string said = fault.what();
         return {false,
-                trouble_of_refusal(said, has_line(said, path) || has_line(said, other_path))};
+                problem_of_refusal(said, has_line(said, path) || has_line(said, other_path))};
     }
 }
 
 FileOutcome model_outcome(const std::string& bytes, const TemporaryFolder& folder) {
     const std::string path = folder.file("m/m.obj");
     return text_outcome(path, folder.file("m/m.mtl"),
-                        [&] { return trouble_of_model(parse_obj(bytes, path)); });
+                        [&] { return problem_of_model(parse_obj(bytes, path)); });
 }
 
 FileOutcome material_outcome(const std::string& bytes, const TemporaryFolder& folder) {
@@ -165,7 +165,7 @@ FileOutcome material_outcome(const std::string& bytes, const TemporaryFolder& fo
     FileOutcome outcome = text_outcome(path, folder.file("m/changed/m.mtl"), [&] {
         const ObjModel model = parse_obj(painted_model, path);
         is_whole = model.report.counts.faults == 0;
-        return trouble_of_model(model);
+        return problem_of_model(model);
     });
     outcome.is_read = outcome.is_read && is_whole;
     return outcome;
@@ -173,7 +173,7 @@ FileOutcome material_outcome(const std::string& bytes, const TemporaryFolder& fo
 
 FileOutcome scene_outcome(const std::string& bytes, const TemporaryFolder& folder) {
     const std::string path = folder.file("m/s.toml");
-    return text_outcome(path, path, [&] { return trouble_of_scene(parse_scene(bytes, path)); });
+    return text_outcome(path, path, [&] { return problem_of_scene(parse_scene(bytes, path)); });
 }
 
 // Changes
@@ -298,11 +298,11 @@ FileOutcome outcome_of(const ChangedFormat& format, const std::string& bytes,
     try {
         outcome = format.read(bytes, folder);
     } catch (const std::exception& other) {
-        outcome.trouble = std::string("what is thrown is no InputError: ") + other.what();
+        outcome.problem = std::string("what is thrown is no InputError: ") + other.what();
     }
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    if (outcome.trouble.empty() && seconds > most_seconds)
-        outcome.trouble = fmt::format("it takes {:.1f} s.", seconds);
+    if (outcome.problem.empty() && seconds > most_seconds)
+        outcome.problem = fmt::format("it takes {:.1f} s.", seconds);
     return outcome;
 }
 

@@ -21,7 +21,7 @@ inline constexpr std::size_t most_memory = std::size_t{200} << 20;
 struct FileOutcome {
     bool is_read = false; ///< or refused; a file of materials, of which only what is wrong is left
                           ///< out, is read if there is nothing wrong
-    std::string trouble;  ///< what is wrong with that; empty: nothing
+    std::string problem;  ///< what is wrong with that; empty: nothing
 };
 
 /// A format of files.

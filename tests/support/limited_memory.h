@@ -18,7 +18,7 @@ inline constexpr std::size_t megabyte = std::size_t{1} << 20;
 /// The result of an action run in its own process, which may take only this much more
 /// memory, bytes. With the address sanitizer there is no limit.
 template <class Action>
-std::string said_within([[maybe_unused]] std::size_t memory, Action action) {
+std::string output_within([[maybe_unused]] std::size_t memory, Action action) {
     int ends[2];
     REQUIRE(::pipe(ends) == 0);
     const pid_t child = ::fork();

@@ -26,15 +26,15 @@ CheckedPredictions::CheckedPredictions(const std::string& lesson,
         checked_predictions().insert(name_of(lesson, id));
 }
 
-void note_asked(const std::string& lesson, const std::string& prediction) {
+void record_question(const std::string& lesson, const std::string& prediction) {
     asked().insert(name_of(lesson, prediction));
 }
 
-void forget_asked() {
+void forget_questions() {
     asked().clear();
 }
 
-void require_asked(const std::string& lesson, std::initializer_list<const char*> ids) {
+void require_questions(const std::string& lesson, std::initializer_list<const char*> ids) {
     std::set<std::string> wanted;
     for (const char* id : ids)
         wanted.insert(name_of(lesson, id));

@@ -19,11 +19,11 @@ struct CheckedPredictions {
 };
 
 /// To be called by a test whenever it asks the program for its answer to a prediction.
-void note_asked(const std::string& lesson, const std::string& prediction);
-void forget_asked();
+void record_question(const std::string& lesson, const std::string& prediction);
+void forget_questions();
 
 /// Fails unless the test has asked for these and no others.
-void require_asked(const std::string& lesson, std::initializer_list<const char*> ids);
+void require_questions(const std::string& lesson, std::initializer_list<const char*> ids);
 
 } // namespace rasterwalk::test
 
@@ -31,9 +31,9 @@ void require_asked(const std::string& lesson, std::initializer_list<const char*>
     static void function();                                                                        \
     static const rasterwalk::test::CheckedPredictions checked(lesson, {__VA_ARGS__});              \
     TEST_CASE(title) {                                                                             \
-        rasterwalk::test::forget_asked();                                                          \
+        rasterwalk::test::forget_questions();                                                      \
         function();                                                                                \
-        rasterwalk::test::require_asked(lesson, {__VA_ARGS__});                                    \
+        rasterwalk::test::require_questions(lesson, {__VA_ARGS__});                                \
     }                                                                                              \
     static void function()
 #define RASTERWALK_JOINED_(a, b) a##b

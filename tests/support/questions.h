@@ -20,7 +20,7 @@ struct Questions {
         : lesson(read_lesson(lessons_folder() + "/" + id + ".md")) {}
 
     Judgement answered(const std::string& id, const GivenAnswer& answer) const {
-        note_asked(lesson.id, id);
+        record_question(lesson.id, id);
         const LessonPrediction* const found = find_prediction(lesson, id);
         INFO(lesson.id << " " << id);
         REQUIRE(found != nullptr);

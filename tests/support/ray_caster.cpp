@@ -51,7 +51,7 @@ RayCaster::RayCaster(const Scene& scene, const Camera& camera, const Light& ligh
             corners.light[v] = this->light(t, v, p[v]);
         triangles_.push_back(corners);
         for (std::size_t v = 0; v < 3; ++v)
-            edges_.push_back({seen_at(p[v]), seen_at(p[(v + 1) % 3])});
+            edges_.push_back({pixel_at(p[v]), pixel_at(p[(v + 1) % 3])});
     }
 }
 
@@ -60,7 +60,7 @@ glm::dvec3 RayCaster::direction(glm::dvec2 place) const {
     return axes_.forward + (place.x * axes_.right + place.y * axes_.down) / focal_length_;
 }
 
-glm::dvec2 RayCaster::seen_at(const glm::dvec3& position_world) const {
+glm::dvec2 RayCaster::pixel_at(const glm::dvec3& position_world) const {
     // By the three directions of the camera rather than by turning the world.
     const glm::dvec3 way = position_world - eye_;
     const double z = glm::dot(way, axes_.forward);

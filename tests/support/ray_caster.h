@@ -61,7 +61,7 @@ class RayCaster {
         glm::dvec2 from, to;
     };
     glm::dvec3 direction(glm::dvec2 place) const;
-    glm::dvec2 seen_at(const glm::dvec3& position_world) const;
+    glm::dvec2 pixel_at(const glm::dvec3& position_world) const;
     glm::dvec3 light(int triangle, int vertex, const glm::dvec3& position_world) const;
 
     const Scene& scene_;

@@ -15,7 +15,7 @@ namespace rasterwalk::test {
 namespace {
 
 /// A triangle in front of the camera's eye: x to the right, y down, z forward.
-struct SeenTriangle {
+struct CameraTriangle {
     int number = -1;      ///< in the scene
     glm::dmat3 sides;     ///< of the pyramid that eye and triangle make; inward
     glm::dvec3 zinv;      ///< its product with a ray (x, y, 1) is 1/z where the two meet
@@ -27,7 +27,7 @@ struct Picture {
     double focal_length = 0.0, margin = 0.0;
     glm::dvec2 middle{0.0}; ///< pixels from the left top
 
-    glm::dvec2 seen_at(const glm::dvec3& p) const {
+    glm::dvec2 pixel_at(const glm::dvec3& p) const {
         return middle + focal_length / p.z * glm::dvec2(p);
     }
     std::size_t at(int column, int row) const {
@@ -83,7 +83,7 @@ void cut_at_depth(std::vector<glm::dvec3>& polygon, double depth, double side) {
 
 /// The triangle in the form that rays use. If its plane goes through the eye, no ray meets it.
 void add_triangle(int number, const glm::dvec3 (&p)[3], glm::dvec2 low, glm::dvec2 high,
-                  std::vector<SeenTriangle>& triangles) {
+                  std::vector<CameraTriangle>& triangles) {
     const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
     const double volume = glm::dot(normal, p[0]); // six times that of eye and triangle
     if (volume == 0.0) return;
@@ -96,12 +96,12 @@ void add_triangle(int number, const glm::dvec3 (&p)[3], glm::dvec2 low, glm::dve
                          high});
 }
 
-int first_met(const Picture& picture, const std::vector<SeenTriangle>& triangles, SeenDepths depths,
-              glm::dvec2 place) {
+int first_met(const Picture& picture, const std::vector<CameraTriangle>& triangles,
+              DepthRange depths, glm::dvec2 place) {
     const glm::dvec3 ray((place - picture.middle) / picture.focal_length, 1.0);
     int met = ray_meets_nothing;
     double nearest = 1.0 / depths.far;
-    for (const SeenTriangle& triangle : triangles) {
+    for (const CameraTriangle& triangle : triangles) {
         if (place.x < triangle.low.x || place.x > triangle.high.x || place.y < triangle.low.y ||
             place.y > triangle.high.y)
             continue;
@@ -119,12 +119,12 @@ int first_met(const Picture& picture, const std::vector<SeenTriangle>& triangles
 } // namespace
 
 std::vector<int> cast_rays(const Scene& scene, const Camera& camera, Viewport size,
-                           SeenDepths depths, double margin) {
+                           DepthRange depths, double margin) {
     Picture picture{size, camera.focal_length, margin};
     picture.middle = {size.width / 2, size.height / 2}; // whole pixels, as in the lab
     std::vector<int> met(picture.at(0, size.height), ray_meets_nothing);
     const CameraAxes axes = camera_axes(camera);
-    std::vector<SeenTriangle> triangles;
+    std::vector<CameraTriangle> triangles;
     std::vector<glm::dvec3> seen;
     for (int t = 0; t < scene.triangle_count(); ++t) {
         glm::dvec3 p[3];
@@ -139,10 +139,10 @@ std::vector<int> cast_rays(const Scene& scene, const Camera& camera, Viewport si
         cut_at_depth(seen, depths.far, -1.0);
         glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
         for (std::size_t i = 0; i < seen.size(); ++i) {
-            const glm::dvec2 from = picture.seen_at(seen[i]);
+            const glm::dvec2 from = picture.pixel_at(seen[i]);
             low = glm::min(low, from);
             high = glm::max(high, from);
-            mark_outline(picture, from, picture.seen_at(seen[(i + 1) % seen.size()]), met);
+            mark_outline(picture, from, picture.pixel_at(seen[(i + 1) % seen.size()]), met);
         }
         if (high.x > 0.0 && low.x < size.width && high.y > 0.0 && low.y < size.height)
             add_triangle(t, p, low, high, triangles);

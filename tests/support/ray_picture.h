@@ -11,7 +11,7 @@
 namespace rasterwalk::test {
 
 /// Depths in front of the camera between which something is seen, world units.
-struct SeenDepths {
+struct DepthRange {
     double near = 0.0, far = 0.0; ///< 0 < near < far
 };
 
@@ -24,6 +24,6 @@ inline constexpr int ray_meets_nothing = -1, ray_near_outline = -2;
 ///               outline runs along the cut
 /// @return for each pixel, row by row, the triangle that is met first
 std::vector<int> cast_rays(const Scene& scene, const Camera& camera, Viewport size,
-                           SeenDepths depths, double margin);
+                           DepthRange depths, double margin);
 
 } // namespace rasterwalk::test

@@ -41,18 +41,18 @@ inline DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer&
 /// The moments that a recorder got, sorted; one reported twice is there twice.
 /// @param stage of the frame; before fragments are drawn, the ones reported are marks of other
 ///              moments
-inline std::vector<Cursor> told_moments(const Recorder& told, Stage stage) {
+inline std::vector<Cursor> recorded_moments(const Recorder& reported, Stage stage) {
     std::vector<Cursor> moments;
     const auto add = [&](const auto& events) {
         for (const auto& event : events)
             moments.push_back(event.cursor);
     };
-    add(told.vertices);
-    add(told.clip_steps);
-    add(told.culls);
-    add(told.samples);
-    add(told.tests);
-    if (has_fragments(stage)) add(told.fragments);
+    add(reported.vertices);
+    add(reported.clip_steps);
+    add(reported.culls);
+    add(reported.samples);
+    add(reported.tests);
+    if (has_fragments(stage)) add(reported.fragments);
     std::sort(moments.begin(), moments.end());
     return moments;
 }

@@ -29,7 +29,7 @@ const std::vector<std::string>& model_seeds() {
 
 namespace {
 
-std::string trouble_of_counts(const ObjModel& model) {
+std::string problem_of_counts(const ObjModel& model) {
     const ObjCounts& counts = model.report.counts;
     if (model.mesh.triangle_count() < 1) return "it has no triangle.";
     if (counts.triangles != model.mesh.triangle_count() ||
@@ -45,7 +45,7 @@ std::string trouble_of_counts(const ObjModel& model) {
     return next == model.mesh.triangle_count() ? "" : "its parts are not the whole model.";
 }
 
-std::string trouble_of_report(const ObjReport& report, const std::string& path) {
+std::string problem_of_report(const ObjReport& report, const std::string& path) {
     for (const ObjFault& fault : report.faults) {
         const bool is_beyond = fault.path == path && fault.line > report.counts.lines;
         if (fault.line < 1 || is_beyond || !fault.sentence.ends_with('.'))
@@ -55,7 +55,7 @@ std::string trouble_of_report(const ObjReport& report, const std::string& path) 
 }
 
 /// @param farthest from the origin along each axis
-std::string trouble_of_vertex(const Vertex& vertex, float farthest) {
+std::string problem_of_vertex(const Vertex& vertex, float farthest) {
     if (vertex.reflectance != glm::clamp(vertex.reflectance, 0.0f, 1.0f))
         return "a colour is beyond 0 to 1.";
     for (int i = 0; i < 3; ++i) {
@@ -69,31 +69,31 @@ std::string trouble_of_vertex(const Vertex& vertex, float farthest) {
     return "";
 }
 
-std::string trouble_of_vertices(const Scene& scene, float farthest) {
+std::string problem_of_vertices(const Scene& scene, float farthest) {
     for (const Vertex& vertex : scene.mesh.vertices()) {
-        std::string trouble = trouble_of_vertex(vertex, farthest);
-        if (!trouble.empty()) return trouble;
+        std::string problem = problem_of_vertex(vertex, farthest);
+        if (!problem.empty()) return problem;
     }
     return "";
 }
 
 } // namespace
 
-std::string trouble_of_model(const ObjModel& model) {
-    std::string trouble = trouble_of_counts(model);
-    if (trouble.empty()) trouble = trouble_of_report(model.report, model.path);
-    if (!trouble.empty()) return trouble;
+std::string problem_of_model(const ObjModel& model) {
+    std::string problem = problem_of_counts(model);
+    if (problem.empty()) problem = problem_of_report(model.report, model.path);
+    if (!problem.empty()) return problem;
     const Scene scene = scene_of_model(model);
     constexpr float box_of_model = 1.001f;
-    trouble = trouble_of_vertices(scene, box_of_model);
-    if (!trouble.empty()) return trouble;
+    problem = problem_of_vertices(scene, box_of_model);
+    if (!problem.empty()) return problem;
     if (!(std::abs(scene.camera.position.z) < largest_place)) return "its camera is nowhere.";
     return "";
 }
 
-std::string trouble_of_scene(const Scene& scene) {
+std::string problem_of_scene(const Scene& scene) {
     if (scene.triangle_count() < 1) return "it has no triangle.";
-    return trouble_of_vertices(scene, largest_coordinate);
+    return problem_of_vertices(scene, largest_coordinate);
 }
 
 bool has_line(const std::string& sentence, const std::string& path) {

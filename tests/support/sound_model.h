@@ -14,11 +14,11 @@ const std::vector<std::string>& model_seeds();
 /// What is wrong with a model that was read, whatever its file held: counts that do not agree,
 /// parts that do not follow each other, numbers that are no places, no colours and no directions.
 /// Empty: nothing.
-std::string trouble_of_model(const ObjModel& model);
+std::string problem_of_model(const ObjModel& model);
 
 /// The same of a scene that was read, whose places are in the world: no triangle, and numbers that
 /// are no places, no colours and no directions.
-std::string trouble_of_scene(const Scene& scene);
+std::string problem_of_scene(const Scene& scene);
 
 /// Does a refusal begin with the model's file and a line?
 bool has_line(const std::string& sentence, const std::string& path);

@@ -14,7 +14,7 @@ inline constexpr int small_side = 100;
 /// Finishes the check of a file that was begun.
 inline void finish_check(Driver& driver) {
     while (is_diagnosing(driver.ui))
-        carry_on_diagnosis(driver.ui, {});
+        poll_diagnosis(driver.ui, {});
     driver.hand.rest();
 }
 

@@ -70,11 +70,11 @@ void Driver::open(std::string_view tab) {
     hand.click(name);
 }
 
-bool Driver::tab_to(std::string_view name, Held held) {
+bool Driver::tab_to(std::string_view name, Modifiers modifiers) {
     constexpr int most_presses = 400;
     for (int i = 0; i < most_presses; ++i) {
         if (ui.focus.is_shown && ui.focus.name == name) return true;
-        hand.press(key::tab, held);
+        hand.press(key::tab, modifiers);
     }
     return false;
 }

@@ -41,7 +41,7 @@ class Driver {
     void open(std::string_view tab);
 
     /// Presses Tab until a widget has the frame. Returns false if it never has.
-    bool tab_to(std::string_view name, Held held = {});
+    bool tab_to(std::string_view name, Modifiers modifiers = {});
 
     Ui ui;
     KeptTextures textures;

@@ -8,7 +8,7 @@
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/hand/key_names.h"
-#include "ui/start/ways.h"
+#include "ui/start/start_choice.h"
 
 namespace rasterwalk {
 
@@ -25,7 +25,7 @@ void take_step(Driver& driver, const std::string& step) {
         driver.hand.click(object);
     } else if (verb == "key") {
         const KeyPress pressed = parse_key(object);
-        driver.hand.press(pressed.key, pressed.held);
+        driver.hand.press(pressed.key, pressed.modifiers);
     } else if (verb == "lesson") {
         const std::size_t slash = object.find('/');
         open_lesson(driver.ui, object.substr(0, slash), std::stoi(object.substr(slash + 1)));

@@ -29,7 +29,7 @@ Shown shown_of(const Session& session) {
     const ViewState state = state_of(session, scene_in_file(session));
     Shown shown;
     for (const ViewField& field : view_table()) {
-        if (field.write && field.tell) shown[std::string(field.key)] = field.write(state);
+        if (field.write && field.read_session) shown[std::string(field.key)] = field.write(state);
     }
     return shown;
 }
@@ -137,10 +137,10 @@ TEST_CASE("Every view field that the student sets is undone, and every place is 
         const Session wanted = random_session(random);
         const ViewState state = state_of(wanted, scene_in_file(wanted));
         Session session = fresh_of(wanted);
-        note_choices(session);
-        note_place(session);
+        record_undo_step(session);
+        record_visit(session);
         for (const ViewField* field : view_table_drawn_first()) {
-            if (!field->tell) continue;
+            if (!field->read_session) continue;
             INFO("session " << i << ", " << field->key);
             const Choices choices = session;
             const Place place = session;
@@ -155,25 +155,25 @@ TEST_CASE("Every view field that the student sets is undone, and every place is 
             const bool is_undone = !(new_choices == choices);
             const bool is_place = !(new_place == place) && !is_undone;
             if (is_undone) {
-                note_choices(session);
+                record_undo_step(session);
                 CHECK(undo(session));
                 const Choices& undone = session;
                 CHECK(undone == choices);
                 CHECK(redo(session));
             } else {
                 const std::size_t past = session.undo.past.size();
-                note_choices(session);
+                record_undo_step(session);
                 CHECK(session.undo.past.size() == past);
             }
             if (is_place) {
                 ++session.jumps;
-                note_place(session);
+                record_visit(session);
                 CHECK(go_back(session));
                 const Place& back = session;
                 CHECK(back == place);
                 CHECK(go_forward(session));
             } else {
-                note_place(session);
+                record_visit(session);
             }
             CHECK(shown_of(session) == shown);
         }

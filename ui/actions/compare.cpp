@@ -46,7 +46,7 @@ void show_both(Ui& ui) {
 
 } // namespace
 
-const ComparePair* pair_on_show(const Session& session) {
+const ComparePair* shown_pair(const Session& session) {
     // During a quiz it would give the mistake away.
     return hides_settings(session) ? nullptr : pair_of_runs(session);
 }
@@ -141,7 +141,7 @@ std::string run_words(const Session& session, bool of_b) {
         std::string title(setting.title);
         title.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(title.front())));
         words.append(i > 0 ? ", " : "").append(title).append(": ");
-        words += said_value(setting, settings);
+        words += value_words(setting, settings);
     }
     if (differences.size() > most_named)
         words += " and " + std::to_string(differences.size() - most_named) + " more";
@@ -154,7 +154,7 @@ std::vector<std::string> run_forms(const Session& session, bool of_b) {
     if (hides_settings(session) || differences.size() != 1) return forms;
     const Setting& setting = *find_setting(differences.front().setting);
     // A number or a mere "on" does not say what it is about.
-    const std::string value = said_value(setting, of_b ? session.b->settings : session.a.settings);
+    const std::string value = value_words(setting, of_b ? session.b->settings : session.a.settings);
     if (std::holds_alternative<ChoiceSetting>(setting.kind) && value != "on" && value != "off")
         forms.push_back(value);
     return forms;

@@ -16,7 +16,7 @@ struct Ui;
 
 /// The pair whose settings the two runs have, if they differ in nothing else; null: none, or a quiz
 /// hides it.
-const ComparePair* pair_on_show(const Session& session);
+const ComparePair* shown_pair(const Session& session);
 
 /// Begins to compare a pair. Where the small pictures have no room, the runs are shown on the two
 /// sides of the divider, unless another view was chosen.

@@ -42,7 +42,7 @@ const Stop& first_of(const Stops& stops) {
 
 /// What takes over from a widget that has gone: the nearest one in its part, or the one that had
 /// the keyboard before the part was opened.
-const Stop& heir(const Ui& ui, const Stops& stops) {
+const Stop& fallback_stop(const Ui& ui, const Stops& stops) {
     const Focus& focus = ui.focus;
     if (focus.name.empty()) return first_of(stops);
     const Stop* nearest = nullptr;
@@ -93,13 +93,13 @@ void follow_pointer(Ui& ui) {
 }
 
 /// A widget that can no longer be seen gives up the keyboard.
-void leave_what_is_gone(Ui& ui) {
+void leave_hidden_stop(Ui& ui) {
     if (!ui.focus.is_shown) return;
     const Stop* const now = stop_with_keyboard(ui);
     if (now == nullptr) {
         const Stops stops = stops_in_reach(ui);
         if (stops.empty()) return;
-        show_at(ui, heir(ui, stops).first);
+        show_at(ui, fallback_stop(ui, stops).first);
     } else if (const ImGuiWindow* const sheet = sheet_over(ui, now->second)) {
         const Stops stops = stops_in_reach(ui);
         const auto first = std::find_if(stops.begin(), stops.end(), [&](const Stop* stop) {
@@ -170,7 +170,8 @@ void show_where_it_is(Ui& ui) {
     const Stop* const now = stop_with_keyboard(ui);
     if (now != nullptr && sheet_over(ui, now->second) == nullptr) return show_at(ui, now->first);
     const Stops stops = stops_in_reach(ui);
-    if (!stops.empty()) show_at(ui, (now == nullptr ? heir(ui, stops) : first_of(stops)).first);
+    if (!stops.empty())
+        show_at(ui, (now == nullptr ? fallback_stop(ui, stops) : first_of(stops)).first);
 }
 
 /// Is it part of a prediction that waits for its answer: a field, a choice, or the button that
@@ -326,7 +327,7 @@ void take_focus_keys(Ui& ui) {
     focus.arrows = {};
     if (follow_popups(ui)) return;
     follow_pointer(ui);
-    leave_what_is_gone(ui);
+    leave_hidden_stop(ui);
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyCtrl && !io.WantTextInput) take_scrolling_keys(ui);
     if (io.KeyCtrl || io.KeyAlt) return;

@@ -42,7 +42,7 @@ const HeldKey held_keys[] = {
 };
 
 /// World units, or radians, a second; and the least that a mere touch of the key moves.
-constexpr float held_speed = 1.0f;
+constexpr float key_speed = 1.0f;
 constexpr float touch_distance = 0.02f;
 
 bool is_arrow(int key) {
@@ -69,7 +69,7 @@ void move_by_held_keys(Ui& ui) {
         if (is_key_pressed(held.key, false)) {
             held.move(ui.session.a.settings, touch_distance);
         } else if (is_key_down(held.key)) {
-            held.move(ui.session.a.settings, held_speed * std::min(ImGui::GetIO().DeltaTime, 0.1f));
+            held.move(ui.session.a.settings, key_speed * std::min(ImGui::GetIO().DeltaTime, 0.1f));
         } else {
             continue;
         }

@@ -33,7 +33,7 @@ void write_kept(Ui& ui, KeptFile& file, const char* what, const std::function<vo
     try {
         write();
         ++file.writes;
-        if (file.is_failing) tell(ui.session, std::string(what).append(" is kept again."));
+        if (file.is_failing) show_info(ui.session, std::string(what).append(" is kept again."));
         file.is_failing = false;
         file.next_try = 0.0;
     } catch (const AccessError& fault) {

@@ -87,7 +87,7 @@ void begin_check(Ui& ui, bool again) {
     if (subject.is_picture) {
         Image picture = parse_exact_image(bytes, path);
         subject.reference = fitted_to(subject.reference, picture, scene.space);
-        subject.held_against = picture_words(subject.against, subject.reference.viewport);
+        subject.compared_with = picture_words(subject.against, subject.reference.viewport);
         auto work = std::make_unique<DiagnosisWork>(std::move(picture), path, scene,
                                                     subject.reference, lab_bugs(ui));
         lab.check = std::nullopt; // the old work goes before its scene
@@ -96,13 +96,13 @@ void begin_check(Ui& ui, bool again) {
         const std::vector<PrintedRow> rows = parse_printed_rows(bytes, path);
         std::string about;
         Diagnosis found = diagnose_rows(rows, {}, scene, subject.reference, lab_bugs(ui), about);
-        subject.held_against = "the row table of " + about;
+        subject.compared_with = "the row table of " + about;
         lab.check = std::nullopt;
         lab.answer.emplace(LabAnswer{std::move(subject), std::move(found)});
     }
 }
 
-void carry_on_check(LabLook& lab, const WorkLimit& limit) {
+void poll_check(LabLook& lab, const WorkLimit& limit) {
     LabCheck& check = *lab.check;
     const auto begin = std::chrono::steady_clock::now();
     check.work->advance(limit);
@@ -194,7 +194,7 @@ void finish_quiz(Ui& ui) {
 namespace {
 
 /// Asks for the file to be checked, after a frame that says that it may take a while.
-void ask_for_check(Ui& ui, const std::string& path, bool against_set) {
+void request_check(Ui& ui, const std::string& path, bool against_set) {
     LabLook& lab = ui.lab;
     give_up_diagnosis(ui);
     if (path != lab.watched_path) lab.answer = std::nullopt;
@@ -209,14 +209,14 @@ void ask_for_check(Ui& ui, const std::string& path, bool against_set) {
 } // namespace
 
 void diagnose_file(Ui& ui, const std::string& path) {
-    ask_for_check(ui, path, false);
+    request_check(ui, path, false);
 }
 
-void hold_result_against(Ui& ui, bool what_is_set) {
-    ask_for_check(ui, ui.lab.watched_path, what_is_set);
+void compare_result_with(Ui& ui, bool what_is_set) {
+    request_check(ui, ui.lab.watched_path, what_is_set);
 }
 
-void carry_on_diagnosis(Ui& ui, const WorkLimit& limit) {
+void poll_diagnosis(Ui& ui, const WorkLimit& limit) {
     LabLook& lab = ui.lab;
     const bool begins = lab.frames_to_result > 0 && --lab.frames_to_result == 0;
     const bool reads = begins || result_was_edited(ui);
@@ -231,7 +231,7 @@ void carry_on_diagnosis(Ui& ui, const WorkLimit& limit) {
                 lab.reference = chosen_reference(ui.session, lab.reference.is_set);
             begin_check(ui, !begins);
         } else {
-            carry_on_check(lab, limit);
+            poll_check(lab, limit);
         }
     } catch (const Error& fault) {
         lab.result_fault = fault.what();
@@ -264,8 +264,8 @@ void give_up_diagnosis(Ui& ui) {
 
 bool result_was_edited(const Ui& ui) {
     const LabLook& lab = ui.lab;
-    const bool is_on_show = ui.session.tab == "lab" && lab.mode == LabMode::result;
-    return is_on_show && !lab.watched_path.empty() && lab.frames_to_result == 0 &&
+    const bool is_shown = ui.session.tab == "lab" && lab.mode == LabMode::result;
+    return is_shown && !lab.watched_path.empty() && lab.frames_to_result == 0 &&
            file_state(lab.watched_path) != lab.watched;
 }
 

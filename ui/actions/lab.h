@@ -32,17 +32,17 @@ void finish_quiz(Ui& ui);
 
 /// Compares a picture (not a JPG) or a text of printed rows with the lab's room as the handout
 /// draws it, and opens the laboratory with what may be wrong with it: from the next frame but one,
-/// see carry_on_diagnosis(). After that the file is watched.
+/// see poll_diagnosis(). After that the file is watched.
 void diagnose_file(Ui& ui, const std::string& path);
 
 /// Compares the watched file with what is set, or with the handout's picture again. The next file
 /// is compared with that picture in any case.
-void hold_result_against(Ui& ui, bool what_is_set);
+void compare_result_with(Ui& ui, bool what_is_set);
 
 /// Reads the waiting file, or continues checking the picture, for at most longest_search. While an
 /// answer is shown, its file is checked again when it changes, against the same reference. To be
 /// called once a frame.
-void carry_on_diagnosis(Ui& ui, const WorkLimit& limit = frame_limit);
+void poll_diagnosis(Ui& ui, const WorkLimit& limit = frame_limit);
 
 /// Ends the search: what was found so far is examined and becomes the answer. If that was already
 /// requested, or nothing was searched yet, the check is given up.

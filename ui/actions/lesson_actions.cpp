@@ -13,7 +13,7 @@ namespace {
 
 /// Shows the list of lessons, or what was read before.
 void toggle_list(Ui& ui) {
-    if (is_list_on_show(ui)) {
+    if (is_list_shown(ui)) {
         close_drawer(ui);
         ui.session.page = SidePage::lesson;
     } else {
@@ -71,7 +71,7 @@ std::vector<Action> lesson_actions() {
          "The list of lessons, with a search.",
          {'L'},
          toggle_list,
-         is_list_on_show},
+         is_list_shown},
     };
 }
 

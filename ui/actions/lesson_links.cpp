@@ -71,14 +71,14 @@ std::string door_to_tab(const Ui& ui, const std::string& tab) {
 }
 
 /// Is the widget's tab shown? Tabs themselves may be behind a door.
-bool is_tab_on_show(const Ui& ui, const std::string& widget, const std::string& tab) {
+bool is_tab_shown(const Ui& ui, const std::string& widget, const std::string& tab) {
     if (widget == "tab." + tab) return false;
     if (tab == settings_tab) return is_settings_open(ui);
     return !is_covered(ui) && ui.session.tab == tab;
 }
 
 /// The widget itself, or what must be clicked first to see it.
-std::string way_to(const Ui& ui, const std::string& widget) {
+std::string first_click_to(const Ui& ui, const std::string& widget) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const bool is_menu = widget.starts_with("menu.");
     if (is_menu && is_narrow(window, ui.options) && ui.widgets.count(widget) == 0) return "menu";
@@ -87,7 +87,7 @@ std::string way_to(const Ui& ui, const std::string& widget) {
         return "step.list";
     }
     const std::string tab = tab_of(widget);
-    return tab.empty() || is_tab_on_show(ui, widget, tab) ? widget : door_to_tab(ui, tab);
+    return tab.empty() || is_tab_shown(ui, widget, tab) ? widget : door_to_tab(ui, tab);
 }
 
 /// Is the mouse pressed on this widget in this frame?
@@ -103,7 +103,7 @@ bool is_clicked(const Ui& ui, const std::string& widget) {
 bool leads_on(const Ui& ui) {
     const LessonView& lesson = ui.lesson;
     if (lesson.pointed_at == lesson.meant) return false;
-    if (way_to(ui, lesson.meant) != lesson.pointed_at) return true;
+    if (first_click_to(ui, lesson.meant) != lesson.pointed_at) return true;
     const bool is_framed = ui.focus.is_shown && ui.focus.name == lesson.pointed_at;
     const bool is_entered = is_key_pressed(key::enter, false) ||
                             is_key_pressed(key::keypad_enter, false) ||
@@ -143,11 +143,11 @@ void point_as_step_does(Ui& ui) {
     LessonView& lesson = ui.lesson;
     lesson.meant = lesson.of_step;
     lesson.pointed_at.clear();
-    lesson.frames_unseen = 0;
+    lesson.frames_hidden = 0;
     if (lesson.of_step.empty()) return;
-    lesson.pointed_at = way_to(ui, lesson.of_step);
+    lesson.pointed_at = first_click_to(ui, lesson.of_step);
     const PointedPlace place = place_of_pointed(ui);
-    lesson.is_held = lesson.of_step_in != place;
+    lesson.is_pinned = lesson.of_step_in != place;
     lesson.of_step_in = place;
 }
 
@@ -198,14 +198,14 @@ void point_at_widget_of_step(Ui& ui, const std::string& widget) {
     point_at_widget(ui, widget, true);
 }
 
-void point_at_widget(Ui& ui, const std::string& widget, bool is_held) {
+void point_at_widget(Ui& ui, const std::string& widget, bool is_pinned) {
     LessonView& lesson = ui.lesson;
-    const std::string target = way_to(ui, widget);
-    if (lesson.pointed_at != target || is_held) lesson.frames_unseen = 0;
+    const std::string target = first_click_to(ui, widget);
+    if (lesson.pointed_at != target || is_pinned) lesson.frames_hidden = 0;
     // The pointer on a link takes the outline from the step for as long as it rests there.
     const bool was_of_step = lesson.meant == lesson.of_step && widget != lesson.of_step;
-    lesson.is_held = is_held || (lesson.is_held && !was_of_step);
-    lesson.is_new = lesson.is_new || is_held;
+    lesson.is_pinned = is_pinned || (lesson.is_pinned && !was_of_step);
+    lesson.is_new = lesson.is_new || is_pinned;
     lesson.meant = widget;
     lesson.pointed_at = target;
 }
@@ -273,25 +273,25 @@ void release_pointed(Ui& ui) {
     // The key that led here may still be held: only a new key press ends it, unless it leads to
     // what is meant.
     if (!is_new && is_pressed() && is_used(ui, lesson.of_step)) lesson.of_step.clear();
-    if (lesson.is_held && (is_pressed() || is_scrolled) && !is_new && !leads_on(ui)) {
-        lesson.is_held = false;
+    if (lesson.is_pinned && (is_pressed() || is_scrolled) && !is_new && !leads_on(ui)) {
+        lesson.is_pinned = false;
     }
     // It is in sight as long as it is held; what ends the holding may move it.
-    if (is_of_step && lesson.is_held) lesson.of_step_in = place_of_pointed(ui);
-    ++lesson.frames_unseen;
-    if (lesson.is_held) {
-        const std::string way = way_to(ui, lesson.meant);
-        if (way != lesson.pointed_at) {
-            lesson.pointed_at = way;
-            lesson.frames_unseen = 0;
-        } else if (lesson.frames_unseen > frames_to_appear) {
+    if (is_of_step && lesson.is_pinned) lesson.of_step_in = place_of_pointed(ui);
+    ++lesson.frames_hidden;
+    if (lesson.is_pinned) {
+        const std::string first_click = first_click_to(ui, lesson.meant);
+        if (first_click != lesson.pointed_at) {
+            lesson.pointed_at = first_click;
+            lesson.frames_hidden = 0;
+        } else if (lesson.frames_hidden > frames_to_appear) {
             // What a step points at may appear later, as behind the start page.
             if (!is_of_step)
                 ui.session.notice = "What this link points to is not on the screen now.";
-            lesson.is_held = false;
+            lesson.is_pinned = false;
         }
     }
-    if (!lesson.is_held && !is_hovered) {
+    if (!lesson.is_pinned && !is_hovered) {
         lesson.wants_frame = false;
         point_as_step_does(ui);
     }

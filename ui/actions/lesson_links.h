@@ -16,8 +16,8 @@ void follow_link(Ui& ui, const std::string& target);
 void answer_links(Ui& ui, const MarkdownDocument& document, const MarkdownEvents& events);
 
 /// Outlines a widget; if its tab is closed, the tab.
-/// @param is_held it stays outlined until the next click or key
-void point_at_widget(Ui& ui, const std::string& widget, bool is_held);
+/// @param is_pinned it stays outlined until the next click or key
+void point_at_widget(Ui& ui, const std::string& widget, bool is_pinned);
 
 /// The same for what the current step points at: it stays outlined until it is used or the step
 /// ends, and comes back into sight if another card or window moved it away.

@@ -27,7 +27,7 @@ void forget_step(LessonView& view) {
     view.meant.clear();
     view.pointed_at.clear();
     view.of_step.clear();
-    view.is_held = false;
+    view.is_pinned = false;
     view.strip.cards.clear();
     view.strip.card = 0;
     view.strip.place = {};
@@ -38,7 +38,7 @@ void forget_step(LessonView& view) {
 }
 
 /// Points at the widget that a step or an answer names, if it does.
-void point_as_told(Ui& ui, const std::optional<std::string>& widget) {
+void point_as_named(Ui& ui, const std::optional<std::string>& widget) {
     if (!widget) return;
     point_at_widget_of_step(ui, *widget);
     // The formula of a number in the table of vertices is shown.
@@ -49,8 +49,8 @@ void point_as_told(Ui& ui, const std::optional<std::string>& widget) {
 
 /// Notes that the current step was reached, and points at what it names.
 void enter_step(Ui& ui, const Lesson& lesson) {
-    ui.lesson.progress.note_step(lesson.id, ui.session.step);
-    point_as_told(ui, lesson.steps[static_cast<std::size_t>(ui.session.step)].state.point_at);
+    ui.lesson.progress.record_step(lesson.id, ui.session.step);
+    point_as_named(ui, lesson.steps[static_cast<std::size_t>(ui.session.step)].state.point_at);
 }
 
 } // namespace
@@ -150,7 +150,7 @@ const LessonPrediction* open_question(Ui& ui, const Lesson& lesson) {
 
 bool turn_card(Ui& ui, int distance) {
     LessonView& view = ui.lesson;
-    if (ui.session.page == SidePage::stage || is_list_on_show(ui)) return false;
+    if (ui.session.page == SidePage::stage || is_list_shown(ui)) return false;
     if (!view.is_strip) {
         const Lesson* const lesson = distance > 0 ? open_lesson_of(ui) : nullptr;
         const int last = lesson != nullptr ? static_cast<int>(lesson->steps.size()) - 1 : -1;
@@ -213,9 +213,9 @@ void tick_off_tasks(Ui& ui) {
         if (view.progress.is_task_done(lesson->id, task.id)) {
             // The numbers of a reason are from the moment in which it was solved.
             if (!words.is_reason)
-                words = {asks_for_numbers(task.because) ? "" : reason_of(task, facts), true};
+                words = {needs_numbers(task.because) ? "" : reason_of(task, facts), true};
         } else if (is_done(task, facts)) {
-            view.progress.note_task(lesson->id, task.id);
+            view.progress.record_task(lesson->id, task.id);
             view.strip.is_recut = true;
             words = {reason_of(task, facts), true};
         } else {
@@ -243,7 +243,7 @@ void show_reveal(Ui& ui, const Lesson& lesson, const LessonPrediction& predictio
     if (keeps_tab) keep_own_tab(session, own_tab);
     session.tab_guide.shows_all = shows_all;
     if (!faults.empty()) session.notice = fault_text(lesson, faults.front());
-    point_as_told(ui, prediction.then->point_at);
+    point_as_named(ui, prediction.then->point_at);
 }
 
 } // namespace
@@ -259,7 +259,7 @@ void answer_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     ui.lesson.strip.is_recut = true;
     const bool is_first = progress.of(lesson.id).answers.count(prediction.id) == 0;
     const bool may_try_again = is_first && !view.judged->is_right && view.judged->fault.empty();
-    progress.note_answer(lesson.id, prediction.id, {said, view.judged->is_right, may_try_again});
+    progress.record_answer(lesson.id, prediction.id, {said, view.judged->is_right, may_try_again});
     view.said = std::move(said);
     if (may_try_again) return;
     progress.end_second_try(lesson.id, prediction.id, view.said);

@@ -72,7 +72,7 @@ bool is_drawer_open(const Ui& ui) {
     return ui.lesson.is_strip && ui.lesson.drawer_is_open;
 }
 
-bool is_list_on_show(const Ui& ui) {
+bool is_list_shown(const Ui& ui) {
     const bool has_place = !ui.lesson.is_strip || is_drawer_open(ui);
     return ui.session.page == SidePage::list && has_place;
 }

@@ -33,7 +33,7 @@ void toggle_settings(Ui& ui);
 bool is_drawer_open(const Ui& ui);
 
 /// Can the list of lessons be seen? With a strip, it is only in the drawer.
-bool is_list_on_show(const Ui& ui);
+bool is_list_shown(const Ui& ui);
 
 /// Shows the whole text of the lesson in place of its strip and the inspector, or takes it away
 /// again. If the lesson has a column, this has no visible effect.

@@ -53,22 +53,23 @@ void begin_reading(Ui& ui, std::unique_ptr<FileReading> reading) {
 }
 
 void stop_reading(Ui& ui) {
-    BesideReading& reading = ui.reading;
+    BackgroundLoad& reading = ui.reading;
     if (!reading.now) return;
     reading.now->stop();
     reading.stopped.push_back(std::move(reading.now));
     reading.shown = nullptr;
 }
 
-void carry_on_reading(Ui& ui) {
-    BesideReading& reading = ui.reading;
+void poll_background_load(Ui& ui) {
+    BackgroundLoad& reading = ui.reading;
     std::erase_if(reading.stopped, [](const auto& one) { return one->is_done(); });
     if (!reading.now) return;
     if (ui.session.scene != reading.shown || ui.session.lesson != reading.lesson) {
         const std::filesystem::path path = reading.now->path();
         stop_reading(ui);
-        tell(ui.session, "Something else was opened, so " + in_quotes(path.filename().string()) +
-                             " is not read any further.");
+        show_info(ui.session, "Something else was opened, so " +
+                                  in_quotes(path.filename().string()) +
+                                  " is not read any further.");
         return;
     }
     if (!reading.now->is_done()) return;
@@ -77,7 +78,7 @@ void carry_on_reading(Ui& ui) {
         take_read(ui);
         ui.sheets.files.kind = FileSheet::Kind::closed;
     } catch (const Error& fault) {
-        tell_opening_fault(ui, path, fault.what());
+        show_opening_fault(ui, path, fault.what());
     }
 }
 

@@ -12,8 +12,8 @@ namespace rasterwalk {
 struct Ui;
 
 /// Opens a scene, a model, a lesson or a saved view in place of what is shown: immediately, if it
-/// can be read that soon (see BesideReading), or when it has been read. Throws Error if it is clear
-/// immediately that it cannot be read; everything is then unchanged.
+/// can be read that soon (see BackgroundLoad), or when it has been read. Throws Error if it is
+/// clear immediately that it cannot be read; everything is then unchanged.
 void read_and_open(Ui& ui, const std::string& path);
 
 /// Opens what is being read when it is done; any earlier reading is stopped.
@@ -24,7 +24,7 @@ void stop_reading(Ui& ui);
 
 /// Opens what has been read, unless something else was opened in the meantime: that stays. A fault
 /// is shown on the sheet for opening. To be called once a frame.
-void carry_on_reading(Ui& ui);
+void poll_background_load(Ui& ui);
 
 bool is_reading(const Ui& ui);
 

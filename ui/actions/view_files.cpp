@@ -19,8 +19,8 @@
 #include "opening/command_line_text.h"
 #include "opening/opened_view.h"
 #include "opening/view_link.h"
-#include "scene/beside_file.h"
-#include "scene/laid_texture.h"
+#include "scene/applied_texture.h"
+#include "scene/companion_file.h"
 #include "scene/read_obj.h"
 #include "session/content.h"
 #include "session/scene_file.h"
@@ -112,13 +112,13 @@ void begin_sheet(Ui& ui, FileSheet::Kind kind) {
 void save_to(Ui& ui, const std::string& path) {
     FileSheet& sheet = ui.sheets.files;
     std::error_code ignored;
-    if (fs::exists(path, ignored) && sheet.asked != path) {
-        sheet.asked = path;
+    if (fs::exists(path, ignored) && sheet.to_replace != path) {
+        sheet.to_replace = path;
         sheet.fault.clear();
         return;
     }
     write_view(ui.session, path);
-    tell(ui.session, "Saved as " + path + ".");
+    show_info(ui.session, "Saved as " + path + ".");
     sheet.kind = FileSheet::Kind::closed;
 }
 
@@ -129,7 +129,7 @@ void save_as_download(Ui& ui) {
         const std::string path = folder_for(ui.session) + "/" + name;
         write_view(ui.session, path);
         ui.host.hand_out(path);
-        tell(ui.session, "Saved as " + name + ".");
+        show_info(ui.session, "Saved as " + name + ".");
     } catch (const Error& fault) {
         ui.session.notice = fault.what();
     }
@@ -170,9 +170,9 @@ void check_result(Ui& ui, const std::string& path) {
     diagnose_file(ui, path);
 }
 
-void lay_texture(Ui& ui, const std::string& path) {
+void apply_texture(Ui& ui, const std::string& path) {
     ui.session.scene = std::make_shared<const Scene>(with_texture(*ui.session.scene, path));
-    tell(ui.session, "Applied " + fs::path(path).filename().string() + " to the model.");
+    show_info(ui.session, "Applied " + fs::path(path).filename().string() + " to the model.");
 }
 
 void open_dropped(Ui& ui, const std::string& path) {
@@ -181,11 +181,11 @@ void open_dropped(Ui& ui, const std::string& path) {
         open_file(ui, path);
         ui.sheets.files.kind = FileSheet::Kind::closed;
     } catch (const Error& fault) {
-        tell_opening_fault(ui, path, fault.what());
+        show_opening_fault(ui, path, fault.what());
     }
 }
 
-void tell_opening_fault(Ui& ui, const std::string& path, const std::string& sentence) {
+void show_opening_fault(Ui& ui, const std::string& path, const std::string& sentence) {
     if (ui.host.is_browser) {
         ui.session.notice = sentence;
         return;
@@ -201,7 +201,7 @@ void copy_command_line(Ui& ui) {
     try {
         const std::string line = command_line_text(ui.session);
         ImGui::SetClipboardText(line.c_str());
-        tell(ui.session, std::string("Copied: ").append(line));
+        show_info(ui.session, std::string("Copied: ").append(line));
     } catch (const Error& fault) {
         ui.session.notice = fault.what();
     }
@@ -214,7 +214,7 @@ void copy_link(Ui& ui) {
         ImGui::SetClipboardText(link.c_str());
         const char* const what =
             page.empty() ? "Copied what goes after the address of the page: " : "Copied: ";
-        tell(ui.session, what + link);
+        show_info(ui.session, what + link);
     } catch (const Error& fault) {
         ui.session.notice = fault.what();
     }
@@ -265,7 +265,7 @@ void enter_folder(FileSheet& sheet, const std::string& folder, std::size_t most_
     sheet.left_out = 0;
     sheet.is_cut = false;
     sheet.fault.clear();
-    sheet.asked.clear();
+    sheet.to_replace.clear();
     std::size_t seen = 0;
     for (const fs::directory_iterator end; !fault && entry != end; entry.increment(fault)) {
         sheet.is_cut = ++seen > most_seen;
@@ -317,7 +317,7 @@ void finish_sheet(Ui& ui) {
             if (sheet.kind == FileSheet::Kind::result) {
                 check_result(ui, path);
             } else if (sheet.kind == FileSheet::Kind::texture) {
-                lay_texture(ui, path);
+                apply_texture(ui, path);
             } else {
                 open_file(ui, path);
             }
@@ -325,7 +325,7 @@ void finish_sheet(Ui& ui) {
         }
     } catch (const Error& fault) {
         sheet.fault = fault.what();
-        sheet.asked.clear();
+        sheet.to_replace.clear();
     }
 }
 

@@ -27,14 +27,14 @@ void check_result(Ui& ui, const std::string& path);
 
 /// Lays an image on the scene, see with_texture(); undo takes it away again. Throws Error;
 /// everything is then unchanged.
-void lay_texture(Ui& ui, const std::string& path);
+void apply_texture(Ui& ui, const std::string& path);
 
 /// Opens a file that was dropped on the window; what is being read is stopped. A fault is shown on
 /// the sheet for opening.
 void open_dropped(Ui& ui, const std::string& path);
 
 /// Shows why a file could not be opened, on the sheet for opening.
-void tell_opening_fault(Ui& ui, const std::string& path, const std::string& sentence);
+void show_opening_fault(Ui& ui, const std::string& path, const std::string& sentence);
 
 /// Copies the view as a command line, for ImGui's clipboard; says so in session.notice.
 void copy_command_line(Ui& ui);

@@ -20,13 +20,13 @@
 #include "ui/canvas/canvas.h"
 #include "ui/canvas/large_frame.h"
 #include "ui/canvas/outside_view.h"
-#include "ui/canvas/row_table_beside.h"
+#include "ui/canvas/side_row_table.h"
 #include "ui/inspector/panels.h"
 #include "ui/lesson/lesson_column.h"
 #include "ui/lesson/lesson_strip.h"
 #include "ui/sheets/sheets.h"
+#include "ui/start/start_choice.h"
 #include "ui/start/start_page.h"
-#include "ui/start/ways.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
 #include "ui/widgets/fonts.h"
@@ -85,7 +85,7 @@ void draw_splitter(Ui& ui, const char* name, float x, const Area& middle, float&
     if (ImGui::IsItemActive() || ImGui::IsItemHovered()) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     }
-    name_widget(ui, name);
+    register_widget(ui, name);
     if (const int right = take_arrows(ui, name).right; right != 0) {
         share = std::clamp((grows_to_the_left ? window - x : x) / window +
                                0.01f * static_cast<float>(grows_to_the_left ? -right : right),
@@ -154,7 +154,7 @@ void draw_everything(Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const Layout layout = layout_of(ui, window);
     ui.lesson.is_strip = layout.lesson_is_strip;
-    ui.lesson.strip.is_beside = layout.lesson_is_beside;
+    ui.lesson.strip.is_at_side = layout.lesson_is_at_side;
     ui.lesson.strip.most_height = layout.most_strip;
     // A part that fails leaves the others on the screen.
     guarded(ui, [&] { draw_menu_bar(ui, layout); });
@@ -189,14 +189,14 @@ bool is_still(const Ui& ui) {
 /// Works out what follows from the session. If that fails, for example for lack of memory, the
 /// session goes back to its last good state.
 bool update_or_go_back(Ui& ui) {
-    SessionInputs& asked = ui.session;
+    SessionInputs& inputs = ui.session;
     const auto work = [&] {
         update(ui.session, ui.results, work_limit(ui));
-        ui.worked_out = asked;
+        ui.worked_out = inputs;
     };
     if (guarded(ui, work)) return true;
     if (!ui.worked_out) return false;
-    asked = *ui.worked_out;
+    inputs = *ui.worked_out;
     return guarded(ui, work);
 }
 
@@ -218,7 +218,7 @@ bool build_pass(Ui& ui, float seconds) {
     ui.widgets.clear();
     guarded(ui, [&] {
         advance_play(ui.session, Timeline(ui.results.a.frame), ui.results.length, seconds);
-        carry_changes_to_b(ui.session);
+        mirror_changes_to_b(ui.session);
         leave_compare_tab(ui.session);
         follow_stage(ui.session);
     });
@@ -228,8 +228,8 @@ bool build_pass(Ui& ui, float seconds) {
     const bool is_known = update_or_go_back(ui);
     ui.follow_cursor = ui.results.a.cursor != before;
     if (is_known && !ui.start.is_open && is_still(ui)) guarded(ui, [&] { tick_off_tasks(ui); });
-    const SessionInputs& asked = ui.session;
-    const SessionInputs drawn = asked;
+    const SessionInputs& inputs = ui.session;
+    const SessionInputs drawn = inputs;
     if (is_known) {
         guarded(ui, [&] { draw_everything(ui); });
     } else {
@@ -237,14 +237,14 @@ bool build_pass(Ui& ui, float seconds) {
     }
     if (is_at_rest() && !is_moving_by_key(ui) && !is_moving_by_arrows(ui)) {
         guarded(ui, [&] {
-            note_choices(ui.session);
-            note_place(ui.session);
+            record_undo_step(ui.session);
+            record_visit(ui.session);
         });
         guarded(ui, [&] { save_progress(ui); });
         guarded(ui, [&] { save_options(ui); });
     }
     ImGui::Render();
-    return !(drawn == asked);
+    return !(drawn == inputs);
 }
 
 } // namespace
@@ -257,8 +257,8 @@ void open_ui(Ui& ui, TextureHost& textures) {
     ui.host.textures = &textures;
     take_up_lesson(ui);
     update(ui.session, ui.results, work_limit(ui));
-    const SessionInputs& asked = ui.session;
-    ui.worked_out = asked;
+    const SessionInputs& inputs = ui.session;
+    ui.worked_out = inputs;
     // In a small window the list of lessons is in the drawer.
     ui.lesson.drawer_is_open = ui.session.page == SidePage::list;
     ui.options.text_scale = ui.options.wished_text_scale;
@@ -277,8 +277,8 @@ void build_ui(Ui& ui) {
     io.DisplaySize.y = std::max(io.DisplaySize.y, 1.0f);
     io.DeltaTime = std::max(io.DeltaTime, shortest_frame);
     guarded(ui, [&] { renew_style(ui); });
-    guarded(ui, [&] { carry_on_diagnosis(ui); });
-    guarded(ui, [&] { carry_on_reading(ui); });
+    guarded(ui, [&] { poll_diagnosis(ui); });
+    guarded(ui, [&] { poll_background_load(ui); });
     if (!build_pass(ui, io.DeltaTime)) return;
     // The same moment again, with the changed inputs; no input is used twice.
     const float seconds = io.DeltaTime;

@@ -36,7 +36,7 @@ UiOptions merged(const UiOptions& before, const UiOptions& after, UiOptions thei
     take(&UiOptions::wished_text_scale);
     take(&UiOptions::lesson_width);
     take(&UiOptions::inspector_width);
-    take(&UiOptions::way);
+    take(&UiOptions::start_choice);
     theirs.score = merged(before.score, after.score, theirs.score);
     return theirs;
 }
@@ -59,7 +59,7 @@ std::string options_text(const UiOptions& options) {
         table.insert("quiz_points", options.score.points);
         table.insert("quiz_rounds", options.score.rounds);
     }
-    if (options.way) table.insert("way", word_of(*options.way));
+    if (options.start_choice) table.insert("way", word_of(*options.start_choice));
     std::ostringstream out;
     out << table << '\n';
     return out.str();
@@ -81,8 +81,8 @@ UiOptions parse_options(std::string_view text, const std::string& path, UiOption
     input.read("lesson_width", options.lesson_width, 0.0f, 0.9f);
     input.read("inspector_width", options.inspector_width, 0.0f, 0.9f);
     if (input.find("way") != nullptr) {
-        options.way = value_of_word<Way>(input.text("way"));
-        if (!options.way) {
+        options.start_choice = value_of_word<StartChoice>(input.text("way"));
+        if (!options.start_choice) {
             input.fail(*input.find("way"), "'way' is \"lessons\", \"stages\" or \"picture\".");
         }
     }

@@ -11,9 +11,9 @@ namespace rasterwalk {
 enum class Theme : std::uint8_t { dark, light };
 
 /// The choices that the start page offers, from left to right.
-enum class Way : std::uint8_t { lessons, stages, picture };
+enum class StartChoice : std::uint8_t { lessons, stages, picture };
 
-inline constexpr int way_count = static_cast<int>(enum_words<Way>.size());
+inline constexpr int start_choice_count = static_cast<int>(enum_words<StartChoice>.size());
 
 /// What the student has scored in quizzes.
 struct QuizScore {
@@ -36,7 +36,7 @@ struct UiOptions {
     float lesson_width = 0.0f; ///< columns, share of the window's width; 0: the layout decides
     float inspector_width = 0.0f;
     QuizScore score;
-    std::optional<Way> way; ///< chosen by the student at the start; none: not yet
+    std::optional<StartChoice> start_choice; ///< chosen by the student at the start; none: not yet
 };
 
 } // namespace rasterwalk

@@ -29,7 +29,7 @@ void find_differences(const TimeLines& s) {
     const std::vector<DivergenceGroup>& groups = results.comparison.whole().divergences.groups;
     const bool is_known = found.frame_a == results.a.frame_number &&
                           found.frame_b == results.b->frame_number && found.width == s.width &&
-                          found.looked_at <= groups.size();
+                          found.groups_placed <= groups.size();
     if (!is_known) {
         found = {};
         found.frame_a = results.a.frame_number;
@@ -38,14 +38,14 @@ void find_differences(const TimeLines& s) {
     }
     const float distance = mark_distance * s.unit();
     const bool is_fine = static_cast<float>(s.triangles()) * distance < s.width;
-    for (; found.looked_at < groups.size(); ++found.looked_at) {
-        const Cursor& first = groups[found.looked_at].first;
+    for (; found.groups_placed < groups.size(); ++found.groups_placed) {
+        const Cursor& first = groups[found.groups_placed].first;
         const float free = found.marks.empty() ? -distance : found.marks.back().x;
         if (s.on_frame(first.triangle + 1.0) - s.at.x < free + distance) continue;
         const double place = is_fine ? place_in_triangles(s.timeline, s.timeline.at_or_after(first))
                                      : first.triangle;
         const float x = s.on_frame(place) - s.at.x;
-        if (x >= free + distance) found.marks.push_back({x, found.looked_at});
+        if (x >= free + distance) found.marks.push_back({x, found.groups_placed});
     }
 }
 
@@ -72,7 +72,7 @@ void draw_differences(const TimeLines& s) {
         const bool is_hovered = ImGui::IsItemHovered();
         const DivergenceGroup& group =
             s.ui.results.comparison.whole().divergences.groups[marks[i].group];
-        name_widget(s.ui, name, words_of(group));
+        register_widget(s.ui, name, words_of(group));
         const float r = (is_hovered ? 5.5f : 4.5f) * u;
         draw_difference_mark(list, c, r, is_hovered ? packed(s.colours().text) : colour);
         if (is_clicked) stand_at(s.ui, group.first);
@@ -108,13 +108,13 @@ void use_frame_line(const TimeLines& s, bool has_window) {
             s.in_scale >= window.begin && s.in_scale <= window.begin + window.width;
         zoom_by_wheel(s, is_inside ? s.in_scale : window.begin + 0.5 * window.width);
     }
-    name_widget(s.ui, "walk.scrub",
-                has_window
-                    ? "The whole frame from its first vertex to its last fragment, with one tick "
-                      "per triangle. Drag to go to any moment. The bracket marks what the line "
-                      "below enlarges; scroll to make it narrower."
-                    : "The whole frame from its first vertex to its last fragment, with one tick "
-                      "per triangle. Drag to go to any moment.");
+    register_widget(
+        s.ui, "walk.scrub",
+        has_window ? "The whole frame from its first vertex to its last fragment, with one tick "
+                     "per triangle. Drag to go to any moment. The bracket marks what the line "
+                     "below enlarges; scroll to make it narrower."
+                   : "The whole frame from its first vertex to its last fragment, with one tick "
+                     "per triangle. Drag to go to any moment.");
     step_by_arrows(s, "walk.scrub");
 }
 

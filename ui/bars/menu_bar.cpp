@@ -128,10 +128,11 @@ void draw_wheel(ImVec2 middle, float radius, ImU32 colour) {
     constexpr int teeth = 8;
     for (int i = 0; i < teeth; ++i) {
         const float angle = 6.2831853f * static_cast<float>(i) / teeth;
-        const ImVec2 way{std::cos(angle), std::sin(angle)};
-        list->AddLine({middle.x + 0.7f * radius * way.x, middle.y + 0.7f * radius * way.y},
-                      {middle.x + 1.15f * radius * way.x, middle.y + 1.15f * radius * way.y},
-                      colour, 0.36f * radius);
+        const ImVec2 direction{std::cos(angle), std::sin(angle)};
+        list->AddLine(
+            {middle.x + 0.7f * radius * direction.x, middle.y + 0.7f * radius * direction.y},
+            {middle.x + 1.15f * radius * direction.x, middle.y + 1.15f * radius * direction.y},
+            colour, 0.36f * radius);
     }
     list->AddCircle(middle, 0.72f * radius, colour, 0, 0.34f * radius);
 }
@@ -143,7 +144,7 @@ void draw_gear(Ui& ui, const Area& area) {
     const std::string name = std::string("tab.").append(settings_tab);
     if (ImGui::InvisibleButton(name.c_str(), area.size)) toggle_settings(ui);
     const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, name, tooltip_of("view.settings"));
+    register_widget(ui, name, tooltip_of("view.settings"));
     const bool open = is_settings_open(ui);
     const ImVec2 end{area.position.x + area.size.x, area.position.y + area.size.y};
     if (open || hovered) {
@@ -163,7 +164,7 @@ void draw_menu_button(Ui& ui, const Area& area) {
     const bool pressed = ImGui::InvisibleButton("menu", area.size);
     const bool hovered = ImGui::IsItemHovered();
     const bool open = ImGui::IsPopupOpen("menus");
-    name_widget(ui, "menu", open ? "" : "All menus: files, views, scenes, lessons, help.");
+    register_widget(ui, "menu", open ? "" : "All menus: files, views, scenes, lessons, help.");
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec2 low = area.position;
     const ImVec2 high{low.x + area.size.x, low.y + area.size.y};
@@ -186,14 +187,14 @@ void draw_menu_button(Ui& ui, const Area& area) {
 }
 
 /// How to leave a lecture, in quiet letters.
-void draw_way_out(Ui& ui, const Area& area) {
+void draw_exit_hint(Ui& ui, const Area& area) {
     const Palette& p = palette(ui.options.theme);
     const std::string words = leaving_words(corner_room(ui, ImGui::GetIO().DisplaySize.x));
     ImGui::SetCursorScreenPos(area.position);
     const bool pressed = ImGui::InvisibleButton("lecture.leave", area.size);
     const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, "lecture.leave",
-                "Puts everything back as it was before the lecture.\nKey: Esc");
+    register_widget(ui, "lecture.leave",
+                    "Puts everything back as it was before the lecture.\nKey: Esc");
     const ImVec2 text = ImGui::CalcTextSize(words.c_str());
     ImGui::GetWindowDrawList()->AddText({area.position.x + 0.5f * (area.size.x - text.x),
                                          area.position.y + 0.5f * (area.size.y - text.y)},
@@ -207,7 +208,7 @@ void draw_narrow_corner(Ui& ui, const Area& area) {
     begin_part(ui, "corner", area);
     ImGui::SetCursorPosY(0.5f * (area.size.y - ImGui::GetFrameHeight()));
     if (ui.options.is_lecture) {
-        draw_way_out(ui, area);
+        draw_exit_hint(ui, area);
     } else {
         draw_corner_buttons(ui, ranks_of_narrow(ui));
     }

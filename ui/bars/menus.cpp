@@ -17,8 +17,8 @@
 #include "ui/actions/reading.h"
 #include "ui/bars/bars.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -40,7 +40,7 @@ void draw_line_between(const Ui& ui) {
 void draw_action_item(Ui& ui, const Action& action) {
     const bool on = action.is_on != nullptr && action.is_on(ui);
     if (ImGui::MenuItem(action.title.c_str(), chord_text(action.chord).c_str(), on)) action.run(ui);
-    name_widget(ui, "menu." + action.name, action.help);
+    register_widget(ui, "menu." + action.name, action.help);
 }
 
 namespace fs = std::filesystem;
@@ -87,7 +87,7 @@ void draw_scene_list(Ui& ui) {
                 ui.session.notice = fault.what();
             }
         }
-        name_widget(ui, name, "Opens this scene: " + file.filename().string(), title);
+        register_widget(ui, name, "Opens this scene: " + file.filename().string(), title);
     }
 }
 
@@ -100,7 +100,7 @@ void draw_scene_menu(Ui& ui) {
         if (ImGui::MenuItem(("Preset: " + preset.name).c_str()) && !refuses_settings(ui.session)) {
             apply_preset(preset, ui.session.a.settings);
         }
-        name_widget(ui, "preset." + preset.name, preset.about);
+        register_widget(ui, "preset." + preset.name, preset.about);
     }
 }
 
@@ -116,7 +116,7 @@ void draw_lesson_item(Ui& ui, std::size_t i, std::string& wanted) {
                         lesson.id == ui.session.lesson)) {
         wanted = lesson.id;
     }
-    name_widget(ui, "menu.lesson." + lesson.id, lesson.about);
+    register_widget(ui, "menu.lesson." + lesson.id, lesson.about);
 }
 
 void draw_lesson_menu(Ui& ui) {
@@ -140,7 +140,8 @@ void draw_lesson_menu(Ui& ui) {
             fmt::format("{} of {} lessons; L lists all", shown, lessons.size());
         text_in(palette(ui.options.theme).dim, words);
         ImGui::PopFont();
-        name_widget(ui, "menu.lesson.count", "The ten lessons around the one that is open.", words);
+        register_widget(ui, "menu.lesson.count", "The ten lessons around the one that is open.",
+                        words);
     }
     if (!wanted.empty()) open_lesson(ui, wanted, ui.lesson.progress.of(wanted).last_step);
 }
@@ -164,9 +165,9 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
     const char* const title = menu.title;
     const bool open = ImGui::BeginMenu(title);
     // An open menu needs no tooltip.
-    name_widget(ui, std::string("menu.") + title, open ? "" : menu.help);
+    register_widget(ui, std::string("menu.") + title, open ? "" : menu.help);
     if (!open) return;
-    begin_whole_lines();
+    begin_line_clip();
     if (std::string_view(title) == "Scene") draw_scene_menu(ui);
     for (const Action& action : action_table()) {
         if (action.menu != title) continue;
@@ -176,7 +177,7 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
     }
     // Below the few actions: in a low window the many lessons scroll.
     if (std::string_view(title) == "Lesson") draw_lesson_menu(ui);
-    end_whole_lines();
+    end_line_clip();
     ImGui::EndMenu();
 }
 

@@ -100,9 +100,10 @@ void draw_marks_key(Ui& ui, ImVec2 at, float room) {
     if (words.empty()) return;
     ImGui::SetCursorScreenPos(at);
     draw_difference_key(ui, words);
-    name_widget(ui, "walk.differences",
-                "Each diamond above the line is a place where the two runs do something different. "
-                "Click one to go there; J and K go to the next one and the previous one.");
+    register_widget(
+        ui, "walk.differences",
+        "Each diamond above the line is a place where the two runs do something different. "
+        "Click one to go there; J and K go to the next one and the previous one.");
 }
 
 /// What the diamonds mean, if there are any, and the piece of work that comes next, if there is
@@ -122,9 +123,9 @@ void draw_next(Ui& ui, ImVec2 at, float room) {
     if (!shows_next) return;
     ImGui::SetCursorScreenPos(at);
     text_in(palette(ui.options.theme).dim, next);
-    name_widget(ui, "walk.cursor",
-                "The cursor: the next piece of work. On the command line it is --to " +
-                    to_text(cursor) + ".");
+    register_widget(ui, "walk.cursor",
+                    "The cursor: the next piece of work. On the command line it is --to " +
+                        to_text(cursor) + ".");
 }
 
 /// The pixel under the pointer, if no other line describes it; small, to have room.
@@ -133,7 +134,7 @@ void draw_pixel(Ui& ui, ImVec2 at, float room) {
     ImGui::PushFont(ui.fonts.small);
     ImGui::SetCursorScreenPos({at.x, at.y + 0.5f * (line - ImGui::GetFontSize())});
     put_text(pixel_words(ui, room));
-    name_widget(ui, "status.pixel", "The pixel under the pointer.");
+    register_widget(ui, "status.pixel", "The pixel under the pointer.");
     ImGui::PopFont();
 }
 
@@ -144,9 +145,9 @@ float draw_done_moment(Ui& ui, ImVec2 at, float room) {
     const std::string words = first_fitting(said, room);
     ImGui::SetCursorScreenPos(at);
     put_text(words);
-    name_widget(ui, "walk.words",
-                words == said.front() ? "What was just drawn."
-                                      : said.front() + "\nWhat was just drawn.");
+    register_widget(ui, "walk.words",
+                    words == said.front() ? "What was just drawn."
+                                          : said.front() + "\nWhat was just drawn.");
     return text_width(words.c_str());
 }
 

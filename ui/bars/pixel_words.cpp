@@ -34,7 +34,7 @@ void add_colours_of_both(std::vector<std::string>& facts, const Ui& ui, std::siz
 /// Everything known about the pixel under the pointer, or else the picked one; the first facts
 /// matter most.
 std::vector<std::string> pixel_facts(const Ui& ui) {
-    const std::optional<glm::ivec2> pixel = pixel_asked(ui);
+    const std::optional<glm::ivec2> pixel = pixel_in_focus(ui);
     if (!pixel) return {"point at a pixel"};
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     const std::size_t at = framebuffer.at(pixel->x, pixel->y);

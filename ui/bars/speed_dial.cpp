@@ -95,11 +95,12 @@ void draw_speed_dial(Ui& ui, ImVec2 at, DialForm form) {
     }
     if (is_hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) play.speed = Speed{};
     const Speed meant = speed_in(play.speed, steps);
-    name_widget(ui, "walk.speed",
-                "How fast time runs: from one step a second, through the whole frame in a given "
-                "time, to as fast as it can be drawn. Drag it or scroll; a double click "
-                "sets it back to the whole frame in 15 s.",
-                speed_text(meant));
+    register_widget(
+        ui, "walk.speed",
+        "How fast time runs: from one step a second, through the whole frame in a given "
+        "time, to as fast as it can be drawn. Drag it or scroll; a double click "
+        "sets it back to the whole frame in 15 s.",
+        speed_text(meant));
     const int more = take_arrows(ui, "walk.speed").more();
     if (more > 0) play.speed = faster(play.speed, steps);
     if (more < 0) play.speed = slower(play.speed, steps);

@@ -68,9 +68,9 @@ StageRow shown_stages(const Ui& ui, const Form& form) {
     StageRow stages = usable_stages(ui);
     if (!form.has_few_stages) return stages;
     const StripStep here = step_of(ui.session.a.settings);
-    const auto on_show = std::find_if(stages.begin(), stages.end(),
-                                      [&](const StageInfo* info) { return info->step == here; });
-    const auto chosen = static_cast<std::size_t>(on_show - stages.begin());
+    const auto shown = std::find_if(stages.begin(), stages.end(),
+                                    [&](const StageInfo* info) { return info->step == here; });
+    const auto chosen = static_cast<std::size_t>(shown - stages.begin());
     const std::size_t last_first = std::max(stages.size(), few_count) - few_count;
     const std::size_t first = std::min(chosen > 0 ? chosen - 1 : 0, last_first);
     StageRow few;
@@ -120,7 +120,7 @@ std::string word_of_depth_test(const Settings& settings, const Frame& frame) {
         return std::string(depth_words(frame).short_name);
     case DepthTest::reversed:
         // Not its own word, which a depth format has too.
-        return said_word(*find_setting("depth_test"), word_of(DepthTest::reversed));
+        return choice_words(*find_setting("depth_test"), word_of(DepthTest::reversed));
     default:
         return "z";
     }
@@ -283,7 +283,7 @@ void draw_stage(Ui& ui, const StageInfo& info, float x, float width, const Band&
     ImGui::SetCursorScreenPos({x, band.top});
     const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, band.height});
     const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, name, tooltip_of(name));
+    register_widget(ui, name, tooltip_of(name));
     ImDrawList* const list = ImGui::GetWindowDrawList();
     if (chosen || hovered) {
         list->AddRectFilled({x, band.top}, {x + width, band.top + band.height},
@@ -337,7 +337,7 @@ bool draw_word(Ui& ui, const StripWord& word, float x, float width, const Band& 
     ImGui::SetCursorScreenPos({x, band.top});
     const bool pressed = ImGui::InvisibleButton(word.name.c_str(), {width, band.height});
     const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, word.name, word.help);
+    register_widget(ui, word.name, word.help);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     if (word.chosen || hovered) {
         list->AddRectFilled({x, band.top}, {x + width, band.top + band.height},
@@ -371,7 +371,7 @@ void draw_stage_list(Ui& ui) {
         if (ImGui::MenuItem(std::string(info->title).c_str(), nullptr, chosen)) {
             find_action(action).run(ui);
         }
-        name_widget(ui, "stages." + std::string(info->name), tooltip_of(action));
+        register_widget(ui, "stages." + std::string(info->name), tooltip_of(action));
     }
     ImGui::EndPopup();
 }

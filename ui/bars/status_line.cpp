@@ -27,7 +27,7 @@ void show_sample_outside(Ui& ui, int triangle) {
     open_tab(ui, "rows");
 }
 
-struct StatusTrouble {
+struct StatusWarning {
     std::string text;         ///< empty: there is none
     std::string in_short;     ///< the same where there is little room; or empty
     int triangle = -1;        ///< one that shows it; -1: none does
@@ -46,7 +46,7 @@ std::string lesson_words(const std::vector<int>& lessons) {
     return words + (lessons.size() == 1 ? " explains why it happens" : " explain why it happens");
 }
 
-StatusTrouble trouble_of(const Ui& ui) {
+StatusWarning warnings_of(const Ui& ui) {
     if (!ui.session.notice.empty()) return {ui.session.notice, {}, -1, {}};
     if (!ui.fonts.notice.empty()) return {ui.fonts.notice, {}, -1, {}};
     if (is_working(ui.results)) return {work_words(ui.results), {}, -1, {}};
@@ -55,46 +55,46 @@ StatusTrouble trouble_of(const Ui& ui) {
     // Row tables are not mentioned before they exist, nor in a lesson that comes before them.
     const bool knows_rows = ui.results.a.frame.settings.stage >= Stage::rows &&
                             is_offered(ui.session, *find_tab("rows"));
-    StatusTrouble all;
-    for (const Trouble& trouble : ui.results.a.troubles) {
-        if (trouble.is_of_rows && !knows_rows) continue;
-        all.text += (all.text.empty() ? "" : "; ") + trouble.sentence;
-        all.in_short += (all.in_short.empty() ? "" : "; ") + trouble.in_short;
-        if (trouble.triangle >= 0) all.triangle = trouble.triangle;
+    StatusWarning all;
+    for (const Warning& warning : ui.results.a.warnings) {
+        if (warning.is_of_rows && !knows_rows) continue;
+        all.text += (all.text.empty() ? "" : "; ") + warning.sentence;
+        all.in_short += (all.in_short.empty() ? "" : "; ") + warning.in_short;
+        if (warning.triangle >= 0) all.triangle = warning.triangle;
         const bool is_new =
-            std::find(all.lessons.begin(), all.lessons.end(), trouble.lesson) == all.lessons.end();
-        if (trouble.lesson > 0 && is_new) all.lessons.push_back(trouble.lesson);
+            std::find(all.lessons.begin(), all.lessons.end(), warning.lesson) == all.lessons.end();
+        if (warning.lesson > 0 && is_new) all.lessons.push_back(warning.lesson);
     }
     if (all.text.empty()) return all;
     std::sort(all.lessons.begin(), all.lessons.end());
     // The panels, by contrast, show one triangle, and only as far as it is drawn.
-    all.text = (ui.results.a.has_all_troubles ? "whole frame: " : "so far: ") + all.text;
+    all.text = (ui.results.a.has_all_warnings ? "whole frame: " : "so far: ") + all.text;
     return all;
 }
 
 constexpr const char* show_label = "show one";
 
 /// The width of the trouble in its short form, with the space before it; 0 without trouble.
-float least_trouble_width(const Ui& ui, const StatusTrouble& trouble) {
-    if (trouble.text.empty()) return 0.0f;
+float least_warning_width(const Ui& ui, const StatusWarning& warning) {
+    if (warning.text.empty()) return 0.0f;
     const float u = ui.options.text_scale;
-    const float link = trouble.triangle >= 0 ? text_width(show_label) + 10.0f * u : 0.0f;
+    const float link = warning.triangle >= 0 ? text_width(show_label) + 10.0f * u : 0.0f;
     return 24.0f * u + link +
-           text_width(trouble.in_short.empty() ? trouble.text : trouble.in_short);
+           text_width(warning.in_short.empty() ? warning.text : warning.in_short);
 }
 
 /// At the right end of the line.
-void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
+void draw_warning(Ui& ui, const Area& area, const StatusWarning& warning) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
-    const std::string action = trouble.triangle >= 0 ? show_label : "";
+    const std::string action = warning.triangle >= 0 ? show_label : "";
     const float gap = action.empty() ? 0.0f : 10.0f * u;
     const float link = action.empty() ? 0.0f : text_width(action) + gap;
     const float left = ImGui::GetItemRectMax().x + 24.0f * u;
     const float right = area.position.x + area.size.x - 14.0f * u;
     const float room = right - link - left;
-    const bool is_whole = trouble.in_short.empty() || text_width(trouble.text) <= room;
-    const std::string words = shortened(is_whole ? trouble.text : trouble.in_short, room);
+    const bool is_whole = warning.in_short.empty() || text_width(warning.text) <= room;
+    const std::string words = shortened(is_whole ? warning.text : warning.in_short, room);
     const float width = text_width(words) + link;
     const float y = ImGui::GetItemRectMin().y;
     ImGui::SetCursorScreenPos({std::max(right - width, left), y});
@@ -110,20 +110,20 @@ void draw_trouble(Ui& ui, const Area& area, const StatusTrouble& trouble) {
         is_notice ? ""
         : is_working(ui.results)
             ? "\nThis is too much work for one frame of the window, so it is spread over several."
-            : "\nThe program guards against this and goes on" + lesson_words(trouble.lessons) + ".";
-    name_widget(ui, "status.trouble", trouble.text + about, words);
+            : "\nThe program guards against this and goes on" + lesson_words(warning.lessons) + ".";
+    register_widget(ui, "status.trouble", warning.text + about, words);
     if (!action.empty()) {
         const float x = ImGui::GetItemRectMax().x + gap;
         ImGui::SetCursorScreenPos({x, y});
         const ImVec2 size = ImGui::CalcTextSize(action.c_str());
         const bool pressed = ImGui::InvisibleButton("show", size);
         ImGui::GetWindowDrawList()->AddText({x, y}, packed(p.link), action.c_str());
-        name_widget(
+        register_widget(
             ui, "status.show_outside",
             "Rounding carries the end of a line one row too far. The table has no entry for that "
             "row, so the sample is left out. With the lab's settings this is normal and does no "
             "harm. Click to select the first such triangle and see its row table.");
-        if (pressed) show_sample_outside(ui, trouble.triangle);
+        if (pressed) show_sample_outside(ui, warning.triangle);
     }
     ImGui::PopClipRect();
 }
@@ -144,14 +144,15 @@ void draw_status_line(Ui& ui, const Area& area) {
     ImGui::Begin("status", nullptr, panel_flags);
     ImGui::SetCursorScreenPos({area.position.x + 14.0f * u,
                                area.position.y + 0.5f * (area.size.y - ImGui::GetFontSize())});
-    const StatusTrouble trouble = trouble_of(ui);
-    const float room = area.size.x - 28.0f * u - least_trouble_width(ui, trouble);
+    const StatusWarning warning = warnings_of(ui);
+    const float room = area.size.x - 28.0f * u - least_warning_width(ui, warning);
     const bool has_pixel = !spares_status_line(ui);
     text_in(p.dim, has_pixel ? pixel_words(ui, room) : std::string());
     if (has_pixel) {
-        name_widget(ui, "status.pixel", "The pixel under the pointer, or the one that is picked.");
+        register_widget(ui, "status.pixel",
+                        "The pixel under the pointer, or the one that is picked.");
     }
-    if (!trouble.text.empty()) draw_trouble(ui, area, trouble);
+    if (!warning.text.empty()) draw_warning(ui, area, warning);
     ImGui::End();
     ImGui::PopFont();
     ImGui::PopStyleColor();

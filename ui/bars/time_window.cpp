@@ -53,8 +53,8 @@ void show_triangle(TimeWindow& window, double place) {
 }
 
 double TriangleScale::share_of(int ordinal) const {
-    const auto behind = std::upper_bound(ordinals.begin() + 1, ordinals.end() - 1, ordinal);
-    const auto piece = static_cast<std::size_t>(behind - ordinals.begin()) - 1;
+    const auto end = std::upper_bound(ordinals.begin() + 1, ordinals.end() - 1, ordinal);
+    const auto piece = static_cast<std::size_t>(end - ordinals.begin()) - 1;
     const double within = static_cast<double>(ordinal - ordinals[piece]) /
                           std::max(ordinals[piece + 1] - ordinals[piece], 1);
     return shares[piece] + std::clamp(within, 0.0, 1.0) * (shares[piece + 1] - shares[piece]);
@@ -63,8 +63,8 @@ double TriangleScale::share_of(int ordinal) const {
 int TriangleScale::ordinal_at(double share) const {
     // Converting there and back loses a little; no more than this part of a moment.
     constexpr double slack = 0.01;
-    const auto behind = std::upper_bound(shares.begin() + 1, shares.end() - 1, share);
-    const auto piece = static_cast<std::size_t>(behind - shares.begin()) - 1;
+    const auto end = std::upper_bound(shares.begin() + 1, shares.end() - 1, share);
+    const auto piece = static_cast<std::size_t>(end - shares.begin()) - 1;
     const double width = shares[piece + 1] - shares[piece];
     const double within = width > 0.0 ? std::clamp((share - shares[piece]) / width, 0.0, 1.0) : 0.0;
     const int count = ordinals[piece + 1] - ordinals[piece];

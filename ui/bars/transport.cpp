@@ -63,7 +63,7 @@ void icon_button(Ui& ui, const char* action, Icon icon, ImVec2 at, ImVec2 size, 
     ImGui::SetCursorScreenPos(at);
     const bool pressed = ImGui::InvisibleButton(action, size);
     const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, action, tooltip_of(action));
+    register_widget(ui, action, tooltip_of(action));
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec4& fill = accent ? p.accent : hovered ? p.button_hovered : p.button;
     list->AddRectFilled(at, {at.x + size.x, at.y + size.y}, packed(fill),
@@ -94,9 +94,9 @@ std::array<StepChoice, 4> step_choices(Stage stage) {
 
 /// How the groups of the transport are arranged: buttons, size of a step, dial, time lines.
 enum class Arrangement {
-    compact, ///< a small window: the size of a step is a list, and one time line is in the row
-    stacked, ///< the time lines have the full width, below
-    beside,  ///< the time lines are to the right of everything else
+    compact,      ///< a small window: the size of a step is a list, and one time line is in the row
+    stacked,      ///< the time lines have the full width, below
+    side_by_side, ///< the time lines are to the right of everything else
 };
 
 /// Widths of the groups, screen pixels, and what follows from them.
@@ -139,8 +139,8 @@ Groups measure(const Ui& ui, float width) {
         g.strips = rest >= least_compact_strip * u ? rest : width;
         g.widths.push_back(g.strips);
     } else {
-        g.arrangement = rest >= least_strips * u ? Arrangement::beside : Arrangement::stacked;
-        g.strips = g.arrangement == Arrangement::beside ? rest : width;
+        g.arrangement = rest >= least_strips * u ? Arrangement::side_by_side : Arrangement::stacked;
+        g.strips = g.arrangement == Arrangement::side_by_side ? rest : width;
         if (g.arrangement == Arrangement::stacked) g.dial = DialForm::medium;
     }
     return g;
@@ -152,7 +152,7 @@ std::vector<FlowPlace> places_of(const Ui& ui, const Groups& groups, float width
 
 /// Design pixels: the height of a line of groups, and of what surrounds the lines.
 constexpr float line_height = 42.0f;
-constexpr float beside_height = 96.0f;
+constexpr float side_by_side_height = 96.0f;
 constexpr float margins_and_words = 38.0f;
 constexpr float stacked_gap = 4.0f; ///< extra, where the time lines have the full width
 
@@ -166,7 +166,7 @@ void draw_step_list(Ui& ui, ImVec2 at, ImVec2 size) {
     const auto choices = step_choices(ui.session.a.settings.stage);
     const auto now = static_cast<std::size_t>(ui.session.play.granularity);
     const bool open = ImGui::BeginCombo("##step", choices[now].name);
-    name_widget(ui, "step.list", "The size of a step.");
+    register_widget(ui, "step.list", "The size of a step.");
     if (!open) return;
     for (const StepChoice& choice : choices) {
         const bool chosen = ui.session.play.granularity == choice.granularity;
@@ -197,7 +197,7 @@ void draw_step_choice(Ui& ui, ImVec2 at, ImVec2 size) {
             ui.session.play.granularity = choice.granularity;
         }
         const bool hovered = ImGui::IsItemHovered();
-        name_widget(ui, name, choice.help);
+        register_widget(ui, name, choice.help);
         if (chosen || hovered) {
             list->AddRectFilled({x, at.y}, {x + width, at.y + size.y},
                                 packed(chosen ? p.chosen : p.button_hovered), 5.0f * u);
@@ -250,7 +250,7 @@ void draw_groups(Ui& ui, ImVec2 corner, const Groups& g, float room) {
     draw_speed_dial(ui, place(2), g.dial);
 }
 
-void draw_beside(Ui& ui, ImVec2 corner, const Groups& g, float room) {
+void draw_side_by_side(Ui& ui, ImVec2 corner, const Groups& g, float room) {
     const float u = ui.options.text_scale;
     draw_groups(ui, {corner.x, corner.y + 14.0f * u}, g, room);
     const float left = corner.x + room - g.strips, last = corner.y + 70.0f * u;
@@ -270,7 +270,7 @@ float transport_height(const Ui& ui, float width) {
     const float u = ui.options.text_scale;
     const float room = width - 2.0f * bar_margin(ui);
     const Groups g = measure(ui, room);
-    if (g.arrangement == Arrangement::beside) return beside_height * u;
+    if (g.arrangement == Arrangement::side_by_side) return side_by_side_height * u;
     const int lines = line_count(places_of(ui, g, room));
     const float groups = (margins_and_words + line_height * static_cast<float>(lines)) * u;
     return g.arrangement == Arrangement::stacked
@@ -288,8 +288,8 @@ void draw_transport(Ui& ui, const Area& area) {
     const float room = area.size.x - 2.0f * bar_margin(ui);
     const Groups g = measure(ui, room);
     const ImVec2 corner{area.position.x + bar_margin(ui), area.position.y};
-    if (g.arrangement == Arrangement::beside) {
-        draw_beside(ui, corner, g, room);
+    if (g.arrangement == Arrangement::side_by_side) {
+        draw_side_by_side(ui, corner, g, room);
     } else {
         float y = corner.y + 10.0f * u;
         draw_groups(ui, {corner.x, y}, g, room);

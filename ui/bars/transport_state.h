@@ -27,7 +27,7 @@ struct DifferenceMarks {
             0; ///< of the comparison's divergences: the first of those at this place
     };
     std::vector<Mark> marks;
-    std::size_t looked_at = 0; ///< groups
+    std::size_t groups_placed = 0; ///< groups
 
     // What they were found for.
     std::uint64_t frame_a = 0, frame_b = 0; ///< numbers of the frames

@@ -63,9 +63,10 @@ void draw_bracket(const TimeLines& s) {
     }
     if (is_lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (is_lit) zoom_by_wheel(s, window.begin + 0.5 * window.width);
-    name_widget(s.ui, "walk.bracket",
-                "What the line below enlarges. Drag it along the frame; scroll to make it narrower "
-                "or wider.");
+    register_widget(
+        s.ui, "walk.bracket",
+        "What the line below enlarges. Drag it along the frame; scroll to make it narrower "
+        "or wider.");
     const Arrows arrows = take_arrows(s.ui, "walk.bracket");
     if (arrows.right != 0) pan_window(s.window(), 0.1 * arrows.right * window.width);
     const float y = top + 3.5f * u;
@@ -247,10 +248,11 @@ void use_window_line(const TimeLines& s) {
     if (is_hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         show_triangle(window, place);
     }
-    name_widget(s.ui, "walk.window",
-                "The part in the bracket, enlarged. It shows what a triangle is made of; the more "
-                "moments a piece has, the longer it is. Drag to go to any moment and scroll to "
-                "enlarge; a double click shows the whole triangle again.");
+    register_widget(
+        s.ui, "walk.window",
+        "The part in the bracket, enlarged. It shows what a triangle is made of; the more "
+        "moments a piece has, the longer it is. Drag to go to any moment and scroll to "
+        "enlarge; a double click shows the whole triangle again.");
     step_by_arrows(s, "walk.window");
 }
 

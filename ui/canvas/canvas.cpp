@@ -23,7 +23,7 @@
 #include "ui/canvas/overdraw_legend.h"
 #include "ui/canvas/overlays.h"
 #include "ui/canvas/picture_view.h"
-#include "ui/canvas/row_table_beside.h"
+#include "ui/canvas/side_row_table.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
 #include "ui/widgets/imgui_versions.h"
@@ -40,7 +40,7 @@ namespace {
 /// zoom about the picked one.
 /// @param pane of the picture of run A
 /// @param seen the part of it that nothing covers: the picked pixel is brought there
-void handle_canvas_keys(Ui& ui, const Pane& pane, const Pane& seen) {
+void handle_canvas_keys(Ui& ui, const Pane& pane, const Pane& visible) {
     const Arrows arrows = take_arrows(ui, "canvas");
     if (!ui.focus.is_shown || ui.focus.name != "canvas") return;
     const Viewport& size = ui.results.a.frame.settings.viewport;
@@ -59,10 +59,11 @@ void handle_canvas_keys(Ui& ui, const Pane& pane, const Pane& seen) {
         zoom_by_wheel(ui, ui.canvas.place.middle_of(pixel), static_cast<float>(zoom_steps), pane);
     }
     const ImVec2 at = ui.canvas.place.middle_of(pixel);
-    const bool is_seen =
-        at.x >= seen.low.x && at.y >= seen.low.y && at.x < seen.high.x && at.y < seen.high.y;
+    const bool is_seen = at.x >= visible.low.x && at.y >= visible.low.y && at.x < visible.high.x &&
+                         at.y < visible.high.y;
     if (is_seen) return;
-    const ImVec2 middle{0.5f * (seen.low.x + seen.high.x), 0.5f * (seen.low.y + seen.high.y)};
+    const ImVec2 middle{0.5f * (visible.low.x + visible.high.x),
+                        0.5f * (visible.low.y + visible.high.y)};
     move_picture(ui, {middle.x - at.x, middle.y - at.y}, pane);
 }
 
@@ -75,27 +76,27 @@ constexpr glm::vec2 canvas_padding{12.0f, 10.0f};
 
 /// The part of the canvas left for the picture, next to the row table and above the line that
 /// explains the cells.
-Pane seen_of_canvas(const Ui& ui, const Pane& canvas) {
+Pane visible_canvas(const Ui& ui, const Pane& canvas) {
     const std::optional<RowTablePlace>& table = ui.canvas.row_table;
-    Pane seen = canvas;
-    if (shows_cell_key(ui)) seen.high.y -= cell_key_height(ui);
-    if (!table) return seen;
+    Pane visible = canvas;
+    if (shows_cell_key(ui)) visible.high.y -= cell_key_height(ui);
+    if (!table) return visible;
     if (table->is_at_left) {
-        seen.low.x = std::min(table->right, canvas.high.x);
+        visible.low.x = std::min(table->right, canvas.high.x);
     } else {
-        seen.high.x = std::max(table->left, canvas.low.x);
+        visible.high.x = std::max(table->left, canvas.low.x);
     }
-    return seen;
+    return visible;
 }
 
 /// The part of run A's picture that is seen, without the numbers along its sides.
-Pane seen_of_picture(const Ui& ui, const Pane& pane, const Pane& canvas) {
-    Pane seen = seen_of_canvas(ui, canvas);
-    seen.low = {std::max(seen.low.x, pane.low.x), std::max(seen.low.y, pane.low.y)};
-    seen.high = {std::min(seen.high.x, pane.high.x), std::min(seen.high.y, pane.high.y)};
-    if (ui.canvas.place.scale < grid_zoom) return seen;
+Pane visible_picture(const Ui& ui, const Pane& pane, const Pane& canvas) {
+    Pane visible = visible_canvas(ui, canvas);
+    visible.low = {std::max(visible.low.x, pane.low.x), std::max(visible.low.y, pane.low.y)};
+    visible.high = {std::min(visible.high.x, pane.high.x), std::min(visible.high.y, pane.high.y)};
+    if (ui.canvas.place.scale < grid_zoom) return visible;
     const ImVec2 ruler = ruler_size(ui);
-    return {{seen.low.x + ruler.x, seen.low.y + ruler.y}, seen.high};
+    return {{visible.low.x + ruler.x, visible.low.y + ruler.y}, visible.high};
 }
 
 /// Between the picture and what is below it, screen pixels.
@@ -152,35 +153,35 @@ void draw_picture(Ui& ui, const Pane& pane) {
     ImGui::SetCursorScreenPos(frame_low);
     ImGui::InvisibleButton("picture", frame_room,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
-    name_widget(ui, "canvas");
+    register_widget(ui, "canvas");
     const CanvasView before = ui.session.canvas;
     const int held_before = ui.canvas.dragged_vertex;
     handle_canvas_pointer(ui, panes.a);
-    handle_canvas_keys(ui, panes.a, seen_of_picture(ui, panes.a, canvas));
+    handle_canvas_keys(ui, panes.a, visible_picture(ui, panes.a, canvas));
     if (ui.session.canvas != before || ui.canvas.dragged_vertex != held_before)
         tables = place_pictures(ui, panes);
-    const std::optional<RowTableBeside> table = place_row_table(ui, tables, canvas);
+    const std::optional<SideRowTable> table = place_row_table(ui, tables, canvas);
     ui.canvas.row_table = table ? std::optional(table->place) : std::nullopt;
-    const Pane seen = seen_of_canvas(ui, canvas);
+    const Pane visible = visible_canvas(ui, canvas);
 
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(frame_low, frame_high, packed(p.canvas), 4.0f * u);
     std::vector<VertexLabel> labels;
-    list->PushClipRect(seen.low, seen.high, true);
+    list->PushClipRect(visible.low, visible.high, true);
     if (is_comparing(ui)) {
         draw_compared(ui, list, canvas);
     } else {
-        show_ground(ui, seen.low, seen.high);
+        show_ground(ui, visible.low, visible.high);
         draw_texture(list, ui.canvas.picture, ui.canvas.place);
-        draw_overlays(ui, list, seen.low, seen.high);
-        labels = draw_canvas_marks(ui, run_a(ui), list, seen.low, seen.high);
+        draw_overlays(ui, list, visible.low, visible.high);
+        labels = draw_canvas_marks(ui, run_a(ui), list, visible.low, visible.high);
     }
     list->PopClipRect();
-    if (!is_comparing(ui)) draw_cells(ui, seen, labels);
+    if (!is_comparing(ui)) draw_cells(ui, visible, labels);
     if (shows_cell_key(ui))
-        draw_cell_key(ui, {{seen.low.x, seen.high.y}, {seen.high.x, canvas.high.y}});
+        draw_cell_key(ui, {{visible.low.x, visible.high.y}, {visible.high.x, canvas.high.y}});
     if (table) {
-        const bool is_over = draw_row_table_beside(ui, *table, canvas);
+        const bool is_over = draw_side_row_table(ui, *table, canvas);
         const ImGuiIO& io = ImGui::GetIO();
         if (is_over && io.MouseWheel != 0.0f)
             zoom_by_wheel(ui, io.MousePos, io.MouseWheel, panes.a);

@@ -13,8 +13,8 @@
 #include "ui/canvas/cells.h"
 #include "ui/canvas/overlays.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -35,7 +35,7 @@ void draw_overlay_list(Ui& ui) {
         const ImVec2 start = ImGui::GetCursorScreenPos();
         const std::string label = std::string(info.title).append("###overlay.").append(info.name);
         if (ImGui::Checkbox(label.c_str(), &on)) ui.session.overlays.set(info.overlay, on);
-        name_widget(ui, std::string("overlay.").append(info.name), info.help);
+        register_widget(ui, std::string("overlay.").append(info.name), info.help);
         const float height = ImGui::GetFrameHeight();
         ImGui::SameLine();
         ImGui::SetCursorScreenPos({start.x + height + widest + 26.0f * u, start.y});
@@ -61,7 +61,7 @@ void draw_switch(Ui& ui, const char* name, const char* title, bool& on, float ne
                  const char* help) {
     const std::string label = std::string(title) + "###" + name;
     ImGui::Checkbox(label.c_str(), &on);
-    name_widget(ui, name, help);
+    register_widget(ui, name, help);
     draw_zoom_needed(ui, needed);
 }
 
@@ -86,7 +86,7 @@ void draw_cell_list(Ui& ui) {
         const std::string label = words.title + "###numbers." + std::string(info.name);
         if (ImGui::RadioButton(label.c_str(), canvas.numbers == info.numbers))
             canvas.numbers = info.numbers;
-        name_widget(ui, std::string("layers.numbers.").append(info.name), words.help);
+        register_widget(ui, std::string("layers.numbers.").append(info.name), words.help);
         draw_zoom_needed(ui, numbers_zoom(ui, info.numbers));
     }
 }
@@ -139,11 +139,11 @@ void draw_layers_button(Ui& ui, bool narrow) {
     ImGui::SetNextWindowSizeConstraints(
         {0.0f, 0.0f}, {FLT_MAX, std::max(ImGui::GetIO().DisplaySize.y - at.y - gap, 1.0f)});
     if (ImGui::BeginPopup("layers")) {
-        begin_whole_lines();
+        begin_line_clip();
         draw_overlay_list(ui);
         ImGui::Separator();
         draw_cell_list(ui);
-        end_whole_lines();
+        end_line_clip();
         ImGui::EndPopup();
     }
 }
@@ -176,7 +176,7 @@ void draw_view_selector(Ui& ui) {
     ImGui::SetNextItemWidth(view_selector_width());
     const std::string now = view_title(ui, view_list()[static_cast<std::size_t>(ui.session.view)]);
     const bool open = ImGui::BeginCombo("##view", now.c_str());
-    name_widget(ui, "canvas.view", "Which plane of the framebuffer is shown.");
+    register_widget(ui, "canvas.view", "Which plane of the framebuffer is shown.");
     if (!open) return;
     for (const ViewInfo& info : view_list()) {
         if (list_entry(ui, std::string("canvas.view.").append(info.title), view_title(ui, info),
@@ -195,7 +195,7 @@ void draw_shows_switch(Ui& ui, bool as_list) {
         const char* const title = list[static_cast<std::size_t>(chosen)].title.data();
         ImGui::SetNextItemWidth(shows_width(true));
         const bool open = ImGui::BeginCombo("##shows", title);
-        name_widget(ui, "canvas.shows", "What the canvas shows.");
+        register_widget(ui, "canvas.shows", "What the canvas shows.");
         if (!open) return;
         for (const CanvasShowsInfo& info : list) {
             if (list_entry(ui, std::string("canvas.shows.").append(info.name), info.title,

@@ -31,7 +31,7 @@ struct DrawnPart {
 };
 
 /// What the student wants done with a frame of very many fragments.
-enum class LargeFrameWish : std::uint8_t {
+enum class LargeFrameChoice : std::uint8_t {
     none, ///< not said: it is not begun if too much of it is in the picture
     draw,
     stop,
@@ -39,7 +39,7 @@ enum class LargeFrameWish : std::uint8_t {
 
 /// That wish, and the frame it is about.
 struct LargeFrame {
-    LargeFrameWish wish = LargeFrameWish::none;
+    LargeFrameChoice choice = LargeFrameChoice::none;
     std::shared_ptr<const Scene> scene;
     std::optional<Settings> a, b; ///< of the two runs
 };
@@ -47,7 +47,7 @@ struct LargeFrame {
 /// Hints that the student has hidden.
 struct HiddenHints {
     std::weak_ptr<const Scene> scene;  ///< whose hints they were
-    std::vector<std::string> in_short; ///< see SeenHint
+    std::vector<std::string> in_short; ///< see VisibilityHint
 };
 
 /// What the canvas keeps from one frame to the next.

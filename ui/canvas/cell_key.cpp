@@ -130,11 +130,12 @@ void draw_cell_key(Ui& ui, const Pane& place) {
     ImGui::PopFont();
     ImGui::SetCursorScreenPos(place.low);
     ImGui::Dummy({std::max(place.room().x, 1.0f), std::max(place.room().y, 1.0f)});
-    name_widget(ui, "canvas.cells",
-                (has_tests ? std::string(test_colours_text) + "\n\n" : std::string()) + text +
-                    "\n\nThe signs in a cell belong to the triangle shown. The picked pixel has "
-                    "one sign for each fragment, in drawing order; '…' stands for earlier ones.",
-                text);
+    register_widget(
+        ui, "canvas.cells",
+        (has_tests ? std::string(test_colours_text) + "\n\n" : std::string()) + text +
+            "\n\nThe signs in a cell belong to the triangle shown. The picked pixel has "
+            "one sign for each fragment, in drawing order; '…' stands for earlier ones.",
+        text);
 }
 
 } // namespace rasterwalk

@@ -26,7 +26,7 @@ constexpr ImU32 light_ink = IM_COL32(255, 255, 255, 255);
 struct Shade {
     float red = 0.0f, green = 0.0f, blue = 0.0f;
 
-    void lay(float r, float g, float b, float opacity) {
+    void add(float r, float g, float b, float opacity) {
         red += opacity * (r - red);
         green += opacity * (g - green);
         blue += opacity * (b - blue);
@@ -133,7 +133,7 @@ constexpr float number_margin = 2.5f;
 struct Cells {
     Ui& ui;
     Marks marks;
-    Pane seen; ///< of the canvas, without the numbers of columns and rows
+    Pane visible_part; ///< of the canvas, without the numbers of columns and rows
     const std::vector<VertexLabel>& labels;       ///< on the picture: nothing is drawn under them
     std::vector<std::pair<ImVec2, ImVec2>> lines; ///< the edges of the triangle shown
 
@@ -142,8 +142,8 @@ struct Cells {
     }
     /// Part of a number would be a different number.
     bool is_cut(ImVec2 low, ImVec2 high) const {
-        return low.x < seen.low.x || low.y < seen.low.y || high.x > seen.high.x ||
-               high.y > seen.high.y;
+        return low.x < visible_part.low.x || low.y < visible_part.low.y ||
+               high.x > visible_part.high.x || high.y > visible_part.high.y;
     }
     bool is_under_label(ImVec2 low, ImVec2 high) const {
         return std::any_of(labels.begin(), labels.end(), [&](const VertexLabel& label) {
@@ -159,19 +159,19 @@ Shade shade_of(const Ui& ui, glm::ivec2 pixel) {
     const Image& ground = results.ground.rgba.empty() ? results.a.picture : results.ground;
     const auto at = 4 * results.a.framebuffer->at(pixel.x, pixel.y);
     Shade shade;
-    const auto lay = [&](const Image& image) {
+    const auto add = [&](const Image& image) {
         if (at + 3 >= image.rgba.size()) return;
-        shade.lay(image.rgba[at], image.rgba[at + 1], image.rgba[at + 2],
+        shade.add(image.rgba[at], image.rgba[at + 1], image.rgba[at + 2],
                   static_cast<float>(image.rgba[at + 3]) / 255.0f);
     };
-    lay(ground);
-    lay(results.overlay.image);
+    add(ground);
+    add(results.overlay.image);
     const std::optional<Ends> ends = ends_of(ui, pixel.y);
     if (!ends || (pixel.x != ends->left && pixel.x != ends->right)) return shade;
     if (results.a.frame.settings.stage == Stage::rows) shade = {12.0f, 13.0f, 16.0f};
     const ImVec4 tint = colour_of(
         edge_meaning(pixel.x == ends->left ? ends->left_edge : ends->right_edge), Theme::dark);
-    shade.lay(255.0f * tint.x, 255.0f * tint.y, 255.0f * tint.z, row_end_tint);
+    shade.add(255.0f * tint.x, 255.0f * tint.y, 255.0f * tint.z, row_end_tint);
     return shade;
 }
 
@@ -323,16 +323,20 @@ float numbers_zoom(const Ui& ui, CellNumbers numbers) {
     return std::max(cell_zoom, needed);
 }
 
-void draw_cells(Ui& ui, const Pane& seen, const std::vector<VertexLabel>& labels) {
+void draw_cells(Ui& ui, const Pane& visible_part, const std::vector<VertexLabel>& labels) {
     const float scale = ui.canvas.place.scale;
     const CanvasView& canvas = ui.session.canvas;
     // A preview has no numbers.
     if (scale < cell_zoom || ui.results.a.preview.is_shown) return;
     const ShownRun run = run_a(ui);
     Cells cells{
-        ui, {ui, run, nullptr, seen.low, seen.high, ui.options.text_scale, scale}, {}, labels, {}};
-    const Pane inner{corner_of_cells(cells.marks), seen.high};
-    cells.seen = inner;
+        ui,
+        {ui, run, nullptr, visible_part.low, visible_part.high, ui.options.text_scale, scale},
+        {},
+        labels,
+        {}};
+    const Pane inner{corner_of_cells(cells.marks), visible_part.high};
+    cells.visible_part = inner;
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     const ImVec2 origin = ui.canvas.place.origin;
     const VisibleRange columns =

@@ -25,7 +25,7 @@ constexpr Meaning plane_ink = Meaning::left_end;
 constexpr float least_w_share = 1e-4f;
 
 /// Lines are not drawn farther than this beyond the canvas, design pixels.
-constexpr float beside_canvas = 40.0f;
+constexpr float canvas_margin = 40.0f;
 
 struct ScreenLine {
     ImVec2 from, to;
@@ -69,7 +69,7 @@ std::optional<ScreenLine> cut_to(const ScreenLine& line, ImVec2 low, ImVec2 high
 
 /// An edge between two points in clip space, as far as it lies in front of the camera and within
 /// the canvas.
-std::optional<ScreenLine> seen_edge(const Marks& m, glm::vec4 a, glm::vec4 b) {
+std::optional<ScreenLine> visible_edge(const Marks& m, glm::vec4 a, glm::vec4 b) {
     const float least = least_w_share * std::max(a.w, b.w);
     if (!(least > 0.0f)) return std::nullopt;
     const auto cut = [&](glm::vec4& end, const glm::vec4& other) {
@@ -78,14 +78,14 @@ std::optional<ScreenLine> seen_edge(const Marks& m, glm::vec4 a, glm::vec4 b) {
     };
     cut(a, b);
     cut(b, a);
-    const float beside = beside_canvas * m.u;
+    const float beside = canvas_margin * m.u;
     return cut_to({place_of(m, a), place_of(m, b)}, {m.low.x - beside, m.low.y - beside},
                   {m.high.x + beside, m.high.y + beside});
 }
 
-void draw_seen_edge(const Marks& m, const CutCorner& a, const CutCorner& b, ImU32 colour,
-                    float width) {
-    const auto line = seen_edge(m, a.vertex.position_clip, b.vertex.position_clip);
+void draw_visible_edge(const Marks& m, const CutCorner& a, const CutCorner& b, ImU32 colour,
+                       float width) {
+    const auto line = visible_edge(m, a.vertex.position_clip, b.vertex.position_clip);
     if (!line) return;
     m.list->AddLine(line->from, line->to, dark_casing, (width + 2.0f) * m.u);
     m.list->AddLine(line->from, line->to, colour, width * m.u);
@@ -95,8 +95,8 @@ void draw_seen_edge(const Marks& m, const CutCorner& a, const CutCorner& b, ImU3
 void draw_outline_before(const Marks& m, const ClipHistory& history) {
     const std::vector<CutCorner> corners = given_corners(history);
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const auto line = seen_edge(m, corners[i].vertex.position_clip,
-                                    corners[(i + 1) % corners.size()].vertex.position_clip);
+        const auto line = visible_edge(m, corners[i].vertex.position_clip,
+                                       corners[(i + 1) % corners.size()].vertex.position_clip);
         if (!line) continue;
         const float dx = line->to.x - line->from.x, dy = line->to.y - line->from.y;
         const float length = std::hypot(dx, dy);
@@ -115,20 +115,22 @@ void draw_outline_before(const Marks& m, const ClipHistory& history) {
 void draw_plane_edges(const Marks& m, const std::vector<CutCorner>& corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
         if (corners[i].edge >= 0) continue;
-        draw_seen_edge(m, corners[i], corners[(i + 1) % corners.size()], m.colour(plane_ink), 5.0f);
+        draw_visible_edge(m, corners[i], corners[(i + 1) % corners.size()], m.colour(plane_ink),
+                          5.0f);
     }
 }
 
 void draw_fan(const Marks& m, const std::vector<CutCorner>& corners) {
     for (std::size_t i = 2; i + 1 < corners.size(); ++i)
-        draw_seen_edge(m, corners[0], corners[i], m.colour(Meaning::current, 0.8f), 1.0f);
+        draw_visible_edge(m, corners[0], corners[i], m.colour(Meaning::current, 0.8f), 1.0f);
 }
 
 /// The polygon while planes are working on it.
 void draw_polygon_at_work(const Marks& m, const std::vector<CutCorner>& corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Meaning meaning = corners[i].edge >= 0 ? edge_meaning(corners[i].edge) : plane_ink;
-        draw_seen_edge(m, corners[i], corners[(i + 1) % corners.size()], m.colour(meaning), 1.8f);
+        draw_visible_edge(m, corners[i], corners[(i + 1) % corners.size()], m.colour(meaning),
+                          1.8f);
     }
 }
 
@@ -172,11 +174,11 @@ void draw_place_names(const Marks& m, const std::vector<PlaceName>& names, float
 }
 
 /// The visible parts of a polygon's edges, from the canvas's top left corner.
-std::vector<OutsideLine> seen_edges(const Marks& m, const std::vector<CutCorner>& corners) {
+std::vector<OutsideLine> visible_edges(const Marks& m, const std::vector<CutCorner>& corners) {
     std::vector<OutsideLine> edges;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const auto line = seen_edge(m, corners[i].vertex.position_clip,
-                                    corners[(i + 1) % corners.size()].vertex.position_clip);
+        const auto line = visible_edge(m, corners[i].vertex.position_clip,
+                                       corners[(i + 1) % corners.size()].vertex.position_clip);
         if (!line) continue;
         edges.push_back({.kind = OutsideLineKind::edge,
                          .from = {line->from.x - m.low.x, line->from.y - m.low.y},
@@ -207,7 +209,7 @@ void draw_divided_corners(const Marks& m, const ClipHistory& history,
                           const std::vector<OutsideLine>& edges) {
     const float radius = 5.0f * m.u;
     std::vector<PlaceName> names;
-    for (const CutCorner& corner : corners_behind(history)) {
+    for (const CutCorner& corner : corners_behind_camera(history)) {
         const ImVec2 at = place_of(m, corner.vertex.position_clip);
         if (!(at.x >= m.low.x && at.x <= m.high.x && at.y >= m.low.y && at.y <= m.high.y)) continue;
         m.list->AddCircle(at, radius, dark_casing, 0, 4.0f * m.u);
@@ -225,8 +227,8 @@ void draw_step_at_work(const Marks& m, const ClipHistory& history, const ClipPro
     if (progress.steps < 1 || last >= plane.steps.size()) return;
     const std::vector<CutCorner> before = corners_before(history, progress.planes);
     const ClipStep& step = plane.steps[last];
-    draw_seen_edge(m, before[static_cast<std::size_t>(step.from)],
-                   before[static_cast<std::size_t>(step.to)], m.colour(Meaning::current), 3.0f);
+    draw_visible_edge(m, before[static_cast<std::size_t>(step.from)],
+                      before[static_cast<std::size_t>(step.to)], m.colour(Meaning::current), 3.0f);
 }
 
 /// Which way round the corners go: an arrow on each edge, and in the middle what culling decided.
@@ -237,8 +239,8 @@ void draw_cull_answer(const Marks& m, const ClipHistory& history) {
         const glm::vec4& a = corners[i].vertex.position_clip;
         const glm::vec4& b = corners[(i + 1) % corners.size()].vertex.position_clip;
         if (!(a.w > 0.0f) || !(b.w > 0.0f)) return; // they have no order on the screen
-        draw_seen_edge(m, corners[i], corners[(i + 1) % corners.size()], m.colour(Meaning::current),
-                       1.6f);
+        draw_visible_edge(m, corners[i], corners[(i + 1) % corners.size()],
+                          m.colour(Meaning::current), 1.6f);
         const ImVec2 from = place_of(m, a), to = place_of(m, b);
         middle = {middle.x + from.x, middle.y + from.y};
         const float length = std::hypot(to.x - from.x, to.y - from.y);
@@ -256,7 +258,7 @@ void draw_cull_answer(const Marks& m, const ClipHistory& history) {
                      {{{middle.x / count, middle.y / count},
                        is_back ? "back" : "front",
                        m.colour(is_back ? Meaning::fail : Meaning::pass)}},
-                     2.0f * m.u, seen_edges(m, corners));
+                     2.0f * m.u, visible_edges(m, corners));
 }
 
 bool is_culling(const Marks& m, const ClipHistory& history) {
@@ -288,9 +290,9 @@ void draw_clip_marks(const Marks& m, const ClipHistory& history) {
 
 void draw_made_corners(const Marks& m, const ClipHistory& history) {
     if (history.planes.empty()) return;
-    std::vector<OutsideLine> edges = seen_edges(m, given_corners(history));
+    std::vector<OutsideLine> edges = visible_edges(m, given_corners(history));
     const auto add = [&](const std::vector<CutCorner>& corners) {
-        const std::vector<OutsideLine> more = seen_edges(m, corners);
+        const std::vector<OutsideLine> more = visible_edges(m, corners);
         edges.insert(edges.end(), more.begin(), more.end());
     };
     if (const auto progress = clip_progress(history, m.run.done)) {

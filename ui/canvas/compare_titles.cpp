@@ -25,7 +25,7 @@ float letter_side(const Ui& ui) {
 }
 
 /// Space between the picture and the border that the title is at, screen pixels.
-float room_beside(const Ui& ui, bool of_b, const TitlePlace& title) {
+float side_room(const Ui& ui, bool of_b, const TitlePlace& title) {
     const PicturePlace& place =
         of_b && ui.compare.place_of_b ? *ui.compare.place_of_b : ui.canvas.place;
     const float width =
@@ -53,7 +53,7 @@ std::optional<std::size_t> fitting_form(const Ui& ui, bool of_b, const TitlePlac
     const std::vector<std::string> forms = title_forms(ui, of_b);
     const float u = ui.options.text_scale;
     const bool is_over = lies_over(ui, of_b, title);
-    const float beside = room_beside(ui, of_b, title);
+    const float beside = side_room(ui, of_b, title);
     const float room = title.right - title.left - title_border * u;
     const auto first_within = [&](float width) {
         const auto found = std::find_if(forms.begin(), forms.end(), [&](const std::string& form) {
@@ -95,12 +95,13 @@ void draw_title(Ui& ui, ImDrawList* list, bool of_b, const TitlePlace& title, st
                   words.c_str());
     ImGui::SetCursorScreenPos(low);
     ImGui::Dummy({width, side});
-    name_widget(ui, of_b ? "compare.title_b" : "compare.title_a",
-                (of_b ? "Run B: where it differs from A.\n"
-                      : "Run A: where it differs from B. The switches and the settings apply to "
-                        "this run.\n") +
-                    run_assignments(ui.session, of_b),
-                words);
+    register_widget(ui, of_b ? "compare.title_b" : "compare.title_a",
+                    (of_b
+                         ? "Run B: where it differs from A.\n"
+                         : "Run A: where it differs from B. The switches and the settings apply to "
+                           "this run.\n") +
+                        run_assignments(ui.session, of_b),
+                    words);
 }
 
 } // namespace

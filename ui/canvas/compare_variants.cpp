@@ -48,7 +48,7 @@ std::array<Variant, 3> variants_of(const Ui& ui) {
     const std::int64_t count = pixels.shown > 0 ? pixels.shown : pixels.different;
     const std::string differ =
         count == 0 ? "no pixel" : grouped(count) + (count == 1 ? " pixel" : " pixels");
-    const NumberedPicture a = picture_on_show(results.a), b = picture_on_show(*results.b);
+    const NumberedPicture a = shown_picture(results.a), b = shown_picture(*results.b);
     return {{{CompareView::run_a, "A", "A", run_forms(ui.session, false), &a.image, a.number},
              {CompareView::run_b, "B", "B", run_forms(ui.session, true), &b.image, b.number},
              {CompareView::difference,
@@ -182,7 +182,7 @@ void draw_variant(Ui& ui, std::size_t index, const Variant& variant, float words
     const ImVec2 at{low.x + layout.picture.x, low.y + layout.picture.y};
     list->AddImage(texture.id, at, {at.x + texture.size.x, at.y + texture.size.y});
     const std::string words_shown = draw_words(ui, list, variant, layout, low, high);
-    note_text(ui, name, words_shown);
+    register_text(ui, name, words_shown);
     list->PopClipRect();
     if (ui.session.compare_view == variant.view) frame_small_card(ui, low, high);
 }

@@ -141,7 +141,7 @@ void show_textures(Ui& ui, const Pane& canvas) {
     }
     if (view != CompareView::run_b) show_ground(ui, canvas.low, canvas.high);
     if (view != CompareView::run_a) {
-        show_texture(ui, ui.compare.picture, picture_on_show(b),
+        show_texture(ui, ui.compare.picture, shown_picture(b),
                      ui.compare.place_of_b.value_or(place), canvas.low, canvas.high);
     }
 }
@@ -152,7 +152,7 @@ void draw_views(Ui& ui, bool as_list) {
         const CompareViewInfo& now = compare_view_list()[static_cast<std::size_t>(chosen)];
         ImGui::SetNextItemWidth(button_width("Side by side ") + ImGui::GetFrameHeight());
         const bool open = ImGui::BeginCombo("##compare view", now.title.data());
-        name_widget(ui, "compare.view", "How the two pictures are shown.");
+        register_widget(ui, "compare.view", "How the two pictures are shown.");
         if (!open) return;
         for (const CompareViewInfo& info : compare_view_list()) {
             if (list_entry(ui, std::string("compare.").append(info.name), info.menu_title,
@@ -221,7 +221,7 @@ void draw_compare_bar(Ui& ui) {
     if (!is_comparing(ui)) {
         text_in(colour_of(Meaning::fail, ui.options.theme),
                 shortened(ui.results.no_comparison, room));
-        name_widget(ui, "compare.fault", ui.results.no_comparison);
+        register_widget(ui, "compare.fault", ui.results.no_comparison);
     } else {
         std::vector<std::string> forms = difference_forms(ui.results.comparison.pixels);
         forms.emplace_back(); // the Compare tab has the numbers too
@@ -230,11 +230,12 @@ void draw_compare_bar(Ui& ui) {
         ImGui::SetCursorScreenPos(
             {std::max(right - ends - gap - width, left), ImGui::GetCursorScreenPos().y});
         text_in(p.dim, shown);
-        name_widget(ui, "compare.counts",
-                    forms.front() +
-                        "\nCounted in what is drawn so far. Differences are those of the channel "
-                        "that differs most, in linear colour. The Compare tab has more.",
-                    shown);
+        register_widget(
+            ui, "compare.counts",
+            forms.front() +
+                "\nCounted in what is drawn so far. Differences are those of the channel "
+                "that differs most, in linear colour. The Compare tab has more.",
+            shown);
     }
     ImGui::SameLine();
     ImGui::SetCursorScreenPos({right - ends, ImGui::GetCursorScreenPos().y});
@@ -278,7 +279,7 @@ void draw_wipe_handle(Ui& ui, const Pane& canvas) {
     ImGui::InvisibleButton("compare.wipe_handle", {width, canvas.high.y - canvas.low.y});
     const bool is_held = ImGui::IsItemActive();
     if (is_held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    name_widget(ui, "compare.divider", "A is on the left, B on the right. Drag it.");
+    register_widget(ui, "compare.divider", "A is on the left, B on the right. Drag it.");
     const auto right = static_cast<float>(take_arrows(ui, "compare.divider").right);
     ui.session.wipe = std::clamp(ui.session.wipe + 0.02f * right, 0.0f, 1.0f);
     if (!is_held) return;

@@ -119,11 +119,11 @@ std::optional<float> draw_handle(Ui& ui, const Plot& plot, bool is_near) {
     if (ImGui::IsItemActivated()) ui.canvas.depth_grip = mouse - x;
     const DepthWords& words = depth_words(ui.results.a.frame);
     const bool is_dragged = ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0.0f;
-    name_widget(ui, name,
-                is_near ? "The near end of the range: " + std::string(words.nearer) + " " +
-                              depth_name(ui) + " takes the brightest colour. Drag it."
-                        : "The far end of the range: " + std::string(words.farther) + " " +
-                              depth_name(ui) + " takes the darkest colour. Drag it.");
+    register_widget(ui, name,
+                    is_near ? "The near end of the range: " + std::string(words.nearer) + " " +
+                                  depth_name(ui) + " takes the brightest colour. Drag it."
+                            : "The far end of the range: " + std::string(words.farther) + " " +
+                                  depth_name(ui) + " takes the darkest colour. Drag it.");
     const Palette& p = palette(ui.options.theme);
     const ImU32 colour = packed(lit ? p.link : p.text);
     ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -168,8 +168,8 @@ std::string bar_text(const Plot& plot, float x, const std::string& name) {
 }
 
 /// The stored depth of the pixel pointed at or picked; none: it has none.
-std::optional<float> depth_asked(const Ui& ui) {
-    const std::optional<glm::ivec2> pixel = pixel_asked(ui);
+std::optional<float> depth_in_focus(const Ui& ui) {
+    const std::optional<glm::ivec2> pixel = pixel_in_focus(ui);
     if (!pixel) return std::nullopt;
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     const float depth = stored_depth(framebuffer, pixel->x, pixel->y);
@@ -190,19 +190,19 @@ void draw_numbers(Ui& ui, const DepthView& view, ImVec2 low, float right) {
     const float y = low.y + ImGui::GetStyle().FramePadding.y;
     ImGui::SetCursorScreenPos({low.x, y});
     text_in(p.dim, far);
-    name_widget(ui, "depth.far_text",
-                depth_name(ui) + " at which pixels become darkest, and its z: " +
-                    depth_text(ui, view.range.far) + ".",
-                far);
+    register_widget(ui, "depth.far_text",
+                    depth_name(ui) + " at which pixels become darkest, and its z: " +
+                        depth_text(ui, view.range.far) + ".",
+                    far);
     const float far_end = ImGui::GetItemRectMax().x + gap;
     const float near_left = button_left - gap - ImGui::CalcTextSize(near.c_str()).x;
     ImGui::SetCursorScreenPos({std::max(near_left, far_end), y});
     text_in(p.dim, near);
-    name_widget(ui, "depth.near_text",
-                depth_name(ui) + " at which pixels become brightest, and its z: " +
-                    depth_text(ui, view.range.near) + ".",
-                near);
-    if (const std::optional<float> depth = depth_asked(ui)) {
+    register_widget(ui, "depth.near_text",
+                    depth_name(ui) + " at which pixels become brightest, and its z: " +
+                        depth_text(ui, view.range.near) + ".",
+                    near);
+    if (const std::optional<float> depth = depth_in_focus(ui)) {
         const std::string here = depth_forms(ui, "here", *depth)[form];
         const float width = ImGui::CalcTextSize(here.c_str()).x;
         const float middle = 0.5f * (far_end + near_left - gap);
@@ -248,7 +248,7 @@ void draw_depth_legend(Ui& ui, ImVec2 low, ImVec2 high) {
         text_in(p.dim, "Nothing has a depth yet.");
     } else {
         draw_outside(ui, list, plot);
-        if (const std::optional<float> depth = depth_asked(ui))
+        if (const std::optional<float> depth = depth_in_focus(ui))
             draw_pointer(ui, list, plot, *depth);
         const std::optional<float> far = draw_handle(ui, plot, false);
         const std::optional<float> near = draw_handle(ui, plot, true);
@@ -258,9 +258,9 @@ void draw_depth_legend(Ui& ui, ImVec2 low, ImVec2 high) {
     ImGui::SetCursorScreenPos(plot.low);
     ImGui::Dummy({plot.high.x - plot.low.x, plot.high.y - plot.low.y});
     const bool on_handle = ImGui::IsAnyItemHovered() || ImGui::IsAnyItemActive();
-    name_widget(ui, "depth.histogram",
-                on_handle ? std::string()
-                          : bar_text(plot, ImGui::GetIO().MousePos.x, depth_name(ui)));
+    register_widget(ui, "depth.histogram",
+                    on_handle ? std::string()
+                              : bar_text(plot, ImGui::GetIO().MousePos.x, depth_name(ui)));
     ImGui::PopFont();
 }
 

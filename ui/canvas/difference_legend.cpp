@@ -47,18 +47,18 @@ std::string difference_unit(const Ui& ui, View view) {
 
 /// The difference at the pixel asked about.
 std::optional<float> difference_in_focus(const Ui& ui) {
-    const std::optional<glm::ivec2> pixel = pixel_asked(ui);
+    const std::optional<glm::ivec2> pixel = pixel_in_focus(ui);
     if (!pixel) return std::nullopt;
     const std::size_t at = ui.results.a.framebuffer->at(pixel->x, pixel->y);
     return ui.results.comparison.difference_values[at];
 }
 
 /// What the scale measures, and the number in focus; from the longest form to the shortest.
-std::vector<std::string> difference_said(const Ui& ui) {
+std::vector<std::string> difference_words(const Ui& ui) {
     const std::string unit = difference_unit(ui, ui.session.view);
     const std::optional<float> value = difference_in_focus(ui);
     if (!value) return {unit, "B − A"};
-    const std::optional<glm::ivec2> pixel = pixel_asked(ui);
+    const std::optional<glm::ivec2> pixel = pixel_in_focus(ui);
     const std::string at =
         fmt::format("at ({}, {}): {}{}", pixel->x, pixel->y, *value > 0.0f ? "+" : "",
                     fixed(static_cast<double>(*value), 4));
@@ -130,15 +130,15 @@ void draw_difference_legend(Ui& ui, ImVec2 low, ImVec2 high) {
                           packed(p.dim), ends[i].c_str());
         }
         ImGui::SetCursorScreenPos(low);
-        text_in(p.text, first_fitting(difference_said(ui), high.x - low.x));
+        text_in(p.text, first_fitting(difference_words(ui), high.x - low.x));
     }
     ImGui::PopFont();
     ImGui::SetCursorScreenPos(low);
     ImGui::Dummy({high.x - low.x, high.y - low.y});
-    name_widget(ui, "compare.scale",
-                "What the colours of the difference mean: blue where B is less than A, orange "
-                "where it is more, black where they are equal.\n" +
-                    difference_said(ui).front());
+    register_widget(ui, "compare.scale",
+                    "What the colours of the difference mean: blue where B is less than A, orange "
+                    "where it is more, black where they are equal.\n" +
+                        difference_words(ui).front());
 }
 
 } // namespace rasterwalk

@@ -23,21 +23,21 @@ std::optional<Settings> settings_of_b(const Session& session) {
 }
 
 /// The wish for the current frame; a wish for a different one no longer counts.
-LargeFrameWish wish_of(const Ui& ui) {
+LargeFrameChoice choice_of(const Ui& ui) {
     const LargeFrame& said = ui.canvas.large_frame;
     const Session& session = ui.session;
     const bool is_same = said.scene == session.scene && said.a == session.a.settings &&
                          said.b == settings_of_b(session);
-    return is_same ? said.wish : LargeFrameWish::none;
+    return is_same ? said.choice : LargeFrameChoice::none;
 }
 
-void say(Ui& ui, LargeFrameWish wish) {
+void say(Ui& ui, LargeFrameChoice choice) {
     const Session& session = ui.session;
-    ui.canvas.large_frame = {wish, session.scene, session.a.settings, settings_of_b(session)};
+    ui.canvas.large_frame = {choice, session.scene, session.a.settings, settings_of_b(session)};
 }
 
 bool is_large(const RunResults& run) {
-    return run.is_held || run.replay.work().fragments().all > many_fragments;
+    return run.is_deferred || run.replay.work().fragments().all > many_fragments;
 }
 
 /// The run with that many fragments, A before B; null: neither has.
@@ -47,7 +47,7 @@ const RunResults* large_run(const Results& results) {
 }
 
 /// What is said, from the longest form to the shortest.
-std::vector<std::string> forms_of(const RunResults& run, LargeFrameWish wish) {
+std::vector<std::string> forms_of(const RunResults& run, LargeFrameChoice choice) {
     const FragmentEstimate& fragments = run.replay.work().fragments();
     const std::string number =
         grouped(std::llround(fragments.all / 1'000'000.0)) + " million fragments";
@@ -55,8 +55,8 @@ std::vector<std::string> forms_of(const RunResults& run, LargeFrameWish wish) {
     const std::string share =
         outside >= 1.0 ? fmt::format(", {} % outside the picture", fixed(outside, 1)) : "";
     std::string state;
-    if (run.is_held)
-        state = wish == LargeFrameWish::stop ? ": stopped" : ": not drawn yet";
+    if (run.is_deferred)
+        state = choice == LargeFrameChoice::stop ? ": stopped" : ": not drawn yet";
     else if (!run.is_drawn())
         state = ": being drawn";
     else if (outside >= 1.0)
@@ -68,13 +68,13 @@ std::vector<std::string> forms_of(const RunResults& run, LargeFrameWish wish) {
 
 WorkLimit work_limit(const Ui& ui) {
     WorkLimit limit = frame_limit;
-    switch (wish_of(ui)) {
-    case LargeFrameWish::none:
+    switch (choice_of(ui)) {
+    case LargeFrameChoice::none:
         limit.most = many_fragments;
         break;
-    case LargeFrameWish::draw:
+    case LargeFrameChoice::draw:
         break;
-    case LargeFrameWish::stop:
+    case LargeFrameChoice::stop:
         limit.most = 0.0;
         break;
     }
@@ -91,7 +91,7 @@ bool draw_large_frame_bar(Ui& ui) {
                             "Clips all triangles at the six planes of the view (clip=all). Then "
                             "hardly any fragments fall outside the picture."};
     std::vector<NoticeButton> buttons;
-    if (run->is_held)
+    if (run->is_deferred)
         buttons.push_back(draw);
     else if (!run->is_drawn())
         buttons.push_back(stop);
@@ -99,15 +99,15 @@ bool draw_large_frame_bar(Ui& ui) {
     const bool helps = run->frame.settings.clip != Clip::all && !hides_settings(ui.session);
     if (helps && run->replay.work().fragments().share_outside() > 0.1) buttons.push_back(clip);
 
-    const std::vector<std::string> forms = forms_of(*run, wish_of(ui));
+    const std::vector<std::string> forms = forms_of(*run, choice_of(ui));
     const std::string help =
         forms.front() + ".\nEstimated from the areas of the triangles. A program that interpolates "
                         "every fragment of a triangle, whether in the picture or not, seems to "
                         "hang here; see lesson 18.";
     const std::string_view clicked =
         draw_notice_bar(ui, "canvas.fragments", forms, help, true, buttons);
-    if (clicked == draw.name) say(ui, LargeFrameWish::draw);
-    if (clicked == stop.name) say(ui, LargeFrameWish::stop);
+    if (clicked == draw.name) say(ui, LargeFrameChoice::draw);
+    if (clicked == stop.name) say(ui, LargeFrameChoice::stop);
     if (clicked == clip.name) ui.session.a.settings.clip = Clip::all;
     return true;
 }

@@ -28,7 +28,7 @@ std::string_view draw_notice_bar(Ui& ui, const char* name, const std::vector<std
     ImGui::AlignTextToFramePadding();
     const std::string shown = first_fitting(forms, right - width - left);
     text_in(is_true_now ? p.text : p.dim, shown);
-    name_widget(ui, name, help, shown);
+    register_widget(ui, name, help, shown);
     float x = right - width + gap;
     std::string_view clicked;
     for (const NoticeButton& one : buttons) {

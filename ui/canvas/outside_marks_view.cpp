@@ -81,13 +81,13 @@ Meaning axis_meaning(int number) {
 constexpr float head_length = 9.0f, head_width = 3.6f, largest_head = 0.4f;
 
 void draw_arrow(const Pen& pen, ImVec2 from, ImVec2 to, ImU32 colour) {
-    const glm::vec2 way(to.x - from.x, to.y - from.y);
-    const float length = glm::length(way);
+    const glm::vec2 delta(to.x - from.x, to.y - from.y);
+    const float length = glm::length(delta);
     pen.list->AddLine(from, to, pen.ground(0.7f), 4.6f * pen.u);
     pen.list->AddLine(from, to, colour, 2.2f * pen.u);
     if (!(length > 0.0f)) return;
     const float head = std::min(head_length * pen.u, largest_head * length);
-    const glm::vec2 along = way / length * head;
+    const glm::vec2 along = delta / length * head;
     const glm::vec2 across = glm::vec2(-along.y, along.x) * (head_width / head_length);
     pen.list->AddTriangleFilled(to, {to.x - along.x + across.x, to.y - along.y + across.y},
                                 {to.x - along.x - across.x, to.y - along.y - across.y}, colour);
@@ -133,11 +133,11 @@ void draw_line(const Pen& pen, const OutsideLine& line) {
     case OutsideLineKind::end:
         pen.list->AddLine(from, to, pen.meaning(Meaning::left_end, 0.55f), 1.0f * u);
         break;
-    case OutsideLineKind::lamp_way:
+    case OutsideLineKind::lamp_ray:
         pen.list->AddLine(from, to, pen.ground(0.7f), 4.0f * u);
         pen.list->AddLine(from, to, pen.meaning(Meaning::left_end), 2.0f * u);
         break;
-    case OutsideLineKind::dark_way:
+    case OutsideLineKind::blocked_ray:
         draw_dashed(pen, from, to, pen.meaning(Meaning::fail), 1.8f * u);
         break;
     case OutsideLineKind::axis:

@@ -69,7 +69,7 @@ OutsideLook look_of(const Ui& ui, const Pane& pane) {
 /// The view with its distance and target set to what is seen now.
 OutsideView settled_view(const Ui& ui, const Pane& pane) {
     const OutsideLook look = look_of(ui, pane);
-    return settled(look.view, ui.canvas.outside_drawing->things(), look.size, look.margin);
+    return settled(look.view, ui.canvas.outside_drawing->outside_scene(), look.size, look.margin);
 }
 
 /// A click: it picks what it would on the picture, or a triangle of the scene.
@@ -180,7 +180,7 @@ std::string fitting_coming_words(const Ui& ui, const Pane& pane) {
 }
 
 /// What clipping does to the triangle shown.
-SeenClipping seen_clipping(const Ui& ui) {
+WorldClipping world_clipping(const Ui& ui) {
     const RunResults& a = ui.results.a;
     if (!a.inspected.clip) return {};
     return clipping_outside(a.frame, *a.inspected.clip, a.done, ui.inspector.clip.plane);
@@ -188,7 +188,7 @@ SeenClipping seen_clipping(const Ui& ui) {
 
 /// Is it seen where the division puts a vertex behind the camera? If the triangle is drawn with
 /// that vertex, and while it is clipped, which saves it from that.
-bool is_seen_mirrored(const RunResults& run) {
+bool is_mirrored_visible(const RunResults& run) {
     if (!run.triangle) return false;
     if (run.inspected.clip && clip_progress(*run.inspected.clip, run.done)) return true;
     return run.frame.settings.clip == Clip::none && run.frame.is_drawn(*run.triangle);
@@ -214,17 +214,17 @@ void draw_outside(Ui& ui, const Pane& pane) {
     // The caption's button lies on it.
     overlapped_button("outside", room,
                       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
-    name_widget(ui, "canvas.outside");
+    register_widget(ui, "canvas.outside");
     const Arrows arrows = take_arrows(ui, "canvas.outside");
     if (arrows.right != 0 || arrows.up != 0) {
         turn_outside(ui, 0.1f * static_cast<float>(arrows.right),
                      0.1f * static_cast<float>(arrows.up));
     }
     const RunResults& a = ui.results.a;
-    const OutsideSubject subject{a.drawn_scene(),   a.frame,          a.frame_number,
-                                 a.cursor,          a.triangle,       a.picture,
-                                 a.picture_number,  *a.framebuffer,   a.picture_before,
-                                 a.picture_changed, seen_clipping(ui)};
+    const OutsideSubject subject{a.drawn_scene(),   a.frame,           a.frame_number,
+                                 a.cursor,          a.triangle,        a.picture,
+                                 a.picture_number,  *a.framebuffer,    a.picture_before,
+                                 a.picture_changed, world_clipping(ui)};
     // Picking uses what was last seen.
     if (drawing.number() > 0) handle_pointer(ui, pane);
     drawing.update(subject, look_of(ui, pane));
@@ -233,10 +233,10 @@ void draw_outside(Ui& ui, const Pane& pane) {
     list->PushClipRect(pane.low, pane.high, true);
     draw_image(ui, list, pane);
     const OutsideMarks marks =
-        outside_marks(*a.frame.scene, drawing.things(), drawing.eye(),
-                      {a.triangle, subject.clipping, is_seen_mirrored(a)},
+        outside_marks(*a.frame.scene, drawing.outside_scene(), drawing.eye(),
+                      {a.triangle, subject.clipping, is_mirrored_visible(a)},
                       ui.session.selection.pixel, size_of(pane), bases_of(a.frame, a.triangle),
-                      lamp_way_outside(a.frame, a.inspected.fragment));
+                      lamp_ray_outside(a.frame, a.inspected.fragment));
     const std::string coming = fitting_coming_words(ui, pane);
     const float below =
         coming.empty() ? 0.0f : ui.fonts.small->FontSize + (coming_border + coming_gap) * u;

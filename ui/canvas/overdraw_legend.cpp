@@ -32,8 +32,8 @@ std::vector<std::uint32_t> listed_numbers(std::uint32_t most, std::uint32_t boxe
 }
 
 /// The fragments on the pixel pointed at or picked.
-std::optional<std::uint32_t> overdraw_asked(const Ui& ui) {
-    const std::optional<glm::ivec2> pixel = pixel_asked(ui);
+std::optional<std::uint32_t> overdraw_in_focus(const Ui& ui) {
+    const std::optional<glm::ivec2> pixel = pixel_in_focus(ui);
     if (!pixel) return std::nullopt;
     const Framebuffer& framebuffer = *ui.results.a.framebuffer;
     return framebuffer.overdraw[framebuffer.at(pixel->x, pixel->y)];
@@ -72,7 +72,7 @@ void draw_overdraw_legend(Ui& ui, ImVec2 low, ImVec2 high) {
     const std::string title = width > 16.0f * box ? "fragments on a pixel" : "fragments";
     const bool has_title = width > text_width(title) + 5.0f * box;
     const float left = low.x + (has_title ? text_width(title) + 12.0f * u : 0.0f);
-    const std::optional<std::uint32_t> here = overdraw_asked(ui);
+    const std::optional<std::uint32_t> here = overdraw_in_focus(ui);
     const float room_for_here = text_width("here " + most) + 12.0f * u;
     const bool has_here = high.x - room_for_here > left + 3.0f * box;
     const float right = high.x - (has_here ? room_for_here : 0.0f);
@@ -84,9 +84,9 @@ void draw_overdraw_legend(Ui& ui, ImVec2 low, ImVec2 high) {
         const std::string words = "here " + std::to_string(*here);
         ImGui::SetCursorScreenPos({high.x - text_width(words), text_y});
         text_in(p.text, words);
-        name_widget(ui, "overdraw.here",
-                    "Fragments on the pixel you point at, or else on the picked one.",
-                    std::to_string(*here));
+        register_widget(ui, "overdraw.here",
+                        "Fragments on the pixel you point at, or else on the picked one.",
+                        std::to_string(*here));
     }
     const auto boxes = static_cast<std::uint32_t>(std::max((right - left) / box, 2.0f));
     const std::vector<std::uint32_t> numbers = listed_numbers(counts.most, boxes);
@@ -113,7 +113,7 @@ void draw_overdraw_legend(Ui& ui, ImVec2 low, ImVec2 high) {
         text_in(ink, text);
         ImGui::SetCursorScreenPos(corner);
         ImGui::Dummy({box, high.y - low.y});
-        name_widget(ui, "overdraw.count." + text, box_tooltip(counts, number));
+        register_widget(ui, "overdraw.count." + text, box_tooltip(counts, number));
     }
     list->AddRect({left, low.y}, {left + box * static_cast<float>(numbers.size()), high.y},
                   packed(p.line));

@@ -196,13 +196,13 @@ void draw_entry(const Legend& l, const OverlayInfo& info, ImVec2 at, float right
     const std::string name = std::string("legend.").append(info.name);
     const std::string total =
         overlay_total(info.overlay, l.ui.results.a.frame, l.ui.results.overlay);
-    const std::optional<glm::ivec2> pixel = pixel_asked(l.ui);
+    const std::optional<glm::ivec2> pixel = pixel_in_focus(l.ui);
     const std::string value = pixel ? value_at(l.ui, info.overlay, *pixel) : std::string();
     ImGui::SetCursorScreenPos(at);
     ImGui::Dummy({right - at.x, l.height(info.overlay)});
-    name_widget(l.ui, name,
-                std::string(info.help) + (total.empty() ? "" : "\n" + total) +
-                    (value.empty() ? "" : "\n" + value_forms(l.ui, value).front()));
+    register_widget(l.ui, name,
+                    std::string(info.help) + (total.empty() ? "" : "\n" + total) +
+                        (value.empty() ? "" : "\n" + value_forms(l.ui, value).front()));
 
     draw_swatch(l.ui, ImGui::GetWindowDrawList(),
                 {at.x, std::round(at.y + 0.5f * (ImGui::GetFontSize() - swatch.y) + l.u)},
@@ -222,7 +222,7 @@ void draw_entry(const Legend& l, const OverlayInfo& info, ImVec2 at, float right
     text_in(p.dim, shown_total);
     ImGui::SetCursorScreenPos({value_left, at.y});
     text_in(p.text, said);
-    note_text(l.ui, name, said);
+    register_text(l.ui, name, said);
     if (!l.has_key(info.overlay)) return;
     const ImVec2 key{text_left, at.y + l.line};
     if (info.overlay == Overlay::depth) {
@@ -252,7 +252,7 @@ void draw_folded_legend(const Legend& l, ImVec2 low) {
         if (!l.ui.results.overlay.shown.has(info.overlay)) continue;
         ImGui::SetCursorScreenPos({x, std::round(low.y + l.padding + 0.5f * (l.line - swatch.y))});
         ImGui::Dummy(swatch);
-        name_widget(l.ui, std::string("legend.").append(info.name), info.help);
+        register_widget(l.ui, std::string("legend.").append(info.name), info.help);
         draw_swatch(l.ui, ImGui::GetWindowDrawList(), ImGui::GetItemRectMin(), info.overlay);
         x += swatch.x + 6.0f * l.u;
     }
@@ -288,7 +288,7 @@ void show_ground(Ui& ui, ImVec2 low, ImVec2 high) {
     const bool has_ground = !results.ground.rgba.empty() && !results.a.preview.is_shown;
     const NumberedPicture picture = has_ground
                                         ? NumberedPicture{results.ground, results.ground_number}
-                                        : picture_on_show(results.a);
+                                        : shown_picture(results.a);
     show_texture(ui, ui.canvas.picture, picture, ui.canvas.place, low, high);
 }
 

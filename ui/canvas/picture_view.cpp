@@ -67,12 +67,12 @@ std::vector<RowTableLayout> place_pictures(Ui& ui, const Panes& panes) {
     return std::move(placed.tables);
 }
 
-NumberedPicture picture_on_show(const RunResults& run) {
+NumberedPicture shown_picture(const RunResults& run) {
     if (run.preview.is_shown) return {run.preview.picture, run.preview.number};
     return {run.picture, run.picture_number, run.picture_before, run.picture_changed};
 }
 
-std::optional<glm::ivec2> pixel_asked(const Ui& ui) {
+std::optional<glm::ivec2> pixel_in_focus(const Ui& ui) {
     const auto pixel =
         ui.canvas.hovered_pixel ? ui.canvas.hovered_pixel : ui.session.selection.pixel;
     const bool is_inside = pixel && ui.results.a.framebuffer->contains(pixel->x, pixel->y);

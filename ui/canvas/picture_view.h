@@ -22,11 +22,11 @@ struct Ui;
 std::vector<RowTableLayout> place_pictures(Ui& ui, const Panes& panes);
 
 /// The picture of a run, or the preview while that is shown.
-NumberedPicture picture_on_show(const RunResults& run);
+NumberedPicture shown_picture(const RunResults& run);
 
 /// The pixel that legends and words are about: the one pointed at, or else the one picked; none
 /// outside the picture of run A.
-std::optional<glm::ivec2> pixel_asked(const Ui& ui);
+std::optional<glm::ivec2> pixel_in_focus(const Ui& ui);
 
 /// Where a point of the screen lies in the picture, pixels of the picture.
 ImVec2 picture_point(const PicturePlace& place, ImVec2 screen);

@@ -74,7 +74,8 @@ ImVec2 on_screen(const Marks& m, const GridPoint& point) {
 /// A band along an edge, on the side where its function is positive.
 void draw_inner_side(const Marks& m, const EdgeFunction& edge) {
     const ImVec2 a = on_screen(m, edge.from);
-    const ImVec2 b = on_screen(m, {edge.from.x + edge.way.dx, edge.from.y + edge.way.dy});
+    const ImVec2 b =
+        on_screen(m, {edge.from.x + edge.direction.dx, edge.from.y + edge.direction.dy});
     const float length = std::hypot(b.x - a.x, b.y - a.y);
     if (length < 1.0f) return;
     const float width = band_width * m.u;

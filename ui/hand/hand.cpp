@@ -21,17 +21,17 @@ namespace {
 const ImVec2 nowhere{-FLT_MAX, -FLT_MAX};
 constexpr int largest_list = 12;
 
-void set_held(Held held) {
-    play_modifiers(held.ctrl, held.shift, held.alt);
+void set_modifiers(Modifiers modifiers) {
+    play_modifiers(modifiers.ctrl, modifiers.shift, modifiers.alt);
 }
 
 /// What a key writes into a field; nothing if it is not a letter, digit or sign, or is held with
 /// others.
-std::string written_by(int key, Held held) {
-    if (held.ctrl || held.alt || key < key::space || key > key::right_bracket) return {};
+std::string written_by(int key, Modifiers modifiers) {
+    if (modifiers.ctrl || modifiers.alt || key < key::space || key > key::right_bracket) return {};
     const bool is_letter = key >= 'A' && key <= 'Z';
-    if (is_letter && !held.shift) return {static_cast<char>(key - 'A' + 'a')};
-    return is_letter || !held.shift ? std::string(1, static_cast<char>(key)) : std::string();
+    if (is_letter && !modifiers.shift) return {static_cast<char>(key - 'A' + 'a')};
+    return is_letter || !modifiers.shift ? std::string(1, static_cast<char>(key)) : std::string();
 }
 
 /// How many letters two names share at the beginning.
@@ -104,8 +104,8 @@ void Hand::move_to(ImVec2 place) {
     frames(2);
 }
 
-void Hand::press_mouse(int mouse_button, Held held, int times) {
-    set_held(held);
+void Hand::press_mouse(int mouse_button, Modifiers modifiers, int times) {
+    set_modifiers(modifiers);
     // The previous click, whenever it was, must not make this one a double click.
     ImGui::GetIO().MouseClickedTime[mouse_button] = -DBL_MAX;
     for (int i = 0; i < times; ++i) {
@@ -114,13 +114,13 @@ void Hand::press_mouse(int mouse_button, Held held, int times) {
         play_mouse_button(mouse_button, false);
         frames(1);
     }
-    set_held({});
+    set_modifiers({});
     frames(frames_to_rest); // what a click opens may still be unseen when nothing moves
 }
 
-void Hand::drag_to(ImVec2 from, ImVec2 to, Held held, int mouse_button) {
+void Hand::drag_to(ImVec2 from, ImVec2 to, Modifiers modifiers, int mouse_button) {
     move_to(from);
-    set_held(held);
+    set_modifiers(modifiers);
     ImGui::GetIO().MouseClickedTime[mouse_button] = -DBL_MAX;
     play_mouse_button(mouse_button, true);
     frames(1);
@@ -132,7 +132,7 @@ void Hand::drag_to(ImVec2 from, ImVec2 to, Held held, int mouse_button) {
     }
     play_mouse_button(mouse_button, false);
     frames(1);
-    set_held({});
+    set_modifiers({});
     frames(frames_to_rest);
 }
 
@@ -141,9 +141,9 @@ void Hand::hover(std::string_view name) {
     rest();
 }
 
-void Hand::click(std::string_view name, Held held, int mouse_button) {
+void Hand::click(std::string_view name, Modifiers modifiers, int mouse_button) {
     move_to(middle_of(name));
-    press_mouse(mouse_button, held);
+    press_mouse(mouse_button, modifiers);
 }
 
 void Hand::double_click(std::string_view name) {
@@ -151,17 +151,17 @@ void Hand::double_click(std::string_view name) {
     press_mouse(0, {}, 2);
 }
 
-void Hand::drag(std::string_view name, float dx, float dy, Held held, int mouse_button) {
+void Hand::drag(std::string_view name, float dx, float dy, Modifiers modifiers, int mouse_button) {
     const ImVec2 from = middle_of(name);
-    drag_to(from, {from.x + dx, from.y + dy}, held, mouse_button);
+    drag_to(from, {from.x + dx, from.y + dy}, modifiers, mouse_button);
 }
 
-void Hand::wheel(std::string_view name, float steps, Held held) {
+void Hand::wheel(std::string_view name, float steps, Modifiers modifiers) {
     move_to(middle_of(name));
-    set_held(held);
+    set_modifiers(modifiers);
     play_wheel(steps);
     frames(1);
-    set_held({});
+    set_modifiers({});
     rest();
 }
 
@@ -170,17 +170,17 @@ void Hand::leave() {
     rest();
 }
 
-void Hand::press(int key, Held held) {
-    hold(key, 1, held);
+void Hand::press(int key, Modifiers modifiers) {
+    hold(key, 1, modifiers);
 }
 
-void Hand::hold(int key, int count, Held held) {
-    set_held(held);
+void Hand::hold(int key, int count, Modifiers modifiers) {
+    set_modifiers(modifiers);
     play_key(key, true);
-    ImGui::GetIO().AddInputCharactersUTF8(written_by(key, held).c_str());
+    ImGui::GetIO().AddInputCharactersUTF8(written_by(key, modifiers).c_str());
     frames(count);
     play_key(key, false);
-    set_held({});
+    set_modifiers({});
     rest();
 }
 
@@ -223,9 +223,9 @@ void Hand::hover_picture(int column, int row) {
     rest();
 }
 
-void Hand::click_picture(int column, int row, Held held) {
+void Hand::click_picture(int column, int row, Modifiers modifiers) {
     move_to(pixel_middle(column, row));
-    press_mouse(0, held);
+    press_mouse(0, modifiers);
 }
 
 void Hand::double_click_picture(int column, int row) {
@@ -233,9 +233,9 @@ void Hand::double_click_picture(int column, int row) {
     press_mouse(0, {}, 2);
 }
 
-void Hand::drag_picture(int column, int row, int to_column, int to_row, Held held) {
+void Hand::drag_picture(int column, int row, int to_column, int to_row, Modifiers modifiers) {
     const ImVec2 from = pixel_middle(column, row);
-    drag_to(from, pixel_middle(to_column, to_row), held, 0);
+    drag_to(from, pixel_middle(to_column, to_row), modifiers, 0);
 }
 
 void Hand::wheel_picture(int column, int row, float steps) {
@@ -253,12 +253,12 @@ bool Hand::is_visible(std::string_view name) const {
 WidgetPlace Hand::find(std::string_view name) {
     if (ui_.widgets.empty()) frames(1);
     if (!is_visible(name) && !scroll_into_view(name)) throw UsageError(not_found(name));
-    if (!ui_.widgets.at(std::string(name)).is_whole) scroll_until_whole(name);
+    if (!ui_.widgets.at(std::string(name)).is_whole) scroll_until_uncut(name);
     return ui_.widgets.at(std::string(name));
 }
 
 /// Brings the rest of a widget that is partly in view into view too, if scrolling a window can.
-void Hand::scroll_until_whole(std::string_view name) {
+void Hand::scroll_until_uncut(std::string_view name) {
     const auto scroll_to = [&](ImGuiID id, float y) {
         ImGuiWindow* const window = ImGui::FindWindowByID(id);
         if (window == nullptr) return;

@@ -14,7 +14,7 @@ namespace rasterwalk {
 struct Ui;
 
 /// Keys that are held while something else is done.
-struct Held {
+struct Modifiers {
     bool ctrl = false;
     bool shift = false;
     bool alt = false;
@@ -39,20 +39,21 @@ class Hand {
 
     /// Moves the pointer onto the widget and leaves it there.
     void hover(std::string_view name);
-    void click(std::string_view name, Held held = {}, int mouse_button = 0);
+    void click(std::string_view name, Modifiers modifiers = {}, int mouse_button = 0);
     void double_click(std::string_view name);
     /// Presses on the widget, moves by screen pixels, lets go.
-    void drag(std::string_view name, float dx, float dy, Held held = {}, int mouse_button = 0);
+    void drag(std::string_view name, float dx, float dy, Modifiers modifiers = {},
+              int mouse_button = 0);
     /// Turns the wheel over the widget; up is positive.
-    void wheel(std::string_view name, float steps, Held held = {});
+    void wheel(std::string_view name, float steps, Modifiers modifiers = {});
     /// Moves the pointer off everything.
     void leave();
 
     /// Presses and releases a key (see ui/widgets/keys.h), which writes its letter into an open
     /// field.
-    void press(int key, Held held = {});
+    void press(int key, Modifiers modifiers = {});
     /// Holds a key down for a number of frames.
-    void hold(int key, int count, Held held = {});
+    void hold(int key, int count, Modifiers modifiers = {});
     /// Types into the field that has the keyboard.
     void type_text(std::string_view text);
     /// Replaces the content of an input field and ends it with Enter. A number that can be dragged
@@ -61,10 +62,10 @@ class Hand {
 
     /// The same on a pixel of the picture, which must be on the screen.
     void hover_picture(int column, int row);
-    void click_picture(int column, int row, Held held = {});
+    void click_picture(int column, int row, Modifiers modifiers = {});
     void double_click_picture(int column, int row);
     /// Drags from the middle of a pixel to the middle of another.
-    void drag_picture(int column, int row, int to_column, int to_row, Held held = {});
+    void drag_picture(int column, int row, int to_column, int to_row, Modifiers modifiers = {});
     void wheel_picture(int column, int row, float steps);
 
     /// True if the widget is drawn and can be seen at least in part.
@@ -79,10 +80,10 @@ class Hand {
     ImVec2 middle_of(std::string_view name);
     ImVec2 pixel_middle(int column, int row);
     void move_to(ImVec2 place);
-    void press_mouse(int mouse_button, Held held, int times = 1);
-    void drag_to(ImVec2 from, ImVec2 to, Held held, int mouse_button);
+    void press_mouse(int mouse_button, Modifiers modifiers, int times = 1);
+    void drag_to(ImVec2 from, ImVec2 to, Modifiers modifiers, int mouse_button);
     bool scroll_into_view(std::string_view name);
-    void scroll_until_whole(std::string_view name);
+    void scroll_until_uncut(std::string_view name);
     std::string not_found(std::string_view name) const;
 
     Ui& ui_;

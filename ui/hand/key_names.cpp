@@ -58,11 +58,11 @@ KeyPress parse_key(std::string_view text) {
     KeyPress pressed;
     while (true) {
         if (cut_front(name, "CTRL+")) {
-            pressed.held.ctrl = true;
+            pressed.modifiers.ctrl = true;
         } else if (cut_front(name, "SHIFT+")) {
-            pressed.held.shift = true;
+            pressed.modifiers.shift = true;
         } else if (cut_front(name, "ALT+")) {
-            pressed.held.alt = true;
+            pressed.modifiers.alt = true;
         } else {
             break;
         }

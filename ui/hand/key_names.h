@@ -9,7 +9,7 @@ namespace rasterwalk {
 /// A key with the modifiers held with it.
 struct KeyPress {
     int key = 0; ///< see ui/widgets/keys.h
-    Held held;
+    Modifiers modifiers;
 };
 
 /// Reads a key by name: "A", "7", "F1", "Space", "Ctrl+Shift+Z", "Ctrl++". Upper and lower case

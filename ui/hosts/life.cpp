@@ -15,7 +15,7 @@
 #include "ui/app/app.h"
 #include "ui/app/kept_options.h"
 #include "ui/hosts/gl2.h"
-#include "ui/start/ways.h"
+#include "ui/start/start_choice.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
 
@@ -84,8 +84,8 @@ void save_window_picture(Ui& ui, int width, int height) {
         std::error_code fault;
         const std::filesystem::path folder = std::filesystem::current_path(fault);
         const bool is_plain = static_cast<bool>(fault) || ui.host.is_browser;
-        tell(ui.session, "Picture of the window saved as " +
-                             (is_plain ? path : (folder / path).string()) + ".");
+        show_info(ui.session, "Picture of the window saved as " +
+                                  (is_plain ? path : (folder / path).string()) + ".");
     } catch (const Error& error) {
         ui.session.notice = error.what();
     }

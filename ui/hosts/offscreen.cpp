@@ -109,7 +109,7 @@ void carry_out(const HandAction& action, Hand& hand) {
     }
     case HandAction::Kind::press: {
         const KeyPress pressed = parse_key(action.what);
-        hand.press(pressed.key, pressed.held);
+        hand.press(pressed.key, pressed.modifiers);
         break;
     }
     }
@@ -127,7 +127,7 @@ Image draw_offscreen(Session session, const OffscreenOptions& options) {
     const auto settle = [&] {
         if (is_diagnosing(screen.ui)) {
             while (is_diagnosing(screen.ui))
-                carry_on_diagnosis(screen.ui, {});
+                poll_diagnosis(screen.ui, {});
             hand.rest();
         }
         if (is_working(screen.ui.results)) {

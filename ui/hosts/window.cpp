@@ -68,7 +68,7 @@ void wake(GLFWwindow* handle) {
 /// The last complaint from GLFW.
 std::string glfw_complaint;
 
-void note_complaint(int, const char* text) {
+void record_error(int, const char* text) {
     glfw_complaint = text;
 }
 
@@ -241,7 +241,7 @@ void run(Window& window) {
 /// GLFW, begun and ended.
 struct Glfw {
     Glfw() {
-        glfwSetErrorCallback(note_complaint);
+        glfwSetErrorCallback(record_error);
 #ifdef GLFW_PLATFORM
         // Without it there can be no Wayland, and its library would complain on standard error.
         if (std::getenv("XDG_RUNTIME_DIR") == nullptr)

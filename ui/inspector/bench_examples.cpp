@@ -22,9 +22,9 @@ bool edit_coordinate(Ui& ui, const char* axis, int vertex, float width, int& val
     bool is_changed = drag_number(("##" + label).c_str(), value, range, label);
     const char* const what = *axis == 'x' ? "Column x of " : "Row y of ";
     const std::string name = "bench.vertex." + std::to_string(vertex) + "." + axis;
-    name_widget(ui, name,
-                what + vertex_name(vertex) +
-                    ". Drag, double click to type, or drag the vertex itself in the picture.");
+    register_widget(ui, name,
+                    what + vertex_name(vertex) +
+                        ". Drag, double click to type, or drag the vertex itself in the picture.");
     if (const int more = take_arrows(ui, name).more(); more != 0) {
         value = std::clamp(value + more, range.smallest, range.largest);
         is_changed = true;
@@ -74,7 +74,7 @@ void draw_bench_examples(Ui& ui) {
     ImGui::SetNextItemWidth(-1.0f);
     const bool open =
         ImGui::BeginCombo("##example", current != nullptr ? current->name.c_str() : "your own");
-    name_widget(ui, "bench.examples", "Triangles worth a look.");
+    register_widget(ui, "bench.examples", "Triangles worth a look.");
     if (open) {
         for (const BenchExample& example : scene->examples) {
             if (list_entry(ui, "bench.example." + example.name, example.name, &example == current,

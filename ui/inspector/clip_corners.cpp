@@ -25,7 +25,7 @@ void draw_code_row(const ClipPage& page, const std::string& title, Outcode code,
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     text_in(page.palette().text, title);
-    name_widget(page.ui, "clip.code." + title, help);
+    register_widget(page.ui, "clip.code." + title, help);
     ImGui::PushFont(page.ui.fonts.mono);
     for (std::size_t p = 0; p < page.history.codes.plane_count; ++p) {
         const bool is_set = (code >> p & 1u) != 0;
@@ -52,10 +52,11 @@ void draw_clip_corners(const ClipPage& page) {
         for (int i = 0; i < 4; ++i) {
             const std::string id = corner_formula_id(corner, i);
             ImGui::TableNextColumn();
-            draw_asked(page, "clip." + id, id, clip_number(corner.vertex.position_clip[i], i),
-                       i == 3 && is_behind ? colour_of(Meaning::fail, page.ui.options.theme)
-                                           : page.palette().text,
-                       clip_coordinate_help[static_cast<std::size_t>(i)]);
+            draw_selected_formula(
+                page, "clip." + id, id, clip_number(corner.vertex.position_clip[i], i),
+                i == 3 && is_behind ? colour_of(Meaning::fail, page.ui.options.theme)
+                                    : page.palette().text,
+                clip_coordinate_help[static_cast<std::size_t>(i)]);
         }
         ImGui::PopFont();
     }
@@ -66,8 +67,8 @@ void draw_clip_corners(const ClipPage& page) {
         page.palette().dim,
         "Here x and y are in pixels: they are W/2 and H/2 times those that Tp gives. So "
         "the left plane, x + w = 0 after Tp, is x + W/2 · w = 0.");
-    name_widget(page.ui, "clip.scale",
-                "The division by w gives the same position: W/2 · (x / w) = (W/2 · x) / w.");
+    register_widget(page.ui, "clip.scale",
+                    "The division by w gives the same position: W/2 · (x / w) = (W/2 · x) / w.");
 }
 
 void draw_clip_codes(const ClipPage& page) {
@@ -93,14 +94,14 @@ void draw_clip_codes(const ClipPage& page) {
             const bool is_set = (codes.of_corner[static_cast<std::size_t>(v)] >> p & 1u) != 0;
             const std::string id = fmt::format("code.{}.{}", p, v);
             ImGui::TableNextColumn();
-            draw_asked(page, "clip." + id, id, is_set ? "1" : "0",
-                       is_set ? colour_of(Meaning::fail, page.ui.options.theme)
-                              : page.palette().dim,
-                       fmt::format("{} is {} the {}.", vertex_name(v),
-                                   is_set ? "beyond"
-                                          : "on the inner "
-                                            "side of",
-                                   plane_name(static_cast<ClipPlane>(p))));
+            draw_selected_formula(page, "clip." + id, id, is_set ? "1" : "0",
+                                  is_set ? colour_of(Meaning::fail, page.ui.options.theme)
+                                         : page.palette().dim,
+                                  fmt::format("{} is {} the {}.", vertex_name(v),
+                                              is_set ? "beyond"
+                                                     : "on the inner "
+                                                       "side of",
+                                              plane_name(static_cast<ClipPlane>(p))));
         }
         ImGui::PopFont();
     }

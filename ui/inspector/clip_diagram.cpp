@@ -13,9 +13,9 @@
 #include "ui/inspector/clip_parts.h"
 #include "ui/inspector/clip_table.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -313,15 +313,15 @@ void draw_field(const ClipField& field, const std::vector<CornerMark>& marks, fl
 }
 
 /// Each corner can be pointed at and clicked.
-void ask_corners(const ClipField& field, const std::vector<CornerMark>& marks) {
+void draw_corner_buttons(const ClipField& field, const std::vector<CornerMark>& marks) {
     const float reach = 7.0f * field.u;
     for (const CornerMark& mark : marks) {
         ImGui::SetCursorScreenPos({mark.at.x - reach, mark.at.y - reach});
         if (ImGui::InvisibleButton(mark.widget.c_str(), {2.0f * reach, 2.0f * reach}))
             field.page.ui.inspector.clip.number = mark.number;
-        name_widget(field.page.ui, mark.widget,
-                    mark.help + "\nClick to see how it was "
-                                "calculated.");
+        register_widget(field.page.ui, mark.widget,
+                        mark.help + "\nClick to see how it was "
+                                    "calculated.");
     }
 }
 
@@ -343,12 +343,13 @@ void draw_caption(const ClipPage& page, const ClipDiagram& diagram) {
     text_in(page.palette().dim,
             first_fitting({"clip space, " + side + " and w; " + condition, condition},
                           ImGui::GetContentRegionAvail().x));
-    name_widget(page.ui, "clip.diagram.inside",
-                "Before the division, the plane is a straight line in these two coordinates, and "
-                "so is every edge, even where w is negative. So each edge meets the plane at "
-                "most once, and a straight cut is enough. On the screen, an edge through the "
-                "eye's plane would come back from the other side.\nx and y are in pixels: at the "
-                "border of the picture, x is W/2 · w and y is H/2 · w.");
+    register_widget(
+        page.ui, "clip.diagram.inside",
+        "Before the division, the plane is a straight line in these two coordinates, and "
+        "so is every edge, even where w is negative. So each edge meets the plane at "
+        "most once, and a straight cut is enough. On the screen, an edge through the "
+        "eye's plane would come back from the other side.\nx and y are in pixels: at the "
+        "border of the picture, x is W/2 · w and y is H/2 · w.");
 }
 
 } // namespace
@@ -364,7 +365,8 @@ bool draw_clip_diagram(const ClipPage& page, ClipPlane plane) {
     if (height && diagram->is_endless) {
         wrapped_text_in(page.palette().dim,
                         "No diagram: a corner is not a number, or is too far away to be drawn.");
-        name_widget(ui, "clip.diagram.none", "A diagram needs corners with finite coordinates.");
+        register_widget(ui, "clip.diagram.none",
+                        "A diagram needs corners with finite coordinates.");
     } else if (height) {
         const float top = ImGui::GetCursorScreenPos().y;
         draw_caption(page, *diagram);
@@ -379,11 +381,11 @@ bool draw_clip_diagram(const ClipPage& page, ClipPlane plane) {
                               {start.x + size.x - 2.0f * u,
                                start.y + size.y - ImGui::GetTextLineHeight() - 6.0f * u}};
         const std::vector<CornerMark> marks = corner_marks(field);
-        ask_corners(field, marks);
+        draw_corner_buttons(field, marks);
         ImGui::SetCursorScreenPos(start);
         ImGui::Dummy(size);
-        name_widget(ui, "clip.diagram");
-        keep_whole(top, start.y + size.y);
+        register_widget(ui, "clip.diagram");
+        clip_range_to_lines(top, start.y + size.y);
         draw_field(field, marks, start.x);
     }
     ImGui::PopFont();

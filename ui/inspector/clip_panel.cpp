@@ -16,9 +16,9 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -74,7 +74,7 @@ std::string verdict_of(const ClipHistory& history, const Settings& settings) {
 }
 
 /// The vertex behind the camera that is explained; -1: there is none.
-int vertex_behind(const ClipHistory& history) {
+int vertex_behind_camera(const ClipHistory& history) {
     for (int v = 0; v < triangle_corners; ++v) {
         const float w = history.corners[static_cast<std::size_t>(v)].position_clip.w;
         if (w <= 0.0f) return v;
@@ -91,7 +91,7 @@ std::string unbroken(const std::string& text) {
 }
 
 /// What the division would do to a vertex behind the camera.
-std::string behind_text(const ClipHistory& history, const Frame& frame, int vertex) {
+std::string behind_camera_text(const ClipHistory& history, const Frame& frame, int vertex) {
     const glm::vec4& clip = history.corners[static_cast<std::size_t>(vertex)].position_clip;
     const std::string w = shown({clip.w});
     std::string text;
@@ -129,16 +129,17 @@ void draw_clip_verdict(const ClipPage& page) {
     const bool is_culled = page.frame.settings.cull != Cull::none && page.history.cull.is_back;
     wrapped_text(verdict_of(page.history, page.frame.settings) +
                  (is_culled ? " It is left out because it faces away." : ""));
-    name_widget(ui, "clip.verdict",
-                "What happens to the triangle between the vertex shader and the division by w.");
+    register_widget(
+        ui, "clip.verdict",
+        "What happens to the triangle between the vertex shader and the division by w.");
     if (!page.history.cuts && page.history.rejected == Rejection::none) draw_offer(ui);
-    const int behind = vertex_behind(page.history);
+    const int behind = vertex_behind_camera(page.history);
     if (behind < 0) return;
     wrapped_text_in(colour_of(Meaning::fail, ui.options.theme),
-                    behind_text(page.history, page.frame, behind));
-    name_widget(ui, "clip.behind",
-                "Behind the camera, w is negative. The division by w turns a point behind the "
-                "camera into one in front of it, mirrored through the eye.");
+                    behind_camera_text(page.history, page.frame, behind));
+    register_widget(ui, "clip.behind",
+                    "Behind the camera, w is negative. The division by w turns a point behind the "
+                    "camera into one in front of it, mirrored through the eye.");
 }
 
 /// What is explained until the student asks: what was just done, or the first cut, or else what
@@ -159,7 +160,7 @@ std::string usual_number(const ClipHistory& history, const std::optional<ClipPro
             if (step.is_cut) return id_of(step);
         }
     }
-    return "corner." + std::to_string(std::max(vertex_behind(history), 0)) + ".w";
+    return "corner." + std::to_string(std::max(vertex_behind_camera(history), 0)) + ".w";
 }
 
 /// Has the cursor reached a step of clipping since the panel was last drawn?
@@ -174,8 +175,8 @@ bool follow_cursor(Ui& ui, const ClipHistory& history,
 }
 
 /// The number that was asked about, until the triangle changes or the cursor reaches a step.
-std::string number_on_show(Ui& ui, const ClipHistory& history,
-                           const std::optional<ClipProgress>& progress, bool has_moved) {
+std::string shown_number(Ui& ui, const ClipHistory& history,
+                         const std::optional<ClipProgress>& progress, bool has_moved) {
     ClipLook& look = ui.inspector.clip;
     if (has_moved || !clip_formula(ui.results.a.frame, history, look.number)) look.number.clear();
     return look.number.empty() ? usual_number(history, progress) : look.number;
@@ -189,7 +190,7 @@ void draw_clip_card(const ClipPage& page) {
     begin_card(ui);
     text_in(page.palette().dim, formula->help);
     keep_beginning(top, ImGui::GetItemRectMin().y + ImGui::GetTextLineHeight());
-    name_widget(ui, "clip.formula", formula->help);
+    register_widget(ui, "clip.formula", formula->help);
     ImGui::PushFont(ui.inspector.is_low ? ui.fonts.small : ui.fonts.text);
     const std::optional<Source> clicked = draw_formula(ui, *formula, "clip.formula");
     ImGui::PopFont();
@@ -252,8 +253,7 @@ void draw_clip_panel(Ui& ui) {
     const std::optional<ClipProgress> progress = clip_progress(history, a.done);
     const bool has_moved = follow_cursor(ui, history, progress);
     const ClipPage page{
-        ui,       a.frame, history, progress, number_on_show(ui, history, progress, has_moved),
-        has_moved};
+        ui, a.frame, history, progress, shown_number(ui, history, progress, has_moved), has_moved};
     const std::string before = ui.inspector.clip.number;
     draw_triangle_title(ui);
     draw_panel(ui, "clip", blocks_of(page), [&] {

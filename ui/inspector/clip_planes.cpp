@@ -13,9 +13,9 @@
 #include "ui/inspector/clip_table.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -65,10 +65,11 @@ void draw_distance(const ClipPage& page, const std::string& name, const std::str
     const std::string text =
         has_side ? distance_text(distance, is_inside) : fixed(static_cast<double>(distance), 3);
     const Meaning meaning = is_inside ? Meaning::pass : Meaning::fail;
-    draw_asked(page, name, id, text,
-               is_coming ? page.palette().dim : colour_of(meaning, page.ui.options.theme),
-               is_inside ? "How far inside the plane the corner is."
-                         : "Less than 0, so the corner is outside the plane.");
+    draw_selected_formula(page, name, id, text,
+                          is_coming ? page.palette().dim
+                                    : colour_of(meaning, page.ui.options.theme),
+                          is_inside ? "How far inside the plane the corner is."
+                                    : "Less than 0, so the corner is outside the plane.");
 }
 
 /// What a step passes on: the corner at its beginning, the one that it makes, both or none.
@@ -85,19 +86,19 @@ std::string passed_text(const ClipPage& page, const ClipStep& step, const CutCor
 
 /// Scrolls to what was just drawn, if it is not entirely in view.
 void show_item() {
-    const ShownLines seen = shown_lines();
+    const ShownLines shown = shown_lines();
     const bool is_seen =
-        ImGui::GetItemRectMin().y >= seen.top && ImGui::GetItemRectMax().y <= seen.bottom;
+        ImGui::GetItemRectMin().y >= shown.top && ImGui::GetItemRectMax().y <= shown.bottom;
     if (!is_seen) scroll_here(0.5f);
 }
 
 /// Scrolls to a plane's table and the diagram below it, just drawn, if both have room and are not
 /// in view yet.
 void show_with_diagram(float top) {
-    const ShownLines seen = shown_lines();
+    const ShownLines shown = shown_lines();
     const float bottom = ImGui::GetItemRectMax().y;
-    const bool is_seen = top >= seen.top && bottom <= seen.bottom;
-    if (!is_seen && bottom - top <= seen.bottom - seen.top) scroll_here(1.0f);
+    const bool is_seen = top >= shown.top && bottom <= shown.bottom;
+    if (!is_seen && bottom - top <= shown.bottom - shown.top) scroll_here(1.0f);
 }
 
 void go_to_step(const ClipPage& page, ClipPlane plane, int step) {
@@ -125,9 +126,9 @@ void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<Cut
     const std::string edge =
         from.edge >= 0 ? "On " + edge_name(from.edge) + " of the triangle"
                        : "Along the " + plane_name(from.edge_plane) + ", which cut earlier";
-    name_widget(page.ui, "clip.edge." + place,
-                fmt::format("{}, from {} to {}.\nClick to go to the moment when it is cut.", edge,
-                            corner_name(from), corner_name(to)));
+    register_widget(page.ui, "clip.edge." + place,
+                    fmt::format("{}, from {} to {}.\nClick to go to the moment when it is cut.",
+                                edge, corner_name(from), corner_name(to)));
     if (ImGui::IsItemClicked()) go_to_step(page, step.plane, step.from);
     if (is_current) {
         if (page.has_moved) show_item();
@@ -143,9 +144,10 @@ void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<Cut
                   has_sides);
     ImGui::TableNextColumn();
     if (step.is_cut) {
-        draw_asked(page, "clip.t." + place, "t." + place, fixed(static_cast<double>(step.t), 4),
-                   is_coming ? dim : page.palette().text,
-                   "Where the plane cuts: 0 is the corner inside, 1 the one outside.");
+        draw_selected_formula(page, "clip.t." + place, "t." + place,
+                              fixed(static_cast<double>(step.t), 4),
+                              is_coming ? dim : page.palette().text,
+                              "Where the plane cuts: 0 is the corner inside, 1 the one outside.");
     } else {
         right_aligned("–", dim);
     }
@@ -155,9 +157,9 @@ void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<Cut
                   : step.is_cut     ? colour_of(plane_meaning, page.ui.options.theme)
                   : step.keeps_from ? page.palette().text
                                     : dim);
-    name_widget(page.ui, "clip.gives." + place,
-                "What the step passes on to the polygon after this plane: the corner at its "
-                "beginning if that is inside, and the new corner if the edge is cut.");
+    register_widget(page.ui, "clip.gives." + place,
+                    "What the step passes on to the polygon after this plane: the corner at its "
+                    "beginning if that is inside, and the new corner if the edge is cut.");
 }
 
 /// The name of a varying's row: the lab's own word, if it has one.
@@ -170,13 +172,14 @@ std::string varying_title(const VaryingInfo& info) {
 void draw_made(const ClipPage& page, const CutCorner& corner) {
     const std::string number = std::to_string(corner.new_index);
     draw_corner_name(page, corner, false);
-    name_widget(page.ui, "clip.new." + number, corner_help(corner));
+    register_widget(page.ui, "clip.new." + number, corner_help(corner));
     ImGui::PushFont(page.ui.fonts.mono);
     for (int i = 0; i < 4; ++i) {
         const std::string id = corner_formula_id(corner, i);
         ImGui::TableNextColumn();
-        draw_asked(page, "clip." + id, id, clip_number(corner.vertex.position_clip[i], i),
-                   page.palette().text, clip_coordinate_help[static_cast<std::size_t>(i)]);
+        draw_selected_formula(page, "clip." + id, id,
+                              clip_number(corner.vertex.position_clip[i], i), page.palette().text,
+                              clip_coordinate_help[static_cast<std::size_t>(i)]);
     }
     ImGui::PopFont();
     const VaryingSet carried = carried_varyings(page.frame);
@@ -186,16 +189,17 @@ void draw_made(const ClipPage& page, const CutCorner& corner) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         text_in(page.palette().dim, varying_title(info));
-        name_widget(page.ui, "clip.new." + number + "." + std::string(info.name),
-                    "The " + std::string(info.word) + ", cut with the same t.");
+        register_widget(page.ui, "clip.new." + number + "." + std::string(info.name),
+                        "The " + std::string(info.word) + ", cut with the same t.");
         ImGui::PushFont(page.ui.fonts.mono);
         for (int k = 0; k < info.count; ++k) {
             const std::string id = fmt::format("new.{}.{}.{}", number, v, k);
             ImGui::TableNextColumn();
-            draw_asked(page, "clip." + id, id,
-                       fixed(static_cast<double>(info.component(corner.vertex.varyings, k)), 3),
-                       page.palette().text,
-                       std::string(info.components[static_cast<std::size_t>(k)].help));
+            draw_selected_formula(
+                page, "clip." + id, id,
+                fixed(static_cast<double>(info.component(corner.vertex.varyings, k)), 3),
+                page.palette().text,
+                std::string(info.components[static_cast<std::size_t>(k)].help));
         }
         ImGui::PopFont();
     }

@@ -26,9 +26,9 @@ const char* cull_answer_text(const CullAnswer& answer) {
     return answer.is_in_parts ? "in parts" : answer.is_back ? "back" : "front";
 }
 
-std::string answer_help(const Frame& frame, Cull way) {
+std::string answer_help(const Frame& frame, Cull rule) {
     const std::string sight(sight_name(frame));
-    switch (way) {
+    switch (rule) {
     case Cull::face_normal:
         return sight + ": does the normal of the first corner point away from the camera? Then "
                        "this is a back face.";
@@ -55,17 +55,17 @@ void draw_answer(const ClipPage& page, const CullAnswer& answer, bool is_in_forc
     const Setting& setting = *find_setting("cull");
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    const std::string word(word_of(answer.way));
+    const std::string word(word_of(answer.rule));
     text_in(is_in_force ? page.palette().text : page.palette().dim,
-            (is_in_force ? "● " : "○ ") + said_word(setting, word));
-    name_widget(page.ui, "clip.cull.way." + word, answer_help(page.frame, answer.way));
+            (is_in_force ? "● " : "○ ") + choice_words(setting, word));
+    register_widget(page.ui, "clip.cull.way." + word, answer_help(page.frame, answer.rule));
     ImGui::PushFont(page.ui.fonts.mono);
     ImGui::TableNextColumn();
     const std::string text = std::abs(answer.measure) >= 1000.0f
                                  ? fixed(static_cast<double>(answer.measure), 0)
                                  : fixed(static_cast<double>(answer.measure), 3);
-    draw_asked(page, "clip.cull." + word, answer.formula, text, page.palette().text,
-               std::string(answer_help(page.frame, answer.way)));
+    draw_selected_formula(page, "clip.cull." + word, answer.formula, text, page.palette().text,
+                          std::string(answer_help(page.frame, answer.rule)));
     ImGui::TableNextColumn();
     const Meaning meaning = answer.is_back ? Meaning::fail : Meaning::pass;
     right_aligned(cull_answer_text(answer),
@@ -123,24 +123,24 @@ void draw_clip_rest(const ClipPage& page) {
         for (std::size_t c = 0; c < corners.size(); ++c) {
             const std::string corner = std::to_string(c);
             draw_corner_name(page, corners[c], page.progress.has_value());
-            name_widget(page.ui, "clip.rest." + corner, corner_help(corners[c]));
+            register_widget(page.ui, "clip.rest." + corner, corner_help(corners[c]));
             ImGui::PushFont(page.ui.fonts.mono);
             for (const int i : {0, 1, 3}) {
                 const std::string id = corner_formula_id(corners[c], i);
                 ImGui::TableNextColumn();
-                draw_asked(page,
-                           "clip.rest." + corner + "." +
-                               clip_coordinates[static_cast<std::size_t>(i)],
-                           id, clip_number(corners[c].vertex.position_clip[i], i),
-                           page.palette().dim, clip_coordinate_help[static_cast<std::size_t>(i)]);
+                draw_selected_formula(
+                    page,
+                    "clip.rest." + corner + "." + clip_coordinates[static_cast<std::size_t>(i)], id,
+                    clip_number(corners[c].vertex.position_clip[i], i), page.palette().dim,
+                    clip_coordinate_help[static_cast<std::size_t>(i)]);
             }
             for (const bool is_column : {true, false}) {
                 const std::string id = "pixel." + corner + (is_column ? ".column" : ".row");
                 ImGui::TableNextColumn();
                 if (!has_pixels) continue;
-                draw_asked(page, "clip." + id, id,
-                           whole_text(is_column ? pixels[c].column : pixels[c].row),
-                           page.palette().text, "Its pixel in the picture.");
+                draw_selected_formula(page, "clip." + id, id,
+                                      whole_text(is_column ? pixels[c].column : pixels[c].row),
+                                      page.palette().text, "Its pixel in the picture.");
             }
             ImGui::PopFont();
         }
@@ -157,8 +157,8 @@ void draw_clip_rest(const ClipPage& page) {
         fmt::format("{} make {}:", counted(static_cast<int>(corners.size()), "corner", "corners"),
                     counted(static_cast<int>(page.history.fan.size()), "triangle", "triangles")));
     wrapped_text_in(page.palette().dim, fan, page.ui.fonts.mono);
-    name_widget(page.ui, "clip.fan",
-                "The fan: every triangle begins at the first corner of the polygon.");
+    register_widget(page.ui, "clip.fan",
+                    "The fan: every triangle begins at the first corner of the polygon.");
 }
 
 void draw_clip_culling(const ClipPage& page) {
@@ -167,11 +167,11 @@ void draw_clip_culling(const ClipPage& page) {
     draw_clip_title(page, "Front or back?", "by each test");
     if (begin_clip_table(page, "culling", {1.6f, 1.2f, 1.0f})) {
         for (const CullAnswer& answer : answers)
-            draw_answer(page, answer, answer.way == page.frame.settings.cull);
+            draw_answer(page, answer, answer.rule == page.frame.settings.cull);
         end_clip_table();
     }
     wrapped_text_in(page.palette().dim, culling_text(page, answers));
-    name_widget(
+    register_widget(
         page.ui, "clip.culling",
         "Of a closed object you see only the sides that face the camera, so the others need "
         "not be drawn. The \"Culled\" setting selects the test that is used.");
@@ -190,12 +190,12 @@ void draw_clip_counts(const ClipPage& page) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         text_in(page.palette().text, title);
-        name_widget(page.ui, "clip.count." + name, help);
+        register_widget(page.ui, "clip.count." + name, help);
         ImGui::PushFont(page.ui.fonts.mono);
         ImGui::TableNextColumn();
         right_aligned(whole_text(count), page.palette().text);
         ImGui::PopFont();
-        note_text(page.ui, "clip.count." + name, whole_text(count));
+        register_text(page.ui, "clip.count." + name, whole_text(count));
     };
     line("rejected", "rejected", left_out.of(Rejection::outside),
          "Triangles whose corners all lie beyond the same plane, found by their outcodes.");

@@ -9,9 +9,9 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -35,15 +35,15 @@ std::string clip_number(float value, int coordinate) {
     return coordinate == 2 ? shown({value}) : fixed(static_cast<double>(value), 3);
 }
 
-void draw_asked(const ClipPage& page, const std::string& name, const std::string& id,
-                const std::string& text, const ImVec4& colour, const std::string& help) {
+void draw_selected_formula(const ClipPage& page, const std::string& name, const std::string& id,
+                           const std::string& text, const ImVec4& colour, const std::string& help) {
     if (!number_cell(page.ui, name, text, colour, page.number == id,
                      help + "\nClick to see how it was calculated."))
         return;
     page.ui.inspector.clip.number = id;
 }
 
-void draw_clip_title(const ClipPage& page, const std::string& title, const std::string& beside) {
+void draw_clip_title(const ClipPage& page, const std::string& title, const std::string& remark) {
     ImGui::Dummy({0.0f, 4.0f * page.ui.options.text_scale});
     // A title stays with its column titles and a row of its table, or is left out with them.
     const float top = ImGui::GetCursorScreenPos().y;
@@ -51,24 +51,24 @@ void draw_clip_title(const ClipPage& page, const std::string& title, const std::
     keep_beginning(top, top + page.ui.fonts.bold->FontSize + ImGui::GetStyle().ItemSpacing.y +
                             2.0f * row);
     text_in(page.palette().text, title, page.ui.fonts.bold);
-    if (beside.empty()) return;
+    if (remark.empty()) return;
     ImGui::PushFont(page.ui.fonts.small);
     const float gap = 10.0f * page.ui.options.text_scale;
     const float right = right_end();
-    const float width = text_width(beside);
-    const bool is_beside = ImGui::GetItemRectMax().x + gap + width <= right;
+    const float width = text_width(remark);
+    const bool is_at_side = ImGui::GetItemRectMax().x + gap + width <= right;
     const ImVec2 title_size = ImGui::GetItemRectSize(), below = ImGui::GetCursorScreenPos();
-    const float beside_top =
+    const float remark_top =
         ImGui::GetItemRectMax().y - ImGui::GetTextLineHeight() - page.ui.options.text_scale;
-    if (is_beside) {
+    if (is_at_side) {
         ImGui::SameLine(0.0f, 0.0f);
-        ImGui::SetCursorScreenPos({right - width, beside_top});
+        ImGui::SetCursorScreenPos({right - width, remark_top});
     }
-    text_in(page.palette().dim, beside);
+    text_in(page.palette().dim, remark);
     // Versions of ImGui disagree on where a line ends after the cursor was moved in it.
-    if (is_beside)
+    if (is_at_side)
         ImGui::SetCursorScreenPos(
-            {below.x, std::floor(beside_top + title_size.y + ImGui::GetStyle().ItemSpacing.y)});
+            {below.x, std::floor(remark_top + title_size.y + ImGui::GetStyle().ItemSpacing.y)});
     ImGui::PopFont();
 }
 
@@ -76,7 +76,7 @@ void draw_column_title(const ClipPage& page, const std::string& name, const std:
                        const std::string& help) {
     ImGui::TableNextColumn();
     right_aligned(title, page.palette().dim, page.ui.fonts.small);
-    name_widget(page.ui, name, help);
+    register_widget(page.ui, name, help);
 }
 
 bool begin_clip_table(const ClipPage& page, const std::string& name,

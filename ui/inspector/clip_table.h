@@ -24,11 +24,11 @@ inline constexpr std::array<const char*, 4> clip_coordinate_help{
 std::string clip_number(float value, int coordinate);
 
 /// A number of a table; the student can ask where it came from.
-void draw_asked(const ClipPage& page, const std::string& name, const std::string& id,
-                const std::string& text, const ImVec4& colour, const std::string& help);
+void draw_selected_formula(const ClipPage& page, const std::string& name, const std::string& id,
+                           const std::string& text, const ImVec4& colour, const std::string& help);
 
 /// The title of a table, and a small remark next to it, or below if there is no room.
-void draw_clip_title(const ClipPage& page, const std::string& title, const std::string& beside);
+void draw_clip_title(const ClipPage& page, const std::string& title, const std::string& remark);
 
 /// A title over a column, at its right edge.
 void draw_column_title(const ClipPage& page, const std::string& name, const std::string& title,

@@ -10,8 +10,8 @@
 #include "ui/inspector/compare_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/flow.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -29,7 +29,7 @@ Settings offered(const ComparePair& pair, const Settings& a) {
     return offered_settings(pair, at_step_of(pair, a));
 }
 
-bool is_something_held(const Ui& ui) {
+bool is_being_moved(const Ui& ui) {
     return ImGui::IsAnyItemActive() || ImGui::IsAnyMouseDown() || is_moving_by_key(ui);
 }
 
@@ -41,7 +41,7 @@ void renew(Ui& ui, int side) {
     const Settings& a = ui.session.a.settings;
     side = std::clamp(side, 1, largest_side);
     const bool is_same = offers.scene == scene && offers.side == side && offers.settings == a;
-    if (is_same || (offers.settings && is_something_held(ui))) return;
+    if (is_same || (offers.settings && is_being_moved(ui))) return;
     offers.scene = scene;
     offers.settings = a;
     offers.side = side;
@@ -66,8 +66,8 @@ struct CardSize {
 
 /// No row of cards is cut off by the lower edge. One that fills more than half of the page is shown
 /// there once half a page of it is visible: that has to do.
-void keep_card_whole(float top, float bottom) {
-    keep_whole(top, bottom);
+void clip_card_to_lines(float top, float bottom) {
+    clip_range_to_lines(top, bottom);
     keep_beginning(top, std::min(bottom, top + 0.5f * page_room()));
 }
 
@@ -77,13 +77,13 @@ bool draw_offer(Ui& ui, const ComparePair& pair, std::size_t index, ImVec2 low,
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale, pad = offer_padding * u;
     const std::string name = std::string("compare.tab.").append(pair.name);
-    const PairWay& way = offer_of(pair, ui.session.a.settings);
+    const PairMethod& method = offer_of(pair, ui.session.a.settings);
     ImGui::SetCursorScreenPos(low);
     const bool is_pressed = ImGui::InvisibleButton(name.c_str(), {card.width, card.height});
     const bool is_hovered = ImGui::IsItemHovered();
-    name_widget(ui, name, tooltip_of_pair(ui.session, pair, false), way.title);
+    register_widget(ui, name, tooltip_of_pair(ui.session, pair, false), method.title);
     const ImVec2 high{low.x + card.width, low.y + card.height};
-    keep_card_whole(low.y, high.y);
+    clip_card_to_lines(low.y, high.y);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(low, high, packed(is_hovered ? p.button_hovered : p.card), 4.0f * u);
     const PictureTexture& texture = ui.compare.offers.textures[index];
@@ -102,11 +102,11 @@ bool draw_offer(Ui& ui, const ComparePair& pair, std::size_t index, ImVec2 low,
         list->AddText({low.x + pad, y}, packed(colour), lines.c_str());
         const float line = ImGui::GetFontSize(), bottom = y + ImGui::CalcTextSize(lines.c_str()).y;
         for (; y + 0.5f * line < bottom; y += line)
-            keep_whole(y, y + line);
+            clip_range_to_lines(y, y + line);
     };
-    write(way.title, p.text);
+    write(method.title, p.text);
     y += std::round(0.3f * ImGui::GetFontSize());
-    write(way.words, p.dim);
+    write(method.words, p.dim);
     ImGui::PopFont();
     return is_pressed;
 }
@@ -115,9 +115,9 @@ bool draw_offer(Ui& ui, const ComparePair& pair, std::size_t index, ImVec2 low,
 int lines_of_words(const Ui& ui, float room) {
     std::ptrdiff_t lines = 2;
     for (const ComparePair& pair : compare_pairs()) {
-        const PairWay& way = offer_of(pair, ui.session.a.settings);
+        const PairMethod& method = offer_of(pair, ui.session.a.settings);
         const std::string text =
-            broken_into_lines(way.title, room) + "\n" + broken_into_lines(way.words, room);
+            broken_into_lines(method.title, room) + "\n" + broken_into_lines(method.words, room);
         lines = std::max(lines, 1 + std::count(text.begin(), text.end(), '\n'));
     }
     return static_cast<int>(lines);
@@ -145,15 +145,15 @@ CardSize card_size(const Ui& ui, float width) {
 
 } // namespace
 
-std::string tooltip_of_pair(const Session& session, const ComparePair& pair, bool is_on_show) {
+std::string tooltip_of_pair(const Session& session, const ComparePair& pair, bool is_shown) {
     const Settings& a = session.a.settings;
-    const PairWay& way = offer_of(pair, a);
+    const PairMethod& method = offer_of(pair, a);
     std::string text("Compares the picture as it is (run A) with ");
-    text.append(way.title).append(" (run B).\n").append(way.words);
+    text.append(method.title).append(" (run B).\n").append(method.words);
     if (!(at_step_of(pair, a) == a))
         text.append("\nThe difference does not show at this stage, so both runs go to one where it "
                     "does.");
-    return is_on_show ? text.append("\nClick again to go back to one run.") : text;
+    return is_shown ? text.append("\nClick again to go back to one run.") : text;
 }
 
 void draw_offers(Ui& ui) {
@@ -179,7 +179,7 @@ void draw_offers(Ui& ui) {
 }
 
 void draw_pairs(Ui& ui) {
-    const ComparePair* const on_show = pair_on_show(ui.session);
+    const ComparePair* const offered_pair = shown_pair(ui.session);
     ImGui::PushFont(ui.fonts.small);
     text_in(palette(ui.options.theme).dim, "Compare the picture as it is with");
     std::vector<std::string> labels;
@@ -197,10 +197,10 @@ void draw_pairs(Ui& ui) {
         ImGui::SetCursorScreenPos(
             {start.x + places[i].x, start.y + static_cast<float>(places[i].line) * line});
         const bool is_pressed = button(ui, std::string("compare.tab.").append(pair.name), labels[i],
-                                       &pair == on_show ? Look::chosen : Look::plain,
-                                       tooltip_of_pair(ui.session, pair, &pair == on_show));
+                                       &pair == offered_pair ? Look::chosen : Look::plain,
+                                       tooltip_of_pair(ui.session, pair, &pair == offered_pair));
         if (is_pressed) {
-            if (&pair == on_show) {
+            if (&pair == offered_pair) {
                 end_comparison(ui.session);
             } else {
                 begin_pair(ui, pair);

@@ -33,7 +33,7 @@ void set_next_word(Settings& settings, const ChoiceSetting& choice) {
 void draw_choice_of_difference(Ui& ui, const char* title) {
     ImGui::SetNextItemWidth(-1.0f);
     const bool open = ImGui::BeginCombo("##another", title, ImGuiComboFlags_HeightLarge);
-    name_widget(ui, "compare.another", "Changes a setting in run B.");
+    register_widget(ui, "compare.another", "Changes a setting in run B.");
     if (!open) return;
     for (const Setting& setting : setting_table()) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
@@ -45,7 +45,7 @@ void draw_choice_of_difference(Ui& ui, const char* title) {
             set_next_word(other.settings, *choice);
             compare_with(ui.session, other);
         }
-        name_widget(ui, "compare.another." + name, name + "\n" + std::string(setting.help));
+        register_widget(ui, "compare.another." + name, name + "\n" + std::string(setting.help));
     }
     ImGui::EndCombo();
 }
@@ -75,7 +75,7 @@ void header_cell(Ui& ui, const std::vector<std::string>& titles, std::string_vie
         right_aligned(title, palette(ui.options.theme).dim);
     }
     ImGui::PopFont();
-    name_widget(ui, name, help);
+    register_widget(ui, name, help);
 }
 
 /// The name of a setting; it leads to the setting.
@@ -171,13 +171,13 @@ void count_line(Ui& ui, const char* title, const char* name, const std::string& 
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     put_text(title);
-    name_widget(ui, name, help);
+    register_widget(ui, name, help);
     ImGui::PushFont(ui.fonts.mono);
     ImGui::TableNextColumn();
     right_aligned(here, p.dim);
     ImGui::TableNextColumn();
     right_aligned(whole, p.text);
-    note_text(ui, name, whole);
+    register_text(ui, name, whole);
     ImGui::PopFont();
 }
 
@@ -236,7 +236,7 @@ void draw_divergence(Ui& ui, const char* title, const std::string& name,
     ImGui::PopStyleVar();
     const std::string cause = with_minus_signs(divergence.text);
     wrapped_text(cause);
-    note_text(ui, name, kind + ": " + cause);
+    register_text(ui, name, kind + ": " + cause);
 }
 
 void draw_first(Ui& ui) {
@@ -279,8 +279,8 @@ void draw_first(Ui& ui) {
         ImGui::NewLine();
     ImGui::AlignTextToFramePadding();
     draw_difference_key(ui, key);
-    name_widget(ui, "compare.key",
-                "On the timeline, this mark shows where the two runs begin to differ.");
+    register_widget(ui, "compare.key",
+                    "On the timeline, this mark shows where the two runs begin to differ.");
     ImGui::PopFont();
 }
 
@@ -299,9 +299,9 @@ void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
     }
     ImGui::PopID();
     const std::string part = part_name(*ui.results.a.frame.scene, group.triangle);
-    name_widget(ui, "compare.group." + std::to_string(index),
-                triangle_name(group.triangle) + ", " + part + ": from " + to_text(group.first) +
-                    " to " + to_text(group.last) + ".\nClick to go to the first of them.");
+    register_widget(ui, "compare.group." + std::to_string(index),
+                    triangle_name(group.triangle) + ", " + part + ": from " + to_text(group.first) +
+                        " to " + to_text(group.last) + ".\nClick to go to the first of them.");
     ImGui::SameLine(0.0f, 0.0f);
     put_text(shortened(short_triangle_name(group.triangle) + " " + part,
                        ImGui::GetContentRegionAvail().x));

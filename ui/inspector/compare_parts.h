@@ -11,7 +11,7 @@ struct Ui;
 // The parts of the Compare tab; see compare_panel.cpp.
 
 /// What the button of a pair does, in words.
-std::string tooltip_of_pair(const Session& session, const ComparePair& pair, bool is_on_show);
+std::string tooltip_of_pair(const Session& session, const ComparePair& pair, bool is_shown);
 
 /// The pairs as small pictures of what each would do to the picture, each with its name and what is
 /// different; only the names if the scene is too large to be drawn immediately.

@@ -211,32 +211,33 @@ void draw_rules_at_edge(Ui& ui, CoveragePictures& shown) {
         small.tooltip = rule_tooltip(by_rule);
         small.lines = lines_of_edge(edge, shown.theme);
         small.is_chosen = ui.session.a.settings.fill_rule == by_rule.rule;
-        small.can_be_taken = true;
+        small.can_be_chosen = true;
         pictures.push_back(std::move(small));
     }
     if (const auto clicked = draw_small_pictures(ui, pictures, shown.textures))
         ui.session.a.settings.fill_rule = compared_fill_rules[*clicked];
 }
 
-void draw_ways_of_polygon(Ui& ui, CoveragePictures& shown) {
+void draw_coverage_methods(Ui& ui, CoveragePictures& shown) {
     const PolygonPicture& polygon = *shown.polygon;
     make_images(
-        shown, CoverageSubject::ways,
-        polygon.window, [&](std::size_t i) -> const auto& { return polygon.ways[i].pixels; });
-    constexpr std::array<const char*, polygon_way_count> titles{"row table", "fan", "active edges"};
-    constexpr std::array<const char*, polygon_way_count> sentences{
+        shown, CoverageSubject::methods,
+        polygon.window, [&](std::size_t i) -> const auto& { return polygon.methods[i].pixels; });
+    constexpr std::array<const char*, coverage_method_count> titles{"row table", "fan",
+                                                                    "active edges"};
+    constexpr std::array<const char*, coverage_method_count> sentences{
         "One left and one right end per row, and all pixels between them.",
         "The triangles of the polygon's fan around its first corner, each filled.",
         "In each row, every edge that crosses it switches between outside and inside: the even-odd "
         "rule."};
     std::vector<SmallPicture> pictures;
-    for (std::size_t i = 0; i < polygon_way_count; ++i) {
-        const PolygonByWay& way = polygon.ways[i];
-        SmallPicture small =
-            small_of(shown, i, "inside.way." + std::string(word_of(static_cast<PolygonWay>(i))));
+    for (std::size_t i = 0; i < coverage_method_count; ++i) {
+        const CoverageByMethod& method = polygon.methods[i];
+        SmallPicture small = small_of(
+            shown, i, "inside.way." + std::string(word_of(static_cast<CoverageMethod>(i))));
         small.title = titles[i];
-        small.words = fmt::format("{}, {} wrong", counted(way.covered, "pixel", "pixels"),
-                                  grouped(way.wrong));
+        small.words = fmt::format("{}, {} wrong", counted(method.covered, "pixel", "pixels"),
+                                  grouped(method.wrong));
         small.tooltip = std::string(sentences[i]) +
                         "\nStruck through: filled, but outside. Hollow: inside, but not filled.";
         for (std::size_t c = 0; c < polygon.outline.size(); ++c) {
@@ -300,7 +301,7 @@ void draw_coverage_pictures(Ui& ui) {
         look_at_shared_edge(ui, shown);
         draw_rules_at_edge(ui, shown);
     } else {
-        draw_ways_of_polygon(ui, shown);
+        draw_coverage_methods(ui, shown);
     }
 }
 

@@ -41,11 +41,12 @@ void draw_clamped(Ui& ui, const glm::vec3& colour) {
 void draw_shadow(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
     const std::string words = shadow_text(light.shadow, ui.results.a.frame);
     if (words.empty()) return;
-    const bool is_dark = light.shadow.is_dark() || !light.shadow.is_asked;
+    const bool is_dark = light.shadow.is_dark() || !light.shadow.is_tested;
     wrapped_text_in(colour_of(is_dark ? Meaning::fail : Meaning::pass, ui.options.theme), words);
-    name_widget(ui, "fragment.shadow",
-                "Whether the lamp's light arrives, according to the shadows setting. Where it does "
-                "not, there is no direct light.");
+    register_widget(
+        ui, "fragment.shadow",
+        "Whether the lamp's light arrives, according to the shadows setting. Where it does "
+        "not, there is no direct light.");
     draw_fragment_section(ui, prefix + "shadow");
 }
 
@@ -146,7 +147,7 @@ void draw_fragment_light(Ui& ui) {
     ImGui::PushFont(ui.fonts.small);
     ImGui::AlignTextToFramePadding();
     text_in(p.dim, "light");
-    name_widget(ui, "fragment.light", "R = ρ (D + N), term by term; see the tooltips.");
+    register_widget(ui, "fragment.light", "R = ρ (D + N), term by term; see the tooltips.");
     struct LightChoice {
         const char* name;
         const char* title;

@@ -102,9 +102,9 @@ void draw_title(Ui& ui) {
     const bool has_room = text_width(title) + beside <= ImGui::GetContentRegionAvail().x;
     put_text(has_room ? title : short_title);
     ImGui::PopFont();
-    name_widget(ui, "fragment.pixel",
-                is_picked ? "Column and row of the pixel that the fragment fell on."
-                          : "Column and row of the pixel that the last fragment fell on.");
+    register_widget(ui, "fragment.pixel",
+                    is_picked ? "Column and row of the pixel that the fragment fell on."
+                              : "Column and row of the pixel that the last fragment fell on.");
     ImGui::SameLine();
     ImGui::BeginGroup();
     const glm::vec3 reflectance = scene.corner(triangle, 0).reflectance;
@@ -114,12 +114,12 @@ void draw_title(Ui& ui) {
     const std::string shown = first_fitting(parts, ImGui::GetContentRegionAvail().x);
     text_in(p.dim, shown);
     ImGui::EndGroup();
-    name_widget(ui, "fragment.part",
-                "The part of the scene that the triangle belongs to: " + part + ".", shown);
+    register_widget(ui, "fragment.part",
+                    "The part of the scene that the triangle belongs to: " + part + ".", shown);
     const FragmentLinks links = links_of(ui);
     if (links.can_follow && !ui.inspector.is_low) draw_follow_link(ui);
     text_in(p.dim, place_of(report, ImGui::GetContentRegionAvail().x));
-    name_widget(
+    register_widget(
         ui, "fragment.place",
         "Where the fragment belongs: its triangle, the entry of the triangle's row table, and how "
         "far along that row; all count from 0.");
@@ -164,7 +164,7 @@ void draw_colours(Ui& ui) {
         ImGui::SameLine();
         put_text(numbers(colour), ui.fonts.mono);
         ImGui::EndGroup();
-        name_widget(ui, name, help);
+        register_widget(ui, name, help);
     };
     draw("before", "fragment.before", report.before, "The pixel's colour before: red green blue.");
     draw("after", "fragment.after", report.after, "The pixel's colour after: red green blue.");
@@ -188,7 +188,7 @@ void draw_depth(Ui& ui) {
                         ui.options.theme);
     wrapped_text_in(colour, verdict(ui, report));
     const Frame& frame = ui.results.a.frame;
-    name_widget(
+    register_widget(
         ui, "fragment.fate",
         "The fragment is drawn if its value is " +
             std::string(depth_words(ui.results.a.frame).nearer) +
@@ -225,7 +225,7 @@ void draw_no_fragment(Ui& ui) {
         words = "Click a pixel of the picture, or step to a fragment.";
     }
     wrapped_text_in(palette(ui.options.theme).dim, words);
-    name_widget(ui, "fragment.none");
+    register_widget(ui, "fragment.none");
     if (!has_fragments(frame.settings.stage) &&
         button(ui, "fragment.fill", "to Fill stage", Look::plain,
                "Draws the picture up to filled triangles.")) {

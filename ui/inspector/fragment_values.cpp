@@ -37,8 +37,8 @@ void draw_error(Ui& ui, const QuantityInfo& info) {
     const Palette& p = palette(ui.options.theme);
     if (info.quantity == Quantity::zinv) {
         right_aligned("0", p.dim);
-        name_widget(ui, "fragment.zinv.off",
-                    std::string(info.words.name) + " is interpolated the same way in both.");
+        register_widget(ui, "fragment.zinv.off",
+                        std::string(info.words.name) + " is interpolated the same way in both.");
         return;
     }
     const std::string id = std::string(info.words.id) + ".off";
@@ -73,14 +73,14 @@ struct ValueColumn {
 };
 
 /// What is said about the column with the wrong values.
-struct WrongWay {
+struct WrongRule {
     std::vector<std::string> titles;
     const char *help, *off_help;
 };
 
 /// @param is_mixed w is not z
-WrongWay wrong_way_words(Interpolation way, bool is_mixed) {
-    switch (way) {
+WrongRule wrong_rule_words(Interpolation rule, bool is_mixed) {
+    switch (rule) {
     case Interpolation::perspective:
     case Interpolation::affine:
         break;
@@ -107,10 +107,10 @@ WrongWay wrong_way_words(Interpolation way, bool is_mixed) {
 }
 
 std::array<ValueColumn, 4> value_columns(const Ui& ui) {
-    const Interpolation way = report_of(ui).interpolation;
-    const bool is_right = way == Interpolation::perspective;
+    const Interpolation rule = report_of(ui).interpolation;
+    const bool is_right = rule == Interpolation::perspective;
     const bool is_mixed = weight_name(ui.results.a.frame) == "1/w";
-    const WrongWay wrong = wrong_way_words(way, is_mixed);
+    const WrongRule wrong = wrong_rule_words(rule, is_mixed);
     const float number = text_width(ui.fonts.mono, "−0.0000");
     float names = 0.0f;
     for (const QuantityInfo& info : listed_quantities(ui))
@@ -161,10 +161,10 @@ void draw_column_headers(Ui& ui, const std::array<ValueColumn, 4>& columns) {
             right_aligned(title, column.in_force ? p.link : p.dim);
         }
         const std::string name = std::string("fragment.header.") + column.name;
-        name_widget(ui, name,
-                    std::string(column.help) +
-                        (column.in_force ? "\nThis is the method in use." : ""),
-                    title);
+        register_widget(ui, name,
+                        std::string(column.help) +
+                            (column.in_force ? "\nThis is the method in use." : ""),
+                        title);
     }
     ImGui::PopFont();
 }
@@ -192,7 +192,7 @@ void draw_fragment_values(Ui& ui) {
         ImGui::TableNextColumn();
         put_text(info.words.name);
         ImGui::PushFont(ui.fonts.text);
-        name_widget(ui, std::string("fragment.") + std::string(info.words.id), info.words.help);
+        register_widget(ui, std::string("fragment.") + std::string(info.words.id), info.words.help);
         ImGui::PopFont();
         const std::string cell(info.words.id);
         ImGui::TableNextColumn();

@@ -47,7 +47,7 @@ void draw_quantity_list(Ui& ui, float width) {
     ImGui::SetNextItemWidth(width);
     const bool open =
         ImGui::BeginCombo("##quantity", std::string(quantity_info(chosen).words.name).c_str());
-    name_widget(ui, "graph.quantity", "What the curves show along the row.");
+    register_widget(ui, "graph.quantity", "What the curves show along the row.");
     if (!open) return;
     for (const QuantityInfo& info : shown_quantities(ui.results.a.frame)) {
         if (list_entry(ui, "graph." + std::string(info.words.id), info.words.name,
@@ -88,16 +88,17 @@ void draw_row_choice(Ui& ui, int index, const char* where) {
     const bool names_triangle = is_low && text_width(triangle) + words + width <= all;
     ImGui::AlignTextToFramePadding();
     text_in(p.text, (names_triangle ? triangle : "") + row_words);
-    name_widget(ui, "graph.row", "Row of the picture; choose another here or in the Rows tab.");
+    register_widget(ui, "graph.row", "Row of the picture; choose another here or in the Rows tab.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const std::string column = "column " + number;
     text_in(p.dim, first_fitting({column + where, column, shortest},
                                  ImGui::GetContentRegionAvail().x - width - gap));
-    name_widget(ui, "graph.where",
-                "The column whose numbers are next to the curves' names: the one under the "
-                "pointer, or else that of the current fragment, or else the one with the largest "
-                "error.");
+    register_widget(
+        ui, "graph.where",
+        "The column whose numbers are next to the curves' names: the one under the "
+        "pointer, or else that of the current fragment, or else the one with the largest "
+        "error.");
     ImGui::SameLine();
     const float room = ImGui::GetContentRegionAvail().x;
     if (room > width) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
@@ -297,7 +298,7 @@ void draw_no_row(Ui& ui) {
         words = "No edge sample reaches this row.";
     }
     wrapped_text_in(palette(ui.options.theme).dim, words);
-    name_widget(ui, "graph.none");
+    register_widget(ui, "graph.none");
     if (frame.settings.stage < Stage::rows &&
         button(ui, "graph.rows", "to Rows stage", Look::plain,
                "Draws the picture up to the rows of filled triangles.")) {

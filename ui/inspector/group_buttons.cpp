@@ -39,7 +39,7 @@ std::string subject_of_runs(const Session& session) {
     return is_mistake ? session.replaced->bug : "A | B";
 }
 
-void tell_subject(const Ui& ui, TabGroup group, GroupButton& button) {
+void fill_subject(const Ui& ui, TabGroup group, GroupButton& button) {
     const auto& pixel = ui.session.selection.pixel;
     const auto& triangle = ui.results.a.triangle;
     button.has_subject = true;
@@ -67,7 +67,7 @@ std::vector<GroupButton> buttons_of(const Ui& ui, const InspectorLook& look) {
         button.tab = tab;
         button.help = group_help[i];
         button.chosen = look.group == group && !look.is_covered;
-        tell_subject(ui, group, button);
+        fill_subject(ui, group, button);
         buttons.push_back(button);
     }
     return buttons;
@@ -84,9 +84,9 @@ void draw_button(Ui& ui, const GroupButton& button, ImVec2 at, ImVec2 size, bool
     ImGui::SetCursorScreenPos(at);
     if (ImGui::InvisibleButton(button.name.c_str(), size)) open_tab(ui, button.tab);
     const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, button.name,
-                has_two_lines ? button.help : button.help + "\nNow: " + button.subject,
-                button.subject);
+    register_widget(ui, button.name,
+                    has_two_lines ? button.help : button.help + "\nNow: " + button.subject,
+                    button.subject);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec2 end{at.x + size.x, at.y + size.y};
     if (button.chosen) {

@@ -105,7 +105,7 @@ void draw_title(Ui& ui, const PixelHistory& history) {
     ImGui::PushFont(ui.fonts.bold);
     ImGui::Text("Pixel (%d, %d)", history.pixel.x, history.pixel.y);
     ImGui::PopFont();
-    name_widget(ui, "history.pixel", "The picked pixel, column and row, and its colour now.");
+    register_widget(ui, "history.pixel", "The picked pixel, column and row, and its colour now.");
     const int owner = ui.results.a.framebuffer->owner[at];
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
@@ -184,7 +184,8 @@ void draw_no_pixel(Ui& ui) {
     wrapped_text(
         "No pixel is picked. Click one in the picture, and everything that falls on it is listed "
         "here in drawing order, with what the depth test said about it.");
-    name_widget(ui, "history.empty", "Everything that falls on the picked pixel is listed here.");
+    register_widget(ui, "history.empty",
+                    "Everything that falls on the picked pixel is listed here.");
     if (const std::optional<FragmentReport>& fragment = ui.results.a.inspected.fragment) {
         const std::string pixel = fmt::format("({}, {})", fragment->pixel.x, fragment->pixel.y);
         const float padding = 2.0f * ImGui::GetStyle().FramePadding.x;
@@ -200,12 +201,12 @@ void draw_no_pixel(Ui& ui) {
         if (const auto pixel = most_drawn_pixel(*ui.results.a.framebuffer)) {
             pick(ui, *pixel);
         } else {
-            tell(ui.session, "Nothing has been drawn yet.");
+            show_info(ui.session, "Nothing has been drawn yet.");
         }
     }
 }
 
-void draw_pixel_to_come(const glm::ivec2& pixel) {
+void draw_searching_pixel(const glm::ivec2& pixel) {
     wrapped_text(fmt::format("Pixel ({}, {}): searching all triangles for what fell on it ...",
                              pixel.x, pixel.y));
 }
@@ -214,7 +215,7 @@ void draw_pixel_to_come(const glm::ivec2& pixel) {
 
 void draw_history_panel(Ui& ui) {
     if (ui.results.history_work) {
-        draw_pixel_to_come(ui.results.history_work->pixel());
+        draw_searching_pixel(ui.results.history_work->pixel());
         return;
     }
     if (!ui.results.history) {

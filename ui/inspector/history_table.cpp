@@ -246,7 +246,7 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     const float left = ImGui::GetWindowPos().x;
     const bool pressed = selectable_row("##entry", is_now);
     const float bottom = ImGui::GetItemRectMax().y;
-    name_widget(ui, "history." + std::to_string(index), tooltip(ui, history, index));
+    register_widget(ui, "history." + std::to_string(index), tooltip(ui, history, index));
     ImGui::PopID();
     if (ui.follow_cursor && is_now && !ImGui::IsItemVisible()) scroll_here(0.5f);
     ImGui::SameLine(0.0f, 0.0f);
@@ -292,9 +292,9 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
         list->AddRectFilled({left, top}, {left + 3.0f * u, bottom},
                             packed(colour_of(Meaning::pass, ui.options.theme), opacity));
     }
-    const bool is_first_to_come =
+    const bool is_first_upcoming =
         !is_drawn && (index == 0 || history.entries[index - 1].cursor < ui.results.a.cursor);
-    if (is_first_to_come) draw_cursor_line(ui, top);
+    if (is_first_upcoming) draw_cursor_line(ui, top);
     if (pressed) go_to_entry(ui.session, Timeline(ui.results.a.frame), entry);
 }
 
@@ -345,7 +345,7 @@ void draw_history_headers(Ui& ui, const Columns& columns) {
             right_aligned(headers[i].title, colour);
         }
         ImGui::PopFont();
-        name_widget(ui, std::string("history.header.") + headers[i].name, headers[i].help);
+        register_widget(ui, std::string("history.header.") + headers[i].name, headers[i].help);
     }
 }
 
@@ -365,7 +365,7 @@ void draw_history_table(Ui& ui, const PixelHistory& history, float height) {
     const int count = static_cast<int>(history.entries.size());
     const float needed = line * static_cast<float>(count + 1) + 4.0f * u;
     const bool scrolls = needed > height;
-    const float whole_lines = line * std::floor((height - 4.0f * u) / line) + 4.0f * u;
+    const float line_clip = line * std::floor((height - 4.0f * u) / line) + 4.0f * u;
     const Columns columns = measure_columns(ui, history,
                                             ImGui::GetContentRegionAvail().x -
                                                 (scrolls ? ImGui::GetStyle().ScrollbarSize : 0.0f));
@@ -373,7 +373,7 @@ void draw_history_table(Ui& ui, const PixelHistory& history, float height) {
     const bool open = begin_lined_table("history", columns.count(),
                                         ImGuiTableFlags_ScrollY | ImGuiTableFlags_PadOuterX |
                                             ImGuiTableFlags_SizingFixedFit,
-                                        {0, std::min(needed, whole_lines)});
+                                        {0, std::min(needed, line_clip)});
     if (open) {
         ImGui::TableSetupScrollFreeze(0, 1);
         for (const float width : columns.widths) {

@@ -25,8 +25,8 @@ namespace {
 
 /// Which side of a triangle an edge is on.
 const char* side_of(const EdgeFunction& edge) {
-    if (edge.way.dy == 0) return edge.way.dx > 0 ? "top" : "bottom";
-    return edge.way.dy < 0 ? "left" : "right";
+    if (edge.direction.dy == 0) return edge.direction.dx > 0 ? "top" : "bottom";
+    return edge.direction.dy < 0 ? "left" : "right";
 }
 
 std::string e_text(std::int64_t e) {
@@ -121,7 +121,7 @@ void draw_edges_of_test(Ui& ui, const PixelTest& test, const TestedTriangle& tri
         right_aligned(fmt::format("{} 0 {}", edge.owns_points ? "≥" : ">",
                                   test.passes[i] ? passed_sign : failed_sign),
                       colour_of(test.passes[i] ? Meaning::pass : Meaning::fail, theme));
-        name_widget(
+        register_widget(
             ui, fmt::format("inside.asks.{}", i),
             edge.owns_points
                 ? "A point exactly on this edge belongs to the triangle, by the fill rule."
@@ -205,9 +205,10 @@ void draw_tested_columns(Ui& ui, const PixelTest& test, const TestedPolygon& pol
     ImGui::PushFont(ui.fonts.small);
     text_in(palette(ui.options.theme).dim, first_fitting(forms, ImGui::CalcItemWidth()));
     ImGui::PopFont();
-    name_widget(ui, "inside.interval",
-                "The interval of this row between the places where the edges cross it. Only there "
-                "can all three E be 0 or more, so only these pixels are tested.");
+    register_widget(
+        ui, "inside.interval",
+        "The interval of this row between the places where the edges cross it. Only there "
+        "can all three E be 0 or more, so only these pixels are tested.");
 }
 
 } // namespace
@@ -235,9 +236,9 @@ void draw_pixel_test(Ui& ui, const PixelTest& test) {
     text_in(colour_of(answer, ui.options.theme),
             fmt::format("pixel ({}, {}): {}", test.column, test.row,
                         test.is_inside ? "inside" : "outside"));
-    name_widget(ui, "inside.pixel",
-                with_minus_signs(pixel_test_text(test)) +
-                    "\nA pixel is inside if it passes the test at all three edges.");
+    register_widget(ui, "inside.pixel",
+                    with_minus_signs(pixel_test_text(test)) +
+                        "\nA pixel is inside if it passes the test at all three edges.");
     draw_place_of_test(ui, settings.pixel_sample, test);
     draw_tested_columns(ui, test, polygon);
     draw_edges_of_test(ui, test, triangle, formulas);

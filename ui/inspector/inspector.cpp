@@ -5,8 +5,8 @@
 #include "ui/inspector/inspector_parts.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -96,9 +96,9 @@ void draw_inspector(Ui& ui, const Area& area) {
     ImGui::BeginChild(std::string(name).c_str(), {0, 0}, false, ImGuiWindowFlags_NoNav);
     const TabPage* const shown = std::find_if(std::begin(pages), std::end(pages),
                                               [&](const TabPage& one) { return one.name == name; });
-    begin_whole_lines();
+    begin_line_clip();
     if (shown != std::end(pages)) shown->draw(ui);
-    end_whole_lines();
+    end_line_clip();
     ImGui::EndChild();
     ImGui::End();
 }

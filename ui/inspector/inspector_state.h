@@ -11,8 +11,8 @@
 #include <glm/vec2.hpp>
 
 #include "base/image.h"
+#include "inspect/coverage_comparison.h"
 #include "inspect/microscope.h"
-#include "inspect/polygon_ways.h"
 #include "inspect/shared_edge.h"
 #include "pipeline/cursor.h"
 #include "stages/clip.h"
@@ -51,7 +51,7 @@ struct RowsPlace {
 };
 
 /// What the small pictures of the Rows tab can be about.
-enum class CoverageSubject : std::uint8_t { none, rules, ways };
+enum class CoverageSubject : std::uint8_t { none, rules, methods };
 
 /// One of them, and the signs on its pixels.
 struct CoverageImage {

@@ -12,8 +12,8 @@
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -25,7 +25,7 @@ void draw_sentence(Ui& ui, const std::string& name, const std::string& words,
                    const std::string& help) {
     if (words.empty()) return;
     wrapped_text(words);
-    name_widget(ui, name, help, words);
+    register_widget(ui, name, help, words);
 }
 
 void draw_headline(Ui& ui, const LabAnswer& answer) {
@@ -43,7 +43,7 @@ void draw_headline(Ui& ui, const LabAnswer& answer) {
         all += " " + headline.rest;
     }
     ImGui::EndGroup();
-    name_widget(ui, "lab.diagnosis", "The most likely cause.", all);
+    register_widget(ui, "lab.diagnosis", "The most likely cause.", all);
 }
 
 void draw_pictures(Ui& ui, const LabAnswer& answer) {
@@ -82,7 +82,7 @@ void draw_remedy(Ui& ui, const Diagnosis& diagnosis) {
     if (text.empty()) return;
     const MarkdownEvents events =
         draw_markdown(ui, ui.lab.remedy, text, ImGui::CalcItemWidth(), "lab.remedy.");
-    name_widget(ui, "lab.remedy", "What is likely wrong, and how to fix it.", text);
+    register_widget(ui, "lab.remedy", "What is likely wrong, and how to fix it.", text);
     ImGui::Spacing();
     answer_links(ui, document_of(*ui.lab.remedy), events);
 }
@@ -93,7 +93,7 @@ bool draw_reference(Ui& ui, const LabAnswer& answer) {
     const bool is_unsure =
         !answer.diagnosis.is_same() && likely_candidate(answer.diagnosis) == nullptr;
     ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
-    draw_sentence(ui, "lab.held_against", "Compared with " + answer.subject.held_against + ".",
+    draw_sentence(ui, "lab.held_against", "Compared with " + answer.subject.compared_with + ".",
                   "The reference, that is, what a correct program makes.");
     ImGui::PopStyleColor();
     if (answer.subject.is_picture && is_unsure && !is_set) {
@@ -129,13 +129,13 @@ void draw_candidate(Ui& ui, const Candidate& candidate, int index) {
                                               packed(colour_of(Meaning::pass, ui.options.theme)));
     ImGui::TableNextColumn();
     wrapped_text(candidate_words(candidate));
-    keep_item_whole();
+    clip_to_lines();
     const std::string name = "lab.candidate." + std::to_string(index);
-    name_widget(ui, name,
-                "With this mistake, " + grouped(candidate.different) +
-                    " still differ from your result; the mean distance is " +
-                    fixed(candidate.distance, 3) + " steps of 255.",
-                candidate.ids().front());
+    register_widget(ui, name,
+                    "With this mistake, " + grouped(candidate.different) +
+                        " still differ from your result; the mean distance is " +
+                        fixed(candidate.distance, 3) + " steps of 255.",
+                    candidate.ids().front());
     ImGui::TableNextColumn();
     if (bug == nullptr) return;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4.0f * u, 0.0f));
@@ -159,11 +159,11 @@ void draw_candidates(Ui& ui, const Diagnosis& diagnosis) {
     ImGui::PushFont(ui.fonts.small);
     ImGui::TableNextColumn();
     right_aligned("explains", palette(ui.options.theme).dim);
-    name_widget(ui, "lab.header.explains",
-                "How much of the difference from the reference this mistake explains.");
+    register_widget(ui, "lab.header.explains",
+                    "How much of the difference from the reference this mistake explains.");
     ImGui::TableNextColumn();
     text_in(palette(ui.options.theme).dim, "mistake");
-    name_widget(ui, "lab.header.mistake", "What may have gone wrong, likeliest first.");
+    register_widget(ui, "lab.header.mistake", "What may have gone wrong, likeliest first.");
     ImGui::PopFont();
     for (std::size_t i = 0; i < diagnosis.candidates.size(); ++i)
         draw_candidate(ui, diagnosis.candidates[i], static_cast<int>(i));
@@ -182,7 +182,7 @@ void draw_lab_answer(Ui& ui) {
     const bool wants_other = draw_reference(ui, answer);
     end_card(ui);
     draw_candidates(ui, answer.diagnosis);
-    if (wants_other) hold_result_against(ui, !answer.subject.against.is_set);
+    if (wants_other) compare_result_with(ui, !answer.subject.against.is_set);
 }
 
 } // namespace rasterwalk

@@ -14,8 +14,8 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -40,15 +40,15 @@ void draw_line(Ui& ui, const Bug& bug) {
     if (can_double && is_double) turn_on(ui, bug, false);
     const bool is_made = !on && is_made_by(bug, ui.session.a.settings);
     keep_selectable_whole();
-    name_widget(ui, name,
-                bug.sentence +
-                    (is_made ? "\nRun A makes this mistake with its current "
-                               "settings."
-                             : "") +
-                    "\nClick to read about it." +
-                    (!can_double ? ""
-                     : is_made   ? " Double click to compare it with the cure."
-                                 : " Double click to turn it on."));
+    register_widget(ui, name,
+                    bug.sentence +
+                        (is_made ? "\nRun A makes this mistake with its current "
+                                   "settings."
+                                 : "") +
+                        "\nClick to read about it." +
+                        (!can_double ? ""
+                         : is_made   ? " Double click to compare it with the cure."
+                                     : " Double click to turn it on."));
     const float u = ui.options.text_scale;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec4& ink = on ? colour_of(Meaning::fail, ui.options.theme) : p.dim;
@@ -63,7 +63,7 @@ void draw_line(Ui& ui, const Bug& bug) {
     const float room = right - left - std::max(width, 26.0f * u) - 4.0f * u;
     list->AddText({left, at.y}, packed(p.text), shortened(bug.name, room).c_str());
     list->AddText({right - width, at.y}, packed(ink), state.c_str());
-    note_text(ui, name, state);
+    register_text(ui, name, state);
 }
 
 /// The title of a section of the lab.
@@ -106,7 +106,7 @@ void draw_card(Ui& ui, const Bug& bug) {
     if (!is_on(ui.session, bug.id) && is_made_by(bug, ui.session.a.settings)) {
         wrapped_text_in(palette(ui.options.theme).dim,
                         "Already on: the current settings make this mistake.");
-        name_widget(ui, "lab.made", "Nothing needs to be turned on to see this mistake.");
+        register_widget(ui, "lab.made", "Nothing needs to be turned on to see this mistake.");
     }
     const float width = ImGui::CalcItemWidth();
     const MarkdownEvents events =

@@ -6,8 +6,8 @@
 #include "picture/resample.h"
 #include "ui/inspector/lab_parts.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -72,19 +72,19 @@ void draw_captioned(Ui& ui, bool is_own, const PairLayout& layout, const Picture
     ImGui::BeginGroup();
     ImGui::Dummy(texture.size);
     const std::string name = is_own ? "lab.picture.own" : "lab.picture.beside";
-    name_widget(ui, name,
-                is_own ? "The picture that you chose."
-                       : "What a correct program draws, in grey; orange where yours differs.",
-                caption.title + (caption.words.empty() ? "" : ": " + caption.words));
+    register_widget(ui, name,
+                    is_own ? "The picture that you chose."
+                           : "What a correct program draws, in grey; orange where yours differs.",
+                    caption.title + (caption.words.empty() ? "" : ": " + caption.words));
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddImage(texture.id, low, high);
     list->AddRect(low, high, packed(p.line));
     ImGui::PushFont(ui.fonts.small);
     text_in(p.text, broken_into_lines(caption.title, layout.column));
-    keep_item_whole();
+    clip_to_lines();
     if (!caption.words.empty()) {
         text_in(p.dim, broken_into_lines(caption.words, layout.column));
-        keep_item_whole();
+        clip_to_lines();
     }
     ImGui::PopFont();
     ImGui::EndGroup();

@@ -12,8 +12,8 @@
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -37,17 +37,17 @@ void draw_score(Ui& ui) {
     if (score.rounds == 0) return;
     text_in(palette(ui.options.theme).dim, counted(score.points, "point", "points") + " in " +
                                                counted(score.rounds, "round", "rounds"));
-    name_widget(ui, "lab.points",
-                score.is_kept ? "In all rounds since you began keeping score."
-                              : "Since the program was opened.");
+    register_widget(ui, "lab.points",
+                    score.is_kept ? "In all rounds since you began keeping score."
+                                  : "Since the program was opened.");
 }
 
 /// The score is kept only if the student wants it.
 void draw_keeping(Ui& ui) {
     QuizScore& score = ui.options.score;
     ImGui::Checkbox("keep my score", &score.is_kept);
-    name_widget(ui, "lab.keep_score",
-                "Your points are still there the next time you open the program.");
+    register_widget(ui, "lab.keep_score",
+                    "Your points are still there the next time you open the program.");
     if (score.rounds == 0) return;
     ImGui::SameLine();
     if (button(ui, "lab.reset_score", "forget it", Look::quiet, "Sets points and rounds to 0.")) {
@@ -61,13 +61,13 @@ void draw_beginning(Ui& ui) {
                  "the correct run.");
     ImGui::Spacing();
     ImGui::Checkbox("two mistakes at once", &ui.lab.wants_two);
-    name_widget(ui, "lab.two", "Harder: two mistakes that show side by side.");
+    register_widget(ui, "lab.two", "Harder: two mistakes that show side by side.");
     ImGui::SetNextItemWidth(120.0f * ui.options.text_scale);
     ImGui::InputInt("seed (0: any)", &ui.lab.seed, 0);
     ui.lab.seed = std::clamp(ui.lab.seed, 0, 999'999);
-    name_widget(ui, "lab.seed",
-                "The same number makes the same quiz for everyone. With 0, the program picks a "
-                "number.");
+    register_widget(ui, "lab.seed",
+                    "The same number makes the same quiz for everyone. With 0, the program picks a "
+                    "number.");
     draw_keeping(ui);
     ImGui::Spacing();
     if (button(ui, "lab.quiz.start", "begin", Look::main,
@@ -121,7 +121,7 @@ void draw_choice(Ui& ui, const Bug& bug) {
         ui.lab.chosen = bug.id;
     }
     keep_selectable_whole();
-    name_widget(ui, name, bug.sentence);
+    register_widget(ui, name, bug.sentence);
 }
 
 void draw_question_card(Ui& ui) {
@@ -160,8 +160,8 @@ void draw_answer(Ui& ui) {
     text_in(colour_of(won ? Meaning::pass : Meaning::fail, ui.options.theme),
             won ? "✓ Found: " + std::to_string(score(quiz)) + " points" : "Not found",
             ui.fonts.bold);
-    name_widget(ui, "lab.verdict",
-                "A hundred points for each mistake, minus hints and wrong guesses.");
+    register_widget(ui, "lab.verdict",
+                    "A hundred points for each mistake, minus hints and wrong guesses.");
     for (const QuizQuestion& question : quiz.questions) {
         std::string names;
         for (const std::string& id : question.bugs)
@@ -200,7 +200,7 @@ void draw_lab_quiz(Ui& ui) {
              ui.fonts.bold);
     ImGui::SameLine();
     text_in(palette(ui.options.theme).dim, "seed " + std::to_string(quiz.seed));
-    name_widget(ui, "lab.quiz.seed", "The same seed makes the same quiz.");
+    register_widget(ui, "lab.quiz.seed", "The same seed makes the same quiz.");
     draw_correct_run_switch(ui);
     if (is_over(quiz)) {
         draw_answer(ui);

@@ -28,7 +28,7 @@ void draw_intro(Ui& ui) {
                     "the rows that it printed. You can also drop the file on the window or "
                     "type its path.",
                     exact_image_formats));
-    name_widget(ui, "lab.intro", "What can be checked, and how.");
+    register_widget(ui, "lab.intro", "What can be checked, and how.");
     ImGui::Spacing();
 }
 
@@ -47,9 +47,9 @@ void draw_file(Ui& ui, bool another) {
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - width, 60.0f));
     const bool entered = ImGui::InputTextWithHint("##path", "or its path", &lab.result_path,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
-    name_widget(ui, "lab.path",
-                "The picture, or a text file with lines like Start: (10,5). End: "
-                "(10,5).");
+    register_widget(ui, "lab.path",
+                    "The picture, or a text file with lines like Start: (10,5). End: "
+                    "(10,5).");
     ImGui::SameLine();
     ImGui::BeginDisabled(lab.result_path.empty());
     const bool pressed = button(ui, "lab.diagnose", "check", Look::plain,
@@ -94,7 +94,7 @@ void draw_progress(Ui& ui) {
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, p.accent);
     ImGui::ProgressBar(pictures_part(lab), {-1.0f, 10.0f * ui.options.text_scale}, "");
     ImGui::PopStyleColor();
-    name_widget(ui, "lab.progress", progress_help, words);
+    register_widget(ui, "lab.progress", progress_help, words);
     if (button(ui, "lab.stop", "Stop", Look::plain, stop_help(lab))) stop_diagnosis(ui);
 }
 
@@ -134,13 +134,14 @@ void draw_watch_line(Ui& ui) {
     const float left = ImGui::GetCursorScreenPos().x, room = right_end() - left - stop;
     const std::string words = first_fitting(watch_forms(lab, is_checking), room);
     text_in(is_fault ? colour_of(Meaning::fail, ui.options.theme) : p.dim, words);
-    name_widget(ui, "lab.watch",
-                is_checking ? progress_help
-                : is_fault  ? lab.result_fault + "\nIt is tried again when the file changes."
-                            : "The file is being watched. Save it again, and it is checked against "
-                              "the same reference. " +
-                                 lab.watched_path,
-                words);
+    register_widget(ui, "lab.watch",
+                    is_checking ? progress_help
+                    : is_fault
+                        ? lab.result_fault + "\nIt is tried again when the file changes."
+                        : "The file is being watched. Save it again, and it is checked against "
+                          "the same reference. " +
+                              lab.watched_path,
+                    words);
     const float bottom = ImGui::GetItemRectMax().y;
     if (is_checking) {
         ImGui::GetWindowDrawList()->AddRectFilled(
@@ -163,8 +164,9 @@ void draw_result_answer(Ui& ui) {
     }
     if (!lab.result_fault.empty()) {
         wrapped_text_in(colour_of(Meaning::fail, ui.options.theme), lab.result_fault);
-        name_widget(ui, "lab.result.fault",
-                    "Why it could not be diagnosed. It will be tried again when the file changes.");
+        register_widget(
+            ui, "lab.result.fault",
+            "Why it could not be diagnosed. It will be tried again when the file changes.");
     }
     if (is_diagnosing(ui)) draw_progress(ui);
 }

@@ -48,8 +48,8 @@ struct LabSubject {
     std::size_t bytes = 0;   ///< a hash of the file's bytes
     bool is_picture = false; ///< if not, rows
     LabReference against;
-    Settings reference;       ///< of `against`, at the size of the picture
-    std::string held_against; ///< "the picture of lab-room"
+    Settings reference;        ///< of `against`, at the size of the picture
+    std::string compared_with; ///< "the picture of lab-room"
 };
 
 /// A picture that is being checked.

@@ -47,7 +47,7 @@ std::string in_words(const std::string& text) {
         if (setting == nullptr || first < done) continue;
         const std::string word = text.substr(equals + 1, last - equals - 1);
         const std::string value = std::holds_alternative<ChoiceSetting>(setting->kind)
-                                      ? said_word(*setting, word)
+                                      ? choice_words(*setting, word)
                                       : numbers_in_words(word);
         result += text.substr(done, first - done) + "“" + std::string(setting->title) + ": " +
                   value + "”";

@@ -21,12 +21,13 @@ void draw_drift_curve(Ui& ui) {
     const ImVec2 high{low.x + width, low.y + height};
     ImGui::InvisibleButton("microscope.curve", {width, height});
     const bool is_held = ImGui::IsItemActive();
-    name_widget(ui, "microscope.curve",
-                edge.has_decision_variable()
-                    ? "The decision variable d along the edge. Each step brings it back toward 0. "
-                      "Click or drag to go to a sample."
-                    : "How far the float is from the exact fraction, along the edge. Marks show "
-                      "samples on a wrong pixel. Click or drag to go to a sample.");
+    register_widget(
+        ui, "microscope.curve",
+        edge.has_decision_variable()
+            ? "The decision variable d along the edge. Each step brings it back toward 0. "
+              "Click or drag to go to a sample."
+            : "How far the float is from the exact fraction, along the edge. Marks show "
+              "samples on a wrong pixel. Click or drag to go to a sample.");
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(low, high, packed(p.card), 5.0f * u);
     const int last = std::max(edge.count - 1, 1);

@@ -84,9 +84,9 @@ void draw_axis_choice(Ui& ui, float gap) {
     if (!is_low) {
         ImGui::AlignTextToFramePadding();
         text_in(p.dim, caption);
-        name_widget(ui, "microscope.axis",
-                    "Each sample has an x and a y, and each has its own step. Table and curve "
-                    "below show one of the two.");
+        register_widget(ui, "microscope.axis",
+                        "Each sample has an x and a y, and each has its own step. Table and curve "
+                        "below show one of the two.");
         ImGui::SameLine(0.0f, between);
     }
     if (button(ui, "microscope.x", x, view.shows_x ? Look::chosen : Look::plain,
@@ -212,7 +212,7 @@ bool draw_current_decision(Ui& ui) {
 }
 
 /// How the samples of the edge are found.
-void draw_way(Ui& ui) {
+void draw_sampling(Ui& ui) {
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const Settings& settings = ui.results.a.frame.settings;
     const Palette& p = palette(ui.options.theme);
@@ -238,7 +238,7 @@ void draw_summary(Ui& ui) {
     ImGui::SameLine(0.0f, 0.0f);
     put_text(" from " + place_text(edge.a.column, edge.a.row) + " to " +
              place_text(edge.b.column, edge.b.row));
-    draw_way(ui);
+    draw_sampling(ui);
     draw_verdict(ui);
     if (summary.misses_end) {
         const EdgeMicroscope::Place& last = edge.forward.back();

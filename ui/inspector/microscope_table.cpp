@@ -12,9 +12,9 @@
 #include "ui/inspector/microscope_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -105,12 +105,12 @@ void draw_sample(Ui& ui, const SampleColumns& columns, int index, int current, i
     if (selectable_row("##sample", index == current)) {
         go_to_sample(ui, index);
     }
-    keep_item_whole();
+    clip_to_lines();
     const bool hovered = ImGui::IsItemHovered();
     if (hovered) ui.inspector.hovered_row = sample.y.pixel;
     const EdgeMicroscope& edge = ui.inspector.microscope.shown;
     const std::string tooltip = hovered ? sample_words(ui, sample) : std::string();
-    name_widget(ui, "microscope.sample." + std::to_string(index), tooltip);
+    register_widget(ui, "microscope.sample." + std::to_string(index), tooltip);
     ImGui::SameLine(0.0f, 0.0f);
     right_aligned(std::to_string(index), ink);
     ImGui::PopID();
@@ -209,7 +209,8 @@ void draw_sample_headers(Ui& ui, const SampleColumns& columns) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
         ImGui::TableSetColumnIndex(static_cast<int>(i));
         right_aligned(columns[i].title, palette(ui.options.theme).dim, ui.fonts.small);
-        name_widget(ui, "microscope.header." + std::to_string(columns[i].number), columns[i].help);
+        register_widget(ui, "microscope.header." + std::to_string(columns[i].number),
+                        columns[i].help);
     }
 }
 
@@ -291,7 +292,7 @@ void draw_sample_table_with(Ui& ui, bool appears, const std::function<void()>& b
         ImGui::EndTable();
     }
     ImGui::BeginChild("samples.body", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    begin_whole_lines();
+    begin_line_clip();
     if (begin_samples("samples", columns, 0, {width, 0})) {
         draw_samples(ui, columns, appears);
         ImGui::EndTable();
@@ -300,7 +301,7 @@ void draw_sample_table_with(Ui& ui, bool appears, const std::function<void()>& b
     ImGui::PushTextWrapPos(width);
     below();
     ImGui::PopTextWrapPos();
-    end_whole_lines();
+    end_line_clip();
     ImGui::EndChild();
 }
 

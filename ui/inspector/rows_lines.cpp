@@ -41,7 +41,7 @@ void draw_end_cell(Ui& ui, const std::string& name, const RowEnd& end, const End
         draw_changed_box(ui, ImGui::GetWindowDrawList(), low,
                          {low.x + width, low.y + ImGui::GetTextLineHeight()});
     }
-    name_widget(ui, name, end_tooltip(ui, end, writer));
+    register_widget(ui, name, end_tooltip(ui, end, writer));
     if (writer.is_set() && is_clicked_on_row()) go_to_sample(ui, writer.edge, writer.sample);
 }
 
@@ -79,12 +79,12 @@ void draw_writer_cell(Ui& ui, const std::string& name, const EndWriter& writer) 
     const float before = room - width - (has_sign ? sign_width : 0.0f);
     if (before > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + before);
     text_in(colour_of(edge_meaning(writer.edge), ui.options.theme), text);
-    name_widget(ui, name, writer_tooltip(writer));
+    register_widget(ui, name, writer_tooltip(writer));
     if (is_clicked_on_row()) go_to_sample(ui, writer.edge, writer.sample);
     if (!has_sign || writer.replaced == 0 || writer.replaced > 9) return;
     ImGui::SameLine(0.0f, gap);
     text_in(p.dim, "↻" + std::to_string(writer.replaced), ui.fonts.small);
-    name_widget(ui, name + ".replaced", replaced_tooltip(writer));
+    register_widget(ui, name + ".replaced", replaced_tooltip(writer));
 }
 
 /// The varying that the stage uses; if it uses none, the first: the position in the room.
@@ -169,9 +169,9 @@ void draw_row_line(Ui& ui, int index) {
         ui.session.selection.row = row;
     }
     if (ImGui::IsItemHovered()) ui.inspector.hovered_row = row;
-    name_widget(ui, name,
-                "Row " + whole_text(row) + " of the picture: " + element_name(entry_form, index) +
-                    " of leftPixels and rightPixels.");
+    register_widget(ui, name,
+                    "Row " + whole_text(row) + " of the picture: " +
+                        element_name(entry_form, index) + " of leftPixels and rightPixels.");
     if (at_work == row) {
         draw_current_bar(ui, ImGui::GetWindowDrawList(),
                          {ImGui::GetWindowPos().x, ImGui::GetItemRectMin().y},
@@ -218,7 +218,7 @@ void draw_outside_line(Ui& ui, const OutsideSample& sample, int number) {
         "{} here, outside its arrays.",
         sample_name(sample.edge, sample.sample), value, whole_text(sample.row),
         element_name(entry_form, sample.row - ui.results.a.rows.rows.first_row));
-    name_widget(ui, "rows.outside." + std::to_string(number), tooltip);
+    register_widget(ui, "rows.outside." + std::to_string(number), tooltip);
     ImGui::PopID();
     ImGui::SameLine(0.0f, 0.0f);
     right_aligned(fixed(sample.row, 0), red);

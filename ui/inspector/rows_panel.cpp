@@ -123,7 +123,7 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
     if (button(ui, "rows.copy", copy_label, Look::plain,
                "Copies the table in the form that the lab prints.")) {
         ImGui::SetClipboardText(rows_text(history.rows).c_str());
-        tell(ui.session, "The row table is on the clipboard.");
+        show_info(ui.session, "The row table is on the clipboard.");
     }
     ImGui::SameLine();
     if (button(ui, "rows.values", values_label,
@@ -138,8 +138,8 @@ void draw_table_buttons(Ui& ui, bool is_one_line) {
     if (has_room) ImGui::SameLine();
     text_in(history.outside.empty() ? p.dim : colour_of(Meaning::fail, ui.options.theme),
             words_of_outside(history));
-    name_widget(ui, "rows.outside",
-                "Samples of this triangle so far that fell in no row of the table.");
+    register_widget(ui, "rows.outside",
+                    "Samples of this triangle so far that fell in no row of the table.");
 }
 
 /// The tested pixel first, and below it the rows found so far. What has no room is scrolled to.

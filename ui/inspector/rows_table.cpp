@@ -9,9 +9,9 @@
 #include "ui/inspector/rows_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/row_ends.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -67,7 +67,7 @@ void draw_row_headers(Ui& ui) {
         // The values of both ends have the same titles.
         const bool is_value = ui.inspector.shows_end_values && i >= 2 && i != 6;
         const std::string end = !is_value ? "" : i < 6 ? "left." : "right.";
-        name_widget(ui, "rows.header." + end + headers[i].name, headers[i].help);
+        register_widget(ui, "rows.header." + end + headers[i].name, headers[i].help);
     }
 }
 
@@ -183,7 +183,7 @@ void draw_row_table_with(Ui& ui, const std::function<void()>& below) {
     }
     const float height = ImGui::GetContentRegionAvail().y;
     ImGui::BeginChild("rows.body", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    begin_whole_lines();
+    begin_line_clip();
     if (begin_row_table(ui, "rows", 0, {width, 0})) {
         draw_all_rows(ui, height);
         ImGui::EndTable();
@@ -191,7 +191,7 @@ void draw_row_table_with(Ui& ui, const std::function<void()>& below) {
     ImGui::PushTextWrapPos(width);
     below();
     ImGui::PopTextWrapPos();
-    end_whole_lines();
+    end_line_clip();
     ImGui::EndChild();
 }
 

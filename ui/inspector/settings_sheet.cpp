@@ -12,9 +12,9 @@
 #include "ui/actions/open_tab.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/setting_field.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -37,7 +37,7 @@ float field_width(const Ui& ui, const Setting& setting) {
     if (choice == nullptr) return 75.0f * u;
     float widest = 0.0f;
     for (const std::string_view word : choice->words)
-        widest = std::max(widest, button_width(said_word(setting, word)));
+        widest = std::max(widest, button_width(choice_words(setting, word)));
     return widest + ImGui::GetFrameHeight(); // with the arrow of the list
 }
 
@@ -88,7 +88,7 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
     ImGui::AlignTextToFramePadding();
     ImGui::SetCursorPosX(begin + indent);
     text_in(!idle.empty() ? p.dim : differs ? p.changed : p.text, shortened(title, room));
-    name_widget(ui, "setting_name." + name, tooltip_of_setting(setting, idle));
+    register_widget(ui, "setting_name." + name, tooltip_of_setting(setting, idle));
     if (fits) ImGui::SameLine();
     ImGui::SetCursorPosX(begin + (fits ? columns.name : indent));
     ImGui::SetNextItemWidth(columns.reset - (fits ? columns.name : indent) - 4.0f * u);
@@ -96,13 +96,13 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
     if (!idle.empty()) ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
     edit_setting(ui, ui.session.a.settings, setting, "setting." + name);
     if (!idle.empty()) ImGui::PopStyleColor();
-    keep_whole(top, ImGui::GetItemRectMax().y);
+    clip_range_to_lines(top, ImGui::GetItemRectMax().y);
     if (differs) {
         ImGui::SameLine();
         ImGui::SetCursorPosX(begin + columns.reset);
         if (button(ui, "reset." + name, "↺", Look::link,
                    "Differs from the handout. Click to set it back to " +
-                       said_value(setting, usual) + ".")) {
+                       value_words(setting, usual) + ".")) {
             set_value(ui.session.a.settings, setting, usual_text);
         }
     }
@@ -111,7 +111,7 @@ void draw_setting(Ui& ui, const Setting& setting, const Settings& usual,
 
 /// Which settings come first is decided when the sheet opens, and at every step of a lesson: none
 /// moves away from the pointer, whether it is changed or reset.
-void note_changed(Ui& ui, const Settings& usual) {
+void record_changed(Ui& ui, const Settings& usual) {
     SettingsSheet& sheet = ui.inspector.settings_sheet;
     const int frame = ImGui::GetFrameCount();
     const bool was_open = sheet.frame + 1 >= frame && sheet.lesson == ui.session.lesson &&
@@ -149,7 +149,7 @@ void draw_heading(Ui& ui, std::string_view text) {
 /// Said before settings that do nothing.
 void draw_idle_reason(Ui& ui, const Setting& first, const std::string& reason) {
     wrapped_text_in(palette(ui.options.theme).dim, idle_text(reason) + ":", ui.fonts.small);
-    name_widget(
+    register_widget(
         ui, "setting_idle." + std::string(first.name),
         "The grey settings below can be changed, but have no effect on the picture for now.");
 }
@@ -209,7 +209,7 @@ void draw_all_settings(Ui& ui) {
     if (!is_searched && ui.inspector.is_low) draw_presets_in_a_row(ui);
     if (!is_searched && !ui.inspector.is_low) draw_presets(ui);
     const Settings usual = default_settings(*ui.session.scene);
-    note_changed(ui, usual);
+    record_changed(ui, usual);
     const SheetColumns columns = sheet_columns(ui);
     std::string_view heading;
     bool any = false;
@@ -251,8 +251,8 @@ void draw_sheet_head(Ui& ui) {
     if (!hides_settings(ui.session)) {
         ImGui::SetNextItemWidth(std::max(right - side - 8.0f * u - ImGui::GetCursorPosX(), 1.0f));
         ImGui::InputTextWithHint("##search", "search", &ui.inspector.setting_search);
-        name_widget(ui, "settings.search",
-                    "Shows only the settings whose name or help contains this word.");
+        register_widget(ui, "settings.search",
+                        "Shows only the settings whose name or help contains this word.");
         ImGui::SameLine();
     }
     ImGui::SetCursorPosX(right - side);
@@ -268,14 +268,14 @@ void draw_settings_sheet(Ui& ui) {
     draw_sheet_head(ui);
     if (hides_settings(ui.session)) {
         wrapped_text("The settings are hidden until the quiz in the Mistakes tab is over.");
-        name_widget(ui, "settings.hidden", "They would give the mistake away.");
+        register_widget(ui, "settings.hidden", "They would give the mistake away.");
         return;
     }
     // The list scrolls, its head stays.
     ImGui::BeginChild("settings.list", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    begin_whole_lines();
+    begin_line_clip();
     draw_all_settings(ui);
-    end_whole_lines();
+    end_line_clip();
     ImGui::EndChild();
 }
 

@@ -20,7 +20,7 @@ void draw_order(Ui& ui) {
     for (std::size_t i = 0; i < enum_words<MatrixOrder>.size(); ++i) {
         const std::string word(enum_words<MatrixOrder>[i]);
         const auto order = static_cast<MatrixOrder>(i);
-        const std::string label = said_word(setting, word);
+        const std::string label = choice_words(setting, word);
         if (i > 0 &&
             ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + button_width(label) <=
                 right_end())
@@ -58,14 +58,14 @@ void draw_matrix(Ui& ui, const SpacePlace& place, MatrixOrder order) {
 void draw_place(Ui& ui, const SpacePlace& place, MatrixOrder order) {
     ImGui::Separator();
     put_text(place.space);
-    name_widget(ui, std::string("vertices.space.").append(place.space), place.about);
+    register_widget(ui, std::string("vertices.space.").append(place.space), place.about);
     wrapped_text_in(palette(ui.options.theme).dim, place.about);
     if (place.matrix) {
         ImGui::BeginGroup();
         put_text(std::string(place.matrix_name) + " =");
         draw_matrix(ui, place, order);
         ImGui::EndGroup();
-        name_widget(ui, std::string("vertices.matrix.").append(place.matrix_name), place.about);
+        register_widget(ui, std::string("vertices.matrix.").append(place.matrix_name), place.about);
     }
     ImGui::PushFont(ui.fonts.mono_small);
     for (int i = 0; i < 4; ++i) {
@@ -97,9 +97,9 @@ void draw_conventions(Ui& ui, const Vertex& vertex) {
         convention_report(ui.results.a.frame.settings.camera, vertex.position);
     ImGui::Separator();
     put_text("conventions");
-    name_widget(ui, "vertices.conventions",
-                "The same point under the lab's projection, whatever is drawn, with one choice "
-                "made differently; in pixels from the middle.");
+    register_widget(ui, "vertices.conventions",
+                    "The same point under the lab's projection, whatever is drawn, with one choice "
+                    "made differently; in pixels from the middle.");
     const auto draw_line = [&](std::string_view name, const ConventionPlace& place) {
         wrapped_text(std::string(name) + ": " + fixed(place.picture.x, 1) + ", " +
                      fixed(place.picture.y, 1) + ", " + std::string(change_words(place.change)));
@@ -122,8 +122,8 @@ void draw_spaces(Ui& ui, int vertex) {
     if (spaces.chain.empty()) return;
     ImGui::Separator();
     text_in(palette(ui.options.theme).dim, "Spaces of " + vertex_name(vertex));
-    name_widget(ui, "vertices.spaces",
-                "The vertex in every space, and the matrix that took it there.");
+    register_widget(ui, "vertices.spaces",
+                    "The vertex in every space, and the matrix that took it there.");
     wrapped_text(spaces.chain);
     draw_order(ui);
     for (const SpacePlace& place : spaces.places)

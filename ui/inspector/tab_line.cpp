@@ -22,7 +22,7 @@ bool draw_word(Ui& ui, const std::string& name, std::string_view word, std::stri
     ImGui::SetCursorScreenPos(at);
     const bool pressed = ImGui::InvisibleButton(name.c_str(), {text.x, height});
     const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, name, help);
+    register_widget(ui, name, help);
     ImGui::GetWindowDrawList()->AddText({at.x, at.y + 0.5f * (height - text.y)},
                                         packed(hovered ? colour_hovered : colour), word.data(),
                                         word.data() + word.size());
@@ -116,7 +116,7 @@ float draw_tab_line(Ui& ui, const InspectorLook& look) {
                       chosen ? p.text : p.dim, p.text)) {
             open_tab(ui, tab->name);
         }
-        note_text(ui, name, words.title);
+        register_text(ui, name, words.title);
         if (chosen) {
             ImGui::GetWindowDrawList()->AddRectFilled(
                 {x, start.y + height - 2.0f * u}, {x + width, start.y + height}, packed(p.link));
@@ -139,7 +139,7 @@ float draw_tab_list(Ui& ui) {
     const std::string title(shown != tabs.end() ? words_of(**shown).title : std::string_view());
     ImGui::SetNextItemWidth(-1.0f);
     const bool open = ImGui::BeginCombo("##tabs", title.c_str(), ImGuiComboFlags_HeightLargest);
-    name_widget(ui, "tabs", "What the inspector shows.", title);
+    register_widget(ui, "tabs", "What the inspector shows.", title);
     const float bottom = ImGui::GetItemRectMax().y + ImGui::GetStyle().ItemSpacing.y;
     if (!open) return bottom;
     for (std::size_t i = 0; i < tabs.size(); ++i) {
@@ -154,8 +154,8 @@ float draw_tab_list(Ui& ui) {
     if (hides_tabs(ui.session)) {
         ImGui::Separator();
         if (ImGui::Selectable("show all")) ui.session.tab_guide.shows_all = true;
-        name_widget(ui, "tabs.show_all",
-                    "All groups and tabs, not only those that this step needs.");
+        register_widget(ui, "tabs.show_all",
+                        "All groups and tabs, not only those that this step needs.");
     }
     ImGui::EndCombo();
     return bottom;

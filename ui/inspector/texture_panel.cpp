@@ -28,9 +28,9 @@ constexpr float map_side = 132.0f, texel_side = 56.0f;
 
 /// The ring on the map, and how far it reaches beyond the map when its middle is at the border,
 /// design pixels.
-constexpr float ring = 5.0f, beside_map = 6.0f;
+constexpr float ring = 5.0f, map_gap = 6.0f;
 
-const TextureReport& texture_on_show(const Ui& ui) {
+const TextureReport& shown_texture(const Ui& ui) {
     return *report_of(ui).texture;
 }
 
@@ -53,18 +53,18 @@ void follow_texture_source(Ui& ui, const std::optional<Source>& source) {
 
 void draw_texture_title(Ui& ui) {
     const FragmentReport& report = report_of(ui);
-    const Texture& texture = *texture_on_show(ui).surface.texture;
+    const Texture& texture = *shown_texture(ui).surface.texture;
     put_text(fmt::format("Pixel ({}, {})", report.pixel.x, report.pixel.y), ui.fonts.bold);
-    name_widget(ui, "texture.pixel", "Column and row of the pixel that the fragment fell on.");
+    register_widget(ui, "texture.pixel", "Column and row of the pixel that the fragment fell on.");
     const std::string size =
         fmt::format("{} × {} texels", texture.base().width, texture.base().height);
     const std::string file = texture.name.substr(texture.name.find_last_of('/') + 1);
     text_in(palette(ui.options.theme).dim,
             first_fitting({texture.name + ", " + size, file + ", " + size, size},
                           ImGui::GetContentRegionAvail().x));
-    name_widget(ui, "texture.name",
-                "The texture: the picture on the surface, " + texture.name +
-                    ". Its pixels are called texels.");
+    register_widget(ui, "texture.name",
+                    "The texture: the picture on the surface, " + texture.name +
+                        ". Its pixels are called texels.");
 }
 
 /// A coordinate wrapped into the texture, and -1 where the texture runs backward there.
@@ -88,7 +88,7 @@ InTexture in_texture(float coordinate, TextureWrap wrap) {
 
 /// The texture, and the footprint of the pixel on it.
 void draw_texture_map(Ui& ui) {
-    const TextureReport& report = texture_on_show(ui);
+    const TextureReport& report = shown_texture(ui);
     const Texture& texture = *report.surface.texture;
     std::size_t number = 0;
     while (std::max(texture.levels[number].width, texture.levels[number].height) > most_map_texels)
@@ -135,7 +135,7 @@ void draw_texture_map(Ui& ui) {
     list->PopClipRect();
     list->AddCircle(at(place), ring * ui.options.text_scale, mark, 0, 2.0f * ui.options.text_scale);
     ImGui::Dummy(size);
-    name_widget(
+    register_widget(
         ui, "texture.map",
         "The whole texture. The ring is where the pixel is, and the box around it is what the "
         "pixel covers.");
@@ -143,8 +143,8 @@ void draw_texture_map(Ui& ui) {
 
 /// What is in the texels that were taken, and which level they belong to, to their right: next to
 /// the first row of each level, if there is room.
-void draw_names_of_taken(Ui& ui, ImVec2 low) {
-    const TakenTexels& taken = texture_on_show(ui).taken;
+void draw_names_of_sampled(Ui& ui, ImVec2 low) {
+    const SampledTexels& taken = shown_texture(ui).taken;
     const float u = ui.options.text_scale, side = texel_side * u;
     const float line = ImGui::GetTextLineHeight();
     const float x = low.x + (taken.count > 1 ? 2.0f : 1.0f) * side + 6.0f * u;
@@ -164,14 +164,14 @@ void draw_names_of_taken(Ui& ui, ImVec2 low) {
 }
 
 /// The texels that were taken, in their places side by side, each with its weight.
-void draw_taken_texels(Ui& ui) {
-    const TextureReport& report = texture_on_show(ui);
+void draw_sampled_texels(Ui& ui) {
+    const TextureReport& report = shown_texture(ui);
     const float u = ui.options.text_scale, side = texel_side * u;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::PushFont(ui.fonts.small);
     for (int k = 0; k < report.taken.count; ++k) {
-        const TakenTexel& texel = report.taken.list[static_cast<std::size_t>(k)];
+        const SampledTexel& texel = report.taken.list[static_cast<std::size_t>(k)];
         // Each level has a square of four.
         const int column = k % 2, row = k / 2;
         const float x = static_cast<float>(column) * side;
@@ -180,10 +180,11 @@ void draw_taken_texels(Ui& ui) {
         const std::string id = fmt::format("texture.texel.{}.weight", k);
         ImGui::SetCursorScreenPos(from);
         if (ImGui::InvisibleButton(id.c_str(), {side - u, side - u})) choose_texture_number(ui, id);
-        name_widget(ui, fmt::format("texture.texel.{}", k),
-                    fmt::format("Column {}, row {} of level {}; its weight is {}.\nClick to see "
-                                "how that was calculated.",
-                                texel.column, texel.row, texel.level, shown({texel.weight})));
+        register_widget(
+            ui, fmt::format("texture.texel.{}", k),
+            fmt::format("Column {}, row {} of level {}; its weight is {}.\nClick to see "
+                        "how that was calculated.",
+                        texel.column, texel.row, texel.level, shown({texel.weight})));
         list->AddRectFilled(from, to, screen_colour(ui, texel.colour));
         const bool is_chosen = ui.inspector.chosen.texture_number == id;
         list->AddRect(
@@ -197,21 +198,21 @@ void draw_taken_texels(Ui& ui) {
         list->AddText({from.x + 4.0f * u, to.y - line - 3.0f * u}, ink,
                       fmt::format("{}, {}", texel.column, texel.row).c_str());
     }
-    draw_names_of_taken(ui, low);
+    draw_names_of_sampled(ui, low);
     ImGui::PopFont();
 }
 
 /// The height of the taken texels one below another, with the gap between two levels, screen
 /// pixels.
-float height_of_taken(const Ui& ui) {
-    const int count = texture_on_show(ui).taken.count;
+float height_of_sampled(const Ui& ui) {
+    const int count = shown_texture(ui).taken.count;
     const int rows = (count + 1) / 2;
     return (static_cast<float>(rows) * texel_side + (count > 4 ? 6.0f : 0.0f)) *
            ui.options.text_scale;
 }
 
 void draw_mixed_colour(Ui& ui) {
-    const TextureReport& report = texture_on_show(ui);
+    const TextureReport& report = shown_texture(ui);
     const Palette& p = palette(ui.options.theme);
     const float size = ImGui::GetTextLineHeight();
     const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -235,7 +236,7 @@ void draw_texture_page(Ui& ui) {
     ImGui::Spacing();
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float gap = 12.0f * ui.options.text_scale;
-    const float inset = beside_map * ui.options.text_scale;
+    const float inset = map_gap * ui.options.text_scale;
     const float side = map_side * ui.options.text_scale, map = inset + side;
     const float texels = 2.0f * texel_side * ui.options.text_scale;
     const bool fits = map + gap + texels <= ImGui::GetContentRegionAvail().x;
@@ -244,8 +245,9 @@ void draw_texture_page(Ui& ui) {
     const ImVec2 second{fits ? start.x + map + gap : start.x,
                         fits ? start.y : ImGui::GetCursorScreenPos().y + gap};
     ImGui::SetCursorScreenPos(second);
-    draw_taken_texels(ui);
-    const float bottom = std::max(fits ? start.y + side : second.y, second.y + height_of_taken(ui));
+    draw_sampled_texels(ui);
+    const float bottom =
+        std::max(fits ? start.y + side : second.y, second.y + height_of_sampled(ui));
     ImGui::SetCursorScreenPos({start.x, bottom + gap});
     draw_mixed_colour(ui);
     ImGui::Spacing();
@@ -280,7 +282,7 @@ void draw_no_texture(Ui& ui) {
     else if (ui.session.selection.pixel)
         words = "No fragment ever falls on this pixel. The History tab says why.";
     wrapped_text_in(palette(ui.options.theme).dim, words);
-    name_widget(ui, "texture.none");
+    register_widget(ui, "texture.none");
 }
 
 } // namespace

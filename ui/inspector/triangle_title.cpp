@@ -19,9 +19,9 @@ void draw_triangle_title(Ui& ui) {
     ImGui::AlignTextToFramePadding();
     put_text(triangle_name(triangle), ui.fonts.bold);
     const std::string part = part_name(*ui.results.a.frame.scene, triangle);
-    name_widget(ui, "triangle.name",
-                "The triangle that the inspector shows, a part of \"" + part +
-                    "\"; the scene's triangles are counted from 0, as in a C++ program.");
+    register_widget(ui, "triangle.name",
+                    "The triangle that the inspector shows, a part of \"" + part +
+                        "\"; the scene's triangles are counted from 0, as in a C++ program.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const float gap = ImGui::GetStyle().ItemSpacing.x;

@@ -13,8 +13,8 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -38,16 +38,16 @@ std::string other_roundings(const VertexReport& vertex, std::string_view id,
 /// What R v in place of v R would give, or the other way round.
 std::string other_convention(const VertexReport& vertex, const Formula& formula,
                              Rotation rotation) {
-    const std::string way =
+    const std::string convention =
         rotation == Rotation::row_vector ? "R v instead of v R" : "the correct v R";
     const bool is_of_pixel = !formula.id.starts_with("rotated.");
     if (is_of_pixel && vertex.transposed.rejection != Rejection::none) {
-        return way + " would leave the triangle out: " +
+        return convention + " would leave the triangle out: " +
                std::string(words(vertex.transposed.rejection).detail);
     }
     const Number other = vertex_number(vertex.transposed, formula.id);
-    if (other.value == formula.result.value) return way + " would give the same";
-    return way + " would give " + shown(other);
+    if (other.value == formula.result.value) return convention + " would give the same";
+    return convention + " would give " + shown(other);
 }
 
 void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) {
@@ -56,17 +56,17 @@ void draw_what_else(Ui& ui, const VertexReport& vertex, const Formula& formula) 
     ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
     if (formula.id.starts_with("pixel.")) {
         wrapped_text(other_roundings(vertex, formula.id, settings.vertex_rounding));
-        name_widget(ui, "vertices.other_roundings",
-                    "The same number with the other roundings. int() cuts toward zero, so it "
-                    "moves negative numbers in the opposite direction from positive ones.");
+        register_widget(ui, "vertices.other_roundings",
+                        "The same number with the other roundings. int() cuts toward zero, so it "
+                        "moves negative numbers in the opposite direction from positive ones.");
     }
     const bool has_camera = ui.results.a.scene->space == SceneSpace::world;
     // While nothing is turned there is no R to discuss.
     if (has_camera && is_camera_turned(ui) && depends_on_rotation(formula.id)) {
         wrapped_text(other_convention(vertex, formula, settings.rotation));
-        name_widget(ui, "vertices.other_convention",
-                    "A vector on the left or on the right of the matrix. One matrix is the "
-                    "transpose of the other, and turns the camera the other way.");
+        register_widget(ui, "vertices.other_convention",
+                        "A vector on the left or on the right of the matrix. One matrix is the "
+                        "transpose of the other, and turns the camera the other way.");
     }
     ImGui::PopStyleColor();
 }
@@ -85,7 +85,7 @@ void draw_vertex_card(Ui& ui, const VertexReport& vertex) {
         said.name = short_vertex_name(vertex.vertex) + " " + said.name;
     } else {
         text_in(palette(ui.options.theme).dim, vertex_name(vertex.vertex) + ": " + formula->help);
-        name_widget(ui, "vertices.formula", formula->help);
+        register_widget(ui, "vertices.formula", formula->help);
     }
     ImGui::PushFont(ui.inspector.is_low ? ui.fonts.small : ui.fonts.text);
     const std::optional<Source> clicked = draw_formula(ui, said, "vertices.formula");
@@ -128,7 +128,7 @@ void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex, bool has_s
         end_vertex_table();
     }
     ImGui::BeginChild("vertices.body", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    begin_whole_lines();
+    begin_line_clip();
     if (begin_vertex_table(ui, "vertices", width)) {
         draw_vertex_lines(ui, chosen, all.first(above));
         end_vertex_table();
@@ -146,12 +146,12 @@ void draw_as_one_page(Ui& ui, int chosen, const VertexReport& vertex, bool has_s
     }
     if (number() != before) ui.inspector.formula_frame = frame;
     if (has_spaces) draw_spaces(ui, chosen);
-    end_whole_lines();
+    end_line_clip();
     ImGui::EndChild();
 }
 
 /// The vertex that is explained: the picked one, or else the one just projected.
-int vertex_on_show(const Ui& ui) {
+int shown_vertex(const Ui& ui) {
     const std::optional<Cursor>& done = ui.results.a.done;
     const bool is_vertex =
         done && done->phase == Phase::vertices && done->triangle == *ui.results.a.triangle;
@@ -167,7 +167,7 @@ void draw_vertices_panel(Ui& ui) {
         text_in(palette(ui.options.theme).dim, "The scene has no triangles.");
         return;
     }
-    const int chosen = vertex_on_show(ui);
+    const int chosen = shown_vertex(ui);
     draw_triangle_title(ui);
     const VertexReport& vertex = vertices[static_cast<std::size_t>(chosen)];
     const bool has_spaces = ui.results.a.frame.settings.transform == Transform::matrices;

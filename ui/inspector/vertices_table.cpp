@@ -71,7 +71,7 @@ bool has_mistake(const Ui& ui, const VertexLine& line) {
 }
 
 /// What a line shows, as its formula says it.
-std::string told_help(const Ui& ui, const VertexLine& line) {
+std::string formula_help(const Ui& ui, const VertexLine& line) {
     for (const VertexReport& vertex : ui.results.a.inspected.vertices) {
         if (const Formula* const formula = find_formula(vertex.formulas, line.id))
             return formula->help;
@@ -104,8 +104,9 @@ std::string help_of(const Ui& ui, const VertexLine& line) {
     if (id == "zinv" && depth_kind(ui.results.a.frame) != ClipDepth::inv_z)
         return "The weight used for interpolation; the depth buffer holds " +
                std::string(depth_words(ui.results.a.frame).name) + ".";
-    if (!id.starts_with("pixel.")) return has_mistake(ui, line) ? told_help(ui, line) : line.help;
-    return how_made_whole(ui.results.a.frame.settings, ui.results.a.scene->space);
+    if (!id.starts_with("pixel."))
+        return has_mistake(ui, line) ? formula_help(ui, line) : line.help;
+    return how_rounded(ui.results.a.frame.settings, ui.results.a.scene->space);
 }
 
 /// A narrow column has fewer digits; the formula below has them all.
@@ -175,16 +176,16 @@ void draw_labels(Ui& ui, const VertexLine& line) {
         const std::string coordinate = coordinate_of(ui, line);
         right_aligned(space.empty() ? coordinate : space + " " + coordinate, p.dim);
         ImGui::PopFont();
-        name_widget(ui, name, help_of(ui, line));
+        register_widget(ui, name, help_of(ui, line));
         return;
     }
     if (*line.space != '\0') {
         put_text(space_of(ui, line));
-        name_widget(ui, name + ".space", help_of(ui, line));
+        register_widget(ui, name + ".space", help_of(ui, line));
     }
     ImGui::TableNextColumn();
     text_in(p.dim, coordinate_of(ui, line));
-    name_widget(ui, name, help_of(ui, line));
+    register_widget(ui, name, help_of(ui, line));
 }
 
 void draw_cell(Ui& ui, const VertexLine& line, int v, int chosen) {
@@ -196,7 +197,7 @@ void draw_cell(Ui& ui, const VertexLine& line, int v, int chosen) {
         std::string("vertices.").append(line.id).append(".v").append(std::to_string(v));
     if (formula == nullptr) {
         right_aligned("—", p.dim);
-        name_widget(ui, name, "This vertex has no pixel.");
+        register_widget(ui, name, "This vertex has no pixel.");
         return;
     }
     const float column = ImGui::GetContentRegionAvail().x;

@@ -70,7 +70,7 @@ void add_table(Ui& ui, const CutTable& table, float width, float most,
 int lines_of_strip(const Ui& ui) {
     // In a squat window the table below needs the room.
     const bool has_room = !is_squat(ImGui::GetIO().DisplaySize, ui.options);
-    return ui.lesson.strip.is_beside && has_room ? 4 : 2;
+    return ui.lesson.strip.is_at_side && has_room ? 4 : 2;
 }
 
 std::string fitting_sentences(Ui& ui, const std::string& text, float width, int lines) {

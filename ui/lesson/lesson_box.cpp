@@ -5,8 +5,8 @@
 #include "ui/actions/lesson_links.h"
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {

@@ -34,7 +34,7 @@ std::string words_to_cut(Ui& ui, const Lesson& lesson, const LessonPart& part) {
     const LessonPrediction& prediction = lesson.predictions[static_cast<std::size_t>(part.index)];
     take_up_answer(ui, lesson, prediction);
     if (!is_revealed(ui, lesson, prediction)) return {};
-    return reason_on_show(ui.lesson.predictions[prediction.id]);
+    return shown_reason(ui.lesson.predictions[prediction.id]);
 }
 
 /// A card for each piece of a text or a reason, and one for anything else in the step.
@@ -213,7 +213,7 @@ int draw_part_words(Ui& ui, const Lesson& lesson, const LessonStep& step, int sh
         ImGui::SetCursorScreenPos(at);
         if (ImGui::InvisibleButton(word.name.c_str(), {width, height})) pressed = word.part;
         const bool hovered = ImGui::IsItemHovered();
-        name_widget(ui, word.name, word.help);
+        register_widget(ui, word.name, word.help);
         const bool is_shown = word.part == shown;
         ImDrawList* const list = ImGui::GetWindowDrawList();
         list->AddText({at.x, at.y + 0.5f * (height - ImGui::GetFontSize())},

@@ -9,15 +9,15 @@
 #include "ui/lesson/stage_page.h"
 #include "ui/lesson/strip_buttons.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
 namespace {
 
-SidePage page_on_show(const Ui& ui, const Lesson* lesson) {
+SidePage shown_page(const Ui& ui, const Lesson* lesson) {
     const SidePage page = ui.session.page;
     return page == SidePage::lesson && lesson == nullptr ? SidePage::stage : page;
 }
@@ -47,7 +47,7 @@ void draw_switch(Ui& ui, const Lesson* lesson, float width) {
          SidePage::list}};
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
-    const SidePage shown = page_on_show(ui, lesson);
+    const SidePage shown = shown_page(ui, lesson);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ImGui::PushFont(ui.fonts.small);
     const float height = ImGui::GetFontSize() + 10.0f * u;
@@ -60,7 +60,7 @@ void draw_switch(Ui& ui, const Lesson* lesson, float width) {
             ui.session.page = choice.page;
         }
         const bool hovered = ImGui::IsItemHovered();
-        name_widget(ui, choice.widget, choice.help);
+        register_widget(ui, choice.widget, choice.help);
         const bool is_shown = shown == choice.page;
         ImDrawList* const list = ImGui::GetWindowDrawList();
         list->AddText({x, start.y + 3.0f * u}, packed(is_shown || hovered ? p.text : p.dim),
@@ -128,11 +128,11 @@ void draw_scrolled(Ui& ui, const Lesson* lesson, SidePage page, ImVec2 size, flo
     ImGui::BeginChild("lesson.text", size, false, ImGuiWindowFlags_NoNav);
     const std::string name = name_of_page(ui, lesson, page);
     keep_place(ui.lesson, name, page == SidePage::lesson && ui.lesson.wants_end);
-    begin_whole_lines();
+    begin_line_clip();
     draw_text(ui, lesson, page, width);
     if (has_footer) draw_footer(ui, lesson, page, width);
-    note_shown_lines(ui);
-    end_whole_lines();
+    record_shown_lines(ui);
+    end_line_clip();
     draw_edge(ui, width);
     ImGui::EndChild();
 }
@@ -140,7 +140,7 @@ void draw_scrolled(Ui& ui, const Lesson* lesson, SidePage page, ImVec2 size, flo
 /// @param gutter space for the scroll bar at the right of the text
 void draw_page(Ui& ui, float gutter) {
     const Lesson* const lesson = open_lesson_of(ui);
-    const SidePage page = page_on_show(ui, lesson);
+    const SidePage page = shown_page(ui, lesson);
     const float width = std::max(ImGui::GetContentRegionAvail().x - gutter, 1.0f);
     draw_switch(ui, lesson, width);
     const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -154,7 +154,7 @@ void draw_page(Ui& ui, float gutter) {
 
 /// The parts of the step, and which step it is.
 void draw_drawer_head(Ui& ui, const Lesson& lesson, const Area& area) {
-    const LessonStep& step = step_on_show(ui, lesson);
+    const LessonStep& step = shown_step(ui, lesson);
     const int part = draw_part_words(ui, lesson, step, -1, area);
     if (part >= 0) {
         ui.lesson.place_to_show = ui.lesson.strip.read_to = LessonPlace{part};
@@ -191,7 +191,7 @@ void draw_lesson_drawer(Ui& ui, const Area& area) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(14.0f * u, strip_margin_y * u));
     ImGui::Begin("lesson drawer", nullptr, panel_flags | ImGuiWindowFlags_NoScrollWithMouse);
     const Lesson* const lesson = open_lesson_of(ui);
-    const SidePage page = page_on_show(ui, lesson);
+    const SidePage page = shown_page(ui, lesson);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     // The list has no pages to turn: its tabs come first.

@@ -12,9 +12,9 @@
 #include "lessons/lesson_run.h"
 #include "session/quiz_state.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/setting_field.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -59,42 +59,42 @@ void draw_lesson_control(Ui& ui, const LessonControl& control, float width) {
     if (hides_settings(ui.session)) {
         wrapped_text_in(palette(ui.options.theme).dim,
                         "The settings are hidden until the quiz is over.");
-        keep_item_whole();
-        name_widget(ui, name + ".hidden", "They would give the mistake away.");
+        clip_to_lines();
+        register_widget(ui, name + ".hidden", "They would give the mistake away.");
         return;
     }
     const std::string title = title_of(control), read_out = read_out_of(ui, control);
     const float said = text_width(ui.fonts.bold, read_out);
     ImGui::PushID(name.c_str());
     const float before = text_width(title) + gap;
-    const bool has_title_beside = width - before >= least_field * u;
+    const bool has_title_at_side = width - before >= least_field * u;
     draw_title(ui, shortened(title, width));
-    if (has_title_beside) ImGui::SameLine(0.0f, gap);
-    const float room = has_title_beside ? width - before : width;
-    const bool has_words_beside = !read_out.empty() && room - said - gap >= least_field * u;
+    if (has_title_at_side) ImGui::SameLine(0.0f, gap);
+    const float room = has_title_at_side ? width - before : width;
+    const bool has_words_at_side = !read_out.empty() && room - said - gap >= least_field * u;
     ImGui::SetNextItemWidth(
-        std::min(has_words_beside ? room - said - gap : room, widest_field * u));
+        std::min(has_words_at_side ? room - said - gap : room, widest_field * u));
     edit_setting(ui, ui.session.a.settings, *control.setting, name, control.range);
-    keep_whole(top, ImGui::GetItemRectMax().y);
+    clip_range_to_lines(top, ImGui::GetItemRectMax().y);
     if (!read_out.empty()) {
-        if (has_words_beside) {
+        if (has_words_at_side) {
             ImGui::SameLine(0.0f, gap);
             ImGui::AlignTextToFramePadding();
         }
         ImGui::PushFont(ui.fonts.bold);
-        if (has_words_beside) {
+        if (has_words_at_side) {
             put_text(read_out);
         } else {
             wrapped_text(read_out);
         }
         ImGui::PopFont();
-        name_widget(ui, name + ".read_out", "The result of this setting.", read_out);
+        register_widget(ui, name + ".read_out", "The result of this setting.", read_out);
     }
     ImGui::PopID();
 }
 
-std::vector<const LessonControl*> controls_beside(const Lesson& lesson, const LessonStep& step,
-                                                  int part) {
+std::vector<const LessonControl*> controls_of_part(const Lesson& lesson, const LessonStep& step,
+                                                   int part) {
     const auto is_control = [&](int i) {
         return i >= 0 && i < static_cast<int>(step.parts.size()) &&
                step.parts[static_cast<std::size_t>(i)].kind == LessonPart::Kind::control;

@@ -15,7 +15,7 @@ void draw_lesson_control(Ui& ui, const LessonControl& control, float width);
 
 /// The controls next to a part of the step, before it or after it: in a strip, which shows a part
 /// at a time, they are on its card.
-std::vector<const LessonControl*> controls_beside(const Lesson& lesson, const LessonStep& step,
-                                                  int part);
+std::vector<const LessonControl*> controls_of_part(const Lesson& lesson, const LessonStep& step,
+                                                   int part);
 
 } // namespace rasterwalk

@@ -59,7 +59,7 @@ std::string done_so_far(const Ui& ui, const Lesson& lesson) {
 }
 
 /// The next lesson, with a link; a lesson that is not written yet is skipped.
-std::string way_on(Ui& ui, const Lesson& lesson) {
+std::string next_lesson_link(Ui& ui, const Lesson& lesson) {
     const std::string id = lesson_after(ui, lesson.id);
     const Lesson* const next = id.empty() ? nullptr : ui.lesson.lessons.find(id);
     if (next == nullptr)
@@ -76,7 +76,7 @@ bool is_last_step(const Ui& ui, const Lesson& lesson) {
 }
 
 std::string end_of_lesson(Ui& ui, const Lesson& lesson) {
-    std::string text = done_so_far(ui, lesson) + "\n\n" + way_on(ui, lesson);
+    std::string text = done_so_far(ui, lesson) + "\n\n" + next_lesson_link(ui, lesson);
     if (lesson.sources.empty()) return text;
     text += "\n";
     for (const std::string& source : lesson.sources)
@@ -95,7 +95,7 @@ void draw_lesson_end(Ui& ui, const Lesson& lesson, float width) {
     const std::string text = end_of_lesson(ui, lesson);
     const MarkdownEvents events =
         draw_markdown(ui, page, text, width, "lesson.end.link.", ui.session.lesson_folder);
-    name_widget(ui, "lesson.end", {}, text);
+    register_widget(ui, "lesson.end", {}, text);
     answer_links(ui, document_of(*page), events);
 }
 

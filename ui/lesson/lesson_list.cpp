@@ -10,8 +10,8 @@
 #include "lessons/lesson_search.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -64,7 +64,7 @@ bool draw_entry(Ui& ui, const std::string& name, const std::string& mark, const 
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height});
     const bool hovered = ImGui::IsItemHovered();
-    name_widget(ui, name, help, title);
+    register_widget(ui, name, help, title);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     if (hovered) {
         list->AddRectFilled(low, {low.x + width, low.y + height}, packed(p.row_lit), 4.0f * u);
@@ -95,7 +95,7 @@ bool has_room_for_minutes(const Ui& ui, const std::vector<Lesson>& lessons, floa
 }
 
 /// The line of a lesson that is not written yet.
-void draw_to_come(Ui& ui, int number) {
+void draw_unwritten(Ui& ui, int number) {
     const float u = ui.options.text_scale;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImU32 colour = packed(palette(ui.options.theme).dim);
@@ -104,7 +104,7 @@ void draw_to_come(Ui& ui, int number) {
                   std::to_string(number).c_str());
     list->AddText({low.x + entry_indent * u, low.y + 4.5f * u}, colour, "to come");
     ImGui::Dummy({0.0f, ImGui::GetFontSize() + 9.0f * u});
-    keep_item_whole();
+    clip_to_lines();
 }
 
 void draw_lessons(Ui& ui, float width) {
@@ -116,7 +116,7 @@ void draw_lessons(Ui& ui, float width) {
     const bool has_minutes = !is_short || has_room_for_minutes(ui, lessons, width);
     for (std::size_t i = 0; i < lessons.size(); ++i) {
         const Lesson& lesson = lessons[i];
-        if (const int number = number_to_come(lessons, i)) draw_to_come(ui, number);
+        if (const int number = missing_number(lessons, i)) draw_unwritten(ui, number);
         const LessonScore score = ui.lesson.scores.of(i);
         const bool is_open = lesson.id == ui.session.lesson;
         const ImVec4 colour = score.is_done ? colour_of(Meaning::pass, ui.options.theme)
@@ -197,7 +197,7 @@ void draw_hits(Ui& ui, float width) {
 void draw_lesson_list(Ui& ui, float width) {
     ImGui::SetNextItemWidth(width);
     ImGui::InputTextWithHint("##search", "search lessons and glossary", &ui.lesson.search);
-    name_widget(ui, "lesson.search", "Finds words in all lessons and in the glossary.");
+    register_widget(ui, "lesson.search", "Finds words in all lessons and in the glossary.");
     ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
     if (ui.lesson.search.empty()) {
         draw_lessons(ui, width);

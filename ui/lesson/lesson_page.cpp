@@ -17,13 +17,13 @@
 #include "ui/lesson/page_footer.h"
 #include "ui/page/markdown.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
 
-const LessonStep& step_on_show(const Ui& ui, const Lesson& lesson) {
+const LessonStep& shown_step(const Ui& ui, const Lesson& lesson) {
     const int last = static_cast<int>(lesson.steps.size()) - 1;
     return lesson.steps[static_cast<std::size_t>(std::clamp(ui.session.step, 0, last))];
 }
@@ -111,7 +111,7 @@ bool is_below(const Ui& ui, const PartArea& area) {
 }
 
 /// Notes for the strip how far the student has scrolled the whole text.
-void note_place(Ui& ui, const std::vector<PartArea>& areas) {
+void record_visit(Ui& ui, const std::vector<PartArea>& areas) {
     LessonView& view = ui.lesson;
     const float scroll = ImGui::GetScrollY(), last = ImGui::GetScrollMaxY();
     const bool is_led = view.place_to_show || view.frames_to_scroll > 0;
@@ -139,13 +139,13 @@ void draw_lesson_faults(Ui& ui, const Lesson& lesson) {
     }
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(Meaning::fail, ui.options.theme));
     wrapped_text(text);
-    name_widget(ui, "lesson.faults", "rasterwalk check lists all of them.");
+    register_widget(ui, "lesson.faults", "rasterwalk check lists all of them.");
     ImGui::PopStyleColor();
     ImGui::Spacing();
 }
 
 void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
-    const LessonStep& step = step_on_show(ui, lesson);
+    const LessonStep& step = shown_step(ui, lesson);
     // The drawer, which has few lines, says it above its text.
     if (!is_drawer_open(ui)) draw_heading(ui, lesson);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
@@ -194,7 +194,7 @@ void draw_step_text(Ui& ui, const Lesson& lesson, float width) {
         const PartArea& area = areas[static_cast<std::size_t>(place->part)];
         ImGui::SetScrollY(scroll_at(ui, area, place->share));
     }
-    note_place(ui, areas);
+    record_visit(ui, areas);
     if (ui.lesson.frames_to_scroll == 0) place.reset();
     ImGui::Dummy({0.0f, 10.0f * ui.options.text_scale});
 }
@@ -204,7 +204,7 @@ PageFooter pages_of_lesson(Ui& ui, const Lesson& lesson) {
     footer.current = ui.session.step;
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         footer.pages.push_back({"lesson.step." + std::to_string(i), lesson.steps[i].heading,
-                                ui.lesson.progress.is_step_seen(lesson.id, static_cast<int>(i))});
+                                ui.lesson.progress.was_step_shown(lesson.id, static_cast<int>(i))});
     }
     if (!lesson_after(ui, lesson.id).empty()) footer.beyond = "next lesson";
     return footer;
@@ -241,12 +241,12 @@ PageFooter::Open open_below(const Ui& ui, const LessonStep& step) {
 
 void draw_step_footer(Ui& ui, const Lesson& lesson, float width) {
     PageFooter pages = pages_of_lesson(ui, lesson);
-    pages.open_below = open_below(ui, step_on_show(ui, lesson));
-    const PageWish wish = draw_page_footer(ui, pages, width);
-    if (wish.direction != 0) {
-        turn_in_lesson(ui, lesson, wish.direction);
+    pages.open_below = open_below(ui, shown_step(ui, lesson));
+    const PageRequest request = draw_page_footer(ui, pages, width);
+    if (request.direction != 0) {
+        turn_in_lesson(ui, lesson, request.direction);
     } else {
-        turn_to_step(ui, lesson, wish.page);
+        turn_to_step(ui, lesson, request.page);
     }
 }
 

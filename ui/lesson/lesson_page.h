@@ -24,7 +24,7 @@ void turn_to_step(Ui& ui, const Lesson& lesson, int wanted);
 void turn_in_lesson(Ui& ui, const Lesson& lesson, int direction);
 
 /// The current step. Valid as long as the lesson is.
-const LessonStep& step_on_show(const Ui& ui, const Lesson& lesson);
+const LessonStep& shown_step(const Ui& ui, const Lesson& lesson);
 
 /// "step 3 of 7"; for the opening, "lesson 4".
 std::string place_in_lesson(const Ui& ui, const Lesson& lesson);

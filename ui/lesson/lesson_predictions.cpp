@@ -13,8 +13,8 @@
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/layout.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -29,7 +29,7 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     if (std::exchange(view.takes_keys, false)) ImGui::SetKeyboardFocusHere();
     const bool entered = ImGui::InputTextWithHint("##number", "your number", &view.typed,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
-    name_widget(ui, name + ".number", "Type a number; 1/3 and 500*2 work too.");
+    register_widget(ui, name + ".number", "Type a number; 1/3 and 500*2 work too.");
     if (!prediction.unit.empty()) {
         ImGui::SameLine(0.0f, 6.0f * u);
         ImGui::AlignTextToFramePadding();
@@ -41,7 +41,7 @@ void draw_number_field(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     if (view.is_no_number) {
         text_in(colour_of(Meaning::fail, ui.options.theme),
                 view.typed.empty() ? "Type a number first." : "That is not a number.");
-        name_widget(ui, name + ".fault", "1/3 and 500*2 are numbers too.");
+        register_widget(ui, name + ".fault", "1/3 and 500*2 are numbers too.");
     }
     if (!entered && !pressed) return;
     const std::optional<double> number = read_answer(view.typed);
@@ -91,7 +91,7 @@ bool is_second_try(Ui& ui, const LessonPrediction& prediction) {
 void draw_spent_choice(Ui& ui, const std::string& choice, const Area& area, ImVec2 padding,
                        float wrap) {
     ImGui::Dummy(area.size);
-    keep_item_whole();
+    clip_to_lines();
     ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(),
                                         {area.position.x + padding.x, area.position.y + padding.y},
                                         packed(palette(ui.options.theme).dim), choice.c_str(),
@@ -121,7 +121,7 @@ void draw_choices(Ui& ui, const Lesson& lesson, const LessonPrediction& predicti
         const bool pressed = ImGui::InvisibleButton("choice", size);
         ImGui::PopID();
         const bool hovered = ImGui::IsItemHovered();
-        name_widget(ui, name + ".choice." + std::to_string(number), "Choose this answer.");
+        register_widget(ui, name + ".choice." + std::to_string(number), "Choose this answer.");
         ImDrawList* const list = ImGui::GetWindowDrawList();
         list->AddRectFilled(low, {low.x + size.x, low.y + size.y},
                             packed(hovered ? p.button_hovered : p.button), 4.0f * u);
@@ -153,7 +153,7 @@ void draw_pixel_answer(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
 }
 
 /// A chosen sentence in quotation marks; a number or a pixel unchanged, with a full stop.
-std::string as_said(const LessonPrediction& prediction, const std::string& answer) {
+std::string quoted_answer(const LessonPrediction& prediction, const std::string& answer) {
     if (prediction.kind != LessonPrediction::Kind::choice) return answer + ".";
     return "“" + answer + "”" + (answer.ends_with('.') ? "" : ".");
 }
@@ -169,12 +169,12 @@ std::string verdict(const LessonPrediction& prediction, const PredictionView& vi
     if (view.said.empty()) {
         const bool is_one_of_many = prediction.kind == LessonPrediction::Kind::pixel;
         return (is_one_of_many ? "One of them is " : "The program says: ") +
-               as_said(prediction, judged.answer);
+               quoted_answer(prediction, judged.answer);
     }
     std::string text = !judged.is_right ? "You said: "
                        : is_second      ? "Right on the second try: "
                                         : "Right: ";
-    text.append(as_said(prediction, view.said));
+    text.append(quoted_answer(prediction, view.said));
     if (is_second_try) return text;
     using Kind = LessonPrediction::Kind;
     if (prediction.kind == Kind::pixel)
@@ -183,7 +183,7 @@ std::string verdict(const LessonPrediction& prediction, const PredictionView& vi
                                         "right.";
     const bool is_nearly = prediction.kind == Kind::number && judged.answer != view.said;
     if (!judged.is_right || is_nearly) {
-        text.append(" The program says: ").append(as_said(prediction, judged.answer));
+        text.append(" The program says: ").append(quoted_answer(prediction, judged.answer));
     }
     return text;
 }
@@ -203,8 +203,8 @@ void draw_verdict(Ui& ui, const LessonPrediction& prediction, const std::string&
     wrapped_text(mark + said);
     ImGui::PopFont();
     ImGui::PopStyleColor();
-    name_widget(ui, name + ".verdict", {}, said);
-    keep_item_whole();
+    register_widget(ui, name + ".verdict", {}, said);
+    clip_to_lines();
 }
 
 /// Brings what was just said into sight, and gives the keyboard to the widget after it.
@@ -234,7 +234,7 @@ void draw_again(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
 void draw_reveal(Ui& ui, LessonBox& box, const Lesson& lesson, const LessonPrediction& prediction,
                  const std::string& name) {
     PredictionView& view = ui.lesson.predictions[prediction.id];
-    const std::string reason = reason_on_show(view);
+    const std::string reason = shown_reason(view);
     draw_verdict(ui, prediction, name);
     if (!reason.empty()) box.markdown(name, view.because, reason);
     draw_again(ui, lesson, prediction, name);
@@ -304,7 +304,7 @@ void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
         draw_verdict(ui, prediction, name);
         const std::string words = words_to_miss(view);
         draw_marked(ui, name, view.because, words, width);
-        name_widget(ui, name + ".says", {}, words);
+        register_widget(ui, name + ".says", {}, words);
         ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
     }
     draw_answers(ui, lesson, prediction, name, side_by_side ? width : ImGui::CalcItemWidth(),
@@ -318,7 +318,7 @@ void draw_tries(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction
 
 } // namespace
 
-std::string reason_on_show(const PredictionView& view) {
+std::string shown_reason(const PredictionView& view) {
     const Judgement& judged = *view.judged;
     if (judged.says.empty()) return judged.because;
     return judged.because.empty() ? judged.says : judged.says + "\n\n" + judged.because;
@@ -332,7 +332,7 @@ void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& predi
     {
         LessonBox box(ui, width, colour);
         box.heading("PREDICTION", colour);
-        name_widget(ui, name, "Answer first; then the program shows its own answer.");
+        register_widget(ui, name, "Answer first; then the program shows its own answer.");
         box.markdown(name + ".text", ui.lesson.pages[name], without_label(prediction.text));
         ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
         if (!take_up_answer(ui, lesson, prediction)) {
@@ -356,7 +356,7 @@ void draw_prediction_lines(Ui& ui, const Lesson& lesson, const LessonPrediction&
     } else {
         draw_marked(ui, name + ".text", ui.lesson.pages[name], without_label(prediction.text),
                     width);
-        name_widget(ui, name);
+        register_widget(ui, name);
         draw_tries(ui, lesson, prediction, name, width, true);
     }
     ImGui::PopID();

@@ -9,7 +9,7 @@ namespace rasterwalk {
 struct Ui;
 
 /// What is said after the answer, which must already be judged: Markdown.
-std::string reason_on_show(const PredictionView& view);
+std::string shown_reason(const PredictionView& view);
 
 /// A prediction as a box: the question, a way to answer, and afterward what the program says.
 void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction, float width);

@@ -71,7 +71,7 @@ struct LessonStrip {
     LessonPlace place;             ///< where the card shown begins
     std::optional<LessonPlace> read_to; ///< where the cards continue once they are cut
     int scrolled_card = 0;              ///< the one the scroll position belongs to
-    bool is_beside = false;             ///< next to the canvas, and narrower than the window
+    bool is_at_side = false;            ///< next to the canvas, and narrower than the window
     bool has_long_words = false; ///< the words of a step's parts have no room next to the buttons
     float height = 0.0f;         ///< of its text when last drawn, screen pixels
     float most_height = 0.0f;    ///< the most it can have in this window, screen pixels
@@ -133,13 +133,13 @@ struct LessonView {
     LessonStrip strip;
     std::string meant;        ///< the widget that a link points at; empty: none
     std::string pointed_at;   ///< that one, or what must be clicked first: it is outlined
-    bool is_held = false;     ///< it is kept in sight, and outlined without a pointer on the link
+    bool is_pinned = false;   ///< it is kept in sight, and outlined without a pointer on the link
     std::string of_step;      ///< the widget that the step points at, until it is used; empty: none
     PointedPlace of_step_in;  ///< where that was brought into sight
     bool is_new = false;      ///< set by the click or key of this frame, which does not end it
     bool is_hovered = false;  ///< the pointer rests on such a link in this frame
     bool wants_frame = false; ///< pressed by key: what it points at gets the frame
-    int frames_unseen = 0;    ///< since the widget pointed at was last on the screen
+    int frames_hidden = 0;    ///< since the widget pointed at was last on the screen
     int frame_of_answer = -1; ///< in which a kept answer was last judged
     int frame_of_waiting = -1; ///< in which another one was left for the next frame
 };

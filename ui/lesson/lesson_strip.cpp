@@ -15,8 +15,8 @@
 #include "ui/lesson/stage_page.h"
 #include "ui/lesson/strip_buttons.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -38,7 +38,7 @@ constexpr float least_bars = 50.0f;
 float head_room(const Ui& ui) {
     const LessonStrip& strip = ui.lesson.strip;
     const float words = strip.has_long_words ? word_height + 4.0f : 0.0f;
-    const float height = strip.is_beside ? narrow_head_height + words : head_height;
+    const float height = strip.is_at_side ? narrow_head_height + words : head_height;
     return std::round(height * ui.options.text_scale);
 }
 
@@ -100,12 +100,12 @@ void begin_card_window(float width) {
                       ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar();
     ImGui::PushTextWrapPos(width);
-    begin_whole_lines();
+    begin_line_clip();
 }
 
 void end_card_window(Ui& ui) {
-    note_shown_lines(ui);
-    end_whole_lines();
+    record_shown_lines(ui);
+    end_line_clip();
     ImGui::PopTextWrapPos();
     const float card = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
     ui.lesson.strip.height = head_room(ui) + card;
@@ -144,7 +144,7 @@ void draw_controls(Ui& ui, const Lesson& lesson, const LessonStep& step, float w
     if (card >= strip.cards.size()) return; // a link has led elsewhere
     const int part = strip.cards[card].part;
     if (card + 1 < strip.cards.size() && strip.cards[card + 1].part == part) return;
-    for (const LessonControl* const control : controls_beside(lesson, step, part))
+    for (const LessonControl* const control : controls_of_part(lesson, step, part))
         draw_lesson_control(ui, *control, width);
 }
 
@@ -152,7 +152,7 @@ void draw_controls(Ui& ui, const Lesson& lesson, const LessonStep& step, float w
 /// @param head_width without the buttons
 int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, float head_width,
                      float width) {
-    const LessonStep& step = step_on_show(ui, lesson);
+    const LessonStep& step = shown_step(ui, lesson);
     const Head head{plain_text(step.heading), place_in_lesson(ui, lesson), pages};
     LessonStrip& strip = ui.lesson.strip;
     const float margins = 2.0f * strip_margin_y * ui.options.text_scale;
@@ -163,9 +163,9 @@ int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, floa
     // In a narrow strip the words have their own line, next to the buttons or below them.
     strip.has_long_words = words.size.x > head_width;
     Area none;
-    const int wanted = draw_head(ui, head, head_width, strip.is_beside ? none : words);
+    const int wanted = draw_head(ui, head, head_width, strip.is_at_side ? none : words);
     const ImVec2 below = ImGui::GetCursorScreenPos();
-    if (strip.is_beside) {
+    if (strip.is_at_side) {
         const float above = strip.has_long_words ? narrow_head_height : head_height;
         words.position = {start.x, start.y + std::round(above * ui.options.text_scale)};
     }
@@ -200,8 +200,7 @@ int draw_stage(Ui& ui, const PageFooter& pages, float head_width, float width) {
     begin_card_window(width);
     scroll_by_key(ui.lesson);
     const StageNote& note = ui.lesson.notes.find(note_name(ui.session));
-    const std::string text =
-        note.fault.empty() ? note_on_show(ui, note) : std::string(info.summary);
+    const std::string text = note.fault.empty() ? shown_note(ui, note) : std::string(info.summary);
     // The button forward leads to the next stage: what has no room is left to the whole text.
     std::string beginning = fitting_sentences(ui, text, width, lines_of_strip(ui));
     if (beginning.size() < text.size()) beginning += " …";
@@ -235,7 +234,7 @@ void draw_lesson_strip(Ui& ui, const Area& area) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float buttons = page_buttons_width(ui);
     const float head = std::max(room.x - buttons - middle_gap * u, 1.0f);
-    const float text = ui.lesson.strip.is_beside ? room.x : head;
+    const float text = ui.lesson.strip.is_at_side ? room.x : head;
 
     const Lesson* const open = open_lesson_of(ui);
     const Lesson* const lesson = ui.session.page != SidePage::stage ? open : nullptr;

@@ -32,7 +32,7 @@ void draw_task_words(Ui& ui, const LessonTask& task, const std::string& name, bo
     const std::string& said = words->second.text;
     draw_marked(ui, name + ".words", ui.lesson.pages[name + ".words"],
                 done ? said : "**Not yet:** " + said, width);
-    name_widget(ui, name + ".words", {}, said);
+    register_widget(ui, name + ".words", {}, said);
     scroll_to_fresh(ui, name + ".words");
 }
 
@@ -61,10 +61,10 @@ void draw_task(Ui& ui, const Lesson& lesson, const LessonTask& task, float width
     {
         LessonBox box(ui, width, colour);
         box.heading(done ? "✓ DONE" : "TASK", colour);
-        name_widget(ui, name,
-                    done ? "You have solved this."
-                         : "Ticked off when you have done it and nothing "
-                           "is moving.");
+        register_widget(ui, name,
+                        done ? "You have solved this."
+                             : "Ticked off when you have done it and nothing "
+                               "is moving.");
         box.markdown(name, ui.lesson.pages[name], without_label(task.text));
         draw_task_words(ui, task, name, done, box.inner_width());
         if (!task.hint.empty() && !done) draw_hint(ui, task, name, box.inner_width());
@@ -77,7 +77,7 @@ void draw_task_lines(Ui& ui, const Lesson& lesson, const LessonTask& task, float
     const std::string name = "lesson.task." + task.id;
     ImGui::PushID(name.c_str());
     draw_marked(ui, name, ui.lesson.pages[name], without_label(task.text), width);
-    name_widget(ui, name);
+    register_widget(ui, name);
     draw_task_words(ui, task, name, done, width);
     if (!task.hint.empty() && !done) draw_hint(ui, task, name, width);
     ImGui::PopID();

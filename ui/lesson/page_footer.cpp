@@ -30,7 +30,7 @@ int draw_page_bars(Ui& ui, const PageFooter& footer, float width) {
         if (ImGui::InvisibleButton(page.widget.c_str(), {bar, height}))
             pressed = static_cast<int>(i);
         const bool hovered = ImGui::IsItemHovered();
-        name_widget(ui, page.widget, page.title);
+        register_widget(ui, page.widget, page.title);
         const float half = (hovered || is_current ? 3.5f : 2.0f) * u;
         const float middle = start.y + 0.5f * height;
         ImGui::GetWindowDrawList()->AddRectFilled(
@@ -109,17 +109,17 @@ float page_footer_height(const Ui& ui) {
            26.0f * ui.options.text_scale;
 }
 
-PageWish draw_page_footer(Ui& ui, const PageFooter& footer, float width) {
+PageRequest draw_page_footer(Ui& ui, const PageFooter& footer, float width) {
     const float u = ui.options.text_scale;
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    PageWish wish{draw_page_bars(ui, footer, width)};
+    PageRequest request{draw_page_bars(ui, footer, width)};
     const float y = start.y + 24.0f * u;
     // Each button has half of the line, whatever its label, so walking on needs no searching.
     const float gap = 8.0f * u;
     const float half = std::floor(0.5f * (width - gap));
     if (has_next(footer)) {
         ImGui::SetCursorScreenPos({start.x + width - half, y});
-        if (draw_next(ui, footer, next_label(footer, half), {half, 0.0f})) wish.direction = 1;
+        if (draw_next(ui, footer, next_label(footer, half), {half, 0.0f})) request.direction = 1;
     }
     // If there is no way back, there is room for the title of what comes.
     const std::string& next = title_of(footer, footer.current + 1);
@@ -136,9 +136,9 @@ PageWish draw_page_footer(Ui& ui, const PageFooter& footer, float width) {
         const std::string label =
             "‹  " + fitting_label(title_of(footer, footer.current - 1), "back", half);
         ImGui::SetCursorScreenPos({start.x, y});
-        if (draw_previous(ui, footer, label, {half, 0.0f})) wish.direction = -1;
+        if (draw_previous(ui, footer, label, {half, 0.0f})) request.direction = -1;
     }
-    return wish;
+    return request;
 }
 
 float page_buttons_width(const Ui& ui) {

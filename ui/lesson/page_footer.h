@@ -26,13 +26,13 @@ struct PageFooter {
 };
 
 /// The student's request to a footer.
-struct PageWish {
+struct PageRequest {
     int page = -1;     ///< the page whose bar was pressed; -1: none
     int direction = 0; ///< by a button; 1: forward, -1: back; beyond the last is what follows it
 };
 
 /// Draws the footer at ImGui's cursor.
-PageWish draw_page_footer(Ui& ui, const PageFooter& footer, float width);
+PageRequest draw_page_footer(Ui& ui, const PageFooter& footer, float width);
 
 /// Only the buttons forward and back, side by side at ImGui's cursor, for a strip: their size does
 /// not depend on what they lead to. Returns 1 for forward, -1 for back, 0 if neither was pressed.

@@ -44,7 +44,7 @@ void draw_text(Ui& ui, const StageInfo& info, float width) {
     } else {
         std::shared_ptr<MarkdownPage>& page = lesson.pages["stage"];
         const MarkdownEvents events =
-            draw_markdown(ui, page, note_on_show(ui, note), width, "lesson.link.");
+            draw_markdown(ui, page, shown_note(ui, note), width, "lesson.link.");
         answer_links(ui, document_of(*page), events);
     }
     ImGui::Dummy({0.0f, 10.0f * ui.options.text_scale});
@@ -52,7 +52,7 @@ void draw_text(Ui& ui, const StageInfo& info, float width) {
 
 } // namespace
 
-std::string note_on_show(const Ui& ui, const StageNote& note) {
+std::string shown_note(const Ui& ui, const StageNote& note) {
     return note_about(note.text, Facts(ui.session, ui.results));
 }
 
@@ -83,8 +83,8 @@ void turn_to_stage(Ui& ui, int wanted) {
 
 void draw_stage_footer(Ui& ui, float width) {
     const PageFooter pages = pages_of_stages(ui);
-    const PageWish wish = draw_page_footer(ui, pages, width);
-    turn_to_stage(ui, wish.direction != 0 ? pages.current + wish.direction : wish.page);
+    const PageRequest request = draw_page_footer(ui, pages, width);
+    turn_to_stage(ui, request.direction != 0 ? pages.current + request.direction : request.page);
 }
 
 } // namespace rasterwalk

@@ -15,7 +15,7 @@ void draw_stage_text(Ui& ui, float width);
 void draw_stage_footer(Ui& ui, float width);
 
 /// The text of a stage's note, with the numbers of the current frame.
-std::string note_on_show(const Ui& ui, const StageNote& note);
+std::string shown_note(const Ui& ui, const StageNote& note);
 
 /// The stages that the footer walks through, and going to the stage wanted.
 PageFooter pages_of_stages(const Ui& ui);

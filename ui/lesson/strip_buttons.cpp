@@ -9,8 +9,8 @@
 #include "ui/actions/open_tab.h"
 #include "ui/lesson/lesson_page.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -58,7 +58,7 @@ void scroll_by_key(LessonView& view) {
     ImGui::SetScrollY(std::clamp(to, 0.0f, last));
 }
 
-void note_shown_lines(Ui& ui) {
+void record_shown_lines(Ui& ui) {
     const ShownLines shown = shown_lines();
     const float beginning = ImGui::GetWindowPos().y - ImGui::GetScrollY();
     ui.lesson.shown_from = shown.top - beginning;

@@ -27,7 +27,7 @@ inline constexpr float strip_button_gap = 5.0f;
 void scroll_by_key(LessonView& view);
 
 /// In the same window, after the text was drawn: notes which lines of it were shown.
-void note_shown_lines(Ui& ui);
+void record_shown_lines(Ui& ui);
 
 /// Only the button to the whole text and back to the strip.
 /// @param corner at the upper right, screen pixels

@@ -7,9 +7,9 @@
 
 #include "ui/page/markdown_layout.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/pictures.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -63,7 +63,7 @@ void prepare(Ui& ui, MarkdownPage& page, std::string_view text, float width,
             block.runs.push_back({page.document.fault});
         }
     }
-    if (!ui.pictures) ui.pictures = std::make_shared<PictureShelf>();
+    if (!ui.pictures) ui.pictures = std::make_shared<ImageCache>();
     page.layout = lay_out(page.document, ui.fonts, ui.options.text_scale, width,
                           [&](const std::string& target) {
                               return picture_size(*ui.pictures, {page.folder, target});
@@ -132,7 +132,8 @@ MarkdownEvents press_links(Ui& ui, const MarkdownPage& page, const Sight& sight,
             events.followed = piece.link;
         }
         // A link over two lines has its name on the first.
-        if (piece.link != last) name_widget(ui, std::string(prefix) + std::to_string(piece.link));
+        if (piece.link != last)
+            register_widget(ui, std::string(prefix) + std::to_string(piece.link));
         last = piece.link;
     }
     return events;
@@ -183,7 +184,7 @@ void draw_pictures(Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sig
 }
 
 /// The lines that the edges of the window must not cut.
-void keep_lines_whole(Ui& ui, const MarkdownPage& page, const Sight& sight) {
+void clip_page_to_lines(Ui& ui, const MarkdownPage& page, const Sight& sight) {
     // Also counts the edge of the window's full room, if it is lower now or scrolled.
     const float edge = sight.top + page_room() - ImGui::GetScrollY();
     const Sight at_edge{sight.origin, edge, edge};
@@ -191,7 +192,7 @@ void keep_lines_whole(Ui& ui, const MarkdownPage& page, const Sight& sight) {
         return sight.holds(low, high) || at_edge.holds(low, high);
     };
     const auto keep = [&](float low, float high) {
-        if (is_near(low, high)) keep_whole(sight.origin.y + low, sight.origin.y + high);
+        if (is_near(low, high)) clip_range_to_lines(sight.origin.y + low, sight.origin.y + high);
     };
     for (const PagePicture& picture : page.layout.pictures)
         keep(picture.low.y, picture.high.y);
@@ -255,7 +256,7 @@ MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::s
     draw_shapes(ui, list, *page, sight);
     draw_pictures(ui, list, *page, sight);
     draw_pieces(ui, list, *page, sight, events.hovered);
-    keep_lines_whole(ui, *page, sight);
+    clip_page_to_lines(ui, *page, sight);
     ImGui::SetCursorScreenPos(origin);
     ImGui::Dummy({width, page->layout.height});
     return events;

@@ -52,8 +52,9 @@ void copy_events(Ui& ui) {
     for (const int moment : sheet.found)
         text.append(event_text(sheet.list, moment)).append("\n");
     ImGui::SetClipboardText(text.c_str());
-    tell(ui.session,
-         "Copied: " + counted(static_cast<int>(sheet.found.size()), "moment", "moments") + ".");
+    show_info(ui.session,
+              "Copied: " + counted(static_cast<int>(sheet.found.size()), "moment", "moments") +
+                  ".");
 }
 
 void draw_event(Ui& ui, int index, int done) {
@@ -63,7 +64,7 @@ void draw_event(Ui& ui, int index, int done) {
     const bool is_clicked =
         ImGui::Selectable(event_text(sheet.list, moment).c_str(), moment == done);
     ImGui::PopID();
-    name_widget(ui, "events." + std::to_string(moment), "Goes to just after this moment.");
+    register_widget(ui, "events." + std::to_string(moment), "Goes to just after this moment.");
     if (!is_clicked) return;
     const Timeline timeline(ui.results.a.frame);
     go_to(ui.session, timeline.next(event_cursor(sheet.list, moment), Granularity::moment));
@@ -119,9 +120,9 @@ void draw_event_head(Ui& ui) {
                                                "]: " + std::to_string(listed) + " of " +
                                                counted(sheet.list.count(), "moment", "moments"));
     ImGui::PopFont();
-    name_widget(ui, "events.count",
-                "The triangle shown, and how many of its moments are listed. If there are very "
-                "many, only those around the cursor are.");
+    register_widget(ui, "events.count",
+                    "The triangle shown, and how many of its moments are listed. If there are very "
+                    "many, only those around the cursor are.");
 }
 
 } // namespace

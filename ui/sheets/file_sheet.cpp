@@ -119,10 +119,11 @@ bool draw_path(Ui& ui) {
     sheet.has_keyboard = sheet.has_keyboard || ImGui::IsItemActive();
     if (sheet.path != before) {
         sheet.fault.clear();
-        sheet.asked.clear();
+        sheet.to_replace.clear();
     }
-    name_widget(ui, "files.path",
-                "The file: its name in the folder below, or a full path; ~/ is the home folder.");
+    register_widget(
+        ui, "files.path",
+        "The file: its name in the folder below, or a full path; ~/ is the home folder.");
     return entered || had_enter;
 }
 
@@ -144,7 +145,7 @@ void draw_places(Ui& ui) {
     text_in(palette(ui.options.theme).dim,
             shortened_front(sheet.folder, is_narrow ? room : room - width - gap));
     ImGui::PopFont();
-    name_widget(ui, "files.folder", sheet.folder);
+    register_widget(ui, "files.folder", sheet.folder);
     if (!is_narrow) {
         ImGui::SameLine();
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width +
@@ -197,10 +198,10 @@ void draw_list(Ui& ui, float height) {
             is_double =
                 is_pressed_by_key() ? sheet.path == entry.name : ImGui::IsMouseDoubleClicked(0);
         }
-        name_widget(ui, "files.entry." + entry.name,
-                    entry.is_folder    ? "Shows this folder."
-                    : is_saving(sheet) ? "Saves under this name, replacing the file."
-                                       : "Chooses this file; a double click opens it.");
+        register_widget(ui, "files.entry." + entry.name,
+                        entry.is_folder    ? "Shows this folder."
+                        : is_saving(sheet) ? "Saves under this name, replacing the file."
+                                           : "Chooses this file; a double click opens it.");
     }
     if (sheet.entries.empty()) {
         text_in(p.dim, words_of(sheet.kind).nothing);
@@ -219,7 +220,7 @@ void draw_list(Ui& ui, float height) {
     } else if (clicked != nullptr) {
         sheet.path = clicked->name;
         sheet.fault.clear();
-        sheet.asked.clear();
+        sheet.to_replace.clear();
         if (is_double && !is_saving(sheet)) finish_sheet(ui);
     }
     ImGui::EndChild();
@@ -229,8 +230,9 @@ void draw_list(Ui& ui, float height) {
 
 std::string message_of(const FileSheet& sheet) {
     if (!sheet.fault.empty()) return sheet.fault;
-    if (sheet.asked.empty()) return {};
-    return std::filesystem::path(sheet.asked).filename().string() + " already exists. Replace it?";
+    if (sheet.to_replace.empty()) return {};
+    return std::filesystem::path(sheet.to_replace).filename().string() +
+           " already exists. Replace it?";
 }
 
 float message_height(const std::string& message) {
@@ -243,7 +245,7 @@ float message_height(const std::string& message) {
 /// Returns true if the sheet's main button was pressed.
 bool draw_buttons(Ui& ui) {
     FileSheet& sheet = ui.sheets.files;
-    const bool replaces = !sheet.asked.empty();
+    const bool replaces = !sheet.to_replace.empty();
     const SheetWords words = words_of(sheet.kind);
     const char* const action = replaces ? "Replace" : words.action;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -276,14 +278,14 @@ void draw_inside(Ui& ui) {
         const Palette& p = palette(ui.options.theme);
         const ImVec4 red = colour_of(Meaning::fail, ui.options.theme);
         wrapped_text_in(sheet.fault.empty() ? p.text : red, message);
-        name_widget(ui, "files.message", message);
+        register_widget(ui, "files.message", message);
     }
     ImGui::Spacing();
     is_to_be_done = draw_buttons(ui) || is_to_be_done;
     if (is_key_pressed(key::escape, false)) sheet.kind = FileSheet::Kind::closed;
     if (is_to_be_done && sheet.kind != FileSheet::Kind::closed) {
         finish_sheet(ui);
-        if (!sheet.asked.empty() || !sheet.fault.empty()) sheet.wants_focus = true;
+        if (!sheet.to_replace.empty() || !sheet.fault.empty()) sheet.wants_focus = true;
     }
 }
 

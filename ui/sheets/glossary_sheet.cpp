@@ -7,8 +7,8 @@
 #include "ui/sheets/reading_sheet.h"
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -34,7 +34,7 @@ void draw_term(Ui& ui, const Term& term) {
     keep_beginning(ImGui::GetItemRectMin().y,
                    ImGui::GetCursorScreenPos().y + ImGui::GetTextLineHeight());
     ImGui::PopFont();
-    name_widget(ui, "glossary.term." + term.word, section_words(term.section));
+    register_widget(ui, "glossary.term." + term.word, section_words(term.section));
     wrapped_text(term.sentence);
     text_in(p.dim, section_words(term.section), ui.fonts.small);
     ImGui::Spacing();
@@ -49,7 +49,7 @@ void draw_glossary_sheet(Ui& ui, ImVec2 window) {
                       "Shows only the entries that contain this word.");
     const std::string& search = ui.sheets.search_of(Sheet::glossary);
     ImGui::BeginChild("terms");
-    begin_whole_lines();
+    begin_line_clip();
     bool any = false;
     for (const Term& term : ui.session.glossary) {
         if (!has_word(term, search)) continue;
@@ -57,7 +57,7 @@ void draw_glossary_sheet(Ui& ui, ImVec2 window) {
         draw_term(ui, term);
     }
     if (!any) text_in(palette(ui.options.theme).dim, "No entry contains that word.");
-    end_whole_lines();
+    end_line_clip();
     ImGui::EndChild();
     end_sheet();
 }

@@ -6,8 +6,8 @@
 #include "ui/sheets/reading_sheet.h"
 #include "ui/sheets/sheets.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -117,7 +117,7 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
         if (column > 0) ImGui::SameLine(0.0f, columns.gap);
         ImGui::BeginGroup();
         // The lines of the columns need not be level: each column ends on its own.
-        begin_whole_lines();
+        begin_line_clip();
         const std::size_t share = left / static_cast<std::size_t>(columns.count - column);
         for (std::size_t drawn = 0; next < groups.size(); ++next) {
             const std::size_t lines = lines_of(groups[next]);
@@ -126,7 +126,7 @@ void draw_key_sheet(Ui& ui, ImVec2 window) {
             drawn += lines;
             left -= lines;
         }
-        end_whole_lines();
+        end_line_clip();
         ImGui::EndGroup();
     }
     ImGui::PopStyleVar();

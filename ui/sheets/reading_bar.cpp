@@ -33,8 +33,8 @@ void draw_reading_bar(Ui& ui, ImVec2 window) {
     ImGui::ProgressBar(share_of(state), {bar, height * u}, "");
     ImGui::PopStyleColor();
     const std::string words = reading_words(state);
-    name_widget(ui, "reading.bar", "What is open now stays open until the file has been read.",
-                words);
+    register_widget(ui, "reading.bar", "What is open now stays open until the file has been read.",
+                    words);
     ImGui::AlignTextToFramePadding();
     text_in(palette(ui.options.theme).dim, words.empty() ? "..." : words);
     ImGui::SameLine();

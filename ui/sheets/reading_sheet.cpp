@@ -61,7 +61,7 @@ void draw_sheet_search(Ui& ui, const SheetLook& look, const char* hint, const ch
     ImGui::InputTextWithHint("##search", hint, &ui.sheets.search_of(look.sheet));
     // The field has the keyboard, so it gets the key.
     const bool is_left = ImGui::IsItemDeactivated();
-    name_widget(ui, std::string(look.widgets) + ".search", help);
+    register_widget(ui, std::string(look.widgets) + ".search", help);
     if (is_left && is_key_pressed(key::escape, false)) ui.sheets.show(look.sheet, false);
 }
 

@@ -31,7 +31,7 @@ struct FileSheet {
     std::size_t left_out = 0;  ///< files that are not listed because there are too many
     bool is_cut = false;       ///< there are so many that not all were examined
     std::string fault;         ///< why it was not opened or saved
-    std::string asked;         ///< a file that already exists: may it be replaced? empty: not asked
+    std::string to_replace;    ///< a file that already exists: may it be replaced? empty: not asked
     bool wants_focus = false;  ///< the field takes the keyboard in the next frame
     bool has_keyboard = false; ///< it has taken it
     std::vector<std::uint32_t> early_letters; ///< typed before it had the keyboard

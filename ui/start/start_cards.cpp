@@ -8,8 +8,8 @@
 #include "lessons/progress.h"
 #include "session/content.h"
 #include "ui/actions/view_files.h"
+#include "ui/start/start_choice.h"
 #include "ui/start/start_pictures.h"
-#include "ui/start/ways.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -20,33 +20,33 @@ namespace {
 
 /// The words on a card.
 struct Card {
-    Way way;
+    StartChoice choice;
     const char* title;
     const char* about;
     std::array<const char*, 2> points; ///< left out where room is short
     const char* help;
 };
 
-constexpr std::array<Card, way_count> cards{{
-    {Way::lessons,
+constexpr std::array<Card, start_choice_count> cards{{
+    {StartChoice::lessons,
      "Begin the lessons",
      "Read a little, predict, try.",
      {"The program checks every answer.", "Each step sets up its picture."},
      "Opens the lesson where you left off."},
-    {Way::stages,
+    {StartChoice::stages,
      "Walk the stages",
      "Press play, stop anywhere, and look.",
      {"Time runs both ways, down to single edge samples.",
       "Click a pixel or a triangle to see where each number comes from."},
      "Begins at the first stage; the pictures above lead to each one."},
-    {Way::picture,
+    {StartChoice::picture,
      "Check my own picture",
      "What is wrong with it, where first, and why?",
      {"A picture your program saved, or the rows it printed.",
       "Rasterwalk tries the known mistakes to see which one explains yours."},
      "Shows the files that can be checked."},
 }};
-static_assert(is_indexed_by(cards, &Card::way));
+static_assert(is_indexed_by(cards, &Card::choice));
 
 /// What a card holds besides its pictures, with all its words and with fewer; design pixels. A
 /// lower card has fewer words.
@@ -69,9 +69,10 @@ bool is_room(const Ui& ui) {
 }
 
 /// The label of a button of this width.
-std::string button_label(Ui& ui, Way way, float width) {
-    if (way == Way::stages) return "Open " + std::string(is_room(ui) ? "the room" : "the scene");
-    if (way == Way::picture) return "Choose a file …";
+std::string button_label(Ui& ui, StartChoice choice, float width) {
+    if (choice == StartChoice::stages)
+        return "Open " + std::string(is_room(ui) ? "the room" : "the scene");
+    if (choice == StartChoice::picture) return "Choose a file …";
     const Lesson* const lesson = next_lesson(ui);
     if (lesson == nullptr) return "There are no lessons";
     const std::string title =
@@ -147,15 +148,15 @@ void draw_next_lessons(Ui& ui, ImVec2 top, float width, float bottom) {
 }
 
 /// The button of a card: the chosen card's is the main one.
-void draw_way_button(Ui& ui, const Card& card, ImVec2 size) {
-    const bool is_chosen = ui.start.chosen == card.way;
-    const std::string label = shortened(button_label(ui, card.way, size.x),
+void draw_start_button(Ui& ui, const Card& card, ImVec2 size) {
+    const bool is_chosen = ui.start.chosen == card.choice;
+    const std::string label = shortened(button_label(ui, card.choice, size.x),
                                         size.x - 2.0f * ImGui::GetStyle().FramePadding.x);
-    if (button(ui, way_button(card.way), label, is_chosen ? Look::main : Look::plain,
+    if (button(ui, start_button(card.choice), label, is_chosen ? Look::main : Look::plain,
                is_chosen ? std::string(card.help) + "\nKey: Enter" : std::string(card.help),
                size)) {
-        take_way(ui, card.way);
-        if (card.way == Way::picture) begin_choosing_result(ui);
+        take_start_choice(ui, card.choice);
+        if (card.choice == StartChoice::picture) begin_choosing_result(ui);
     }
 }
 
@@ -172,7 +173,7 @@ void draw_card_ground(const Ui& ui, ImVec2 low, ImVec2 high, bool is_chosen) {
 void draw_tall_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     const float u = ui.options.text_scale;
     const float padding = 22.0f * u, control = 42.0f * u;
-    draw_card_ground(ui, low, {low.x + size.x, low.y + size.y}, ui.start.chosen == card.way);
+    draw_card_ground(ui, low, {low.x + size.x, low.y + size.y}, ui.start.chosen == card.choice);
     const float inner = size.x - 2.0f * padding;
     ImGui::SetCursorScreenPos({low.x + padding, low.y + padding});
     ImGui::BeginGroup();
@@ -191,18 +192,18 @@ void draw_tall_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     ImGui::EndGroup();
     const ImVec2 below{low.x + padding, ImGui::GetItemRectMax().y + 12.0f * u};
     const float bottom = low.y + size.y - padding;
-    if (card.way == Way::lessons) {
+    if (card.choice == StartChoice::lessons) {
         const float cells = bottom - control - 38.0f * u;
         draw_next_lessons(ui, below, inner, cells - 14.0f * u);
         ImGui::SetCursorScreenPos({low.x + padding, cells});
         draw_lesson_cells(ui, inner);
     } else {
-        draw_way_pictures(
-            ui, card.way, below, {below.x + inner, bottom - control - 14.0f * u},
+        draw_start_pictures(
+            ui, card.choice, below, {below.x + inner, bottom - control - 14.0f * u},
             size.y - (is_brief ? brief_height_without_pictures : height_without_pictures) * u);
     }
     ImGui::SetCursorScreenPos({low.x + padding, bottom - control});
-    draw_way_button(ui, card, {inner, control});
+    draw_start_button(ui, card, {inner, control});
 }
 
 /// Heights of a line in a small window, design pixels: the largest, and the least with a point.
@@ -214,7 +215,7 @@ void draw_low_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     const float u = ui.options.text_scale;
     const bool is_roomy = size.y >= roomy_low_card * u;
     const float padding = (is_roomy ? 14.0f : 10.0f) * u;
-    draw_card_ground(ui, low, {low.x + size.x, low.y + size.y}, ui.start.chosen == card.way);
+    draw_card_ground(ui, low, {low.x + size.x, low.y + size.y}, ui.start.chosen == card.choice);
     const float wide = std::min(0.45f * size.x, 340.0f * u);
     ImGui::SetCursorScreenPos({low.x + padding, low.y + padding});
     ImGui::BeginGroup();
@@ -231,14 +232,14 @@ void draw_low_card(Ui& ui, const Card& card, ImVec2 low, ImVec2 size) {
     const float control = (is_roomy ? 42.0f : 34.0f) * u;
     ImGui::SetCursorScreenPos(
         {low.x + size.x - padding - wide, low.y + 0.5f * (size.y - control + 3.0f * u)});
-    draw_way_button(ui, card, {wide, control});
+    draw_start_button(ui, card, {wide, control});
 }
 
 } // namespace
 
 void choose_focused_card(Ui& ui) {
     for (const Card& card : cards) {
-        if (ui.focus.name == way_button(card.way)) ui.start.chosen = card.way;
+        if (ui.focus.name == start_button(card.choice)) ui.start.chosen = card.choice;
     }
 }
 
@@ -247,17 +248,17 @@ void draw_cards(Ui& ui, const StartLayout& page, float bottom) {
     const ImVec2 start = ImGui::GetCursorScreenPos();
     if (page.is_small) {
         const float gap = 6.0f * u;
-        const float height =
-            std::clamp((bottom - start.y) / way_count - gap, 52.0f * u, largest_low_card * u);
+        const float height = std::clamp((bottom - start.y) / start_choice_count - gap, 52.0f * u,
+                                        largest_low_card * u);
         for (std::size_t i = 0; i < cards.size(); ++i) {
             draw_low_card(ui, cards[i], {start.x, start.y + static_cast<float>(i) * (height + gap)},
                           {page.width, height});
         }
-        ImGui::SetCursorScreenPos({start.x, start.y + way_count * (height + gap) - gap});
+        ImGui::SetCursorScreenPos({start.x, start.y + start_choice_count * (height + gap) - gap});
         ImGui::Dummy({page.width, 0.0f});
         return;
     }
-    const float width = (page.width - page.gap * (way_count - 1)) / way_count;
+    const float width = (page.width - page.gap * (start_choice_count - 1)) / start_choice_count;
     const float height = std::clamp(bottom - start.y, 300.0f * u, 440.0f * u);
     for (std::size_t i = 0; i < cards.size(); ++i) {
         draw_tall_card(ui, cards[i],

@@ -10,8 +10,8 @@
 #include "ui/actions/compare.h"
 #include "ui/actions/view_files.h"
 #include "ui/start/start_cards.h"
+#include "ui/start/start_choice.h"
 #include "ui/start/start_pictures.h"
-#include "ui/start/ways.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
 #include "ui/widgets/keys.h"
@@ -66,7 +66,7 @@ void draw_stages(Ui& ui, const StartLayout& page) {
         ImGui::SetCursorScreenPos(low);
         const bool pressed = ImGui::InvisibleButton(name.c_str(), {side, height + line});
         const bool hovered = ImGui::IsItemHovered();
-        name_widget(ui, name, info.summary);
+        register_widget(ui, name, info.summary);
         if (has_pictures) {
             list->AddImage(ui.start.pictures.textures[i], low, high);
             list->AddRect(low, high, packed(hovered ? p.link : p.line));
@@ -83,7 +83,7 @@ void draw_stages(Ui& ui, const StartLayout& page) {
         }
         x += side + gap;
         if (!pressed) continue;
-        take_way(ui, Way::stages);
+        take_start_choice(ui, StartChoice::stages);
         set_step(ui.session.a.settings, info.step);
     }
     ImGui::PopFont();
@@ -106,7 +106,7 @@ void draw_last_line(Ui& ui, const StartLayout& page, float bottom) {
     if (!notice.empty()) {
         const float room = both_fit ? page.width - wide - page.gap : page.width;
         text_in(colour_of(Meaning::fail, ui.options.theme), shortened(notice, room));
-        name_widget(ui, "start.notice", notice);
+        register_widget(ui, "start.notice", notice);
         if (both_fit) ImGui::SetCursorScreenPos({at.x + page.width - wide, at.y});
     }
     if (both_fit || notice.empty()) text_in(p.dim, shortened(keys, page.width));
@@ -130,8 +130,8 @@ void take_keys(Ui& ui) {
         return;
     }
     if (is_key_pressed(key::enter, false) || is_key_pressed(key::keypad_enter, false)) {
-        take_way(ui, ui.start.chosen);
-        if (ui.start.chosen == Way::picture) begin_choosing_result(ui);
+        take_start_choice(ui, ui.start.chosen);
+        if (ui.start.chosen == StartChoice::picture) begin_choosing_result(ui);
     } else if (is_key_pressed(key::escape, false)) {
         ui.start.is_open = false;
     }

@@ -27,13 +27,13 @@ Image stage_picture(const Scene& scene, Settings settings, const StripStep& step
 
 constexpr int pictures_of_way = 3;
 constexpr float picture_gap = 10.0f; ///< between two, design pixels
-constexpr float least_way_picture = 56.0f;
+constexpr float least_start_picture = 56.0f;
 
-using WayImages = std::array<Image, pictures_of_way>;
-using WayWords = std::array<const char*, pictures_of_way>;
+using StartImages = std::array<Image, pictures_of_way>;
+using StartWords = std::array<const char*, pictures_of_way>;
 
-constexpr WayWords words_of_time{"a third is drawn", "two thirds", "the frame"};
-constexpr WayWords words_of_check{"yours", "correct", "what differs"};
+constexpr StartWords words_of_time{"a third is drawn", "two thirds", "the frame"};
+constexpr StartWords words_of_check{"yours", "correct", "what differs"};
 
 /// The scene with only the first of its triangles.
 Scene first_triangles(const Scene& scene, int count) {
@@ -49,8 +49,8 @@ Scene first_triangles(const Scene& scene, int count) {
     return begun;
 }
 
-WayImages pictures_of_time(const Scene& scene, const Settings& settings, int side) {
-    WayImages images;
+StartImages pictures_of_time(const Scene& scene, const Settings& settings, int side) {
+    StartImages images;
     for (int i = 0; i < pictures_of_way; ++i) {
         const int count = scene.triangle_count() * (i + 1) / pictures_of_way;
         images[static_cast<std::size_t>(i)] =
@@ -76,8 +76,8 @@ Image marked_difference(const Image& wrong, const Image& right, const ImVec4& ma
 }
 
 /// A picture without a depth test, the right one, and what differs.
-WayImages pictures_of_check(const Ui& ui, const Scene& scene, Settings settings, int side) {
-    WayImages images;
+StartImages pictures_of_check(const Ui& ui, const Scene& scene, Settings settings, int side) {
+    StartImages images;
     images[1] = thumbnail(scene, settings, side);
     settings.depth_test = DepthTest::off;
     images[0] = thumbnail(scene, settings, side);
@@ -85,8 +85,8 @@ WayImages pictures_of_check(const Ui& ui, const Scene& scene, Settings settings,
     return images;
 }
 
-void renew_way_pictures(Ui& ui, int side) {
-    WayPictures& pictures = ui.start.way_pictures;
+void renew_start_pictures(Ui& ui, int side) {
+    StartPictures& pictures = ui.start.start_pictures;
     const std::shared_ptr<const Scene>& scene = ui.session.scene;
     if (pictures.scene == scene && pictures.side == side && pictures.theme == ui.options.theme)
         return;
@@ -99,8 +99,8 @@ void renew_way_pictures(Ui& ui, int side) {
     set_step(settings, stage_list().back().step);
     constexpr int drawn = 2 * pictures_of_way;
     if (thumbnail_work(*scene, settings, side) * drawn > frame_limit.at_once) return;
-    const auto show = [&](Way way, const WayImages& images) {
-        const auto place = static_cast<std::size_t>(way);
+    const auto show = [&](StartChoice choice, const StartImages& images) {
+        const auto place = static_cast<std::size_t>(choice);
         pictures.is_shown[place] = true;
         for (std::size_t i = 0; i < images.size(); ++i) {
             ImTextureID& texture = pictures.textures[place][i];
@@ -108,9 +108,9 @@ void renew_way_pictures(Ui& ui, int side) {
         }
     };
     if (scene->triangle_count() >= pictures_of_way)
-        show(Way::stages, pictures_of_time(*scene, settings, side));
-    const WayImages check = pictures_of_check(ui, *scene, settings, side);
-    if (!(check[0] == check[1])) show(Way::picture, check);
+        show(StartChoice::stages, pictures_of_time(*scene, settings, side));
+    const StartImages check = pictures_of_check(ui, *scene, settings, side);
+    if (!(check[0] == check[1])) show(StartChoice::picture, check);
 }
 
 } // namespace
@@ -138,7 +138,7 @@ void renew_stage_pictures(Ui& ui, int side) {
     }
 }
 
-void draw_way_pictures(Ui& ui, Way way, ImVec2 low, ImVec2 high, float most) {
+void draw_start_pictures(Ui& ui, StartChoice choice, ImVec2 low, ImVec2 high, float most) {
     const float u = ui.options.text_scale;
     const float gap = picture_gap * u;
     const float caption = ui.fonts.small->FontSize + 6.0f * u;
@@ -146,13 +146,13 @@ void draw_way_pictures(Ui& ui, Way way, ImVec2 low, ImVec2 high, float most) {
     const float side =
         std::floor(std::min((width - gap * (pictures_of_way - 1)) / pictures_of_way, most));
     const float y = std::round(high.y - caption - side);
-    if (side < least_way_picture * u || y < low.y) return;
-    renew_way_pictures(ui, static_cast<int>(side));
-    const WayPictures& pictures = ui.start.way_pictures;
-    const auto place = static_cast<std::size_t>(way);
+    if (side < least_start_picture * u || y < low.y) return;
+    renew_start_pictures(ui, static_cast<int>(side));
+    const StartPictures& pictures = ui.start.start_pictures;
+    const auto place = static_cast<std::size_t>(choice);
     if (!pictures.is_shown[place]) return;
     const Palette& p = palette(ui.options.theme);
-    const WayWords& words = way == Way::stages ? words_of_time : words_of_check;
+    const StartWords& words = choice == StartChoice::stages ? words_of_time : words_of_check;
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const float step = std::round((width - side) / (pictures_of_way - 1));
     for (std::size_t i = 0; i < words.size(); ++i) {

@@ -22,6 +22,6 @@ void renew_stage_pictures(Ui& ui, int side);
 /// show.
 /// @param low, high of the place, screen pixels
 /// @param most how high a picture may be, screen pixels: the same for all choices
-void draw_way_pictures(Ui& ui, Way way, ImVec2 low, ImVec2 high, float most);
+void draw_start_pictures(Ui& ui, StartChoice choice, ImVec2 low, ImVec2 high, float most);
 
 } // namespace rasterwalk

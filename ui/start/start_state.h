@@ -22,24 +22,24 @@ struct StagePictures {
 };
 
 /// What the choices lead to, in pictures on their cards.
-struct WayPictures {
+struct StartPictures {
     std::shared_ptr<const Scene> scene; ///< the one they show
     int side = 0;                       ///< the size they were made for, screen pixels
     Theme theme{};                      ///< of their colours
-    std::array<bool, way_count> is_shown{};
-    std::array<std::array<ImTextureID, 3>, way_count> textures{};
+    std::array<bool, start_choice_count> is_shown{};
+    std::array<std::array<ImTextureID, 3>, start_choice_count> textures{};
 };
 
 /// The page that the program begins with the first time.
 struct StartPage {
     bool is_open = false;
-    Way chosen = Way::lessons; ///< the card that Enter takes
+    StartChoice chosen = StartChoice::lessons; ///< the card that Enter takes
     /// What lies behind the page since the first frame in which it is open: any change to it closes
     /// the page.
     std::optional<SessionInputs> behind;
     std::string lesson; ///< the one open behind it
     StagePictures pictures;
-    WayPictures way_pictures;
+    StartPictures start_pictures;
 };
 
 } // namespace rasterwalk

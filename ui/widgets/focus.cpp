@@ -18,7 +18,7 @@ ImGuiID part_of(const ImGuiWindow& window) {
     return at->ID;
 }
 
-void note_stop(WidgetPlace& place) {
+void record_stop(WidgetPlace& place) {
     const ImGuiLastItemData& item = GImGui->LastItemData;
     place.part = part_of(*ImGui::GetCurrentWindow());
     // While a list is open, the last item is the list itself.

@@ -17,7 +17,7 @@ struct Ui;
 ImGuiID part_of(const ImGuiWindow& window);
 
 /// Notes whether the last ImGui item can have the keyboard, and where it is.
-void note_stop(WidgetPlace& place);
+void record_stop(WidgetPlace& place);
 
 /// Notes the position of the last ImGui item if it is the one with the keyboard, and scrolls to it
 /// if that was asked for. Returns true if it has the ring.

@@ -6,9 +6,9 @@
 
 #include "base/numbers.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -58,7 +58,7 @@ std::optional<Source> draw_numbers(FormulaLine& line, const Palette& p, const Fo
 /// A tooltip is text even over a number.
 void name_number(Ui& ui, std::string_view name, std::string_view tooltip) {
     ImGui::PushFont(ui.fonts.text);
-    name_widget(ui, name, tooltip);
+    register_widget(ui, name, tooltip);
     ImGui::PopFont();
 }
 
@@ -78,13 +78,13 @@ void draw_with_card(const char* name, const std::function<void()>& page,
     const float whole = std::min(sizes->GetFloat(whole_id, left), left);
     ImGui::BeginChild(page_id, {0, std::min(sizes->GetFloat(page_id, room), whole)}, false,
                       ImGuiWindowFlags_NoNav);
-    begin_whole_lines(left);
+    begin_line_clip(left);
     page();
     // A gap lower than a line is like any other, and the page keeps it.
     const float blank = left - whole_height();
     sizes->SetFloat(
         whole_id, blank < ImGui::GetTextLineHeight() ? left : std::max(left - blank, 0.5f * left));
-    end_whole_lines();
+    end_line_clip();
     const float page_height = ImGui::GetCursorPosY();
     ImGui::EndChild();
     // A card without enough room scrolls separately, so that neither of the two is ever out of
@@ -95,9 +95,9 @@ void draw_with_card(const char* name, const std::function<void()>& page,
     ImGui::BeginChild(card_id, {0, std::max(scrolls ? card_room : card_height, 1.0f)}, false,
                       scrolls ? ImGuiWindowFlags_NoNav
                               : ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar);
-    begin_whole_lines();
+    begin_line_clip();
     card();
-    end_whole_lines();
+    end_line_clip();
     const float card_height_now = ImGui::GetCursorPosY();
     ImGui::EndChild();
     sizes->SetFloat(page_id, page_height);
@@ -157,7 +157,7 @@ bool FormulaLine::link(std::string_view label, const std::string& name, const st
     const bool clicked = ImGui::InvisibleButton(name.c_str(), {std::max(size.x, 1.0f), size.y});
     const bool hovered = ImGui::IsItemHovered();
     name_number(ui_, name.substr(0, name.find("##")), tooltip);
-    note_text(ui_, name.substr(0, name.find("##")), label);
+    register_text(ui_, name.substr(0, name.find("##")), label);
     if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddText(at, packed(hovered ? p.link : colour), label.data(), label.data() + label.size());
@@ -180,7 +180,7 @@ std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::st
         line.text("= " + formula.expression, p.dim);
     }
     ImGui::EndGroup();
-    name_widget(ui, name + ".expression", with_function_help(formula.help, formula));
+    register_widget(ui, name + ".expression", with_function_help(formula.help, formula));
     std::optional<Source> clicked;
     {
         FormulaLine line(ui, indent);
@@ -193,7 +193,7 @@ std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::st
         line.text("= ", p.dim);
         line.text(result, p.link);
         name_number(ui, name + ".result", "In full: " + exact_text(formula.result));
-        note_text(ui, name + ".result", result);
+        register_text(ui, name + ".result", result);
     };
     const bool has_result = with_numbers(formula) != result;
     bool is_done = false;
@@ -291,11 +291,11 @@ bool number_cell(Ui& ui, const std::string& name, std::string_view text, const I
     ImGui::PopStyleVar();
     // As high as the words next to it: both are seen, or neither.
     const float bottom = at.y + std::max(ImGui::GetTextLineHeight(), ui.fonts.text->FontSize);
-    keep_whole(at.y, bottom);
+    clip_range_to_lines(at.y, bottom);
     // The highlight behind the chosen number begins above its line.
     keep_beginning(ImGui::GetItemRectMin().y, bottom);
     name_number(ui, name, tooltip);
-    note_text(ui, name, text);
+    register_text(ui, name, text);
     const float width = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
     ImGui::GetWindowDrawList()->AddText({at.x + std::max(room - width, 0.0f), at.y}, packed(colour),
                                         text.data(), text.data() + text.size());

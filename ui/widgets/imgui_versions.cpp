@@ -8,7 +8,7 @@
 #include <imgui_internal.h>
 
 #include "ui/widgets/keys.h"
-#include "ui/widgets/whole_lines.h"
+#include "ui/widgets/line_clip.h"
 
 namespace rasterwalk {
 

@@ -147,7 +147,7 @@ Layout compute_layout(ImVec2 window, const UiOptions& options, const LayoutNeeds
     const float below = std::max(middle - lesson, 1.0f);
     if (options.is_lecture && needs.high_canvas && !needs.has_drawer && !needs.wide_canvas) {
         const float half = std::round(0.5f * width);
-        layout.lesson_is_beside = true;
+        layout.lesson_is_at_side = true;
         layout.canvas = {{0, top}, {half, middle}};
         layout.lesson = {{half, top}, {width - half, lesson}};
         layout.inspector = {{half, top + lesson}, {width - half, below}};

@@ -32,9 +32,9 @@ struct Layout {
     Area status;    ///< last line; without height if there is none
     bool is_narrow = false; ///< the menus are behind a button
     bool lesson_is_strip = false;
-    bool lesson_is_beside = false; ///< the strip is above the inspector, next to the canvas
-    float most_strip = 0.0f;       ///< the most height that the strip can have
-    float unit = 1.0f;             ///< screen pixels per design pixel: the text scale
+    bool lesson_is_at_side = false; ///< the strip is above the inspector, next to the canvas
+    float most_strip = 0.0f;        ///< the most height that the strip can have
+    float unit = 1.0f;              ///< screen pixels per design pixel: the text scale
 };
 
 /// What the parts of the window ask for, screen pixels.

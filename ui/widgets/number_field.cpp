@@ -92,7 +92,7 @@ std::string slider_text(float value, const ControlRange& range) {
 /// The position of a slider's number: in the middle, or next to the handle if that would cover it.
 /// @param part  of the range at which the handle is, 0 to 1
 /// @param width of the number, screen pixels
-float place_beside_handle(float part, float width) {
+float number_position(float part, float width) {
     const float field = ImGui::GetItemRectSize().x, handle = ImGui::GetStyle().GrabMinSize;
     const float middle = 0.5f * handle + part * (field - handle);
     if (std::abs(middle - 0.5f * field) > 0.5f * (width + handle)) return 0.5f;
@@ -140,7 +140,7 @@ bool slide_number(const char* id, float& value, const ControlRange& range) {
         [&](float width) {
             const auto low = static_cast<float>(range.smallest),
                        high = static_cast<float>(range.largest);
-            return place_beside_handle(std::clamp((value - low) / (high - low), 0.0f, 1.0f), width);
+            return number_position(std::clamp((value - low) / (high - low), 0.0f, 1.0f), width);
         });
     io.KeyCtrl = had_ctrl;
     const bool is_typed = was_typed || ImGui::TempInputIsActive(ImGui::GetID(id));

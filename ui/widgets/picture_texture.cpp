@@ -87,11 +87,11 @@ void show_texture(Ui& ui, PictureTexture& texture, const NumberedPicture& pictur
                           resampled_side(image.height, scale)};
     Rectangle window = whole;
     if (static_cast<std::int64_t>(whole.right) * whole.bottom > most_pixels) {
-        const Rectangle seen = common(in_view(place, scale, low, high), whole);
-        if (is_empty(seen)) return;
-        const bool serves = texture.scale == scale && contains(texture.window, seen) &&
+        const Rectangle visible = common(in_view(place, scale, low, high), whole);
+        if (is_empty(visible)) return;
+        const bool serves = texture.scale == scale && contains(texture.window, visible) &&
                             contains(whole, texture.window);
-        window = serves ? texture.window : common(grown(seen), whole);
+        window = serves ? texture.window : common(grown(visible), whole);
     }
     const bool is_same_part = texture.scale == scale && texture.window == window;
     if (is_same_part && texture.number == picture.number) return;

@@ -25,14 +25,14 @@ ShownPicture read_picture(const PictureName& name) {
     return picture;
 }
 
-ShownPicture& find_picture(PictureShelf& shelf, const PictureName& name) {
-    const auto found = shelf.pictures.find(name);
-    if (found != shelf.pictures.end()) return found->second;
-    if (shelf.pictures.size() >= most_pictures) {
+ShownPicture& find_picture(ImageCache& cache, const PictureName& name) {
+    const auto found = cache.pictures.find(name);
+    if (found != cache.pictures.end()) return found->second;
+    if (cache.pictures.size() >= most_pictures) {
         static ShownPicture none;
         return none;
     }
-    return shelf.pictures[name] = read_picture(name);
+    return cache.pictures[name] = read_picture(name);
 }
 
 } // namespace
@@ -73,8 +73,8 @@ Image shrink(const Image& image, int width) {
     return small;
 }
 
-ImVec2 picture_size(PictureShelf& shelf, const PictureName& name) {
-    return find_picture(shelf, name).size;
+ImVec2 picture_size(ImageCache& cache, const PictureName& name) {
+    return find_picture(cache, name).size;
 }
 
 ImTextureID picture_texture(Ui& ui, const PictureName& name, int width) {

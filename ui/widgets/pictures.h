@@ -32,12 +32,12 @@ struct PictureName {
 };
 
 /// The pictures that lessons show. Read once.
-struct PictureShelf {
+struct ImageCache {
     std::map<PictureName, ShownPicture> pictures;
 };
 
 /// Size of a picture, pixels; 0 if it cannot be read, is too large, or lies outside the project.
-ImVec2 picture_size(PictureShelf& shelf, const PictureName& name);
+ImVec2 picture_size(ImageCache& cache, const PictureName& name);
 
 /// The texture of a picture, made smaller to `width` screen pixels. Null if there is none.
 ImTextureID picture_texture(Ui& ui, const PictureName& name, int width);

@@ -5,8 +5,8 @@
 
 #include "ui/ui.h"
 #include "ui/widgets/flow.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -228,7 +228,7 @@ int draw_plot(Ui& ui, const std::string& name, const Plot& plot, ImVec2 size, fl
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton(name.c_str(), size);
     const bool is_hovered = ImGui::IsItemHovered();
-    name_widget(ui, name);
+    register_widget(ui, name);
 
     Scale scale;
     scale.y = with_margin(range_of(plot), 0.08);
@@ -301,11 +301,11 @@ void draw_legend(Ui& ui, const std::string& name, const Plot& plot, int index,
         const float x = at.x + sample + gap;
         list->AddText({x, at.y}, packed(p.dim), entry.label.c_str());
         list->AddText({x + text_width(entry.label), at.y}, packed(p.text), entry.number.c_str());
-        keep_whole(at.y, at.y + ImGui::GetTextLineHeight());
+        clip_range_to_lines(at.y, at.y + ImGui::GetTextLineHeight());
     }
     ImGui::Dummy({ImGui::GetContentRegionAvail().x, static_cast<float>(line_count(places)) * line});
     ImGui::PopFont();
-    name_widget(ui, name, tooltip);
+    register_widget(ui, name, tooltip);
 }
 
 } // namespace rasterwalk

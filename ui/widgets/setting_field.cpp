@@ -46,23 +46,23 @@ void edit_choice(Ui& ui, Settings& settings, const Setting& setting, const std::
     const int now = choice.read(settings);
     const float room =
         ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
-    const std::string whole = said_value(setting, settings);
+    const std::string whole = value_words(setting, settings);
     const std::string said = shortened(whole, std::max(room, 0.0f));
     const std::string code(setting.name);
     const std::string help = (said == whole ? "" : whole + "\n") + std::string(setting.help);
     const bool open = ImGui::BeginCombo("##value", said.c_str());
-    name_widget(ui, name,
-                now == no_word ? help
-                               : help + "\nWritten as " + code + " = " +
-                                     std::string(choice.words[static_cast<std::size_t>(now)]));
+    register_widget(ui, name,
+                    now == no_word ? help
+                                   : help + "\nWritten as " + code + " = " +
+                                         std::string(choice.words[static_cast<std::size_t>(now)]));
     if (!open) return;
     for (int i = 0; i < static_cast<int>(choice.words.size()); ++i) {
         const bool is_offered =
             offered.empty() || std::find(offered.begin(), offered.end(), i) != offered.end();
         if (!is_offered && i != now) continue;
         const std::string word(choice.words[static_cast<std::size_t>(i)]);
-        if (word_line(ui, said_word(setting, word), word, i == now)) choice.write(settings, i);
-        name_widget(ui, name + "=" + word, help);
+        if (word_line(ui, choice_words(setting, word), word, i == now)) choice.write(settings, i);
+        register_widget(ui, name + "=" + word, help);
         ui.widgets[name + "=" + word].is_chosen = i == now;
     }
     ImGui::EndCombo();
@@ -74,7 +74,7 @@ bool edit_float(Ui& ui, const std::string& name, const std::string& help, const 
                 float& value) {
     bool is_changed =
         drag_number("##value", value, {bounds.drag_step, bounds.smallest, bounds.largest});
-    name_widget(ui, name, help);
+    register_widget(ui, name, help);
     if (const int more = take_arrows(ui, name).more(); more != 0) {
         value = std::clamp(value + static_cast<float>(more) * bounds.drag_step, bounds.smallest,
                            bounds.largest);
@@ -101,7 +101,7 @@ void draw_parts(Ui& ui, const std::string& name, std::initializer_list<const cha
         ImGui::PopID();
     }
     ImGui::EndGroup();
-    name_widget(ui, name);
+    register_widget(ui, name);
     WidgetPlace& whole = ui.widgets.at(name);
     whole.id = 0; // its parts have the keyboard, and the help
     whole.has_tooltip = true;
@@ -119,7 +119,7 @@ void edit_whole(Ui& ui, Settings& settings, const std::string& name, const std::
     int value = whole.value(settings);
     bool is_changed = ImGui::SliderInt("##value", &value, whole.smallest, whole.largest, "%d",
                                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    name_widget(ui, name, help);
+    register_widget(ui, name, help);
     if (const int more = take_arrows(ui, name).more(); more != 0) {
         value += more;
         is_changed = true;
@@ -146,7 +146,7 @@ void edit_size(Ui& ui, Settings& settings, const std::string& name, const std::s
         is_changed =
             ImGui::InputInt("##value", &sides[i], 0, 0, ImGuiInputTextFlags_EnterReturnsTrue) ||
             is_changed;
-        name_widget(ui, part, help);
+        register_widget(ui, part, help);
     });
     if (!is_changed) return;
     viewport = {std::clamp(sides.x, 1, size.largest), std::clamp(sides.y, 1, size.largest)};
@@ -181,7 +181,7 @@ void edit_slider(Ui& ui, Settings& settings, const Setting& setting, const std::
                  const ControlRange& range) {
     float value = slider_value(setting, range, settings);
     bool is_changed = slide_number("##value", value, range);
-    name_widget(ui, name, setting.help);
+    register_widget(ui, name, setting.help);
     if (const int more = take_arrows(ui, name).more(); more != 0) {
         value = slider_stop(range, static_cast<double>(value), more);
         is_changed = true;

@@ -5,8 +5,8 @@
 
 #include "picture/resample.h"
 #include "ui/ui.h"
+#include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/whole_lines.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -38,7 +38,7 @@ Thinned thinned(const Image& image) {
     const auto pixels_at = [&](int step) {
         return static_cast<std::int64_t>(image.width / step) * (image.height / step);
     };
-    while (pixels_at(thin.step) > largest_looked_through)
+    while (pixels_at(thin.step) > largest_read_through)
         ++thin.step;
     if (thin.step == 1) return thin;
     thin.image.width = std::max(image.width / thin.step, 1);
@@ -78,7 +78,7 @@ void draw_card_lines(ImVec2 at, const std::string& text, const ImVec4& colour) {
         const std::size_t end = std::min(text.find('\n', from), text.size());
         ImGui::GetWindowDrawList()->AddText(at, packed(colour),
                                             text.substr(from, end - from).c_str());
-        keep_whole(at.y, at.y + line);
+        clip_range_to_lines(at.y, at.y + line);
         from = end + 1;
     }
 }
@@ -159,8 +159,8 @@ bool draw_picture_card(Ui& ui, const SmallPicture& picture, const CardWords& wor
                        PictureTexture& texture, float scale, const CardPlace& at) {
     const Palette& p = palette(ui.options.theme);
     const bool is_clicked =
-        small_card(ui, picture.name, picture.tooltip, at.low, at.high, picture.can_be_taken);
-    note_text(ui, picture.name, picture.title + ": " + picture.words);
+        small_card(ui, picture.name, picture.tooltip, at.low, at.high, picture.can_be_chosen);
+    register_text(ui, picture.name, picture.title + ": " + picture.words);
     show_small(ui, texture, *picture.image, picture.number, scale);
     draw_card_lines(at.title, words.title, p.text);
     draw_over_picture(ui, picture, texture,
@@ -197,7 +197,7 @@ std::optional<std::size_t> draw_in_column(Ui& ui, std::span<const SmallPicture> 
                               {beside, top},
                               {beside, top + words.title_lines * line}};
         if (draw_picture_card(ui, pictures[i], words.of[i], textures[i], scale, place)) clicked = i;
-        keep_whole(low.y, low.y + height);
+        clip_range_to_lines(low.y, low.y + height);
     }
     ImGui::SetCursorScreenPos(start);
     const float count = static_cast<float>(pictures.size());
@@ -232,7 +232,7 @@ std::optional<std::size_t> draw_in_row(Ui& ui, std::span<const SmallPicture> pic
     ImGui::SetCursorScreenPos(start);
     const float count = static_cast<float>(pictures.size());
     ImGui::Dummy({count * width + (count - 1.0f) * gap, height});
-    keep_item_whole();
+    clip_to_lines();
     return clicked;
 }
 
@@ -255,17 +255,17 @@ void show_small(Ui& ui, PictureTexture& texture, const Image& image, std::uint64
 }
 
 bool small_card(Ui& ui, const std::string& name, std::string_view tooltip, ImVec2 low, ImVec2 high,
-                bool can_be_taken) {
+                bool can_be_chosen) {
     const Palette& p = palette(ui.options.theme);
     const ImVec2 size{high.x - low.x, high.y - low.y};
     ImGui::SetCursorScreenPos(low);
     bool is_clicked = false;
-    if (can_be_taken)
+    if (can_be_chosen)
         is_clicked = ImGui::InvisibleButton(name.c_str(), size);
     else
         ImGui::Dummy(size);
-    const bool is_lit = can_be_taken && ImGui::IsItemHovered();
-    name_widget(ui, name, tooltip);
+    const bool is_lit = can_be_chosen && ImGui::IsItemHovered();
+    register_widget(ui, name, tooltip);
     ImGui::GetWindowDrawList()->AddRectFilled(low, high, packed(is_lit ? p.button_hovered : p.card),
                                               card_rounding * ui.options.text_scale);
     return is_clicked;

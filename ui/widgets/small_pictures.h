@@ -24,7 +24,7 @@ struct Ui;
 Image small_picture(const Image& image, float scale);
 
 /// The largest picture whose every pixel is read, pixels.
-inline constexpr std::int64_t largest_looked_through = 1'000'000;
+inline constexpr std::int64_t largest_read_through = 1'000'000;
 
 /// Brings the texture of a small picture up to date. At rest there is nothing to do.
 /// @param number of the image: changes whenever the image does
@@ -32,9 +32,9 @@ void show_small(Ui& ui, PictureTexture& texture, const Image& image, std::uint64
                 float scale);
 
 /// The ground of a card, and its name. Returns true if it is clicked.
-/// @param can_be_taken false: a click on it does nothing
+/// @param can_be_chosen false: a click on it does nothing
 bool small_card(Ui& ui, const std::string& name, std::string_view tooltip, ImVec2 low, ImVec2 high,
-                bool can_be_taken = true);
+                bool can_be_chosen = true);
 /// The border of the chosen card.
 void frame_small_card(const Ui& ui, ImVec2 low, ImVec2 high);
 
@@ -55,7 +55,7 @@ struct SmallPicture {
     std::vector<SmallLine> lines;
     std::span<const SmallMark> marks; ///< seen if pixels are large enough
     bool is_chosen = false;
-    bool can_be_taken = false;
+    bool can_be_chosen = false;
 };
 
 /// The pictures in a row, as wide as the page, with every word: lines are broken where they must

@@ -12,7 +12,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
 #include "ui/widgets/imgui_versions.h"
-#include "ui/widgets/whole_lines.h"
+#include "ui/widgets/line_clip.h"
 
 namespace rasterwalk {
 
@@ -35,7 +35,7 @@ Card open_card;
 /// A place for something of this size below an item, above it, or at a side, within the window;
 /// none if there is no room.
 /// @param aside the sides are tried first
-std::optional<ImVec2> place_beside(bool aside, const ImRect& item, ImVec2 size, float gap) {
+std::optional<ImVec2> place_next_to(bool aside, const ImRect& item, ImVec2 size, float gap) {
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 window = io.DisplaySize;
     const auto along = [&](float pointer, float low, float length, float room) {
@@ -63,9 +63,9 @@ void outline_if_pointed_at(Ui& ui, std::string_view name, const ImRect& shown, b
                            bool is_cut) {
     LessonView& lesson = ui.lesson;
     if (lesson.pointed_at.empty() || lesson.pointed_at != name) return;
-    lesson.frames_unseen = 0;
+    lesson.frames_hidden = 0;
     const bool is_scrolling = ImGui::GetIO().MouseWheel != 0.0f;
-    if (lesson.is_held && (!visible || is_cut) && !is_scrolling) scroll_here(0.5f);
+    if (lesson.is_pinned && (!visible || is_cut) && !is_scrolling) scroll_here(0.5f);
     if (!visible) return;
     const float u = ui.options.text_scale;
     const ImVec4& colour = palette(ui.options.theme).changed;
@@ -85,7 +85,8 @@ void outline_if_pointed_at(Ui& ui, std::string_view name, const ImRect& shown, b
 
 } // namespace
 
-void name_widget(Ui& ui, std::string_view name, std::string_view tooltip, std::string_view text) {
+void register_widget(Ui& ui, std::string_view name, std::string_view tooltip,
+                     std::string_view text) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     ImRect shown(low, high);
@@ -98,11 +99,11 @@ void name_widget(Ui& ui, std::string_view name, std::string_view tooltip, std::s
         shown.Max.x >= high.x - 0.5f * spacing.x && shown.Max.y >= high.y - 0.5f * spacing.y;
     WidgetPlace place{shown.Min, shown.Max, visible, is_whole, !tooltip.empty(), std::string(text)};
     place.order = static_cast<int>(ui.widgets.size());
-    note_stop(place);
+    record_stop(place);
     ui.widgets[std::string(name)] = place;
     keep_item_whole_unless_in_parts();
     const bool is_explained = show_focus(ui, name, shown, visible) && ui.focus.is_explained;
-    // A line that is cut off by more than a pixel may be left out, see whole_lines.h.
+    // A line that is cut off by more than a pixel may be left out, see line_clip.h.
     const bool is_cut = (shown.Min.y > low.y + 1.0f || shown.Max.y < high.y - 1.0f) &&
                         high.y - low.y < ImGui::GetWindowHeight();
     outline_if_pointed_at(ui, name, shown, visible, is_cut);
@@ -130,8 +131,8 @@ void draw_tooltip(const Ui& ui, std::string_view text) {
         item.Max.x = window->Pos.x + window->Size.x;
     }
     const std::optional<ImVec2> place =
-        place_beside(is_entry, item, {words.x + 2.0f * padding.x, words.y + 2.0f * padding.y},
-                     6.0f * ui.options.text_scale);
+        place_next_to(is_entry, item, {words.x + 2.0f * padding.x, words.y + 2.0f * padding.y},
+                      6.0f * ui.options.text_scale);
     if (place && item.GetHeight() <= 8.0f * letter) ImGui::SetNextWindowPos(*place);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + widest);
@@ -140,7 +141,7 @@ void draw_tooltip(const Ui& ui, std::string_view text) {
     ImGui::EndTooltip();
 }
 
-void note_text(Ui& ui, std::string_view name, std::string_view text) {
+void register_text(Ui& ui, std::string_view name, std::string_view text) {
     ui.widgets.at(std::string(name)).text = text;
 }
 
@@ -167,14 +168,14 @@ bool button(Ui& ui, std::string_view name, std::string_view label, Look look,
     const bool pressed = ImGui::Button(id.c_str(), size);
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor(3);
-    name_widget(ui, name, tooltip);
+    register_widget(ui, name, tooltip);
     return pressed;
 }
 
 void put_text(std::string_view text, ImFont* font) {
     if (font != nullptr) ImGui::PushFont(font);
     ImGui::TextUnformatted(begin(text), end(text));
-    keep_text_whole();
+    clip_text_to_lines();
     if (font != nullptr) ImGui::PopFont();
 }
 
@@ -347,7 +348,7 @@ std::string shortened_to_words(const std::string& text, float width) {
 bool list_entry(Ui& ui, std::string_view name, std::string_view label, bool is_chosen,
                 std::string_view tooltip) {
     const bool is_pressed = ImGui::Selectable(std::string(label).c_str(), is_chosen);
-    name_widget(ui, name, tooltip);
+    register_widget(ui, name, tooltip);
     ui.widgets[std::string(name)].is_chosen = is_chosen;
     return is_pressed;
 }

@@ -16,8 +16,8 @@ struct Ui;
 /// Enters the last ImGui item in Ui::widgets under this name, and shows `tooltip` while the pointer
 /// rests on it (empty: none). In a window that ends with whole lines it stays whole.
 /// @param text the number or words that it shows, so that they can be looked up by name
-void name_widget(Ui& ui, std::string_view name, std::string_view tooltip = {},
-                 std::string_view text = {});
+void register_widget(Ui& ui, std::string_view name, std::string_view tooltip = {},
+                     std::string_view text = {});
 
 /// A tooltip next to the last ImGui item, where it does not cover what it explains; over something
 /// large, next to the pointer.
@@ -25,7 +25,7 @@ void draw_tooltip(const Ui& ui, std::string_view text);
 
 /// Notes the number that the widget with this name shows, so that it can be looked up by name. The
 /// widget must have been named in this frame.
-void note_text(Ui& ui, std::string_view name, std::string_view text);
+void register_text(Ui& ui, std::string_view name, std::string_view text);
 
 /// The signs of pass and fail, shown with their colours.
 inline constexpr const char* passed_sign = "✓";

@@ -12,7 +12,7 @@ namespace rasterwalk {
 namespace {
 
 /// Is this word of a setting chosen? The engine does not have what it asks for.
-bool is_asked(std::string_view name, std::string_view word, const Settings& settings) {
+bool is_chosen(std::string_view name, std::string_view word, const Settings& settings) {
     const Setting* setting = find_setting(name);
     return setting != nullptr && value_text(*setting, settings) == word;
 }
@@ -77,7 +77,7 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
           {"light.sides", "one"},
           {"colour_over_one", "clamp"},
           {"channel_order", "rgb"}}) {
-        if (!is_asked(name, right, settings))
+        if (!is_chosen(name, right, settings))
             return unknown(std::string(name) + " other than " + std::string(right));
     }
     return {};

@@ -112,9 +112,9 @@ TEST_CASE("Keys are read by name, and an unknown name is refused") {
     CHECK(parse_key("pageup").key == key::page_up);
     const KeyPress pressed = parse_key("ctrl+Shift+Z");
     CHECK(pressed.key == 'Z');
-    CHECK(pressed.held.ctrl);
-    CHECK(pressed.held.shift);
-    CHECK_FALSE(pressed.held.alt);
+    CHECK(pressed.modifiers.ctrl);
+    CHECK(pressed.modifiers.shift);
+    CHECK_FALSE(pressed.modifiers.alt);
     CHECK(parse_key("Ctrl++").key == key::equal);
     for (const char* const wrong : {"", "F13", "F0", "Ctrl+", "Hyper", "AB", "F1x", "\xc3\xa4"}) {
         INFO(wrong);

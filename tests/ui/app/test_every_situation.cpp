@@ -192,7 +192,7 @@ class Sweep {
   public:
     std::map<std::string, std::string> faults; ///< and the situation that has it
     std::set<std::string> bare;                ///< widgets without a tooltip
-    int looked = 0;
+    int checked = 0;
 
     void visit(const Situation& situation, const std::vector<SmallWindow>& windows) {
         // Tables of two runs keep the widths of the window that they were first drawn in.
@@ -210,7 +210,7 @@ class Sweep {
               const SmallWindow& window) {
         driver.emplace(situation.scene, window.size, window.text_scale);
         // The theme changes nothing of this; both are drawn.
-        if (looked % 2 == 1) driver->ui.options.theme = Theme::light;
+        if (checked % 2 == 1) driver->ui.options.theme = Theme::light;
         where_ = situation.scene + ": " + situation.steps;
         try {
             bring_about(*driver, situation);
@@ -249,7 +249,7 @@ class Sweep {
             if (!whole_.contains(name) && is_whole_somewhere(driver, name)) whole_.insert(name);
         }
         note_missing(situation.reached, " is seen whole nowhere");
-        ++looked;
+        ++checked;
     }
 
     /// Returns how many windows of the inspector scroll.
@@ -321,7 +321,7 @@ TEST_CASE("In every situation and window all is in sight, apart, whole, explaine
         FAIL_CHECK(fault << "\n    " << where);
     for (const std::string& name : sweep.bare)
         FAIL_CHECK(name << " has no tooltip");
-    CHECK(sweep.looked >= 40);
+    CHECK(sweep.checked >= 40);
 }
 
 TEST_CASE("What is planted in a window is found by its name") {

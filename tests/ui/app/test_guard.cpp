@@ -121,7 +121,7 @@ TEST_CASE("If the lessons' folder disappears, the window goes on and nothing is 
         CHECK_NOTHROW(driver.hand.click(name));
         driver.hand.press(key::escape);
     }
-    CHECK(driver.ui.lesson.progress.is_step_seen("05-row-table", 3));
+    CHECK(driver.ui.lesson.progress.was_step_shown("05-row-table", 3));
     CHECK(driver.ui.session.a.settings.viewport == settings.viewport);
     driver.ui.session.a.settings.stage = Stage::points;
     driver.hand.frames(2);

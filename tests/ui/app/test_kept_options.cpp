@@ -11,7 +11,7 @@
 #include "ui/actions/open_lesson.h"
 #include "ui/app/app.h"
 #include "ui/app/kept_options.h"
-#include "ui/start/ways.h"
+#include "ui/start/start_choice.h"
 #include "ui/ui.h"
 #include "ui/widgets/keys.h"
 
@@ -131,7 +131,7 @@ TEST_CASE("After a moment in which nothing can be written, options and progress 
     keep_options(driver.ui, place + "/window.toml");
     keep_progress(driver.ui, place + "/progress.toml");
     driver.ui.options.theme = Theme::light;
-    driver.ui.lesson.progress.note_step("01-pinhole-camera", 2);
+    driver.ui.lesson.progress.record_step("01-pinhole-camera", 2);
     driver.hand.frames(2);
     CHECK_THAT(
         driver.ui.session.notice,
@@ -143,7 +143,7 @@ TEST_CASE("After a moment in which nothing can be written, options and progress 
     driver.hand.frames(10, 1.0f);
     CHECK_THAT(driver.ui.session.notice, Catch::Matchers::ContainsSubstring("kept again"));
     CHECK(parse_options(read_file(place + "/window.toml"), "", {}).theme == Theme::light);
-    CHECK(read_progress(place + "/progress.toml").is_step_seen("01-pinhole-camera", 2));
+    CHECK(read_progress(place + "/progress.toml").was_step_shown("01-pinhole-camera", 2));
 }
 
 TEST_CASE("Where nothing can be written, the first lesson says that progress is not kept") {
@@ -166,11 +166,11 @@ TEST_CASE("At the end saving is tried once more, without waiting") {
     const std::string place = folder.write("state", "");
     Driver driver;
     keep_progress(driver.ui, place + "/progress.toml");
-    driver.ui.lesson.progress.note_step("01-pinhole-camera", 2);
+    driver.ui.lesson.progress.record_step("01-pinhole-camera", 2);
     driver.hand.frames(2);
     std::filesystem::remove(place);
     keep_everything(driver.ui);
-    CHECK(read_progress(place + "/progress.toml").is_step_seen("01-pinhole-camera", 2));
+    CHECK(read_progress(place + "/progress.toml").was_step_shown("01-pinhole-camera", 2));
 }
 
 TEST_CASE("Files that nest too deeply do not keep the window from opening, and stay unchanged") {
@@ -189,7 +189,7 @@ TEST_CASE("Files that nest too deeply do not keep the window from opening, and s
     CHECK_THAT(driver.ui.session.notice,
                Catch::Matchers::ContainsSubstring(progress + ":1: this is nested too deeply"));
     driver.ui.options.theme = Theme::light;
-    driver.ui.lesson.progress.note_step("01-pinhole-camera", 2);
+    driver.ui.lesson.progress.record_step("01-pinhole-camera", 2);
     driver.hand.frames(10, 1.0f);
     CHECK(read_file(options) == deep);
     CHECK(read_file(progress) == deep);

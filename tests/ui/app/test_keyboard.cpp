@@ -13,7 +13,7 @@
 #include "tests/ui/driver.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
-#include "ui/start/ways.h"
+#include "ui/start/start_choice.h"
 #include "ui/ui.h"
 #include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"

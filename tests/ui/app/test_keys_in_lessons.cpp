@@ -11,7 +11,7 @@
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
-#include "ui/start/ways.h"
+#include "ui/start/start_choice.h"
 #include "ui/ui.h"
 #include "ui/widgets/keys.h"
 

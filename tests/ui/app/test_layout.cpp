@@ -38,7 +38,7 @@ TEST_CASE("The parts of the window cover it without overlapping") {
                                                       .menu_end = 100.0f * u,
                                                       .high_canvas = high_canvas,
                                                       .wide_canvas = wide_canvas});
-                CHECK(layout.lesson_is_beside == (is_lecture && high_canvas));
+                CHECK(layout.lesson_is_at_side == (is_lecture && high_canvas));
                 std::vector<Area> parts{layout.menu,      layout.lesson,    layout.canvas,
                                         layout.inspector, layout.transport, layout.status};
                 if (layout.is_narrow) {

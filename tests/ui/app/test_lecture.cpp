@@ -92,7 +92,7 @@ TEST_CASE("In a lecture the picture has half of the window, from bar to bar") {
         CHECK(height > 0.68f * window.y);
         CHECK(driver.ui.canvas.place.scale * 500.0f > 0.6f * window.y);
         // Nothing of the strip is cut, and its text can be read on.
-        CHECK(driver.ui.lesson.strip.is_beside);
+        CHECK(driver.ui.lesson.strip.is_at_side);
         CHECK(is_there(driver, "lesson.next"));
         CHECK(driver.ui.widgets.at("lesson.next").is_whole);
         CHECK(driver.ui.widgets.at("lesson.whole").is_whole);
@@ -104,7 +104,7 @@ TEST_CASE("In a lecture the picture has half of the window, from bar to bar") {
     rows.hand.press(key::f5);
     rows.hand.leave();
     rows.hand.rest();
-    CHECK_FALSE(rows.ui.lesson.strip.is_beside);
+    CHECK_FALSE(rows.ui.lesson.strip.is_at_side);
 }
 
 TEST_CASE("In a lecture without a lesson Page down draws the next piece of the chosen size") {

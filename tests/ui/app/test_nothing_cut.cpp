@@ -31,7 +31,7 @@ TEST_CASE("No line of a menu, a sheet or a list is cut in any window") {
     for (const SmallWindow& window : test::some_of(all_windows(), 3)) {
         INFO(window.size.x << " x " << window.size.y << ", text " << window.text_scale);
         Driver driver("lab-room.toml", window.size, window.text_scale);
-        for (const auto& [key, held] : {std::pair<int, Held>{key::f1, {}},
+        for (const auto& [key, held] : {std::pair<int, Modifiers>{key::f1, {}},
                                         {key::f1 + 1, {}},
                                         {'O', {.ctrl = true}},
                                         {'S', {.ctrl = true}}}) {

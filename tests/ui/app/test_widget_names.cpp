@@ -148,7 +148,7 @@ class Tour {
             for (const auto& [name, place] : driver.ui.widgets)
                 seen.insert(name);
             while (is_diagnosing(driver.ui))
-                carry_on_diagnosis(driver.ui, {});
+                poll_diagnosis(driver.ui, {});
             look(driver);
         };
         Settings wrong = default_settings(*driver.ui.session.scene);
@@ -164,7 +164,7 @@ class Tour {
         driver.hand.frames(3);
         stop_diagnosis(driver.ui);
         while (is_diagnosing(driver.ui))
-            carry_on_diagnosis(driver.ui, {});
+            poll_diagnosis(driver.ui, {});
         look(driver);
         diagnose_file(driver.ui, folder.file("nothing.png"));
         look(driver);

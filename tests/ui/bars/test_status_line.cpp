@@ -23,8 +23,8 @@ TEST_CASE("Nothing is said about row tables before they come up") {
         driver.hand.rest();
         return driver.hand.is_visible("status.trouble");
     };
-    REQUIRE(driver.ui.results.a.troubles.size() == 1);
-    REQUIRE(driver.ui.results.a.troubles[0].is_of_rows);
+    REQUIRE(driver.ui.results.a.warnings.size() == 1);
+    REQUIRE(driver.ui.results.a.warnings[0].is_of_rows);
     CHECK(tells());
     driver.hand.click("stage.edges");
     CHECK_FALSE(tells());
@@ -178,7 +178,7 @@ TEST_CASE("While a large picture turns, the line says that the fast engine draws
     set_scene(session, test::made_scene(60'000));
     Driver driver(std::move(session));
     const RunResults& a = driver.ui.results.a;
-    const auto told = [&] {
+    const auto status = [&] {
         const auto place = driver.ui.widgets.find("status.trouble");
         return place != driver.ui.widgets.end() ? place->second.text : std::string();
     };
@@ -189,20 +189,20 @@ TEST_CASE("While a large picture turns, the line says that the fast engine draws
         }
     };
     come_to_rest();
-    CHECK(told().find("fast engine") == std::string::npos);
+    CHECK(status().find("fast engine") == std::string::npos);
     for (int i = 0; i < 3; ++i) {
         driver.ui.session.a.settings.camera.yaw += 0.01f;
         driver.hand.frames(1);
-        CHECK(told() == "fast engine, while it moves");
+        CHECK(status() == "fast engine, while it moves");
         CHECK(driver.ui.canvas.picture.number == a.preview.number);
     }
     while (driver.ui.results.hand.has_moved())
         driver.hand.frames(1);
-    CHECK(told().starts_with("fast engine, until the steps are drawn: "));
+    CHECK(status().starts_with("fast engine, until the steps are drawn: "));
     CHECK(driver.ui.canvas.picture.number == a.preview.number);
     come_to_rest();
     driver.hand.frames(1);
-    CHECK(told().find("fast engine") == std::string::npos);
+    CHECK(status().find("fast engine") == std::string::npos);
     CHECK(driver.ui.canvas.picture.number == a.picture_number);
 }
 

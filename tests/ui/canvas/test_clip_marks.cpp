@@ -192,7 +192,7 @@ TEST_CASE("During clipping the picture shows where dividing would put a corner b
     driver.hand.rest();
     const ClipHistory history = *driver.ui.results.a.inspected.clip;
     REQUIRE(history.planes.size() == 1);
-    const std::vector<CutCorner> behind = corners_behind(history);
+    const std::vector<CutCorner> behind = corners_behind_camera(history);
     REQUIRE(behind.size() == 1);
     CHECK(behind[0].vertex_index == 2);
     // By hand: f x / z from the middle, with z negative: mirrored to the other side.

@@ -185,7 +185,7 @@ TEST_CASE("Every pair is compared by one click in the Compare tab, and a second 
             INFO(name);
             driver.hand.click(name);
             CHECK(driver.ui.session.a.settings == lit_room().a.settings);
-            CHECK(pair_on_show(driver.ui.session) == &pair);
+            CHECK(shown_pair(driver.ui.session) == &pair);
             for (int i = 0; is_working(driver.ui.results); ++i) {
                 REQUIRE(i < 100);
                 driver.hand.frames(1);
@@ -234,7 +234,7 @@ TEST_CASE("Comparisons are offered as pictures of what each would show, drawn on
     driver.hand.frames(1);
     CHECK(driver.textures.last == expected);
     driver.hand.click("compare.tab.exact");
-    CHECK(pair_on_show(driver.ui.session) == &compare_pairs()[3]);
+    CHECK(shown_pair(driver.ui.session) == &compare_pairs()[3]);
 }
 
 TEST_CASE("Nothing in the list of differences is cut off below") {

@@ -11,7 +11,7 @@ namespace rasterwalk {
 
 namespace {
 
-std::string told_of(const Driver& driver) {
+std::string large_frame_text(const Driver& driver) {
     const auto place = driver.ui.widgets.find("canvas.fragments");
     return place != driver.ui.widgets.end() ? place->second.text : std::string();
 }
@@ -25,10 +25,11 @@ bool has(const Driver& driver, const char* name) {
 TEST_CASE("Fragments outside the picture are reported, and a click clips them") {
     Driver driver;
     driver.hand.frames(2);
-    CHECK(told_of(driver).empty());
+    CHECK(large_frame_text(driver).empty());
     follow_link(driver.ui, "set:camera.position=0,0,-1.05");
     driver.hand.frames(2);
-    CHECK(told_of(driver).starts_with("About 402 million fragments, 99.9 % outside the picture"));
+    CHECK(large_frame_text(driver).starts_with(
+        "About 402 million fragments, 99.9 % outside the picture"));
     // They are not drawn, so there is nothing to wait for.
     CHECK(driver.ui.results.a.is_drawn());
     CHECK_FALSE(has(driver, "canvas.draw_it"));
@@ -36,7 +37,7 @@ TEST_CASE("Fragments outside the picture are reported, and a click clips them") 
     driver.hand.click("canvas.clip_it");
     driver.hand.frames(2);
     CHECK(driver.ui.session.a.settings.clip == Clip::all);
-    CHECK(told_of(driver).empty());
+    CHECK(large_frame_text(driver).empty());
     CHECK(driver.ui.results.a.is_drawn());
 }
 
@@ -44,8 +45,8 @@ TEST_CASE("A frame of very many fragments in the picture waits, is drawn in part
     Driver driver(session_of(many_walls()));
     driver.hand.frames(3);
     const RunResults& run = driver.ui.results.a;
-    CHECK(told_of(driver).starts_with("About 60 million fragments: not drawn yet"));
-    CHECK(run.is_held);
+    CHECK(large_frame_text(driver).starts_with("About 60 million fragments: not drawn yet"));
+    CHECK(run.is_deferred);
     CHECK(run.replay.drawn() == cursor_begin);
     CHECK_FALSE(is_working(driver.ui.results));
     CHECK_FALSE(is_animating(driver.ui)); // nothing to do until it is requested
@@ -63,17 +64,17 @@ TEST_CASE("A frame of very many fragments in the picture waits, is drawn in part
     CHECK_FALSE(run.is_drawn());
     driver.hand.frames(3);
     CHECK(run.replay.drawn() == stopped);
-    CHECK(told_of(driver).find("stopped") != std::string::npos);
+    CHECK(large_frame_text(driver).find("stopped") != std::string::npos);
     CHECK_FALSE(is_animating(driver.ui));
 
     // A different frame has to be requested again.
     driver.hand.click("canvas.draw_it");
-    CHECK_FALSE(run.is_held);
+    CHECK_FALSE(run.is_deferred);
     driver.ui.session.a.settings.camera.position.z = -0.001f;
     driver.hand.frames(1);
     while (run.preview.is_shown)
         driver.hand.frames(1);
-    CHECK(run.is_held);
+    CHECK(run.is_deferred);
     CHECK(run.replay.drawn() == cursor_begin);
 }
 

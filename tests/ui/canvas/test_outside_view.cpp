@@ -280,7 +280,7 @@ TEST_CASE("A click from outside selects the triangle, or the pixel of the pictur
     CHECK(part_name(scene, *selection.triangle) == "back wall");
     CHECK(driver.ui.results.a.triangle == selection.triangle);
     CHECK_FALSE(selection.pixel);
-    const PicturePlane plane = driver.ui.canvas.outside_drawing->things().plane;
+    const PicturePlane plane = driver.ui.canvas.outside_drawing->outside_scene().plane;
     click_at(driver, plane.place_of({60.5, 250.5}));
     REQUIRE(selection.pixel);
     CHECK(std::abs(selection.pixel->x - 60) <= 4);

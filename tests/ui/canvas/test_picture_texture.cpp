@@ -99,15 +99,15 @@ TEST_CASE("If the picture is larger than the canvas, the texture holds what is i
             CHECK(is_up_to_date(driver));
             // It contains all that is in view.
             const PicturePlace& place = driver.ui.canvas.place;
-            const auto seen = [&](float screen, float origin) {
+            const auto visible = [&](float screen, float origin) {
                 return std::clamp((screen - origin) / place.scale, 0.0f, 2400.0f);
             };
-            CHECK(texture.corner.x <= seen(canvas.top_left.x, place.origin.x));
-            CHECK(texture.corner.y <= seen(canvas.top_left.y, place.origin.y));
+            CHECK(texture.corner.x <= visible(canvas.top_left.x, place.origin.x));
+            CHECK(texture.corner.y <= visible(canvas.top_left.y, place.origin.y));
             CHECK(texture.corner.x + texture.size.x >=
-                  seen(canvas.bottom_right.x, place.origin.x) - 0.01f);
+                  visible(canvas.bottom_right.x, place.origin.x) - 0.01f);
             CHECK(texture.corner.y + texture.size.y >=
-                  seen(canvas.bottom_right.y, place.origin.y) - 0.01f);
+                  visible(canvas.bottom_right.y, place.origin.y) - 0.01f);
         }
     }
 }

@@ -232,7 +232,7 @@ TEST_CASE("Each way of culling says what it takes the triangle for, and which is
         driver.hand.click(name);
         const auto answers = cull_answers(driver.ui.results.a.frame, corridor.history());
         const auto answer = std::find_if(answers.begin(), answers.end(),
-                                         [&](const CullAnswer& a) { return a.way == way; });
+                                         [&](const CullAnswer& a) { return a.rule == way; });
         REQUIRE(answer != answers.end());
         CHECK(shown_text(driver, "clip.formula.result") == shown({answer->measure}));
         const bool is_culled = driver.ui.results.a.frame.rejection(0) == Rejection::back_facing;

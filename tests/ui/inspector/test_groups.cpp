@@ -159,28 +159,28 @@ TEST_CASE("Where the lesson is a strip, its whole text takes the place of the ta
     Driver driver("lab-room.toml", {1024, 640});
     open_lesson(driver.ui, "05-row-table", 2);
     driver.hand.leave();
-    const auto is_text_seen = [&] {
+    const auto is_text_visible = [&] {
         driver.hand.leave();
         return is_there(driver, "lesson.list");
     };
-    CHECK_FALSE(is_text_seen());
+    CHECK_FALSE(is_text_visible());
     CHECK(driver.ui.session.tab == "rows");
     driver.hand.click("lesson.whole");
-    CHECK(is_text_seen());
+    CHECK(is_text_visible());
     CHECK_FALSE(is_there(driver, "rows.copy"));
     CHECK_FALSE(is_there(driver, "group.triangle"));
     driver.hand.click("lesson.whole");
-    CHECK_FALSE(is_text_seen());
+    CHECK_FALSE(is_text_visible());
     CHECK(driver.ui.session.tab == "rows");
     driver.hand.click("lesson.whole");
     driver.hand.click("tab.settings");
     CHECK(driver.hand.is_visible("settings.search"));
     driver.hand.press(key::escape);
-    CHECK(is_text_seen()); // what lay below
+    CHECK(is_text_visible()); // what lay below
     driver.hand.click("lesson.whole");
     driver.hand.click("tab.settings");
     driver.hand.click("settings.close");
-    CHECK_FALSE(is_text_seen());
+    CHECK_FALSE(is_text_visible());
     driver.hand.find("rows.copy"); // scrolls to it
     CHECK(driver.hand.is_visible("rows.copy"));
 }

@@ -49,7 +49,7 @@ struct PixelOf {
 std::vector<std::uint8_t> colour_at(const Driver& driver, std::size_t picture, PixelOf pixel) {
     const CoveragePictures& shown = driver.ui.inspector.coverage;
     const Rectangle& window =
-        shown.images_of == CoverageSubject::ways ? shown.polygon->window : shown.edge->window;
+        shown.images_of == CoverageSubject::methods ? shown.polygon->window : shown.edge->window;
     const Image& image = shown.images.at(picture).image;
     const auto at = image.rgba.begin() +
                     4 * ((pixel.row - window.top) * image.width + pixel.column - window.left);

@@ -167,7 +167,7 @@ TEST_CASE("While a quiz hides the settings nothing can set them, and nothing giv
     follow_link(driver.ui, "bug:B9");
     driver.hand.frames(2);
     CHECK(driver.ui.session.a.settings == hidden);
-    CHECK(pair_on_show(driver.ui.session) == nullptr);
+    CHECK(shown_pair(driver.ui.session) == nullptr);
     driver.hand.press('C');
     CHECK(driver.ui.session.a.settings == hidden);
     driver.hand.click("menu.Scene");

@@ -274,7 +274,7 @@ TEST_CASE("What is wrong with a picture is in sight at once, and scrolled by key
         CHECK_FALSE(driver.ui.widgets.contains("lab.intro"));
         const WidgetPlace before = driver.ui.widgets.at("lab.diagnosis");
         CHECK(before.is_whole);
-        const Held ctrl{.ctrl = true};
+        const Modifiers ctrl{.ctrl = true};
         driver.hand.press(key::down, ctrl);
         driver.hand.frames(2);
         CHECK(driver.ui.widgets.at("lab.diagnosis").top_left.y < before.top_left.y);

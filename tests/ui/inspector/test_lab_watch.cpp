@@ -43,7 +43,7 @@ TEST_CASE("A picture that is saved again is checked again, and the answer stays 
     const std::string path = folder.write("mine.png", mine);
     diagnose_file(driver.ui, path);
     finish_check(driver);
-    hold_result_against(driver.ui, true);
+    compare_result_with(driver.ui, true);
     driver.hand.frames(3);
     CHECK(driver.hand.is_visible("lab.diagnosis")); // that of the other reference
     finish_check(driver);

@@ -270,17 +270,17 @@ TEST_CASE("Values are given in words, each in others, with their written form ne
         std::set<std::string> said;
         for (const std::string_view word : choice->words) {
             INFO(setting.name << " = " << word);
-            const std::string words = said_word(setting, word);
+            const std::string words = choice_words(setting, word);
             CHECK(words.find('_') == std::string::npos);
             CHECK(said.insert(words).second);
         }
     }
     Settings settings;
-    CHECK(said_value(*find_setting("rounding"), settings) == "cut toward 0");
+    CHECK(value_words(*find_setting("rounding"), settings) == "cut toward 0");
     settings.vertex_rounding = VertexRounding::floor;
-    CHECK(said_value(*find_setting("rounding"), settings) == "mixed");
-    CHECK(said_value(*find_setting("depth_index"), settings) == "[y][x]");
-    CHECK(said_value(*find_setting("rotation"), settings) == "v R");
+    CHECK(value_words(*find_setting("rounding"), settings) == "mixed");
+    CHECK(value_words(*find_setting("depth_index"), settings) == "[y][x]");
+    CHECK(value_words(*find_setting("rotation"), settings) == "v R");
 }
 
 TEST_CASE("Name and value of every setting are on one line, and nothing is cut off at the side") {

@@ -105,8 +105,9 @@ TEST_CASE("Tiring texts are drawn, or refused") {
         room.open_good();
         open_lesson(room.ui, "02-tiring", 0);
         room.driver.hand.frames(2);
-        const bool is_told = room.ui.session.lesson == "01-good" && !room.ui.session.notice.empty();
-        CHECK((room.ui.session.lesson == "02-tiring" || is_told));
+        const bool is_reported =
+            room.ui.session.lesson == "01-good" && !room.ui.session.notice.empty();
+        CHECK((room.ui.session.lesson == "02-tiring" || is_reported));
     }
 }
 

@@ -254,7 +254,7 @@ TEST_CASE("Progress that cannot be kept is reported once, and nothing is lost") 
     room.open();
     room.driver.hand.rest();
     CHECK(room.driver.ui.session.notice.find("will not be kept") != std::string::npos);
-    CHECK(room.driver.ui.lesson.progress.is_step_seen("01-tiny", 0));
+    CHECK(room.driver.ui.lesson.progress.was_step_shown("01-tiny", 0));
     // It is tried again, but not reported again.
     room.driver.ui.session.notice.clear();
     room.driver.hand.frames(12, 1.0f);
@@ -426,7 +426,7 @@ TEST_CASE("No frame judges more than one of the answers that were kept") {
         const char* const said = std::string_view(id) == "how-many" ? "12 triangles"
                                  : std::string_view(id) == "who"    ? "the floor"
                                                                     : "pixel (250, 250)";
-        ui.lesson.progress.note_answer("01-tiny", id, {said, false});
+        ui.lesson.progress.record_answer("01-tiny", id, {said, false});
     }
     const auto judged = [&] {
         int count = 0;

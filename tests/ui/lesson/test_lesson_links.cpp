@@ -113,7 +113,7 @@ TEST_CASE("What a link points at is outlined until the next click or key, its ta
     CHECK(ui.session.tab == "graph");
     driver.hand.frames(1);
     CHECK(ui.lesson.pointed_at == "graph.plot");
-    CHECK(ui.lesson.is_held);
+    CHECK(ui.lesson.is_pinned);
     driver.hand.press('F');
     CHECK(ui.lesson.pointed_at.empty());
 

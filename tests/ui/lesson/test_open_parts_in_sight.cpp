@@ -141,7 +141,7 @@ TEST_CASE("A task below the fold is led to, and no longer once it is done") {
             driver.hand.leave();
             CHECK(driver.ui.session.step == task.step);
             CHECK(is_whole(driver, name));
-            driver.ui.lesson.progress.note_task(lesson.id, task.id);
+            driver.ui.lesson.progress.record_task(lesson.id, task.id);
             open_lesson(driver.ui, lesson.id, task.step);
             driver.hand.leave();
             CHECK_FALSE(leads_on_in_step());

@@ -54,8 +54,8 @@ class OwnLessons {
 };
 
 bool is_shown(const std::string& target) {
-    PictureShelf shelf;
-    return picture_size(shelf, {"", target}).x > 0.0f;
+    ImageCache cache;
+    return picture_size(cache, {"", target}).x > 0.0f;
 }
 
 } // namespace
@@ -100,13 +100,13 @@ TEST_CASE("Pictures are found in the lessons' folder and next to it in screensho
     const OwnLessons lessons;
     write_png(numbered(20, 10), lessons.file("lessons/images/a.png"));
     write_png(numbered(30, 10), lessons.file("screenshots/b.png"));
-    PictureShelf shelf;
-    CHECK(picture_size(shelf, {"", "images/a.png"}).x == 20.0f);
-    CHECK(picture_size(shelf, {"", "../screenshots/b.png"}).x == 30.0f);
-    CHECK(shelf.pictures.size() == 2);
+    ImageCache cache;
+    CHECK(picture_size(cache, {"", "images/a.png"}).x == 20.0f);
+    CHECK(picture_size(cache, {"", "../screenshots/b.png"}).x == 30.0f);
+    CHECK(cache.pictures.size() == 2);
     // It is read once.
     std::filesystem::remove(lessons.file("lessons/images/a.png"));
-    CHECK(picture_size(shelf, {"", "images/a.png"}).y == 10.0f);
+    CHECK(picture_size(cache, {"", "images/a.png"}).y == 10.0f);
 }
 
 TEST_CASE("A picture that is broken, too large or outside is not shown") {
@@ -135,13 +135,13 @@ TEST_CASE("A picture that is broken, too large or outside is not shown") {
     CHECK_FALSE(is_shown(lessons.file("outside.png")));
     CHECK_FALSE(is_shown(lessons.file("lessons/images/good.png"))); // absolute
     // Bits that are changed one by one.
-    PictureShelf shelf;
+    ImageCache cache;
     for (std::size_t i = 8; i < good.size(); ++i) {
         std::string bytes = good;
         bytes[i] = static_cast<char>(bytes[i] ^ 0x55);
         lessons.write("lessons/images/changed.png", bytes);
-        shelf.pictures.clear();
-        const ImVec2 size = picture_size(shelf, {"", "images/changed.png"});
+        cache.pictures.clear();
+        const ImVec2 size = picture_size(cache, {"", "images/changed.png"});
         REQUIRE(size.x <= 4096.0f);
         REQUIRE(size.y <= 4096.0f);
     }
@@ -149,10 +149,10 @@ TEST_CASE("A picture that is broken, too large or outside is not shown") {
 
 TEST_CASE("No more pictures are kept than there is room for") {
     const OwnLessons lessons;
-    PictureShelf shelf;
+    ImageCache cache;
     for (int i = 0; i < 200; ++i)
-        picture_size(shelf, {"", "images/" + std::to_string(i) + ".png"});
-    CHECK(shelf.pictures.size() == most_pictures);
+        picture_size(cache, {"", "images/" + std::to_string(i) + ".png"});
+    CHECK(cache.pictures.size() == most_pictures);
 }
 
 TEST_CASE("A lesson of one's own shows the pictures next to it") {
@@ -182,7 +182,7 @@ TEST_CASE("A lesson of one's own shows the pictures next to it") {
 TEST_CASE("A picture is drawn as wide as the page, and remade only when that changes") {
     Driver driver;
     Ui& ui = driver.ui;
-    ui.pictures = std::make_shared<PictureShelf>();
+    ui.pictures = std::make_shared<ImageCache>();
     ShownPicture& picture = ui.pictures->pictures[{"", "images/a.png"}];
     picture.image = numbered(200, 100);
     picture.size = {200, 100};

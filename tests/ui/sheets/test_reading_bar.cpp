@@ -28,7 +28,7 @@ struct ImpatientDriver : Driver {
 };
 
 /// A thread that reads nothing until it is allowed to.
-struct HeldReading {
+struct BlockedReading {
     std::promise<void> go_on;
 
     std::unique_ptr<FileReading> of(const std::string& path) {
@@ -106,9 +106,9 @@ TEST_CASE("A window with patience opens what is read soon, and no bar comes up")
 
 TEST_CASE("A click stops the reading, and the window does not wait for its thread") {
     Driver driver;
-    HeldReading held; // given up first, so that no thread waits for it
+    BlockedReading blocked; // given up first, so that no thread waits for it
     const std::shared_ptr<const Scene> before = driver.ui.session.scene;
-    begin_reading(driver.ui, held.of(lessons_folder() + "/models/cube.obj"));
+    begin_reading(driver.ui, blocked.of(lessons_folder() + "/models/cube.obj"));
     driver.hand.frames(3);
     REQUIRE(is_reading(driver.ui));
     driver.hand.click("reading.stop");
@@ -118,7 +118,7 @@ TEST_CASE("A click stops the reading, and the window does not wait for its threa
     CHECK_FALSE(driver.ui.widgets.contains("reading.stop"));
     CHECK_FALSE(is_animating(driver.ui));
     CHECK(driver.ui.session.scene == before);
-    held.go_on.set_value();
+    blocked.go_on.set_value();
     while (!driver.ui.reading.stopped.empty())
         driver.hand.frames(1);
     CHECK(driver.ui.session.scene == before);
@@ -129,9 +129,9 @@ TEST_CASE("Reading is stopped by a second file, and by what is opened meanwhile"
     const test::TemporaryFolder folder;
     const std::string path = folder.write("first.obj", model_of("f 1 2 3\n"));
     Driver driver;
-    HeldReading held; // given up first, so that no thread waits for it
+    BlockedReading blocked; // given up first, so that no thread waits for it
     driver.hand.frames(2);
-    begin_reading(driver.ui, held.of(path));
+    begin_reading(driver.ui, blocked.of(path));
     SECTION("a file that is read soon") {
         open_dropped(driver.ui, lessons_folder() + "/models/cube.obj");
         CHECK_FALSE(is_reading(driver.ui));
@@ -153,7 +153,7 @@ TEST_CASE("Reading is stopped by a second file, and by what is opened meanwhile"
         CHECK(driver.ui.session.notice.find("first.obj") != std::string::npos);
     }
     CHECK_FALSE(is_reading(driver.ui));
-    held.go_on.set_value();
+    blocked.go_on.set_value();
     while (!driver.ui.reading.stopped.empty())
         driver.hand.frames(1);
     CHECK(driver.ui.session.scene->path != path);
@@ -173,10 +173,10 @@ TEST_CASE("What is wrong with a file read in the background is shown on the shee
 
 TEST_CASE("A window that is closed while it reads ends the reading") {
     Driver driver;
-    HeldReading held; // given up first, so that no thread waits for it
-    begin_reading(driver.ui, held.of(lessons_folder() + "/models/cube.obj"));
+    BlockedReading blocked; // given up first, so that no thread waits for it
+    begin_reading(driver.ui, blocked.of(lessons_folder() + "/models/cube.obj"));
     CHECK(is_reading(driver.ui));
-    held.go_on.set_value();
+    blocked.go_on.set_value();
 }
 
 } // namespace rasterwalk

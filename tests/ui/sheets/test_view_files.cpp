@@ -28,7 +28,7 @@ using test::bytes_of;
 using test::check_same_view;
 using test::TemporaryFolder;
 
-constexpr Held ctrl{true, false, false};
+constexpr Modifiers ctrl{true, false, false};
 
 bool is_up(const Driver& driver) {
     return driver.ui.sheets.files.kind != FileSheet::Kind::closed;
@@ -192,7 +192,7 @@ TEST_CASE("A file is not overwritten unasked") {
     Driver driver;
     save(driver, path);
     CHECK(is_up(driver));
-    CHECK(driver.ui.sheets.files.asked == path);
+    CHECK(driver.ui.sheets.files.to_replace == path);
     CHECK(bytes_of(path) == "old");
     SECTION("Cancel leaves it") {
         driver.hand.click("files.cancel");
@@ -243,7 +243,7 @@ TEST_CASE("The view is copied as a command line") {
 }
 
 TEST_CASE("The view is copied as a link") {
-    constexpr Held ctrl_shift{true, true, false};
+    constexpr Modifiers ctrl_shift{true, true, false};
     Driver driver;
     driver.hand.click("stage.depth");
     driver.hand.click_picture(250, 400);
@@ -418,7 +418,7 @@ TEST_CASE("A result of one's own is chosen from a list of pictures and texts") {
     CHECK_FALSE(is_up(driver));
     driver.hand.rest();
     while (is_diagnosing(driver.ui))
-        carry_on_diagnosis(driver.ui, {});
+        poll_diagnosis(driver.ui, {});
     driver.hand.rest();
     CHECK(driver.ui.lab.result_path == folder.file("mine.png"));
     CHECK((driver.ui.lab.answer || !driver.ui.lab.result_fault.empty()));

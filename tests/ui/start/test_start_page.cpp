@@ -14,7 +14,7 @@
 #include "tests/ui/screen_text.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/open_lesson.h"
-#include "ui/start/ways.h"
+#include "ui/start/start_choice.h"
 #include "ui/ui.h"
 #include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
@@ -40,9 +40,9 @@ TEST_CASE("The first start shows the start page, and nothing of the workplace") 
     CHECK_FALSE(driver.ui.start.is_open);
     begin(driver);
     REQUIRE(is_open(driver));
-    for (const char* way : {"start.lessons", "start.stages", "start.picture"}) {
-        INFO(way);
-        CHECK(driver.hand.is_visible(way));
+    for (const char* choice : {"start.lessons", "start.stages", "start.picture"}) {
+        INFO(choice);
+        CHECK(driver.hand.is_visible(choice));
     }
     for (const char* behind : {"walk.play", "stage.depth", "status.pixel", "canvas.fit"}) {
         INFO(behind);
@@ -87,7 +87,7 @@ TEST_CASE("A click on the first card begins the first lesson") {
     driver.hand.click("start.lessons");
     CHECK_FALSE(is_open(driver));
     CHECK(driver.ui.session.lesson == "01-pinhole-camera");
-    CHECK(driver.ui.options.way == Way::lessons);
+    CHECK(driver.ui.options.start_choice == StartChoice::lessons);
     CHECK(driver.hand.is_visible("walk.play"));
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("A click on the second card shows the room without a lesson") {
     driver.hand.click("start.stages");
     CHECK_FALSE(is_open(driver));
     CHECK(driver.ui.session.lesson.empty());
-    CHECK(driver.ui.options.way == Way::stages);
+    CHECK(driver.ui.options.start_choice == StartChoice::stages);
     // The walk begins at the beginning, with a light that shows the last stages.
     CHECK(driver.ui.session.a.settings.stage == Stage::points);
     CHECK(driver.ui.session.tab == "vertices");
@@ -113,7 +113,7 @@ TEST_CASE("From the start page it is three clicks to what is wrong with a pictur
     begin(driver);
     driver.hand.click("start.picture");
     CHECK_FALSE(is_open(driver));
-    CHECK(driver.ui.options.way == Way::picture);
+    CHECK(driver.ui.options.start_choice == StartChoice::picture);
     driver.hand.click("files.entry.mine.txt");
     driver.hand.click("files.do");
     driver.hand.rest();
@@ -147,15 +147,15 @@ TEST_CASE("Enter begins the lessons; Tab frames their button first, and then the
     CHECK_FALSE(driver.ui.focus.is_shown);
     driver.hand.press(key::tab);
     CHECK(driver.ui.focus.is_shown);
-    CHECK(driver.ui.start.chosen == Way::lessons);
+    CHECK(driver.ui.start.chosen == StartChoice::lessons);
     driver.hand.press(key::right);
-    CHECK(driver.ui.start.chosen == Way::stages);
+    CHECK(driver.ui.start.chosen == StartChoice::stages);
     driver.hand.press(key::tab);
-    CHECK(driver.ui.start.chosen == Way::picture);
+    CHECK(driver.ui.start.chosen == StartChoice::picture);
     driver.hand.press(key::tab, {.shift = true});
-    CHECK(driver.ui.start.chosen == Way::stages);
+    CHECK(driver.ui.start.chosen == StartChoice::stages);
     driver.hand.press(key::left);
-    CHECK(driver.ui.start.chosen == Way::lessons);
+    CHECK(driver.ui.start.chosen == StartChoice::lessons);
     SECTION("Tab and Enter") {
         driver.hand.press(key::enter);
         CHECK_FALSE(is_open(driver));
@@ -165,13 +165,13 @@ TEST_CASE("Enter begins the lessons; Tab frames their button first, and then the
         driver.hand.press(key::tab);
         driver.hand.press(key::enter);
         CHECK_FALSE(is_open(driver));
-        CHECK(driver.ui.options.way == Way::stages);
+        CHECK(driver.ui.options.start_choice == StartChoice::stages);
         CHECK(driver.ui.session.lesson.empty());
     }
     SECTION("Escape leaves the page") {
         driver.hand.press(key::escape);
         CHECK_FALSE(is_open(driver));
-        CHECK_FALSE(driver.ui.options.way);
+        CHECK_FALSE(driver.ui.options.start_choice);
     }
     SECTION("a picture at a stage") {
         for (int i = 0; i < 30 && driver.ui.focus.name != "start.stage.rows"; ++i)
@@ -208,15 +208,15 @@ TEST_CASE("Over the start page one Escape closes one thing") {
 }
 
 TEST_CASE("Choosing anything but the lessons leaves the lesson that was open") {
-    for (const Way way : {Way::stages, Way::picture}) {
+    for (const StartChoice choice : {StartChoice::stages, StartChoice::picture}) {
         Driver driver;
         open_lesson(driver.ui, "05-row-table", 0);
         driver.ui.start.is_open = true;
         driver.hand.rest();
-        driver.hand.click(std::string("start.").append(word_of(way)));
+        driver.hand.click(std::string("start.").append(word_of(choice)));
         driver.hand.rest();
         CHECK(driver.ui.session.lesson.empty());
-        CHECK(driver.ui.options.way == way);
+        CHECK(driver.ui.options.start_choice == choice);
     }
 }
 
@@ -259,7 +259,7 @@ TEST_CASE("What a menu opens or sets closes the start page; the menu of help bri
 TEST_CASE("A later start goes on where the student stopped") {
     SECTION("in the lesson that was left") {
         Driver driver;
-        driver.ui.lesson.progress.note_step("04-edges", 2);
+        driver.ui.lesson.progress.record_step("04-edges", 2);
         begin(driver);
         CHECK_FALSE(is_open(driver));
         CHECK(driver.ui.session.lesson == "04-edges");
@@ -267,24 +267,24 @@ TEST_CASE("A later start goes on where the student stopped") {
     }
     SECTION("with the stages") {
         Driver driver;
-        driver.ui.options.way = Way::stages;
-        driver.ui.lesson.progress.note_step("04-edges", 2);
+        driver.ui.options.start_choice = StartChoice::stages;
+        driver.ui.lesson.progress.record_step("04-edges", 2);
         begin(driver);
         CHECK_FALSE(is_open(driver));
         CHECK(driver.ui.session.lesson.empty());
     }
     SECTION("with a picture of one's own") {
         Driver driver;
-        driver.ui.options.way = Way::picture;
+        driver.ui.options.start_choice = StartChoice::picture;
         begin(driver);
         CHECK(driver.hand.is_visible("lab.path"));
     }
     SECTION("with a lesson that was opened from the list") {
         Driver driver;
-        driver.ui.options.way = Way::stages;
+        driver.ui.options.start_choice = StartChoice::stages;
         open_lesson(driver.ui, "05-row-table", 0);
         driver.hand.frames();
-        CHECK(driver.ui.options.way == Way::lessons);
+        CHECK(driver.ui.options.start_choice == StartChoice::lessons);
     }
 }
 
@@ -319,12 +319,12 @@ TEST_CASE("The cards show what their ways lead to") {
     Driver driver;
     begin(driver);
     driver.hand.leave();
-    const WayPictures& pictures = driver.ui.start.way_pictures;
-    CHECK_FALSE(pictures.is_shown[static_cast<std::size_t>(Way::lessons)]);
+    const StartPictures& pictures = driver.ui.start.start_pictures;
+    CHECK_FALSE(pictures.is_shown[static_cast<std::size_t>(StartChoice::lessons)]);
     std::set<ImTextureID> textures;
-    for (const Way way : {Way::stages, Way::picture}) {
-        CHECK(pictures.is_shown[static_cast<std::size_t>(way)]);
-        for (const ImTextureID texture : pictures.textures[static_cast<std::size_t>(way)])
+    for (const StartChoice choice : {StartChoice::stages, StartChoice::picture}) {
+        CHECK(pictures.is_shown[static_cast<std::size_t>(choice)]);
+        for (const ImTextureID texture : pictures.textures[static_cast<std::size_t>(choice)])
             textures.insert(texture);
     }
     CHECK(textures.size() == 6);
@@ -353,7 +353,7 @@ TEST_CASE("The cards show what their ways lead to") {
 TEST_CASE("A triangle alone cannot be half drawn, and hides nothing: its cards have no pictures") {
     Driver driver("one-triangle.toml");
     begin(driver);
-    for (const bool is_shown : driver.ui.start.way_pictures.is_shown)
+    for (const bool is_shown : driver.ui.start.start_pictures.is_shown)
         CHECK_FALSE(is_shown);
 }
 

@@ -16,14 +16,14 @@ namespace {
 constexpr int button_count = 3;
 
 /// What is held now, according to the events played.
-struct Held {
+struct Modifiers {
     std::set<int> keys;
     std::array<bool, button_count> buttons{};
 };
-Held held;
+Modifiers modifiers;
 
 /// Notes what an event presses or releases. Returns false if that changes nothing.
-bool take(const PageEvent& event, Held& now) {
+bool take(const PageEvent& event, Modifiers& now) {
     if (event.kind == PageEvent::Kind::button) {
         return std::exchange(now.buttons[static_cast<std::size_t>(event.code)], event.is_down) !=
                event.is_down;
@@ -60,7 +60,7 @@ void play(const PageEvent& event, Played& played) {
         break;
     case PageEvent::Kind::button:
         play_mouse_button(event.code, event.is_down);
-        take(event, held);
+        take(event, modifiers);
         played.button = true;
         break;
     case PageEvent::Kind::wheel:
@@ -72,7 +72,7 @@ void play(const PageEvent& event, Played& played) {
         if (event.code == 0) break; // a modifier alone
         play_key(event.code, event.is_down);
         // A key that repeats is one press.
-        if (take(event, held)) played.keys.insert(event.code);
+        if (take(event, modifiers)) played.keys.insert(event.code);
         break;
     case PageEvent::Kind::letters:
         ImGui::GetIO().AddInputCharactersUTF8(event.letters.c_str());
@@ -92,7 +92,7 @@ void play_events(PageEvents& events) {
 }
 
 void release_everything(PageEvents& events) {
-    Held left = held; // once all waiting events are played
+    Modifiers left = modifiers; // once all waiting events are played
     for (const PageEvent& event : events)
         take(event, left);
     for (const int key : left.keys)

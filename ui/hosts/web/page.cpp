@@ -99,16 +99,16 @@ struct Page {
     int frames_due = frames_after_event;
     bool is_context_lost = false;
     std::string pasted;
-    std::string
-        said_when_open; ///< a notice for when the dropped file is open, unless there is another one
+    std::string notice_when_open; ///< a notice for when the dropped file is open, unless there is
+                                  ///< another one
     int kept_options = 0, kept_progress = 0; ///< writes that the browser's storage has
-    bool is_storage_told = false;            ///< the student knows that it keeps nothing
-    std::string noted_lesson;                ///< as in the address, with its step
-    int noted_step = 0;
+    bool has_storage_notice = false;         ///< the student knows that it keeps nothing
+    std::string shown_lesson;                ///< as in the address, with its step
+    int shown_step = 0;
 };
 std::unique_ptr<Page> the_page; ///< until the student leaves it
 
-void note_event(PageEvent event) {
+void record_event(PageEvent event) {
     the_page->frames_due = frames_after_event;
     the_page->events.push_back(std::move(event));
 }
@@ -117,8 +117,8 @@ void note_event(PageEvent event) {
 void keep_file(Page& page, const KeptFile& file, int& kept_writes) {
     if (file.path.empty() || file.writes == kept_writes) return;
     kept_writes = file.writes;
-    if (page_keep(file.path.c_str()) || page.is_storage_told) return;
-    page.is_storage_told = true;
+    if (page_keep(file.path.c_str()) || page.has_storage_notice) return;
+    page.has_storage_notice = true;
     page.ui.session.notice =
         "This browser keeps nothing for this page, so what you do here is lost when you leave.";
 }
@@ -129,17 +129,17 @@ void keep_state(Page& page) {
 }
 
 /// The address names this step from now on.
-void note_step(Page& page) {
-    page.noted_lesson = page.ui.session.lesson;
-    page.noted_step = page.ui.session.step;
+void record_step(Page& page) {
+    page.shown_lesson = page.ui.session.lesson;
+    page.shown_step = page.ui.session.step;
 }
 
 /// Changes the address to that of the current step, so that it can be shared. Until the step
 /// changes, it stays the link that was opened.
-void note_address(Page& page) {
+void update_address(Page& page) {
     const Session& session = page.ui.session;
-    if (session.lesson == page.noted_lesson && session.step == page.noted_step) return;
-    note_step(page);
+    if (session.lesson == page.shown_lesson && session.step == page.shown_step) return;
+    record_step(page);
     page_set_address(step_link(session).c_str());
 }
 
@@ -178,13 +178,13 @@ void draw_frame(Page& page, double now) {
         save_window_picture(ui, page.size.width, page.size.height);
         page.frames_due = frames_after_event;
     }
-    if (!page.said_when_open.empty() && !is_reading(ui)) {
-        if (ui.session.notice.empty()) ui.session.notice = page.said_when_open;
-        page.said_when_open.clear();
+    if (!page.notice_when_open.empty() && !is_reading(ui)) {
+        if (ui.session.notice.empty()) ui.session.notice = page.notice_when_open;
+        page.notice_when_open.clear();
         page.frames_due = frames_after_event;
     }
     keep_state(page);
-    note_address(page);
+    update_address(page);
     show_cursor();
     show_typing();
 }
@@ -246,7 +246,7 @@ void open_page(const std::string& address, const std::string& link) {
     io.SetClipboardTextFn = [](void*, const char* text) { page_copy(text); };
     io.GetClipboardTextFn = [](void*) { return the_page->pasted.c_str(); };
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
-    note_step(*the_page);
+    record_step(*the_page);
     take_up(ui, is_plain);
 }
 
@@ -316,33 +316,33 @@ EMSCRIPTEN_KEEPALIVE double web_frame(double now, int width, int height, double 
 }
 
 EMSCRIPTEN_KEEPALIVE void web_pointer(float x, float y) {
-    rasterwalk::note_event({.kind = rasterwalk::PageEvent::Kind::pointer, .x = x, .y = y});
+    rasterwalk::record_event({.kind = rasterwalk::PageEvent::Kind::pointer, .x = x, .y = y});
 }
 
 /// @param button 0 left, 1 right, 2 middle
 EMSCRIPTEN_KEEPALIVE void web_button(int button, bool is_down) {
     if (button < 0 || button > 2) return;
-    rasterwalk::note_event(
+    rasterwalk::record_event(
         {.kind = rasterwalk::PageEvent::Kind::button, .code = button, .is_down = is_down});
 }
 
 /// Steps of a wheel, to the left and up.
 EMSCRIPTEN_KEEPALIVE void web_wheel(float left, float up) {
-    rasterwalk::note_event({.kind = rasterwalk::PageEvent::Kind::wheel, .x = left, .y = up});
+    rasterwalk::record_event({.kind = rasterwalk::PageEvent::Kind::wheel, .x = left, .y = up});
 }
 
 /// @param key as in ui/widgets/keys.h; 0: only the modifiers have changed
 EMSCRIPTEN_KEEPALIVE void web_key(int key, bool is_down, bool ctrl, bool shift, bool alt) {
-    rasterwalk::note_event({.kind = rasterwalk::PageEvent::Kind::key,
-                            .code = key,
-                            .is_down = is_down,
-                            .has_ctrl = ctrl,
-                            .has_shift = shift,
-                            .has_alt = alt});
+    rasterwalk::record_event({.kind = rasterwalk::PageEvent::Kind::key,
+                              .code = key,
+                              .is_down = is_down,
+                              .has_ctrl = ctrl,
+                              .has_shift = shift,
+                              .has_alt = alt});
 }
 
 EMSCRIPTEN_KEEPALIVE void web_letters(const char* letters) {
-    rasterwalk::note_event({.kind = rasterwalk::PageEvent::Kind::letters, .letters = letters});
+    rasterwalk::record_event({.kind = rasterwalk::PageEvent::Kind::letters, .letters = letters});
 }
 
 /// The page is no longer in front.
@@ -374,7 +374,7 @@ EMSCRIPTEN_KEEPALIVE void web_open(const char* path, bool is_result) {
         } else {
             open_dropped(ui, path);
             if (std::string_view(path).ends_with(".md")) {
-                the_page->said_when_open =
+                the_page->notice_when_open =
                     "A page cannot watch files. Drop the lesson again when you have changed it.";
             }
         }
@@ -395,7 +395,7 @@ EMSCRIPTEN_KEEPALIVE void web_go(const char* link) {
     guarded(ui, [&] {
         try {
             show_view(ui, open_view(parse_view_link(link)));
-            note_step(*the_page);
+            record_step(*the_page);
         } catch (const Error& fault) {
             ui.session.notice = std::string("This link does not work: ") + fault.what();
         }

@@ -1,0 +1,144 @@
+#include "pipeline/stepping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace rasterwalk {
+
+namespace {
+
+/// The first triangle with moments from this one on; the count of triangles if there is none.
+int walked_from(const Frame& frame, int triangle) {
+    while (triangle < frame.triangle_count() && !frame.has_moments(triangle))
+        ++triangle;
+    return triangle;
+}
+
+/// The step of a moment within its phase.
+StepRange step_in_phase(const PhaseInfo& info, const PhaseMoments& phase, int ordinal,
+                        Granularity step) {
+    const bool has_lines = step == Granularity::line && info.step_letter != 0;
+    if (!has_lines) return {0, phase.count()};
+    const auto end = std::upper_bound(phase.before.begin(), phase.before.end(), ordinal);
+    return {*(end - 1), *end};
+}
+
+/// Goes on within a triangle; `steps` receives the steps left over.
+/// @returns the number of the moment; the triangle's count if it is not far enough
+int advance_within(const TriangleMoments& moments, int ordinal, std::int64_t& steps,
+                   Granularity step) {
+    if (step == Granularity::moment) {
+        const std::int64_t taken = std::min<std::int64_t>(steps, moments.count - ordinal);
+        steps -= taken;
+        return ordinal + static_cast<int>(taken);
+    }
+    for (; steps > 0 && ordinal < moments.count; --steps)
+        ordinal = step_around(moments, ordinal, step).end;
+    return ordinal;
+}
+
+Cursor advance_triangles(const Frame& frame, const Cursor& from, std::int64_t triangles) {
+    int t = from.triangle;
+    for (; triangles > 0 && t < frame.triangle_count(); --triangles)
+        t = walked_from(frame, t + 1);
+    return t < frame.triangle_count() ? Cursor{t, Phase::vertices, 0, 0} : cursor_end;
+}
+
+/// The step that time has reached, if it has come this far in a triangle.
+/// @param at    in moments, with a fraction
+/// @param least where the step begins at the earliest
+Instant instant_at(const Timeline& timeline, int triangle, double at, int least, Granularity step) {
+    const TriangleMoments& moments = timeline.moments(triangle);
+    const int ordinal = std::clamp(static_cast<int>(at), least, std::max(moments.count - 1, least));
+    const StepRange range = step_around(moments, ordinal, step);
+    const int begin = std::max(range.begin, least);
+    const double passed = (at - begin) / (range.end - begin);
+    return {timeline.at_ordinal(triangle, begin), std::clamp(passed, 0.0, 1.0)};
+}
+
+std::vector<int> walked_triangles(const Frame& frame) {
+    std::vector<int> walked;
+    for (int t = walked_from(frame, 0); t < frame.triangle_count(); t = walked_from(frame, t + 1))
+        walked.push_back(t);
+    return walked;
+}
+
+int step_count(const TriangleMoments& moments, Granularity step) {
+    if (step == Granularity::moment) return moments.count;
+    int count = 0;
+    for (int ordinal = 0; ordinal < moments.count; ++count)
+        ordinal = step_around(moments, ordinal, step).end;
+    return count;
+}
+
+} // namespace
+
+StepRange step_around(const TriangleMoments& moments, int ordinal, Granularity step) {
+    if (step == Granularity::moment) return {ordinal, ordinal + 1};
+    if (step == Granularity::triangle) return {0, moments.count};
+    int before = 0;
+    for (const PhaseInfo& info : phase_list) {
+        const PhaseMoments& phase = moments.of(info.phase);
+        if (ordinal < before + phase.count()) {
+            const StepRange range = step_in_phase(info, phase, ordinal - before, step);
+            return {before + range.begin, before + range.end};
+        }
+        before += phase.count();
+    }
+    return {ordinal, ordinal + 1};
+}
+
+Cursor advance(const Timeline& timeline, const Cursor& cursor, std::int64_t steps,
+               Granularity step) {
+    const Cursor here = timeline.at_or_after(cursor);
+    if (here == cursor_end || steps <= 0) return here;
+    const Frame& frame = timeline.frame();
+    if (step == Granularity::triangle) return advance_triangles(frame, here, steps);
+    int ordinal = timeline.ordinal(here);
+    for (int t = here.triangle; t < frame.triangle_count(); t = walked_from(frame, t + 1)) {
+        const TriangleMoments& moments = timeline.moments(t);
+        ordinal = advance_within(moments, ordinal, steps, step);
+        if (ordinal < moments.count) return timeline.at_ordinal(t, ordinal);
+        ordinal = 0;
+    }
+    return cursor_end;
+}
+
+Instant run_on(const Timeline& timeline, const Instant& from, double triangles, Granularity step) {
+    const Cursor here = timeline.at_or_after(from.cursor);
+    if (here == cursor_end) return {cursor_end, 0.0};
+    const TriangleMoments& moments = timeline.moments(here.triangle);
+    const int ordinal = timeline.ordinal(here);
+    const int step_end = step_around(moments, ordinal, step).end;
+    const double at = ordinal + from.passed * (step_end - ordinal);
+    const double on = at + triangles * moments.count;
+    if (on < moments.count) return instant_at(timeline, here.triangle, on, ordinal, step);
+    triangles -= (moments.count - at) / moments.count;
+
+    const Frame& frame = timeline.frame();
+    int t = walked_from(frame, here.triangle + 1);
+    for (; triangles >= 1.0 && t < frame.triangle_count(); --triangles)
+        t = walked_from(frame, t + 1);
+    if (t >= frame.triangle_count()) return {cursor_end, 0.0};
+    return instant_at(timeline, t, std::max(triangles, 0.0) * timeline.moments(t).count, 0, step);
+}
+
+FrameLength frame_length(const Timeline& timeline) {
+    const std::vector<int> walked = walked_triangles(timeline.frame());
+    FrameLength length;
+    length.triangles = static_cast<int>(walked.size());
+    const int counted = std::min(length.triangles, counted_triangles);
+    for (int i = 0; i < counted; ++i) {
+        const std::size_t spread =
+            walked.size() * static_cast<std::size_t>(i) / static_cast<std::size_t>(counted);
+        const TriangleMoments& moments = timeline.moments(walked[spread]);
+        for (std::size_t step = 0; step < length.steps.size(); ++step)
+            length.steps[step] += step_count(moments, static_cast<Granularity>(step));
+    }
+    for (double& steps : length.steps)
+        steps *= counted > 0 ? static_cast<double>(length.triangles) / counted : 0.0;
+    return length;
+}
+
+} // namespace rasterwalk
