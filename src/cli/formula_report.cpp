@@ -40,7 +40,8 @@ Json to_json(const Formula& formula) {
 
 /// "r² = r.x² + r.y² = 0.5² + 2² = 4.25"; what would say nothing new is left out.
 std::string line_of(const Formula& formula) {
-    std::string line = label_of(formula) + " = " + formula.expression;
+    std::string line = label_of(formula);
+    if (!line.ends_with(formula.expression)) line += " = " + formula.expression;
     std::string last = formula.expression;
     for (const std::string& next : {with_numbers(formula), shown(formula.result)}) {
         if (next != last) line += " = " + next;

@@ -313,7 +313,9 @@ void pixel_command(const PixelOptions& options, std::ostream& out) {
         print_texture(frame, history, out);
         print_shadow(frame, history, out);
         print_tests(history, session.cursor, out);
-        if (report) print_formulas(out, report->formulas);
+        if (!report) return;
+        out << '\n';
+        print_formulas(out, report->formulas);
     }
 }
 

@@ -55,7 +55,9 @@ class FormulaWriter {
         : formulas_(formulas), prefix_(std::move(prefix)) {}
 
     /// For the same list, with another prefix.
-    FormulaWriter under(std::string prefix) const { return FormulaWriter(formulas_, prefix); }
+    FormulaWriter under(std::string prefix) const {
+        return FormulaWriter(formulas_, std::move(prefix));
+    }
 
     const std::string& prefix() const { return prefix_; }
 

@@ -150,8 +150,14 @@ class ValueFormulas {
         for (const QuantityInfo& info : shown_quantities(frame_)) {
             if (is_varying(info.quantity)) add_varying(info);
         }
-        for (Formula& formula : report_.formulas)
+        for (Formula& formula : report_.formulas) {
             formula.section = "values";
+            // Several have the same name.
+            for (const std::string_view kind : {"affine", "perspective"}) {
+                if (formula.id.ends_with(fmt::format(".{}", kind)))
+                    formula.label = fmt::format("{} {}", formula.name, kind);
+            }
+        }
     }
 
   private:

@@ -14,7 +14,7 @@ namespace rasterwalk {
 namespace {
 
 /// Lines are cut this far outside the picture, pixels, so that their ends are not seen.
-constexpr double margin = 40.0;
+constexpr double mark_margin = 40.0;
 
 /// The far plane is drawn up to this far behind the middle of the scene, radii of the scene.
 constexpr double farthest_end = 3.0;
@@ -27,7 +27,7 @@ struct Collector {
 
     void line(OutsideLineKind kind, int number, const glm::dvec3& from, const glm::dvec3& to) {
         const EyeLine in_view = clipped_to(eye_line(eye, eye.in_eye(from), eye.in_eye(to)),
-                                           glm::dvec2(-margin), size + margin);
+                                           glm::dvec2(-mark_margin), size + mark_margin);
         if (in_view.is_seen) marks.lines.push_back({kind, number, in_view.from, in_view.to});
     }
     void point(OutsidePointKind kind, int number, const glm::dvec3& world) {
@@ -88,8 +88,9 @@ std::vector<glm::vec2> visible_face(const OutsideEye& eye, const std::vector<glm
          cut_by(corners, [&](const glm::dvec3& p) { return p.z - eye.near_distance; }))
         places.push_back(eye.pixel(corner));
     for (const int axis : {0, 1}) {
-        places = cut_by(places, [&](const glm::dvec2& p) { return p[axis] + margin; });
-        places = cut_by(places, [&](const glm::dvec2& p) { return size[axis] + margin - p[axis]; });
+        places = cut_by(places, [&](const glm::dvec2& p) { return p[axis] + mark_margin; });
+        places =
+            cut_by(places, [&](const glm::dvec2& p) { return size[axis] + mark_margin - p[axis]; });
     }
     std::vector<glm::vec2> face;
     for (const glm::dvec2& place : places) {

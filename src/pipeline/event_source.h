@@ -41,7 +41,7 @@ class DrawnEvents {
 /// Events in order of time, as often as they are asked for.
 struct EventSource {
     /// What draw() does with a frame, which must outlive the source. Meant to be implicit.
-    EventSource(const Frame& of);
+    EventSource(const Frame& of); // NOLINT(google-explicit-constructor)
     /// The same with the caller's drawing, which must outlive the source too.
     EventSource(const Frame& of, DrawnEvents& drawing);
     /// A recording of whatever drew the frame's scene. Moments without an event are not in it.

@@ -218,10 +218,13 @@ TEST_CASE("pixel says whether the lamp's light arrives, and what blocks it") {
 
 TEST_CASE("pixel --formulas explains the fragment that stays, section by section") {
     const std::string text = run({"pixel", "240,300", "--formulas"}).out;
-    CHECK_THAT(text, ContainsSubstring("\nvalues\n  column = left + i = "));
+    CHECK_THAT(text, ContainsSubstring("\n\nvalues\n  column = left + i = "));
     CHECK_THAT(text, ContainsSubstring("\npixel light: lamp\n  r² = r.x² + r.y² + r.z² = "));
+    CHECK_THAT(text, ContainsSubstring("\n  z affine = accumulate(left, "));
+    CHECK_THAT(text, ContainsSubstring("\n  z perspective = 1 / (1/z) = "));
     CHECK_THAT(text, ContainsSubstring("\n  D = P · (cosine / area) = "));
-    CHECK_THAT(text, ContainsSubstring("\ndepth\n  margin: new − stored = new − stored = "));
+    CHECK_THAT(text,
+               ContainsSubstring("\ndepth\n  margin: new − stored = 0.3295 − 0.2499 = 0.07953\n"));
     // What you only get to from other numbers is not listed.
     CHECK_THAT(text, !ContainsSubstring("r.x = "));
     CHECK(run({"pixel", "0,0", "--formulas", "--stage", "points"}).exit_code == 0);
