@@ -70,7 +70,8 @@ std::span<const Event> events_between(const std::vector<Event>& events, const Cu
     };
     const auto first = std::lower_bound(events.begin(), events.end(), from, comes_before);
     const auto end = std::lower_bound(first, events.end(), std::max(from, to), comes_before);
-    return {first, end};
+    return std::span(events).subspan(static_cast<std::size_t>(first - events.begin()),
+                                     static_cast<std::size_t>(end - first));
 }
 
 /// Is the pixel of an event in the part that is asked for?

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "base/quoted.h"
+#include "base/text_parts.h"
 #include "mistakes/blend.h"
 #include "mistakes/clip.h"
 #include "mistakes/coverage.h"
