@@ -328,9 +328,9 @@ std::string corner_formula_id(const CutCorner& corner, int coordinate) {
 }
 
 bool is_clip_formula(std::string_view id) {
-    constexpr std::array<std::string_view, 9> kinds{"corner", "changed", "left",  "code", "d",
-                                                    "t",      "new",     "pixel", "cull"};
-    return std::find(kinds.begin(), kinds.end(), first_part(id)) != kinds.end();
+    constexpr std::array<std::string_view, 9> first_parts{"corner", "changed", "left",  "code", "d",
+                                                          "t",      "new",     "pixel", "cull"};
+    return is_possible_id(id, {}, first_parts);
 }
 
 std::optional<Formula> clip_formula(const Frame& frame, const ClipHistory& history,

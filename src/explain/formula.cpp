@@ -309,6 +309,15 @@ std::string_view first_part(std::string_view id) {
     return id.substr(0, id.find('.'));
 }
 
+bool is_possible_id(std::string_view id, std::span<const std::string_view> whole,
+                    std::span<const std::string_view> first_parts) {
+    const auto has = [](std::span<const std::string_view> list, std::string_view one) {
+        return std::find(list.begin(), list.end(), one) != list.end();
+    };
+    const std::string_view first = first_part(id);
+    return has(whole, id) || (has(first_parts, first) && id.size() > first.size() + 1);
+}
+
 const Formula* find_formula(const std::vector<Formula>& formulas, std::string_view id) {
     const auto found = std::find_if(formulas.begin(), formulas.end(),
                                     [id](const Formula& formula) { return formula.id == id; });

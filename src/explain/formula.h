@@ -4,6 +4,7 @@
 // evaluated as in C++, in float and from left to right, so that you can work it out again from what
 // is shown and get the same bits as the drawing.
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -74,6 +75,10 @@ std::string with_terms(const Formula& formula);
 
 /// The first part of an id: "bump" of "bump.normal.x".
 std::string_view first_part(std::string_view id);
+
+/// Is an id one of these, or does it begin with one of these first parts and go on?
+bool is_possible_id(std::string_view id, std::span<const std::string_view> whole,
+                    std::span<const std::string_view> first_parts);
 
 /// The formula of this id, or null.
 const Formula* find_formula(const std::vector<Formula>& formulas, std::string_view id);

@@ -185,15 +185,31 @@ std::string formula_id(Quantity quantity, Interpolation mode) {
     return id + "." + std::string(word_of(is_varying(quantity) ? mode : Interpolation::affine));
 }
 
+std::string_view light_in_use(Shading shading) {
+    switch (shading) {
+    case Shading::unlit:
+        return "flat";
+    case Shading::flat:
+        return "triangle_light";
+    case Shading::gouraud:
+        return "vertex_light";
+    case Shading::phong:
+        break;
+    }
+    return "pixel_light";
+}
+
 bool is_fragment_formula(std::string_view id) {
-    constexpr std::array<std::string_view, 13> kinds{
-        "column",  "weight", "zinv", "depth",       "margin",         "blend",       "texture",
-        "surface", "bump",   "flat", "pixel_light", "triangle_light", "vertex_light"};
-    const std::string_view kind = first_part(id);
-    const std::span<const QuantityInfo> quantities = quantity_list();
-    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end() ||
-           std::any_of(quantities.begin(), quantities.end(),
-                       [&](const QuantityInfo& info) { return info.words.id == kind; });
+    constexpr std::array<std::string_view, 4> whole{"column", "zinv", "depth", "margin"};
+    static const std::vector<std::string_view> first_parts = [] {
+        std::vector<std::string_view> parts{"weight",         "depth",       "blend", "texture",
+                                            "surface",        "bump",        "flat",  "pixel_light",
+                                            "triangle_light", "vertex_light"};
+        for (const QuantityInfo& info : quantity_list())
+            parts.push_back(info.words.id);
+        return parts;
+    }();
+    return is_possible_id(id, whole, first_parts);
 }
 
 std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& cursor) {

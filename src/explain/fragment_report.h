@@ -23,17 +23,19 @@ namespace rasterwalk {
 
 /// The report on one fragment.
 ///
-/// Ids of its formulas, with q one of x y z_world red green blue:
+/// Ids of its formulas, with q the id of a varying that is carried or listed: x y z_world, red
+/// green blue (light), normal_x ..., colour_red ..., u v; where w is not z, w stands for z in them:
 ///     column              where in the picture
 ///     weight.0 weight.1 weight.2      of the corners, if edge functions find the pixels
 ///     zinv                interpolated 1/z
 ///     z.affine z.perspective z.off
 ///     q.carried           interpolated q/z
 ///     q.affine q.perspective q.off
-///     q.carried_twice q.zinv_twice    only if that is in use; q.off is then of the latter
+///     q.carried_twice q.zinv_twice, q.undivided or q.divided_twice    only if that is in use;
+///                         q.off is then of the last one
 ///     pixel_light.*       the light at the fragment's own place, see light_formulas.h
 ///     pixel_light.n_length pixel_light.n.x ...      if normals vary, see highlight_formulas.h
-///     pixel_light.side pixel_light.lit_n.x ...      if both sides are lit, see light_formulas.h
+///     pixel_light.away .side .lit_n.x ...           if both sides are lit, see light_formulas.h
 ///     bump.*              if a normal map bends the normal, see bump_formulas.h
 ///     triangle_light.*    under flat shading: the light in the middle of the triangle, whose place
 ///                         is triangle_light.p.x ...
@@ -44,6 +46,7 @@ namespace rasterwalk {
 ///     vertex_light.painted.red ...  also then: the light of the vertices, times the texture; and
 ///                         triangle_light.painted.red ... under flat shading
 ///     blend.red ...       if the surface is half transparent: its share and the pixel's
+///     depth.carried       the same along the row, if the buffer does not hold 1/z
 ///     depth margin        value for the depth buffer, and how much nearer it is than the stored
 ///     one
 struct FragmentReport {
@@ -82,6 +85,10 @@ struct FragmentReport {
     }
 };
 
+/// The first part of the ids of the light that colours a fragment: "pixel_light"; "flat" without
+/// light.
+std::string_view light_in_use(Shading shading);
+
 /// The report on the fragment at this moment; none if the moment is not a fragment in the picture.
 /// Costs drawing the earlier triangles whose box holds its pixel, and a look at the others.
 std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& cursor);
@@ -91,7 +98,8 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
 std::optional<Cursor> fragment_on_pixel(const Frame& frame, const glm::ivec2& pixel,
                                         const Cursor& moment);
 
-/// Can a fragment have a formula with this id? Looks only at its first part: "pixel_light".
+/// Can a fragment have a formula with this id? If it has parts, looks only at the first one:
+/// "pixel_light".
 bool is_fragment_formula(std::string_view id);
 
 /// The id of a quantity's formula under one interpolation: "x.affine", or "zinv", which is the

@@ -244,17 +244,24 @@ VertexReport vertex_report(const Frame& frame, int triangle, int vertex) {
     if (frame.settings.normal_w == NormalW::one) add_moved_normal(made, normal);
     add_given(made, "reflectance", channel_names, given.reflectance,
               "The fraction of the light that the surface reflects.");
-    for (Formula& formula : report.formulas)
+    for (Formula& formula : report.formulas) {
         formula.section = "vertex";
+        // Each space has an x: "rotated x".
+        const std::string_view space = first_part(formula.id);
+        if (space != formula.id && space != "R")
+            formula.label = fmt::format("{} {}", space == "minus_camera" ? "minus camera" : space,
+                                        formula.name);
+    }
     add_light(made);
     return report;
 }
 
 bool is_vertex_formula(std::string_view id) {
-    constexpr std::array<std::string_view, 13> kinds{
-        "world",     "minus_camera", "R",      "rotated",      "zinv",        "clip", "depth",
-        "projected", "pixel",        "normal", "light_normal", "reflectance", "light"};
-    return std::find(kinds.begin(), kinds.end(), first_part(id)) != kinds.end();
+    constexpr std::array<std::string_view, 2> whole{"zinv", "depth"};
+    constexpr std::array<std::string_view, 11> first_parts{
+        "world",  "minus_camera", "R",           "rotated", "clip", "projected", "pixel",
+        "normal", "light_normal", "reflectance", "light"};
+    return is_possible_id(id, whole, first_parts);
 }
 
 Number vertex_number(const ShadedVertex& vertex, std::string_view id) {

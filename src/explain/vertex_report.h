@@ -34,7 +34,7 @@ struct VertexReport {
 /// The report on vertex 0, 1 or 2 of a triangle, drawn or left out.
 VertexReport vertex_report(const Frame& frame, int triangle, int vertex);
 
-/// Can a vertex have a formula with this id? Looks only at its first part: "world".
+/// Can a vertex have a formula with this id? If it has parts, looks only at the first one: "world".
 bool is_vertex_formula(std::string_view id);
 
 /// The ids of the formulas for the normal as the light has it: "normal", or "light_normal" if it

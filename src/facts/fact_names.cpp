@@ -137,6 +137,22 @@ SettingName find_setting_name(std::string_view name) {
     return {};
 }
 
+bool is_formula_name(std::string_view name) {
+    return find_fact(name) == nullptr && find_setting_name(name).setting == nullptr &&
+           !find_formula_name(name).id.empty();
+}
+
+std::vector<std::string> formula_names(const Facts& facts) {
+    std::vector<std::string> names;
+    const auto append = [&](const std::string& owner, const std::vector<Formula>& formulas) {
+        for (const Formula& formula : formulas)
+            names.push_back(owner + formula.id);
+    };
+    if (facts.fragment() != nullptr) append("pixel.", facts.fragment()->formulas);
+    if (facts.vertex() != nullptr) append("vertex.", facts.vertex()->formulas);
+    return names;
+}
+
 std::optional<ValueRange> find_name(std::string_view name) {
     if (const Fact* fact = find_fact(name)) return fact->range;
     const SettingName found = find_setting_name(name);

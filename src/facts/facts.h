@@ -168,6 +168,12 @@ std::span<const Fact> fact_table();
 /// the ids. Whether it exists depends on the settings: it is a number, or none.
 std::optional<ValueRange> find_name(std::string_view name);
 
+/// Does a name stand for a formula, which may be there or not?
+bool is_formula_name(std::string_view name);
+
+/// The names of the formulas that are there now, but for those of clipping.
+std::vector<std::string> formula_names(const Facts& facts);
+
 /// A setting, or one part of it, as conditions name it.
 struct SettingName {
     const Setting* setting = nullptr;

@@ -198,6 +198,39 @@ class Checker {
         return lesson_.steps[static_cast<std::size_t>(step)].state;
     }
 
+    /// The name of a formula, and the line that asks for it.
+    struct AskedName {
+        std::string name;
+        int line = 0;
+    };
+
+    /// The formulas that the conditions and answers of a task ask for.
+    static std::vector<AskedName> formulas_asked(const LessonTask& task) {
+        std::vector<AskedName> asked;
+        const auto add_name = [&](std::string_view name, int line) {
+            if (is_formula_name(name)) asked.push_back({std::string(name), line});
+        };
+        const auto add_condition = [&](const Expression& condition, int line) {
+            for (const ExpressionMeaning& meaning : condition.meanings)
+                add_name(meaning.name, line);
+        };
+        add_condition(*task.done, task.done_line);
+        for (const NotYet& one : task.not_yet) {
+            add_condition(one.when, one.line);
+            fill_in(one.says, "", 0.0, [&](std::string_view name) {
+                add_name(name, one.line);
+                return Value();
+            });
+        }
+        return asked;
+    }
+
+    /// A formula that a lesson asks for may be missing for a while, but not always: then it is
+    /// misspelt.
+    static void keep_missing(std::vector<AskedName>& names, const Facts& facts) {
+        std::erase_if(names, [&](const AskedName& one) { return is_there(facts(one.name)); });
+    }
+
     void check_task(const LessonTask& task) {
         if (!task.done) return;
         for (const std::string& sentence : impossible_parts(*task.done))
@@ -219,6 +252,8 @@ class Checker {
                                           task.id));
             }
         }
+        std::vector<AskedName> asked = formulas_asked(task);
+        keep_missing(asked, opened);
         if (task.recipe.empty()) return; // already reported
         try {
             for (const std::string& target : task.recipe) {
@@ -231,6 +266,15 @@ class Checker {
             return;
         }
         finish(session, trial_.results);
+        keep_missing(asked, trial_.facts());
+        for (const AskedName& one : asked) {
+            const std::vector<std::string> names = formula_names(trial_.facts());
+            const std::vector<std::string_view> known(names.begin(), names.end());
+            add(one.line, fmt::format("'{}' has no value, neither when the task '{}' opens nor "
+                                      "after its recipe.{}",
+                                      one.name, task.id, did_you_mean(one.name, known)));
+        }
+        if (!asked.empty()) return;
         if (!is_done(task, trial_.facts())) {
             add(task.recipe_line, "the recipe does not solve the task '" + task.id + "'.");
             return;

@@ -510,6 +510,7 @@ TEST_CASE("Every formula of the pixel, the vertex and the triangle is a fact by 
     CHECK(find_name("pixel.texture.level"));
     CHECK_FALSE(room.is_there("pixel.texture.level"));
     for (const char* const unknown :
-         {"pixel.ligth.cosine", "vertex.world_q", "triangle.edge.0", "pixel."})
+         {"pixel.ligth.cosine", "vertex.world_q", "triangle.edge.0", "pixel.", "pixel.pixel_light",
+          "pixel.bump", "vertex.light", "triangle.cull", "pixel.pixel_light."})
         CHECK_FALSE(find_name(unknown));
 }
