@@ -39,9 +39,9 @@ Projection projection_of(const Frame& frame) {
 void find_columns_of_row_ends(const Frame& frame, PixelHistory& history) {
     PolygonRows rows;
     for (PixelEntry& entry : history.entries) {
+        if (entry.row < 0) continue; // a mark that is in no row
         compute_rows(frame, entry.cursor.triangle, rows);
-        if (entry.row >= 0 && entry.row < rows.size())
-            entry.column = history.pixel.x - rows.left[entry.row].column;
+        if (entry.row < rows.size()) entry.column = history.pixel.x - rows.left[entry.row].column;
     }
 }
 

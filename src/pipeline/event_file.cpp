@@ -209,10 +209,11 @@ constexpr std::array<std::string_view, std::variant_size_v<Event>> kinds{
     "vertex", "clip", "cull", "sample", "test", "fragment"};
 static_assert(kinds.size() == phase_count);
 
-Event event_of_kind(std::size_t kind) {
-    std::array<Event, kinds.size()> all{VertexEvent(), ClipEvent(), CullEvent(),
-                                        SampleEvent(), TestEvent(), FragmentEvent()};
-    return all[kind];
+template <std::size_t... kind>
+Event event_of_kind(std::size_t wanted, std::index_sequence<kind...> /*of Event*/) {
+    Event event;
+    ((kind == wanted ? void(event.emplace<kind>()) : void()), ...);
+    return event;
 }
 
 /// Can an event of this kind have this moment? Marks are fragments of the moment they mark.
@@ -248,7 +249,7 @@ Event parse_event(std::string_view line) {
     const auto number = static_cast<std::size_t>(kind - kinds.begin());
     if (!cursor || !can_be_at(number, *cursor))
         throw InputError(fmt::format("at={} is not the moment of a {}", in_quotes(at), *kind));
-    Event event = event_of_kind(number);
+    Event event = event_of_kind(number, std::make_index_sequence<kinds.size()>());
     const auto read_field = [&](std::string_view name, auto& value) {
         const std::optional<std::string_view> text = take(name);
         if (text && !read_value(*text, value))

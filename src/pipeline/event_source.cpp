@@ -44,9 +44,10 @@ using Recording = std::shared_ptr<const std::vector<Event>>;
 /// The most moments of a triangle that are counted.
 constexpr int most_moments = 1 << 30;
 
-/// Throws InputError if an event cannot be one of the frame's: its triangle is not there, or has
-/// ended before.
+/// Throws InputError if an event cannot be one of the frame's: its triangle is not there or has
+/// ended before, or its row is not the one that the triangle's earlier rows lead to.
 void check_recording(const std::vector<Event>& events, const Frame& frame) {
+    int triangle = -1, first_row = 0; // of the row table
     for (const Event& event : events) {
         const Cursor& cursor = cursor_of(event);
         if (cursor.triangle >= frame.triangle_count())
@@ -59,6 +60,14 @@ void check_recording(const std::vector<Event>& events, const Frame& frame) {
             throw InputError(fmt::format("the recording has {}, and the triangle is not drawn: {}",
                                          to_text(cursor),
                                          words(frame.rejection(cursor.triangle)).sentence));
+        const auto* const pixel = std::get_if<FragmentEvent>(&event);
+        if (pixel == nullptr || cursor.phase != Phase::rows) continue;
+        const int first = pixel->fragment.row - cursor.index;
+        if (std::exchange(triangle, cursor.triangle) == cursor.triangle && first != first_row)
+            throw InputError(fmt::format("the recording has {} in row {}, and the triangle's first "
+                                         "row is {}",
+                                         to_text(cursor), pixel->fragment.row, first_row));
+        first_row = first;
     }
 }
 

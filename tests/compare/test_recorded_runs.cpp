@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "base/numbers.h"
 #include "compare/divergence.h"
 #include "inspect/event_list.h"
@@ -139,6 +140,25 @@ TEST_CASE("Where a recording has holes, the other run has something more") {
             pixel_history(recorded, {9, 9});
         }
     }
+}
+
+TEST_CASE("A recording whose rows contradict each other is refused") {
+    using namespace recorded_runs;
+    const Scene scene = scene_inside();
+    const Frame frame = frame_of(scene, Stage::depth, rule_variants().front());
+    const std::vector<Event> whole = record(frame);
+    int changed = 0;
+    for (std::size_t i = 1; i < whole.size(); i += 31) {
+        std::vector<Event> events = whole;
+        auto* const pixel = std::get_if<FragmentEvent>(&events[i]);
+        const bool has_neighbour = cursor_of(whole[i - 1]).phase == Phase::rows &&
+                                   cursor_of(whole[i - 1]).triangle == cursor_of(whole[i]).triangle;
+        if (pixel == nullptr || pixel->cursor.phase != Phase::rows || !has_neighbour) continue;
+        ++pixel->fragment.row;
+        CHECK_THROWS_AS(EventSource(frame, events), InputError);
+        ++changed;
+    }
+    CHECK(changed > 5);
 }
 
 TEST_CASE("A source goes back by drawing again, and on from where it is") {
