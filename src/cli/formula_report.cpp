@@ -24,7 +24,8 @@ Json to_json(const Formula& formula) {
     Json inputs = Json::array();
     for (const FormulaInput& input : formula.inputs) {
         const bool is_formula = input.source.kind == SourceKind::formula;
-        inputs.push_back({{"from", is_formula ? input.source.name : source_text(input.source)},
+        inputs.push_back({{is_formula ? "formula" : "from",
+                           is_formula ? input.source.name : source_text(input.source)},
                           {"symbol", input.symbol},
                           {"value", input.number.value}});
     }
@@ -59,7 +60,8 @@ Json formulas_json(const std::vector<Formula>& formulas) {
     return list;
 }
 
-void print_formulas(std::ostream& out, const std::vector<Formula>& formulas) {
+void print_formulas(std::ostream& out, const std::vector<Formula>& formulas,
+                    const std::vector<std::string_view>& not_in_use) {
     std::vector<std::string> sections;
     for (const Formula& formula : formulas) {
         const auto found = std::find(sections.begin(), sections.end(), formula.section);
@@ -67,7 +69,8 @@ void print_formulas(std::ostream& out, const std::vector<Formula>& formulas) {
             sections.push_back(formula.section);
     }
     for (const std::string& section : sections) {
-        out << section_title(section) << '\n';
+        const auto found = std::find(not_in_use.begin(), not_in_use.end(), first_part(section));
+        out << section_title(section) << (found != not_in_use.end() ? ", not in use" : "") << '\n';
         for (const Formula& formula : formulas) {
             if (formula.section == section) out << "  " << line_of(formula) << '\n';
         }

@@ -3,6 +3,7 @@
 // Formulas as the commands print them, whatever they explain.
 
 #include <ostream>
+#include <string_view>
 #include <vector>
 
 #include "cli/json.h"
@@ -14,6 +15,8 @@ namespace rasterwalk {
 Json formulas_json(const std::vector<Formula>& formulas);
 
 /// The formulas that belong to a section, a line for each under the section's name.
-void print_formulas(std::ostream& out, const std::vector<Formula>& formulas);
+/// @param not_in_use first parts of sections that explain what would be if a setting were different
+void print_formulas(std::ostream& out, const std::vector<Formula>& formulas,
+                    const std::vector<std::string_view>& not_in_use = {});
 
 } // namespace rasterwalk

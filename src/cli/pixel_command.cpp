@@ -293,6 +293,19 @@ void print_text(const Frame& frame, const PixelHistory& history, const Cursor& t
         out << entry_line(frame, history, i, to);
 }
 
+/// The numbers of the fragment that stays, section by section.
+void print_fragment(const std::optional<FragmentReport>& report, std::ostream& out) {
+    if (!report) {
+        out << "\nNo fragment stays.\n";
+        return;
+    }
+    std::vector<std::string_view> not_in_use{"flat", "triangle_light", "vertex_light",
+                                             "pixel_light"};
+    std::erase(not_in_use, light_in_use(report->shading));
+    out << '\n';
+    print_formulas(out, report->formulas, not_in_use);
+}
+
 } // namespace
 
 void pixel_command(const PixelOptions& options, std::ostream& out) {
@@ -306,16 +319,15 @@ void pixel_command(const PixelOptions& options, std::ostream& out) {
                                                      : std::nullopt;
     if (options.json) {
         Json answer = to_json(frame, history, session.cursor);
-        if (report) answer["formulas"] = formulas_json(report->formulas);
+        if (options.formulas)
+            answer["formulas"] = report ? formulas_json(report->formulas) : Json::array();
         print_json(answer, out);
     } else {
         print_text(frame, history, session.cursor, out);
         print_texture(frame, history, out);
         print_shadow(frame, history, out);
         print_tests(history, session.cursor, out);
-        if (!report) return;
-        out << '\n';
-        print_formulas(out, report->formulas);
+        if (options.formulas) print_fragment(report, out);
     }
 }
 

@@ -385,7 +385,8 @@ void triangle_command(const TriangleOptions& options, std::ostream& out) {
     if (options.json) {
         Json answer = to_json(report, frame);
         for (const VertexReport& vertex : vertices)
-            answer["formulas"].push_back(formulas_json(vertex.formulas));
+            answer["formulas"].push_back(
+                {{"formulas", formulas_json(vertex.formulas)}, {"vertex", vertex.vertex}});
         print_json(answer, out);
         return;
     }

@@ -81,6 +81,7 @@ class FormulaWriter {
     Formula& add_length(const std::string& id, std::string name, std::string help,
                         const std::string& symbol, const SourcedVector& vector, float result);
 
+    // Throw std::logic_error if no formula has the id.
     /// An earlier formula, to be changed.
     Formula& formula(const std::string& id) const;
     /// The same as an input.

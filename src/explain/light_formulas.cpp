@@ -182,6 +182,8 @@ void add_shown_channel(FormulaWriter& write, const std::string& name, const std:
     Formula& formula = write.add(name, name, about + "As the screen can show it: clamped to 0..1.",
                                  "clamp(" + encoded + ", 0, 1)", {channel},
                                  {screen.visible_channel(screen.encode(channel.number.value))});
+    // "pixel_light.colour." is listed as pixel_light.colour.
+    formula.section = write.prefix().substr(0, write.prefix().size() - 1);
     if (frame.settings.colour_over_one == ColourOverOne::wrap) {
         formula.help =
             about + "As the screen shows it: the lowest 8 bits of 255 times the channel.";

@@ -127,32 +127,35 @@ class TextureFormulas {
         const bool has_weight = is_divided && mode != Interpolation::undivided;
         const bool is_squared = mode == Interpolation::divided_twice;
         const TextureLevel& base = report_.surface.texture->base();
+        const std::string weight(weight_name(frame_));
         for (const TextureAxis& axis : texture_axes) {
             const std::string u = axis.coordinate;
-            write_.add(fmt::format("{}.{}", name, u),
-                       fmt::format("d{}/d{}", u, name == "right" ? "x" : "y"),
-                       fmt::format("How fast {} changes toward {}: the derivative of a quotient.",
-                                   u, next),
-                       fmt::format("(d − {} · e) / w", u),
-                       {{"d",
-                         {slope[axis.index]},
-                         from_words(fmt::format(
-                             "how much {} grows by to {}, the same over the whole triangle",
-                             is_divided ? u + "/z" : u, next))},
-                        coordinate(axis),
-                        {"e",
-                         {weight_slope},
-                         from_words(is_squared ? "how much 1/z times 1/z grows by to " + next +
-                                                     ", as if in equal steps"
-                                    : has_weight ? "how much 1/z grows by to " + next
-                                                 : "there is no weight to change")},
-                        {"w",
-                         {report_.weight},
-                         is_squared   ? from_words("1/z times 1/z, by mistake")
-                         : has_weight ? from_formula("zinv")
-                         : is_divided ? from_words("nothing is divided, by mistake")
-                                      : from_words("affine values have no weight")}},
-                       {side[axis.index]});
+            const Quantity quantity = quantity_of(&Varyings::texcoord, axis.index);
+            write_.add(
+                fmt::format("{}.{}", name, u),
+                fmt::format("d{}/d{}", u, name == "right" ? "x" : "y"),
+                fmt::format("How fast {} changes toward {}: the derivative of a quotient.", u,
+                            next),
+                fmt::format("(d − {} · e) / w", u),
+                {{"d",
+                  {slope[axis.index]},
+                  from_words(
+                      fmt::format("how much {} grows by to {}, the same over the whole triangle",
+                                  is_divided ? carried_name_in(frame_, quantity) : u, next))},
+                 coordinate(axis),
+                 {"e",
+                  {weight_slope},
+                  from_words(is_squared ? "how much " + weight + " times " + weight +
+                                              " grows by to " + next + ", as if in equal steps"
+                             : has_weight ? "how much " + weight + " grows by to " + next
+                                          : "there is no weight to change")},
+                 {"w",
+                  {report_.weight},
+                  is_squared   ? from_words(weight + " times " + weight + ", by mistake")
+                  : has_weight ? from_formula("zinv")
+                  : is_divided ? from_words("nothing is divided, by mistake")
+                               : from_words("affine values have no weight")}},
+                {side[axis.index]});
         }
         write_
             .add(name, name,

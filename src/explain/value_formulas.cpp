@@ -105,10 +105,11 @@ std::string walk_expression(const FragmentReport& report, std::string_view id,
     return fmt::format("accumulate({0}, ({1} − {0}) / (n − 1), i)", left, right);
 }
 
-/// The same as along_row(), also if the row's ends are multiplied by 1/z a second time.
-Formula along_row(const FragmentReport& report, std::string id, std::string_view name,
-                  std::string_view help, Interpolation way, const EndPart& part, float result,
-                  bool is_twice) {
+/// The same as along_row().
+/// @param is_twice the row's ends are multiplied by 1/z a second time
+Formula along_row_of_ends(const FragmentReport& report, std::string id, std::string_view name,
+                          std::string_view help, Interpolation way, const EndPart& part,
+                          float result, bool is_twice) {
     const CarriedRow& row = report.row;
     const RowEnds& ends = row.under(way);
     Formula formula{std::move(id), std::string(name), std::string(help), "", {}, {result}};
@@ -169,7 +170,7 @@ class ValueFormulas {
 
     void add_along_row(const std::string& id, std::string_view name, std::string_view help,
                        Interpolation way, const EndPart& part, float result) {
-        report_.formulas.push_back(along_row(report_, id, name, help, way, part, result, false));
+        report_.formulas.push_back(along_row(report_, id, name, help, way, part, result));
     }
 
     /// The weights of the three corners.
@@ -269,7 +270,7 @@ class ValueFormulas {
     void add_twice(const QuantityInfo& info) {
         const std::string id(info.words.id), twice = id + ".carried_twice";
         constexpr Interpolation way = Interpolation::zinv_twice;
-        report_.formulas.push_back(along_row(
+        report_.formulas.push_back(along_row_of_ends(
             report_, twice, carried_name_in(frame_, info.quantity) + "²",
             fmt::format("What the row carries by mistake: the ends, already divided by "
                         "{0}, are multiplied by their 1/{0} once more.",
@@ -332,7 +333,7 @@ class ValueFormulas {
 
 Formula along_row(const FragmentReport& report, std::string id, std::string_view name,
                   std::string_view help, Interpolation way, const EndPart& part, float result) {
-    return along_row(report, std::move(id), name, help, way, part, result, false);
+    return along_row_of_ends(report, std::move(id), name, help, way, part, result, false);
 }
 
 void add_values(FragmentReport& report, const Frame& frame) {

@@ -227,7 +227,10 @@ TEST_CASE("pixel --formulas explains the fragment that stays, section by section
                ContainsSubstring("\ndepth\n  margin: new − stored = 0.3295 − 0.2499 = 0.07953\n"));
     // What you only get to from other numbers is not listed.
     CHECK_THAT(text, !ContainsSubstring("r.x = "));
-    CHECK(run({"pixel", "0,0", "--formulas", "--stage", "points"}).exit_code == 0);
+    CHECK_THAT(text, ContainsSubstring("\nvertex light: reflected, not in use\n"));
+    CHECK_THAT(text, ContainsSubstring("\npixel light: colour\n  red = clamp(R, 0, 1) = "));
+    CHECK(run({"pixel", "0,0", "--formulas", "--stage", "points"})
+              .out.ends_with("\nNo fragment stays.\n"));
 }
 
 TEST_CASE("pixel --json --formulas adds each formula to what --json prints") {
@@ -237,7 +240,8 @@ TEST_CASE("pixel --json --formulas adds each formula to what --json prints") {
     CHECK_THAT(formulas, ContainsSubstring("\"id\":\"pixel_light.r.x\""));
     CHECK_THAT(formulas, ContainsSubstring("\"section\":\"pixel_light.lamp\""));
     CHECK_THAT(formulas,
-               ContainsSubstring("{\"from\":\"pixel_light.cosine\",\"symbol\":\"cosine\""));
+               ContainsSubstring("{\"formula\":\"pixel_light.cosine\",\"symbol\":\"cosine\""));
+    CHECK_THAT(formulas, ContainsSubstring("{\"from\":\"settinglight.power\",\"symbol\":\"P\""));
     // All that comes before the formulas, without the end of the object.
     const std::string before = plain.substr(0, plain.rfind("\n}"));
     CHECK(json.starts_with(before));

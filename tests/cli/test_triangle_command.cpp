@@ -316,9 +316,10 @@ TEST_CASE("triangle shows the edges shared with a neighbour under each fill rule
 TEST_CASE("triangle --formulas explains each of its vertices") {
     const std::string text = run({"triangle", "21", "--formulas"}).out;
     for (const char* const vertex : {"vertices[0]", "vertices[1]", "vertices[2]"})
-        CHECK_THAT(text, ContainsSubstring(std::string("\n") + vertex + "\nvertex\n  x = v = "));
+        CHECK_THAT(text,
+                   ContainsSubstring(std::string("\n") + vertex + "\nvertex\n  world x = v = "));
     CHECK_THAT(text, ContainsSubstring("\n  1/z = 1 / z = 1 / "));
     const std::string json = without_blanks(run({"triangle", "21", "--formulas", "--json"}).out);
-    CHECK_THAT(json, ContainsSubstring("\"formulas\":[[{\"expression\":\"v\""));
+    CHECK_THAT(json, ContainsSubstring("\"formulas\":[{\"formulas\":[{\"expression\":\"v\""));
     CHECK_THAT(json, ContainsSubstring("\"id\":\"light.R.blue\""));
 }

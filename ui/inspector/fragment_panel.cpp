@@ -266,12 +266,9 @@ void draw_fragment_panel(Ui& ui) {
         if (!ui.inspector.has_card && is_new) scroll_here(1.0f);
         if (ui.inspector.is_low) draw_links_below(ui);
     };
-    draw_panel(
-        ui, "fragment",
-        {{[&] { draw_title(ui); }}, {values, true}, {[&] { draw_fragment_light(ui); }}, {[&] {
-             draw_depth(ui);
-         }}},
-        card);
+    const PanelBlock title{[&] { draw_title(ui); }}, light{[&] { draw_fragment_light(ui); }},
+        depth{[&] { draw_depth(ui); }};
+    draw_panel(ui, "fragment", {title, {values, true}, light, depth}, card);
 }
 
 } // namespace rasterwalk
