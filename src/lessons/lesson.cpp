@@ -55,6 +55,20 @@ const LessonPrediction* find_prediction(const Lesson& lesson, std::string_view i
     return nullptr;
 }
 
+std::string with_footnotes(const Lesson& lesson, const std::string& text) {
+    std::string result = text;
+    for (const LessonFootnote& note : lesson.footnotes) {
+        const std::string reference = "[^" + note.label + "]";
+        if (text.find(reference) == text.npos) continue;
+        result.append("\n\n").append(reference).append(": ").append(note.text);
+    }
+    return result;
+}
+
+std::string heading_text(const LessonStep& step) {
+    return plain_text(parse_markdown("# " + step.heading).blocks);
+}
+
 std::string link_to_lesson(const Lesson& lesson) {
     return "[" + as_markdown(lesson.title) + "](" + lesson.id + ".md)";
 }

@@ -161,6 +161,12 @@ std::string fault_text(const Lesson& lesson, const Fault& fault);
 /// A link to the lesson in Markdown, with its title.
 std::string link_to_lesson(const Lesson& lesson);
 
+/// The text with the footnotes that it refers to, in the form in which they can be read together.
+std::string with_footnotes(const Lesson& lesson, const std::string& text);
+
+/// The step's heading as a reader sees it, without styles.
+std::string heading_text(const LessonStep& step);
+
 /// The prediction of this id; null if there is none.
 const LessonPrediction* find_prediction(const Lesson& lesson, std::string_view id);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/letter_case.h"
+#include "text/markdown_text.h"
 
 namespace rasterwalk {
 
@@ -57,42 +58,31 @@ std::string excerpt_at(const std::string& text, std::size_t place) {
 /// Everything that a reader of the step sees.
 std::string text_of(const Lesson& lesson, const LessonStep& step) {
     std::string text;
+    const auto add = [&](const std::string& markdown) {
+        text += plain_text(parse_markdown(markdown).blocks) + " ";
+    };
     for (const LessonPart& part : step.parts) {
+        const auto index = static_cast<std::size_t>(part.index);
         switch (part.kind) {
         case LessonPart::Kind::text:
-            text.append(plain_text(part.text));
+            add(with_footnotes(lesson, part.text));
             break;
         case LessonPart::Kind::task:
-            text.append(plain_text(lesson.tasks[static_cast<std::size_t>(part.index)].text));
+            add(lesson.tasks[index].text);
             break;
         case LessonPart::Kind::prediction:
-            text.append(plain_text(lesson.predictions[static_cast<std::size_t>(part.index)].text));
+            add(lesson.predictions[index].text);
             break;
         case LessonPart::Kind::control:
-            text.append(lesson.controls[static_cast<std::size_t>(part.index)].setting->title);
+            text += lesson.controls[index].setting->title;
+            text += " ";
             break;
         }
-        text.append(" ");
     }
     return text;
 }
 
 } // namespace
-
-std::string plain_text(std::string_view markdown) {
-    std::string text;
-    for (std::size_t i = 0; i < markdown.size(); ++i) {
-        const char c = markdown[i];
-        if (c == ']' && i + 1 < markdown.size() && markdown[i + 1] == '(') {
-            i = std::min(markdown.find(')', i), markdown.size()); // a link's target
-        } else if (c == '\n' || c == ' ') {
-            if (!text.empty() && text.back() != ' ') text += ' ';
-        } else if (std::string_view("*`[]#>|$\\").find(c) == std::string_view::npos) {
-            text += c;
-        }
-    }
-    return text;
-}
 
 std::vector<SearchHit> search_lessons(const std::vector<Lesson>& lessons,
                                       const std::vector<Term>& glossary, std::string_view query) {
@@ -107,7 +97,7 @@ std::vector<SearchHit> search_lessons(const std::vector<Lesson>& lessons,
     std::vector<SearchHit> others;
     for (const Lesson& lesson : lessons) {
         for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-            const std::string heading = plain_text(lesson.steps[i].heading);
+            const std::string heading = heading_text(lesson.steps[i]);
             const std::string text = text_of(lesson, lesson.steps[i]);
             const std::string lower_text = in_small_letters(text);
             if (!has_all(in_small_letters(heading) + " " + lower_text, words)) continue;

@@ -22,9 +22,6 @@ struct SearchHit {
 std::vector<SearchHit> search_lessons(const std::vector<Lesson>& lessons,
                                       const std::vector<Term>& glossary, std::string_view query);
 
-/// Markdown without its marks, on one line, as a reader sees it.
-std::string plain_text(std::string_view markdown);
-
 inline constexpr std::size_t most_search_hits = 60;
 
 } // namespace rasterwalk

@@ -19,7 +19,14 @@ struct MarkdownRun {
     bool code = false;
     int link = -1;          ///< index in MarkdownDocument::links; -1: none
     std::int8_t raised = 0; ///< of a formula: 1 superscript, -1 subscript
+
+    friend bool operator==(const MarkdownRun&, const MarkdownRun&) = default;
 };
+
+bool has_same_style(const MarkdownRun& a, const MarkdownRun& b);
+
+/// The last run if it is in this style, otherwise a new one in it.
+MarkdownRun& run_like(std::vector<MarkdownRun>& runs, const MarkdownRun& style);
 
 /// A part of the page. Text is in `runs` (paragraph, heading, cell, code), everything else in
 /// `children`.
@@ -51,6 +58,8 @@ struct MarkdownBlock {
     std::string target;        ///< picture: its place, as written
     std::vector<MarkdownRun> runs;
     std::vector<MarkdownBlock> children;
+
+    friend bool operator==(const MarkdownBlock&, const MarkdownBlock&) = default;
 };
 
 /// What a check looks at: a link, a picture or the like, or what looks like one but is drawn as
@@ -73,6 +82,8 @@ struct MarkdownPart {
     std::string words; ///< of a link or picture, without styles
     int columns = 0;   ///< of a table
     int line = 0;      ///< of the text, from 0: where its words end, otherwise where it begins
+
+    friend bool operator==(const MarkdownPart&, const MarkdownPart&) = default;
 };
 
 /// A page of Markdown, ready to be laid out and to be checked.
@@ -83,6 +94,8 @@ struct MarkdownDocument {
     std::vector<MarkdownPart> parts; ///< as far as the page was read; definitions at the end
     std::string fault;  ///< why the page cannot be shown, a sentence; it then has no blocks
     int fault_line = 0; ///< of the text, from 0
+
+    friend bool operator==(const MarkdownDocument&, const MarkdownDocument&) = default;
 };
 
 /// Reads Markdown (CommonMark with tables, footnotes and formulas between dollars, without HTML).

@@ -42,6 +42,17 @@ bool is_container(MD_BLOCKTYPE type) {
 
 } // namespace
 
+bool has_same_style(const MarkdownRun& a, const MarkdownRun& b) {
+    return a.emphasis == b.emphasis && a.strong == b.strong && a.code == b.code &&
+           a.link == b.link && a.raised == b.raised;
+}
+
+MarkdownRun& run_like(std::vector<MarkdownRun>& runs, const MarkdownRun& style) {
+    if (runs.empty() || !has_same_style(runs.back(), style))
+        runs.push_back({{}, style.emphasis, style.strong, style.code, style.link, style.raised});
+    return runs.back();
+}
+
 MarkdownBlock& MarkdownBuilder::push(BlockKind kind) {
     Open& parent = open_.back();
     parent.has_loose_text = false;
@@ -72,16 +83,7 @@ MarkdownBlock& MarkdownBuilder::text_block() {
 
 /// The run that text in the present style belongs to.
 MarkdownRun& MarkdownBuilder::run() {
-    std::vector<MarkdownRun>& runs = text_block().runs;
-    const bool emphasis = emphasis_ > 0, strong = strong_ > 0, code = code_ > 0;
-    if (!runs.empty()) {
-        MarkdownRun& last = runs.back();
-        if (last.emphasis == emphasis && last.strong == strong && last.code == code &&
-            last.link == link_ && last.raised == 0) {
-            return last;
-        }
-    }
-    return runs.emplace_back(MarkdownRun{{}, emphasis, strong, code, link_, 0});
+    return run_like(text_block().runs, {{}, emphasis_ > 0, strong_ > 0, code_ > 0, link_, 0});
 }
 
 bool MarkdownBuilder::enter(MD_BLOCKTYPE type, const void* detail) {

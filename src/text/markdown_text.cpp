@@ -6,7 +6,33 @@
 
 #include <utf8.h>
 
+#include "base/text_parts.h"
+#include "text/math.h"
+#include "text/math_runs.h"
+
 namespace rasterwalk {
+
+namespace {
+
+void append_words(std::string& text, std::string_view words) {
+    for (const char c : words) {
+        const bool is_blank = c == ' ' || c == '\n';
+        if (!is_blank || !text.ends_with(' ')) text += is_blank ? ' ' : c;
+    }
+}
+
+void append_block(std::string& text, const MarkdownBlock& block) {
+    append_words(text, block.label);
+    const bool is_math = block.kind == MarkdownBlock::Kind::math;
+    for (const MarkdownRun& run :
+         is_math ? math_runs(parse_math(block.runs.front().text)) : block.runs)
+        append_words(text, run.text);
+    append_words(text, " ");
+    for (const MarkdownBlock& child : block.children)
+        append_block(text, child);
+}
+
+} // namespace
 
 std::string clean_text(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
@@ -65,6 +91,13 @@ void append_entity(std::string& text, std::string_view entity) {
 bool is_fence(std::string_view line) {
     line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
     return line.starts_with("```") || line.starts_with("~~~");
+}
+
+std::string plain_text(const std::vector<MarkdownBlock>& blocks) {
+    std::string text;
+    for (const MarkdownBlock& block : blocks)
+        append_block(text, block);
+    return std::string(trimmed(text));
 }
 
 std::string as_markdown(std::string_view text) {

@@ -2,6 +2,9 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "text/markdown.h"
 
 namespace rasterwalk {
 
@@ -18,6 +21,9 @@ void append_entity(std::string& text, std::string_view entity);
 /// Does the line begin or end a block of code (``` or ~~~)? It may be in a list, so it may be
 /// indented by any number of blanks.
 bool is_fence(std::string_view line);
+
+/// What a reader sees of a page, without styles, on one line.
+std::string plain_text(const std::vector<MarkdownBlock>& blocks);
 
 /// A text without styles, escaped as Markdown.
 std::string as_markdown(std::string_view text);

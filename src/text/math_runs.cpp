@@ -59,12 +59,8 @@ class Writer {
 
     void put(std::string_view text, bool is_slanted, int raised) {
         if (text.empty()) return;
-        if (runs.empty() || runs.back().emphasis != is_slanted || runs.back().raised != raised) {
-            MarkdownRun& run = runs.emplace_back();
-            run.emphasis = is_slanted;
-            run.raised = static_cast<std::int8_t>(raised);
-        }
-        runs.back().text += text;
+        const auto raise = static_cast<std::int8_t>(raised);
+        run_like(runs, {{}, is_slanted, false, false, -1, raise}).text += text;
     }
 };
 

@@ -98,11 +98,3 @@ TEST_CASE("No more is found than can be shown, whatever is asked for") {
     CHECK(search_lessons(many, {}, std::string(100'000, 'w')).empty());
     CHECK(search_lessons(many, {}, "\xff\xfe\n\0").empty());
 }
-
-TEST_CASE("Plain text is what a reader sees") {
-    CHECK(plain_text("**Strong** and *slanted*, `code`, [a link](set:stage=rows).") ==
-          "Strong and slanted, code, a link.");
-    CHECK(plain_text("> a quote\n> of two lines\n\n- an item") == "a quote of two lines - an item");
-    CHECK(plain_text("[not closed](set:") == "not closed");
-    CHECK(plain_text("").empty());
-}

@@ -1,6 +1,8 @@
 #include "ui/lesson/fitting_sentences.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "text/sentences.h"
@@ -17,52 +19,45 @@ float height_of_lines(Ui& ui, float width, int lines) {
     return one + static_cast<float>(lines - 1) * (two - one) + 0.5f;
 }
 
-std::string work_out(Ui& ui, const std::string& text, float width, int lines) {
-    const std::vector<std::string> sentences = leading_sentences(text);
-    if (sentences.empty()) return {};
-    const float room = height_of_lines(ui, width, lines);
-    std::string fitting = sentences.front();
-    for (std::size_t i = 1; i < sentences.size(); ++i) {
-        const std::string longer = fitting + " " + sentences[i];
-        if (markdown_height(ui, longer, width) > room) break;
-        fitting = longer;
+/// The head of the table at the end of a piece, and some of its rows.
+MarkdownDocument some_rows(const MarkdownDocument& piece, std::size_t first, std::size_t count) {
+    MarkdownDocument part = piece;
+    part.blocks = {piece.blocks.back()};
+    std::vector<MarkdownBlock>& rows = part.blocks.front().children;
+    const auto begin = rows.begin() + 1 + static_cast<std::ptrdiff_t>(first);
+    rows.erase(std::min(begin + static_cast<std::ptrdiff_t>(count), rows.end()), rows.end());
+    rows.erase(rows.begin() + 1, begin);
+    return part;
+}
+
+/// The words before the table at the end of a piece, and the table in as few parts as have room.
+void add_table(Ui& ui, const MarkdownDocument& piece, float width, float most,
+               std::vector<MarkdownDocument>& parts) {
+    if (piece.blocks.size() > 1) {
+        parts.push_back(piece);
+        parts.back().blocks.pop_back();
     }
-    return fitting;
-}
-
-/// Head and some of the rows.
-std::string some_rows(const CutTable& table, std::size_t first, std::size_t count) {
-    std::string text = table.head;
-    for (std::size_t r = first; r < std::min(first + count, table.rows.size()); ++r)
-        text.append("\n").append(table.rows[r]);
-    return text;
-}
-
-/// The words before a table, and the table in as few parts as have room.
-void add_table(Ui& ui, const CutTable& table, float width, float most,
-               std::vector<std::string>& parts) {
-    if (!table.before.empty()) parts.push_back(table.before);
+    const std::size_t rows = piece.blocks.back().children.size() - 1;
     const auto fits = [&](std::size_t first, std::size_t count) {
-        return markdown_height(ui, some_rows(table, first, count), width) <= most;
+        return markdown_height(ui, some_rows(piece, first, count), width) <= most;
     };
     std::vector<std::size_t> counts; // as many rows as have room, part by part
-    for (std::size_t r = 0; r < table.rows.size(); r += counts.back()) {
+    for (std::size_t r = 0; r < rows; r += counts.back()) {
         counts.push_back(1);
-        while (r + counts.back() < table.rows.size() && fits(r, counts.back() + 1))
+        while (r + counts.back() < rows && fits(r, counts.back() + 1))
             ++counts.back();
     }
     // Three and two rows are better than four and one.
-    const std::size_t even = (table.rows.size() + counts.size() - 1) / counts.size();
+    const std::size_t even = (rows + counts.size() - 1) / counts.size();
     bool is_even = true;
-    for (std::size_t r = 0; r < table.rows.size(); r += even)
+    for (std::size_t r = 0; r < rows; r += even)
         is_even = is_even && fits(r, even);
     std::size_t first = 0;
-    for (std::size_t i = 0; first < table.rows.size(); ++i) {
+    for (std::size_t i = 0; first < rows; ++i) {
         const std::size_t count = is_even ? even : counts[i];
-        parts.push_back(some_rows(table, first, count));
+        parts.push_back(some_rows(piece, first, count));
         first += count;
     }
-    if (!table.after.empty()) parts.push_back(table.after);
 }
 
 } // namespace
@@ -73,35 +68,55 @@ int lines_of_strip(const Ui& ui) {
     return ui.lesson.strip.is_at_side && has_room ? 4 : 2;
 }
 
-std::string fitting_sentences(Ui& ui, const std::string& text, float width, int lines) {
+std::vector<MarkdownDocument> fitting_parts(Ui& ui, const MarkdownDocument& page, float width,
+                                            int lines, float most) {
+    const float room = height_of_lines(ui, width, lines);
+    std::vector<MarkdownDocument> parts;
+    for (ReadingPiece& piece : reading_pieces(page)) {
+        if (!piece.is_first) {
+            MarkdownDocument longer = continued(parts.back(), piece.page);
+            if (markdown_height(ui, longer, width) <= room) {
+                parts.back() = std::move(longer);
+                continue;
+            }
+        }
+        const MarkdownBlock& last = piece.page.blocks.back();
+        const bool is_long_table = last.kind == MarkdownBlock::Kind::table &&
+                                   last.children.size() > 2 &&
+                                   markdown_height(ui, piece.page, width) > most;
+        if (is_long_table) {
+            add_table(ui, piece.page, width, most, parts);
+        } else {
+            parts.push_back(std::move(piece.page));
+        }
+    }
+    return parts;
+}
+
+namespace {
+
+MarkdownDocument work_out(Ui& ui, const std::string& text, float width, int lines) {
+    MarkdownDocument page = parse_markdown(text), dots = parse_markdown("…");
+    const bool is_one_block = page.blocks.size() == 1;
+    std::erase_if(page.blocks, [](const MarkdownBlock& block) {
+        return block.kind != MarkdownBlock::Kind::paragraph;
+    });
+    page.blocks.resize(std::min(page.blocks.size(), std::size_t{1}));
+    page.notes.clear();
+    const std::vector<MarkdownDocument> parts = fitting_parts(ui, page, width, lines, 0.0f);
+    if (parts.empty()) return dots;
+    return is_one_block && parts.size() == 1 ? parts.front() : continued(parts.front(), dots);
+}
+
+} // namespace
+
+MarkdownDocument fitting_sentences(Ui& ui, const std::string& text, float width, int lines) {
     LessonStrip::Fitting& kept = ui.lesson.strip.fitting;
     const float text_size = ui.fonts.text->FontSize;
     const bool is_known = kept.of == text && kept.width == width && kept.text_size == text_size &&
                           kept.lines == lines;
     if (!is_known) kept = {text, work_out(ui, text, width, lines), width, text_size, lines};
     return kept.sentences;
-}
-
-std::vector<std::string> fitting_parts(Ui& ui, const std::string& text, float width, int lines,
-                                       float most) {
-    const float room = height_of_lines(ui, width, lines);
-    std::vector<std::string> parts;
-    for (const ReadingPiece& piece : reading_pieces(text)) {
-        if (!piece.is_first) {
-            const std::string longer = parts.back() + std::string(piece.glue) + piece.text;
-            if (markdown_height(ui, longer, width) <= room) {
-                parts.back() = longer;
-                continue;
-            }
-        }
-        if (const CutTable table = cut_table(piece.text);
-            table.rows.size() > 1 && markdown_height(ui, piece.text, width) > most) {
-            add_table(ui, table, width, most, parts);
-        } else {
-            parts.push_back(piece.text);
-        }
-    }
-    return parts;
 }
 
 } // namespace rasterwalk

@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "ui/actions/lesson_links.h"
-#include "ui/page/markdown.h"
 #include "ui/ui.h"
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
@@ -12,9 +11,9 @@
 namespace rasterwalk {
 
 void draw_marked(Ui& ui, const std::string& name, std::shared_ptr<MarkdownPage>& page,
-                 const std::string& text, float width) {
+                 const MarkdownContent& content, float width) {
     const MarkdownEvents events =
-        draw_markdown(ui, page, text, width, name + ".link.", ui.session.lesson_folder);
+        draw_markdown(ui, page, content, width, name + ".link.", ui.session.lesson_folder);
     answer_links(ui, document_of(*page), events);
 }
 

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "ui/lesson/lesson_state.h"
+#include "ui/page/markdown.h"
 
 namespace rasterwalk {
 
@@ -14,7 +15,7 @@ struct Ui;
 /// Markdown of a lesson, whose links are answered.
 /// @param name of its widgets: `NAME.link.0`
 void draw_marked(Ui& ui, const std::string& name, std::shared_ptr<MarkdownPage>& page,
-                 const std::string& text, float width);
+                 const MarkdownContent& content, float width);
 
 /// The text without the bold words that say what it is in a repository browser; here the box says
 /// it.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "text/markdown_text.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/lesson/fitting_sentences.h"
 #include "ui/lesson/lesson_end.h"
@@ -29,7 +31,7 @@ struct PartWord {
 
 /// The long text of a part: its own, or the reason for an answer that is shown.
 std::string words_to_cut(Ui& ui, const Lesson& lesson, const LessonPart& part) {
-    if (part.kind == LessonPart::Kind::text) return part.text;
+    if (part.kind == LessonPart::Kind::text) return with_footnotes(lesson, part.text);
     if (part.kind != LessonPart::Kind::prediction) return {};
     const LessonPrediction& prediction = lesson.predictions[static_cast<std::size_t>(part.index)];
     take_up_answer(ui, lesson, prediction);
@@ -41,22 +43,20 @@ std::string words_to_cut(Ui& ui, const Lesson& lesson, const LessonPart& part) {
 std::vector<LessonCard> cut(Ui& ui, const Lesson& lesson, const LessonStep& step, float width,
                             float height) {
     std::vector<LessonCard> cards;
+    const auto add = [&](std::size_t part, const std::string& words) {
+        for (MarkdownDocument& page :
+             fitting_parts(ui, parse_markdown(words), width, lines_of_strip(ui), height))
+            cards.push_back({static_cast<int>(part), std::move(page)});
+    };
     for (std::size_t i = 0; i < step.parts.size(); ++i) {
         const LessonPart& part = step.parts[i];
-        const int index = static_cast<int>(i);
         if (part.kind == LessonPart::Kind::control) continue; // it is on its neighbours' cards
         const std::string words = words_to_cut(ui, lesson, part);
-        if (words.empty()) cards.push_back({index, {}});
-        for (const std::string& text : fitting_parts(ui, words, width, lines_of_strip(ui), height))
-            cards.push_back({index, text});
+        if (words.empty()) cards.push_back({static_cast<int>(i), {}});
+        add(i, words);
     }
-    if (is_last_step(ui, lesson)) {
-        const int end = static_cast<int>(step.parts.size());
-        for (const std::string& text :
-             fitting_parts(ui, end_of_lesson(ui, lesson), width, lines_of_strip(ui), height))
-            cards.push_back({end, text});
-    }
-    if (cards.empty()) cards.push_back({0, lesson.about});
+    if (is_last_step(ui, lesson)) add(step.parts.size(), end_of_lesson(ui, lesson));
+    if (cards.empty()) cards.push_back({0, parse_markdown(lesson.about)});
     return cards;
 }
 
@@ -81,7 +81,7 @@ std::string sign_of(Ui& ui, const Lesson& lesson, const LessonPart& part) {
 std::size_t length_before(const LessonStrip& strip, int part, std::size_t end) {
     std::size_t length = 0;
     for (std::size_t i = 0; i < end; ++i)
-        length += strip.cards[i].part == part ? strip.cards[i].text.size() : 0;
+        length += strip.cards[i].part == part ? plain_text(strip.cards[i].page.blocks).size() : 0;
     return length;
 }
 

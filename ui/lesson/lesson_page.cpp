@@ -53,17 +53,6 @@ void draw_heading(Ui& ui, const Lesson& lesson) {
     ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});
 }
 
-/// The text with the footnotes that it refers to, in the form in which they can be read together.
-std::string with_footnotes(const Lesson& lesson, const std::string& text) {
-    std::string result = text;
-    for (const LessonFootnote& note : lesson.footnotes) {
-        const std::string reference = "[^" + note.label + "]";
-        if (text.find(reference) == text.npos) continue;
-        result.append("\n\n").append(reference).append(": ").append(note.text);
-    }
-    return result;
-}
-
 /// Where a part of the step is in its whole text.
 struct PartArea {
     int part = 0;

@@ -248,7 +248,7 @@ std::string words_to_miss(const PredictionView& view) {
 
 /// In a strip: the verdict, as much of the reason as fits, and the button to answer again.
 void draw_short_reveal(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
-                       const std::string& name, const std::string& because, float width) {
+                       const std::string& name, const MarkdownDocument& because, float width) {
     const float left = ImGui::GetCursorScreenPos().x;
     draw_verdict(ui, prediction, name);
     const ImVec2 gap = ImGui::GetStyle().ItemSpacing;
@@ -256,7 +256,8 @@ void draw_short_reveal(Ui& ui, const Lesson& lesson, const LessonPrediction& pre
     const float end = ImGui::GetItemRectMax().x + gap.x + button_width("answer again");
     if (is_one_line && end <= left + width) ImGui::SameLine();
     draw_again(ui, lesson, prediction, name);
-    if (!because.empty()) draw_marked(ui, name, ui.lesson.pages[name + ".because"], because, width);
+    if (!because.blocks.empty())
+        draw_marked(ui, name, ui.lesson.pages[name + ".because"], because, width);
 }
 
 void draw_answers(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
@@ -347,7 +348,7 @@ void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& predi
 }
 
 void draw_prediction_lines(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
-                           const std::string& because, float width) {
+                           const MarkdownDocument& because, float width) {
     const std::string name = "lesson.prediction." + prediction.id;
     ImGui::PushID(name.c_str());
     take_up_answer(ui, lesson, prediction);

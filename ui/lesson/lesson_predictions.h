@@ -17,6 +17,6 @@ void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& predi
 /// The same without a box, for a strip.
 /// @param because the part of the reason that fits, see LessonCard; the rest is on other cards
 void draw_prediction_lines(Ui& ui, const Lesson& lesson, const LessonPrediction& prediction,
-                           const std::string& because, float width);
+                           const MarkdownDocument& because, float width);
 
 } // namespace rasterwalk

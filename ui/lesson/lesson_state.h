@@ -15,6 +15,7 @@
 #include "lessons/lesson_search.h"
 #include "lessons/progress.h"
 #include "lessons/stage_note.h"
+#include "text/markdown.h"
 #include "ui/actions/kept_state.h"
 
 namespace rasterwalk {
@@ -49,8 +50,8 @@ struct LessonSearch {
 
 /// What a strip shows of a step at a time: a few lines of its text, a question, or a task.
 struct LessonCard {
-    int part = 0;     ///< index in LessonStep::parts
-    std::string text; ///< as much as fits; for a question: of the reason for its answer
+    int part = 0;          ///< index in LessonStep::parts
+    MarkdownDocument page; ///< as much as fits; for a question: of the reason for its answer
 };
 
 /// A place in a step's text.
@@ -77,7 +78,8 @@ struct LessonStrip {
     float most_height = 0.0f;    ///< the most it can have in this window, screen pixels
     /// The sentences that fit, and what they were found for.
     struct Fitting {
-        std::string of, sentences;
+        std::string of;
+        MarkdownDocument sentences;
         float width = 0.0f;     ///< screen pixels
         float text_size = 0.0f; ///< of the font, screen pixels
         int lines = 0;

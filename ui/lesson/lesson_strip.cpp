@@ -113,8 +113,8 @@ void end_card_window(Ui& ui) {
 }
 
 /// Some lines of a text.
-void draw_text_card(Ui& ui, const std::string& text, float width) {
-    draw_marked(ui, "lesson.strip", ui.lesson.pages["strip"], text, width);
+void draw_text_card(Ui& ui, const MarkdownDocument& page, float width) {
+    draw_marked(ui, "lesson.strip", ui.lesson.pages["strip"], page, width);
 }
 
 void draw_card(Ui& ui, const Lesson& lesson, const LessonStep& step, const LessonCard& card,
@@ -126,14 +126,14 @@ void draw_card(Ui& ui, const Lesson& lesson, const LessonStep& step, const Lesso
     // A reason continues from the question's own card.
     if (part >= step.parts.size() || step.parts[part].kind == Kind::text ||
         step.parts[part].kind == Kind::control || ui.lesson.strip.card > first) {
-        draw_text_card(ui, card.text, width);
+        draw_text_card(ui, card.page, width);
         return;
     }
     const auto index = static_cast<std::size_t>(step.parts[part].index);
     if (step.parts[part].kind == Kind::task) {
         draw_task_lines(ui, lesson, lesson.tasks[index], width);
     } else {
-        draw_prediction_lines(ui, lesson, lesson.predictions[index], card.text, width);
+        draw_prediction_lines(ui, lesson, lesson.predictions[index], card.page, width);
     }
 }
 
@@ -153,7 +153,7 @@ void draw_controls(Ui& ui, const Lesson& lesson, const LessonStep& step, float w
 int draw_lesson_text(Ui& ui, const Lesson& lesson, const PageFooter& pages, float head_width,
                      float width) {
     const LessonStep& step = shown_step(ui, lesson);
-    const Head head{plain_text(step.heading), place_in_lesson(ui, lesson), pages};
+    const Head head{heading_text(step), place_in_lesson(ui, lesson), pages};
     LessonStrip& strip = ui.lesson.strip;
     const float margins = 2.0f * strip_margin_y * ui.options.text_scale;
     cut_cards(ui, lesson, step, width, strip.most_height - margins - head_room(ui));
@@ -202,9 +202,7 @@ int draw_stage(Ui& ui, const PageFooter& pages, float head_width, float width) {
     const StageNote& note = ui.lesson.notes.find(note_name(ui.session));
     const std::string text = note.fault.empty() ? shown_note(ui, note) : std::string(info.summary);
     // The button forward leads to the next stage: what has no room is left to the whole text.
-    std::string beginning = fitting_sentences(ui, text, width, lines_of_strip(ui));
-    if (beginning.size() < text.size()) beginning += " …";
-    draw_text_card(ui, beginning, width);
+    draw_text_card(ui, fitting_sentences(ui, text, width, lines_of_strip(ui)), width);
     end_card_window(ui);
     return wanted;
 }

@@ -30,7 +30,7 @@ struct MarkdownPage {
     MarkdownPage(const MarkdownPage&) = delete;
     MarkdownPage& operator=(const MarkdownPage&) = delete;
 
-    std::string text;
+    MarkdownContent content;
     std::string folder; ///< of its pictures; empty: the program's own lessons
     MarkdownDocument document;
     std::optional<PageMeasure> measure; ///< of the layout; none before the first
@@ -47,17 +47,19 @@ constexpr int most_shapes = 400;
 /// Links that are entered in Ui::widgets even while they are scrolled away.
 constexpr int most_hidden_links = 500;
 
-/// Brings the page up to date with text, width and fonts.
-void prepare(Ui& ui, MarkdownPage& page, std::string_view text, float width,
+/// Brings the page up to date with content, width and fonts.
+void prepare(Ui& ui, MarkdownPage& page, const MarkdownContent& content, float width,
              const std::string& folder) {
     const PageMeasure measure{width, ui.options.text_scale, ui.fonts.text, ui.fonts.text->FontSize};
-    const bool is_new = !page.measure || page.text != text || page.folder != folder;
+    const bool is_new = !page.measure || page.content != content || page.folder != folder;
     if (!is_new && page.measure == measure) return;
     if (is_new) {
         page.layout = {};
-        page.text = text;
+        page.content = content;
         page.folder = folder;
-        page.document = parse_markdown(text);
+        const auto* const text = std::get_if<std::string>(&content);
+        page.document =
+            text != nullptr ? parse_markdown(*text) : std::get<MarkdownDocument>(content);
         if (!page.document.fault.empty()) {
             MarkdownBlock& block = page.document.blocks.emplace_back();
             block.runs.push_back({page.document.fault});
@@ -245,10 +247,11 @@ void draw_pieces(const Ui& ui, ImDrawList* list, const MarkdownPage& page, const
 
 } // namespace
 
-MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::string_view text,
-                             float width, std::string_view prefix, const std::string& folder) {
+MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page,
+                             const MarkdownContent& content, float width, std::string_view prefix,
+                             const std::string& folder) {
     if (!page) page = std::make_shared<MarkdownPage>();
-    prepare(ui, *page, text, width, folder);
+    prepare(ui, *page, content, width, folder);
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const Sight sight{origin, list->GetClipRectMin().y, list->GetClipRectMax().y};
@@ -262,9 +265,9 @@ MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::s
     return events;
 }
 
-float markdown_height(Ui& ui, std::string_view text, float width) {
+float markdown_height(Ui& ui, const MarkdownContent& content, float width) {
     MarkdownPage page;
-    prepare(ui, page, text, width, {});
+    prepare(ui, page, content, width, {});
     return page.layout.height;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "text/markdown.h"
 
@@ -12,6 +13,9 @@ struct Ui;
 
 /// A page on the screen: parsed when its text changes, laid out when text or width do.
 struct MarkdownPage;
+
+/// A text, or a page or a part of one that is already parsed.
+using MarkdownContent = std::variant<std::string, MarkdownDocument>;
 
 /// What the student does with the links of a page in this frame; indices in the document's links.
 struct MarkdownEvents {
@@ -23,11 +27,12 @@ struct MarkdownEvents {
 /// it. Each link is entered in Ui::widgets as `prefix` and its number.
 /// @param folder of the lesson, whose pictures are shown; empty: the program's own lessons
 /// @param page keeps what was computed from one frame to the next; null at first
-MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page, std::string_view text,
-                             float width, std::string_view prefix, const std::string& folder = {});
+MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page,
+                             const MarkdownContent& content, float width, std::string_view prefix,
+                             const std::string& folder = {});
 
 /// How high Markdown is when it is drawn at this width, screen pixels.
-float markdown_height(Ui& ui, std::string_view text, float width);
+float markdown_height(Ui& ui, const MarkdownContent& content, float width);
 
 /// The document of a page that was drawn.
 const MarkdownDocument& document_of(const MarkdownPage& page);

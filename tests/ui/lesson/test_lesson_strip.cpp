@@ -8,6 +8,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/ui/driver.h"
+#include "text/markdown_text.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/ui.h"
@@ -370,7 +371,8 @@ TEST_CASE("A step with a question begins with its text, and all of it comes befo
         while (!is_there(driver, name)) {
             const LessonStrip& strip = driver.ui.lesson.strip;
             REQUIRE(strip.card + 1 < static_cast<int>(strip.cards.size()));
-            read += cards(driver)[static_cast<std::size_t>(strip.card)].text + ' ';
+            read +=
+                plain_text(cards(driver)[static_cast<std::size_t>(strip.card)].page.blocks) + ' ';
             driver.hand.click("lesson.next");
             driver.hand.leave();
         }
@@ -495,12 +497,13 @@ TEST_CASE("A window of another width leaves the strip at its place in the text")
     for (int i = 0; i < last; ++i)
         driver.hand.press(key::page_down);
     driver.hand.leave();
-    const std::string text = cards(driver)[static_cast<std::size_t>(last)].text;
+    const std::string text = plain_text(cards(driver)[static_cast<std::size_t>(last)].page.blocks);
     REQUIRE(driver.ui.lesson.strip.card == last);
     driver.resize({1100, 640});
     driver.hand.leave();
     const auto card = static_cast<std::size_t>(driver.ui.lesson.strip.card);
-    CHECK(cards(driver)[card].text.find(text.substr(0, 20)) != std::string::npos);
+    CHECK(plain_text(cards(driver)[card].page.blocks).find(text.substr(0, 20)) !=
+          std::string::npos);
 }
 
 TEST_CASE("Page up in the whole text goes to the end of the previous step, and in a column to its "

@@ -5,6 +5,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/shown_number.h"
+#include "text/markdown_text.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
@@ -279,31 +280,28 @@ TEST_CASE("In a strip a long reason is paged to its last sentence, and so is the
     Questions q(1, {1024, 640}, 1.5f);
     REQUIRE(q.ui.lesson.is_strip);
     q.answer("30");
-    const auto part_of_card = [&] {
-        const LessonStrip& strip = q.ui.lesson.strip;
-        return strip.cards.at(static_cast<std::size_t>(strip.card)).part;
-    };
-    const int part = part_of_card();
-    std::string read =
-        q.ui.lesson.strip.cards.at(static_cast<std::size_t>(q.ui.lesson.strip.card)).text;
+    const LessonStrip& strip = q.ui.lesson.strip;
+    const auto card = [&] { return strip.cards.at(static_cast<std::size_t>(strip.card)); };
+    const int part = card().part;
+    std::string read = plain_text(card().page.blocks);
     int cards = 1;
     for (; cards < 20; ++cards) {
         q.driver.hand.press(key::page_down);
         q.driver.hand.leave();
-        if (q.ui.session.step != 1 || part_of_card() != part) break;
-        read +=
-            " " + q.ui.lesson.strip.cards.at(static_cast<std::size_t>(q.ui.lesson.strip.card)).text;
+        if (q.ui.session.step != 1 || card().part != part) break;
+        read += " " + plain_text(card().page.blocks);
     }
     CHECK(cards > 1);
-    CHECK(read == q.ui.lesson.predictions.at("count").judged->because);
+    const std::string& because = q.ui.lesson.predictions.at("count").judged->because;
+    CHECK(read == plain_text(parse_markdown(because).blocks));
     open_lesson(q.ui, "01-questions", 2);
     q.driver.hand.leave();
     REQUIRE(q.is_there("lesson.card.end"));
     q.driver.hand.click("lesson.card.end");
     const auto end_part = static_cast<int>(open_lesson_of(q.ui)->steps.back().parts.size());
     std::string end;
-    for (const LessonCard& card : q.ui.lesson.strip.cards) {
-        if (card.part == end_part) end += card.text;
+    for (const LessonCard& one : strip.cards) {
+        if (one.part == end_part) end += plain_text(one.page.blocks);
     }
     CHECK(end.find("1990") != end.npos);
 }
@@ -338,7 +336,7 @@ TEST_CASE("Progress that is forgotten takes the reasons off the strip's cards") 
     reset_progress(q.ui);
     q.driver.hand.rest();
     for (const LessonCard& card : q.ui.lesson.strip.cards)
-        CHECK(card.text.find("bottom") == std::string::npos);
+        CHECK(plain_text(card.page.blocks).find("bottom") == std::string::npos);
 }
 
 TEST_CASE("Two answers that were kept come back to the strip, each with its reason") {
@@ -350,7 +348,7 @@ TEST_CASE("Two answers that were kept come back to the strip, each with its reas
     const auto said = [&] {
         std::string all;
         for (const LessonCard& card : q.ui.lesson.strip.cards)
-            all += card.text;
+            all += plain_text(card.page.blocks);
         return all;
     };
     const std::string before = said();
