@@ -114,8 +114,6 @@ struct ClipStep {
     float t = 0.0f;          ///< if it is cut: from the corner inside, 0, to the one outside, 1
     ClipVertex cut;          ///< if it is cut: the new corner, with all its varyings
     int first_kept = 0;      ///< corners of the new polygon that earlier edges have passed on
-
-    int kept_count() const { return (keeps_from ? 1 : 0) + (is_cut ? 1 : 0); }
 };
 
 /// Receives what clipping does to a polygon, step by step. A plane with the whole polygon on its

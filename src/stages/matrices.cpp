@@ -15,14 +15,6 @@ namespace rasterwalk {
 
 namespace {
 
-/// A matrix with rows r0, r1, r2, applied to the point after it is moved by -eye.
-glm::dmat4 rows_after_translation(const glm::dmat3& rows_as_columns, const glm::dvec3& eye) {
-    const glm::dmat3 turn = glm::transpose(rows_as_columns);
-    glm::dmat4 matrix(turn);
-    matrix[3] = glm::dvec4(turn * -eye, 1.0);
-    return matrix;
-}
-
 /// How far ndc is stretched over the picture: half its sides, in pixels.
 glm::dvec2 half_of(const Viewport& viewport) {
     return {viewport.width / 2.0, viewport.height / 2.0};
@@ -44,14 +36,11 @@ double depth_for(ClipDepth wanted, const glm::dvec4& clip) {
 } // namespace
 
 glm::dmat4 view_matrix(const glm::dvec3& eye, const glm::dmat3& rotation) {
-    return rows_after_translation(rotation, eye);
-}
-
-glm::dmat4 look_at_matrix(const glm::dvec3& eye, const glm::dvec3& direction,
-                          const glm::dvec3& up) {
-    const glm::dvec3 w = -glm::normalize(direction);
-    const glm::dvec3 u = glm::normalize(glm::cross(up, w));
-    return rows_after_translation({u, glm::cross(w, u), w}, eye);
+    // The rows of R, applied to the point after it is moved by -eye.
+    const glm::dmat3 turn = glm::transpose(rotation);
+    glm::dmat4 matrix(turn);
+    matrix[3] = glm::dvec4(turn * -eye, 1.0);
+    return matrix;
 }
 
 glm::dmat4 projection_matrix(const VertexRules& rules) {

@@ -50,11 +50,6 @@ namespace rasterwalk {
 /// @param rotation R of the camera, see camera_rotation()
 glm::dmat4 view_matrix(const glm::dvec3& eye, const glm::dmat3& rotation);
 
-/// Tv as books have it: y up, and the camera looks along -z. Rows u, v, w with w = -d/|d|,
-/// u = up x w / |up x w| and v = w x u.
-/// @param direction the way the camera looks, not along up; any length but 0
-glm::dmat4 look_at_matrix(const glm::dvec3& eye, const glm::dvec3& direction, const glm::dvec3& up);
-
 /// Tp, from camera space to clip space: divided by w, x and y go from -1 to 1 over the picture, and
 /// z from 0 at the near plane to 1 at the far one. Perspective, orthographic or in between, by
 /// rules.projection.mix. With rules.projection.box it is the matrix of glFrustum and glOrtho,

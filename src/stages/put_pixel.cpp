@@ -25,12 +25,6 @@ float encode_srgb(float channel) {
     return static_cast<float>(1.055 * double{std::pow(channel, 1.0f / 2.4f)} - 0.055);
 }
 
-float decode_srgb(float channel) {
-    constexpr float end_of_line = 0.04045f;
-    if (!(channel > end_of_line)) return channel / 12.92f;
-    return std::pow((channel + 0.055f) / 1.055f, 2.4f);
-}
-
 std::uint8_t to_byte(float channel) {
     // NaN compares false with everything and becomes 0.
     if (!(channel > 0.0f)) return 0;

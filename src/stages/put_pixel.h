@@ -46,10 +46,6 @@ inline float encode_linear(float channel) {
 /// below 0.
 float encode_srgb(float channel);
 
-/// The light that a channel encoded by encode_srgb() stands for.
-/// @param channel from 0 to 1
-float decode_srgb(float channel);
-
 /// A channel in 8 bits, as the lab's PutPixelSDL does it: 255 c, fraction dropped, at most 255.
 /// NaN becomes 0.
 std::uint8_t to_byte(float channel);

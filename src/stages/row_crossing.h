@@ -18,8 +18,6 @@ struct DownEdge {
     const ScreenVertex* at_top = nullptr; ///< the corner there
     const ScreenVertex* at_bottom = nullptr;
     bool is_inner = false; ///< of a fan: not an edge of the polygon
-
-    bool reaches(std::int64_t y) const { return top.y <= y && y <= bottom.y; }
 };
 
 /// A corner of a polygon, and where it is on the grid.

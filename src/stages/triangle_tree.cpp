@@ -130,13 +130,6 @@ TriangleHit TriangleTree::first_hit(const WorldRay& ray) const {
     return hit;
 }
 
-TriangleHit TriangleTree::first_hit_of_all(const WorldRay& ray) const {
-    TriangleHit hit;
-    for (int t = 0; t < static_cast<int>(triangles_.size()); ++t)
-        ask(ray, t, hit);
-    return hit;
-}
-
 bool TriangleTree::is_of(const Mesh& mesh) const {
     if (static_cast<int>(triangles_.size()) != mesh.triangle_count()) return false;
     for (int t = 0; t < mesh.triangle_count(); ++t) {

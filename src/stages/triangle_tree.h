@@ -59,9 +59,6 @@ class TriangleTree {
     /// The triangle that the ray meets first; of several at the same point, the first in the mesh.
     TriangleHit first_hit(const WorldRay& ray) const;
 
-    /// The same, found by testing every triangle.
-    TriangleHit first_hit_of_all(const WorldRay& ray) const;
-
     /// Are these the triangles of that mesh, at the same positions?
     bool is_of(const Mesh& mesh) const;
 
