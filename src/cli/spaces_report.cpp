@@ -89,25 +89,9 @@ void print_place(std::ostream& out, const SpacePlace& place) {
         out << "             " << formula << '\n';
 }
 
-std::string change_text(PictureChange change) {
-    switch (change) {
-    case PictureChange::same:
-        return "the same picture";
-    case PictureChange::half_turn:
-        return "rotated by half a turn";
-    case PictureChange::upside_down:
-        return "upside down";
-    case PictureChange::mirrored:
-        return "left and right swapped";
-    case PictureChange::elsewhere:
-        break;
-    }
-    return "a different picture";
-}
-
 void print_convention(std::ostream& out, std::string_view name, const ConventionPlace& place) {
     out << fmt::format("  {:<16} {:>11} {:>11}   {}\n", name, cell(place.picture.x),
-                       cell(place.picture.y), change_text(place.change));
+                       cell(place.picture.y), change_words(place.change));
 }
 
 } // namespace

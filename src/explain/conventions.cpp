@@ -98,6 +98,13 @@ std::string sentence_of(Conventions chosen) {
 
 } // namespace
 
+std::string_view change_words(PictureChange change) {
+    constexpr std::array<std::string_view, enum_words<PictureChange>.size()> words{
+        "the same picture", "rotated by half a turn", "upside down", "left and right swapped",
+        "a different picture"};
+    return words[static_cast<std::size_t>(change)];
+}
+
 const std::array<std::string_view, convention_count>& convention_names() {
     return convention_words;
 }

@@ -36,6 +36,8 @@ using Conventions = std::uint8_t;
 /// What a choice does to the picture.
 enum class PictureChange : std::uint8_t { same, half_turn, upside_down, mirrored, elsewhere };
 
+std::string_view change_words(PictureChange change); ///< "rotated by half a turn"
+
 /// A point under some choices.
 struct ConventionPlace {
     Conventions chosen = 0;

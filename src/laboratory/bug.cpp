@@ -123,6 +123,12 @@ const Bug& find_bug(const std::vector<Bug>& bugs, std::string_view id) {
                      "'; 'rasterwalk bugs' lists them." + did_you_mean(id, ids));
 }
 
+const Bug* bug_of_id(const std::vector<Bug>& bugs, std::string_view id) {
+    const auto found =
+        std::find_if(bugs.begin(), bugs.end(), [&](const Bug& bug) { return bug.id == id; });
+    return found == bugs.end() ? nullptr : &*found;
+}
+
 Settings correct_run(const Bug& bug, const Settings& base) {
     Settings settings = base;
     assign(bug.against, settings);

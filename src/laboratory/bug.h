@@ -43,6 +43,9 @@ std::vector<Bug> read_bugs();
 /// The mistake of this id, in either case. Throws UsageError that names the nearest.
 const Bug& find_bug(const std::vector<Bug>& bugs, std::string_view id);
 
+/// The mistake of exactly this id; null if there is none.
+const Bug* bug_of_id(const std::vector<Bug>& bugs, std::string_view id);
+
 /// The run without the mistake and the run with it, on top of other settings.
 Settings correct_run(const Bug& bug, const Settings& base);
 Settings wrong_run(const Bug& bug, const Settings& base);

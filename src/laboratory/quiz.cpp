@@ -126,12 +126,6 @@ std::vector<std::size_t> choose(const Session& session, const Shown& shown, int 
     return {first};
 }
 
-const Bug* bug_of(const std::vector<Bug>& bugs, std::string_view id) {
-    const auto found =
-        std::find_if(bugs.begin(), bugs.end(), [&](const Bug& bug) { return bug.id == id; });
-    return found == bugs.end() ? nullptr : &*found;
-}
-
 } // namespace
 
 bool start_quiz(Session& session, const std::vector<Bug>& bugs, std::uint32_t seed, int count) {
@@ -178,7 +172,7 @@ bool guess(Quiz& quiz, std::string_view bug) {
 }
 
 std::vector<std::string> quiz_hints(const QuizQuestion& question, const std::vector<Bug>& bugs) {
-    const Bug* const bug = question.bugs.empty() ? nullptr : bug_of(bugs, question.bugs.front());
+    const Bug* const bug = question.bugs.empty() ? nullptr : bug_of_id(bugs, question.bugs.front());
     if (bug == nullptr) return {};
     const StageInfo* const stage = find_stage(question.first_stage);
     const std::string title(stage == nullptr ? question.first_stage : stage->title);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/enumerated.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/numbers.h"
@@ -178,12 +179,7 @@ std::string range_text(float smallest, float largest) {
 
 struct AllowedText {
     std::string operator()(const ChoiceSetting& kind) const {
-        std::string text;
-        for (std::size_t i = 0; i < kind.words.size(); ++i) {
-            if (i > 0) text += i + 1 == kind.words.size() ? " or " : ", ";
-            text += kind.words[i];
-        }
-        return text;
+        return enumerated({kind.words.begin(), kind.words.end()}, "or");
     }
     std::string operator()(const NumberSetting& kind) const {
         return "a number from " + range_text(kind.smallest, kind.largest);

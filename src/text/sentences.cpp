@@ -12,7 +12,7 @@ namespace {
 
 using BlockKind = MarkdownBlock::Kind;
 
-bool is_blank(char c) {
+bool is_space(char c) {
     return std::isspace(static_cast<unsigned char>(c)) != 0;
 }
 
@@ -52,12 +52,12 @@ std::vector<MarkdownDocument> sentences_of(const MarkdownBlock& paragraph,
         const bool is_plain = has_same_style(run, {});
         for (std::size_t i = 0; i < run.text.size(); ++i) {
             const char c = run.text[i];
-            if (is_blank(c) && is_ended && is_plain && !goes_on_small(run, i)) {
+            if (is_space(c) && is_ended && is_plain && !goes_on_small(run, i)) {
                 end_sentence();
-            } else if (!is_blank(c) || !sentence.runs.empty()) {
+            } else if (!is_space(c) || !sentence.runs.empty()) {
                 run_like(sentence.runs, run).text += c;
             }
-            const bool goes_on = is_blank(c) || std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+            const bool goes_on = is_space(c) || std::isalnum(static_cast<unsigned char>(c)) != 0 ||
                                  c == ',' || c == ';';
             // A full stop in code is a key or a member.
             is_ended = is_end_mark(c) ? is_ended || !run.code : is_ended && !goes_on;

@@ -72,13 +72,12 @@ TEST_CASE("The second rasterizer draws what the stages draw, correctly or with a
     int compared = 0;
     for (const BroughtPicture& picture : some_of(student_pictures(), 12)) {
         Settings settings = settings_of(picture.program, scene);
-        const bool is_known = std::all_of(
-            picture.mistakes.begin(), picture.mistakes.end(), [&](const KnownMistake& mistake) {
-                const auto bug = std::find_if(bugs.begin(), bugs.end(),
-                                              [&](const Bug& b) { return b.id == mistake.id; });
-                if (bug != bugs.end()) apply_bug_rule(*bug, settings);
-                return bug != bugs.end();
-            });
+        const bool is_known = std::all_of(picture.mistakes.begin(), picture.mistakes.end(),
+                                          [&](const KnownMistake& mistake) {
+                                              const Bug* const bug = bug_of_id(bugs, mistake.id);
+                                              if (bug != nullptr) apply_bug_rule(*bug, settings);
+                                              return bug != nullptr;
+                                          });
         if (picture.kind == StudentKind::unknown || !is_known) continue;
         const Image stages = view_image(draw_frame(prepare_frame(scene, settings)), View::colour);
         INFO(picture.name);

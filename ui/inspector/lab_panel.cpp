@@ -126,9 +126,8 @@ void follow_bug_on(Ui& ui) {
 void draw_bugs(Ui& ui) {
     const std::vector<Bug>& bugs = lab_bugs(ui);
     follow_bug_on(ui);
-    const auto found = std::find_if(bugs.begin(), bugs.end(),
-                                    [&](const Bug& bug) { return bug.id == ui.lab.chosen; });
-    const Bug& chosen = found == bugs.end() ? bugs.front() : *found;
+    const Bug* const found = bug_of_id(bugs, ui.lab.chosen);
+    const Bug& chosen = found != nullptr ? *found : bugs.front();
     // Where lines are few the list has the card in it: two scrolls would each show next to nothing.
     const float below = ui.inspector.has_card ? 0.0f : height_of_card_head();
     std::vector<PanelBlock> lines;

@@ -20,15 +20,8 @@ namespace rasterwalk {
 
 namespace {
 
-const Bug* bug_of(Ui& ui, const std::string& id) {
-    const std::vector<Bug>& bugs = lab_bugs(ui);
-    const auto found =
-        std::find_if(bugs.begin(), bugs.end(), [&](const Bug& bug) { return bug.id == id; });
-    return found == bugs.end() ? nullptr : &*found;
-}
-
 std::string titled(Ui& ui, const std::string& id) {
-    const Bug* const bug = bug_of(ui, id);
+    const Bug* const bug = bug_of_id(lab_bugs(ui), id);
     return bug == nullptr ? id : id + " " + bug->name;
 }
 
@@ -128,7 +121,7 @@ void draw_question_card(Ui& ui) {
     Quiz& quiz = *ui.session.quiz;
     begin_card(ui);
     draw_guesses(ui);
-    const bool has_choice = bug_of(ui, ui.lab.chosen) != nullptr;
+    const bool has_choice = bug_of_id(lab_bugs(ui), ui.lab.chosen) != nullptr;
     ImGui::BeginDisabled(!has_choice);
     const bool is_small = ui.inspector.is_narrow || ui.inspector.is_low;
     const std::string label = has_choice ? "it is " + ui.lab.chosen
@@ -167,7 +160,7 @@ void draw_answer(Ui& ui) {
         for (const std::string& id : question.bugs)
             names += (names.empty() ? "" : ", or ") + titled(ui, id);
         wrapped_text("It was " + names + ".");
-        const Bug* const bug = bug_of(ui, question.bugs.front());
+        const Bug* const bug = bug_of_id(lab_bugs(ui), question.bugs.front());
         if (bug == nullptr) continue;
         ImGui::PushStyleColor(ImGuiCol_Text, palette(ui.options.theme).dim);
         wrapped_text(bug->sentence);
@@ -215,7 +208,7 @@ void draw_lab_quiz(Ui& ui) {
     }
     // Where lines are few: one list that scrolls, with the card in it, like the list of mistakes.
     const bool has_card = ui.inspector.has_card;
-    const Bug* const chosen = bug_of(ui, ui.lab.chosen);
+    const Bug* const chosen = bug_of_id(lab_bugs(ui), ui.lab.chosen);
     // The list of the mistakes may have shown the same one.
     if (chosen == nullptr && !has_card) ui.lab.in_sight.clear();
     std::vector<PanelBlock> choices{{[] {}, chosen == nullptr}};

@@ -90,19 +90,12 @@ std::string explained_words(const LabAnswer& answer, const Candidate& likely) {
                                                  : "your rows down to the last end");
 }
 
-const Bug* bug_of_id(Ui& ui, const std::string& id) {
-    const std::vector<Bug>& bugs = lab_bugs(ui);
-    const auto found =
-        std::find_if(bugs.begin(), bugs.end(), [&](const Bug& bug) { return bug.id == id; });
-    return found == bugs.end() ? nullptr : &*found;
-}
-
 /// What there is to say about one of the likely mistakes; empty: the laboratory does not have it.
 /// @param is_named there are several, so it is named
 std::string remedy_of_suspect(Ui& ui, const Suspect& suspect, bool is_named) {
     std::string text;
     for (std::size_t i = 0; i < suspect.ids.size(); ++i) {
-        const Bug* const bug = bug_of_id(ui, suspect.ids[i]);
+        const Bug* const bug = bug_of_id(lab_bugs(ui), suspect.ids[i]);
         if (bug == nullptr) continue;
         const std::string name = "**" + bug->id + " “" + as_markdown(bug->name) + "”.** ";
         const std::string sentence = as_markdown(bug->sentence);
@@ -120,7 +113,7 @@ std::string remedy_of_suspect(Ui& ui, const Suspect& suspect, bool is_named) {
 
 const Bug* bug_of(Ui& ui, const Candidate& candidate) {
     for (const std::string& id : candidate.ids()) {
-        if (const Bug* const bug = bug_of_id(ui, id)) return bug;
+        if (const Bug* const bug = bug_of_id(lab_bugs(ui), id)) return bug;
     }
     return nullptr;
 }

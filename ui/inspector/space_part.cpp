@@ -76,22 +76,6 @@ void draw_place(Ui& ui, const SpacePlace& place, MatrixOrder order) {
     ImGui::PopFont();
 }
 
-std::string_view change_words(PictureChange change) {
-    switch (change) {
-    case PictureChange::same:
-        return "the same picture";
-    case PictureChange::half_turn:
-        return "rotated by half a turn";
-    case PictureChange::upside_down:
-        return "upside down";
-    case PictureChange::mirrored:
-        return "left and right swapped";
-    case PictureChange::elsewhere:
-        break;
-    }
-    return "a different picture";
-}
-
 void draw_conventions(Ui& ui, const Vertex& vertex) {
     const ConventionReport report =
         convention_report(ui.results.a.frame.settings.camera, vertex.position);
