@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstring>
 #include <random>
-#include <set>
 
 #include "base/error.h"
 #include "base/limits.h"
@@ -34,102 +33,13 @@ std::string assignment_refusal(const std::string& assignment) {
 
 } // namespace
 
-TEST_CASE("The table has exactly the promised settings, each with help") {
-    const std::vector<std::string_view> promised{"stage",
-                                                 "shading",
-                                                 "engine",
-                                                 "tessellation",
-                                                 "rounding",
-                                                 "vertex_rounding",
-                                                 "line_rounding",
-                                                 "coverage",
-                                                 "fill_rule",
-                                                 "snap",
-                                                 "pixel_sample",
-                                                 "box_walk",
-                                                 "weight_edge",
-                                                 "line",
-                                                 "bresenham_rule",
-                                                 "line_walk",
-                                                 "edge_samples",
-                                                 "row_start",
-                                                 "row_search",
-                                                 "empty_rows",
-                                                 "spans",
-                                                 "depth_test",
-                                                 "depth_format",
-                                                 "depth_clear",
-                                                 "depth_epsilon",
-                                                 "depth_index",
-                                                 "depth_order",
-                                                 "interpolation",
-                                                 "texture",
-                                                 "texture_filter",
-                                                 "texture_wrap",
-                                                 "texture_alpha",
-                                                 "texel_rule",
-                                                 "normal_map",
-                                                 "normal_map_rule",
-                                                 "normal_map_space",
-                                                 "blend",
-                                                 "camera.position",
-                                                 "camera.yaw",
-                                                 "camera.pitch",
-                                                 "camera.focal_length",
-                                                 "camera.aim",
-                                                 "camera.target",
-                                                 "camera.up",
-                                                 "rotation",
-                                                 "camera_move",
-                                                 "image_axes",
-                                                 "divided_by",
-                                                 "behind_mark",
-                                                 "outside_picture",
-                                                 "transform",
-                                                 "matrix_order",
-                                                 "translation",
-                                                 "normal_w",
-                                                 "projection",
-                                                 "projection_mix",
-                                                 "orthographic_depth",
-                                                 "near",
-                                                 "far",
-                                                 "view_box",
-                                                 "reject",
-                                                 "clip",
-                                                 "cull",
-                                                 "light.position",
-                                                 "light.power",
-                                                 "light.indirect",
-                                                 "light.place",
-                                                 "light.model",
-                                                 "light.direction",
-                                                 "light.falloff",
-                                                 "light.sum",
-                                                 "light.renormalize",
-                                                 "light.highlight",
-                                                 "light.sides",
-                                                 "shadows",
-                                                 "shadow_offset",
-                                                 "shadow_ray",
-                                                 "shadow_resolution",
-                                                 "shadow_bias",
-                                                 "shadow_slope_bias",
-                                                 "shadow_filter",
-                                                 "viewport.size",
-                                                 "bounds",
-                                                 "encoding",
-                                                 "colour_over_one",
-                                                 "channel_order"};
-    std::vector<std::string_view> names;
+TEST_CASE("Each setting has a group, a section and a sentence of help") {
     for (const Setting& setting : setting_table()) {
-        names.push_back(setting.name);
         INFO(setting.name);
         CHECK_FALSE(setting.group.empty());
         CHECK(setting.help.ends_with('.'));
         CHECK_FALSE(setting.section.empty());
     }
-    CHECK(names == promised);
 }
 
 TEST_CASE("The defaults are the lab's rules") {
@@ -147,7 +57,7 @@ TEST_CASE("The defaults are the lab's rules") {
     CHECK(value_of(settings, "viewport.size") == "500x500");
 }
 
-TEST_CASE("Every word of every choice is set and read back, and lands in its own member") {
+TEST_CASE("Every word of every choice is set and read back") {
     Settings settings;
     for (const Setting& setting : setting_table()) {
         const auto* choice = std::get_if<ChoiceSetting>(&setting.kind);
@@ -158,54 +68,11 @@ TEST_CASE("Every word of every choice is set and read back, and lands in its own
             CHECK(value_text(setting, settings) == word);
         }
     }
-    // Every choice now has its last word.
+    // Every choice now has its last word, also where it is not one member of its own.
     CHECK(step_of(settings) == StripStep::pixel_light);
     CHECK(settings.vertex_rounding == VertexRounding::truncate_sum);
-    CHECK(settings.coverage == Coverage::active_edges);
-    CHECK(settings.fill_rule == FillRule::left_only);
-    CHECK(settings.snap == Snap::subpixel);
-    CHECK(settings.pixel_sample == PixelSample::corner);
-    CHECK(settings.box_walk == BoxWalk::interval);
-    CHECK(settings.weight_edge == WeightEdge::own);
-    CHECK(settings.line == LineAlgorithm::dda);
-    CHECK(settings.bresenham_rule == BresenhamRule::wrong_term);
     CHECK(settings.line_rounding == Rounding::round);
-    CHECK(settings.line_walk == LineWalk::zinv_falls);
-    CHECK(settings.edge_samples == EdgeSamples::no_last_edge);
-    CHECK(settings.row_start == RowStart::row_short);
-    CHECK(settings.row_search == RowSearch::column_only);
-    CHECK(settings.empty_rows == EmptyRows::overflow);
-    CHECK(settings.spans == Spans::last_dropped);
-    CHECK(settings.bounds == Bounds::excludes_zero);
-    CHECK(settings.depth_test == DepthTest::or_equal);
-    CHECK(settings.depth_format == DepthFormat::reversed_16);
-    CHECK(settings.depth_index == DepthIndex::transposed);
-    CHECK(settings.depth_order == DepthOrder::before_depth_test);
-    CHECK(settings.interpolation == Interpolation::divided_twice);
-    CHECK(settings.texel_rule == TexelRule::level_along_x);
-    CHECK(settings.normal_map == NormalMapUse::off);
-    CHECK(settings.normal_map_rule == NormalMapRule::undecoded);
-    CHECK(settings.normal_map_space == NormalMapSpace::tangent);
-    CHECK(settings.rotation == Rotation::transposed);
-    CHECK(settings.camera.aim == CameraAim::look_at);
-    CHECK(settings.transform == Transform::matrices);
-    CHECK(settings.matrix_order == MatrixOrder::column_vectors);
     CHECK(settings.projection_mix == 1.0f);
-    CHECK(settings.camera_move == CameraMove::rotated_first);
-    CHECK(settings.image_axes == ImageAxes::uncentred);
-    CHECK(settings.divided_by == DividedBy::distance);
-    CHECK(settings.behind_mark == BehindMark::minus_one);
-    CHECK(settings.outside_picture == OutsidePicture::clamped);
-    CHECK(settings.light_rules.direction == LightDirection::with_w);
-    CHECK(settings.light_rules.falloff == LightFalloff::pi_three);
-    CHECK(settings.light_rules.sum == LightSum::reflectance_twice);
-    CHECK(settings.light_rules.renormalize == Renormalize::off);
-    CHECK(settings.light_rules.highlight == HighlightRule::long_half);
-    CHECK(settings.light.place == LampPlace::camera);
-    CHECK(settings.light.model == LightModel::blinn_phong);
-    CHECK(settings.encoding == Encoding::gamma);
-    CHECK(settings.colour_over_one == ColourOverOne::wrap);
-    CHECK(settings.channel_order == ChannelOrder::bgr);
 }
 
 TEST_CASE("A setting's values as text are those of its defaults: every choice's first word") {
