@@ -162,4 +162,20 @@ std::vector<ScreenText> screen_text(float widest_gap) {
     return lines;
 }
 
+bool shows_words(std::string_view words, std::string_view window) {
+    const std::vector<ScreenText> lines = screen_text();
+    return std::any_of(lines.begin(), lines.end(), [&](const ScreenText& line) {
+        return line.window.find(window) != line.window.npos &&
+               line.words.find(words) != line.words.npos;
+    });
+}
+
+std::string words_in(std::string_view window) {
+    std::string words;
+    for (const ScreenText& line : screen_text()) {
+        if (line.window.find(window) != line.window.npos) words += line.words + " ";
+    }
+    return words;
+}
+
 } // namespace rasterwalk

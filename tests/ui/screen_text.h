@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <imgui.h>
@@ -21,5 +22,12 @@ struct ScreenText {
 /// window too, as far as it was drawn.
 /// @param widest_gap between two words of a line, in blanks: what is farther apart is two lines
 std::vector<ScreenText> screen_text(float widest_gap = 1.5f);
+
+/// Is there a line with these words in it? In any window, or only in those whose names contain
+/// `window`.
+bool shows_words(std::string_view words, std::string_view window = {});
+
+/// All lines of the windows whose names contain this, with a blank after each.
+std::string words_in(std::string_view window);
 
 } // namespace rasterwalk

@@ -225,20 +225,14 @@ TEST_CASE("The status line is about the whole frame, the row table about its tri
     driver.hand.drag_picture(5, 10, 3, 1);
     driver.hand.drag_picture(15, 15, 3, 4);
     open_tab(driver.ui, "rows");
-    const auto is_shown = [&](const std::string& words) {
-        const std::vector<ScreenText> lines = screen_text();
-        return std::any_of(lines.begin(), lines.end(), [&](const ScreenText& line) {
-            return line.words.find(words) != std::string::npos;
-        });
-    };
     driver.ui.session.cursor = cursor_begin;
     rest(driver);
-    CHECK(is_shown("0 samples outside so far"));
-    CHECK(is_shown("whole frame: 1 edge sample outside the row table of 1 triangle"));
+    CHECK(shows_words("0 samples outside so far"));
+    CHECK(shows_words("whole frame: 1 edge sample outside the row table of 1 triangle"));
     driver.ui.session.cursor = cursor_end;
     rest(driver);
-    CHECK(is_shown("1 sample outside"));
-    CHECK_FALSE(is_shown("so far"));
+    CHECK(shows_words("1 sample outside"));
+    CHECK_FALSE(shows_words("so far"));
 }
 
 } // namespace rasterwalk

@@ -273,10 +273,7 @@ TEST_CASE("A lecture is not kept, and is listed in the View menu and among the k
     CHECK(find_action("view.lecture").menu == "View");
     CHECK(chord_text(find_action("view.lecture").chord) == "F5");
     driver.hand.press(key::f1);
-    const std::vector<ScreenText> texts = screen_text();
-    CHECK(std::any_of(texts.begin(), texts.end(), [](const ScreenText& text) {
-        return text.window == "keys" && text.words.find("Lecture mode") != std::string::npos;
-    }));
+    CHECK(shows_words("Lecture mode", "keys"));
 }
 
 } // namespace rasterwalk

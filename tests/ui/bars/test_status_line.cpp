@@ -46,10 +46,7 @@ TEST_CASE("The status line names the lesson that explains the trouble there is, 
     const auto says = [&] {
         driver.hand.rest();
         driver.hand.hover("status.trouble");
-        std::string all;
-        for (const ScreenText& line : screen_text())
-            if (line.window.find("Tooltip") != std::string::npos) all += line.words + " ";
-        return all;
+        return words_in("Tooltip");
     };
     Settings& settings = driver.ui.session.a.settings;
     CHECK_THAT(says(), ContainsSubstring("lesson 12 explains"));

@@ -387,12 +387,8 @@ TEST_CASE("The button of the layers says how many are on, and which") {
     driver.hand.rest();
     driver.hand.hover("canvas.overlays");
     driver.hand.frames(90);
-    std::string all;
-    for (const ScreenText& text : screen_text())
-        all += text.words + "\n";
-    CAPTURE(all);
-    CHECK(all.find("layers: 2 on") != all.npos);
-    CHECK(all.find("in the cells: 1/z") != all.npos);
+    CHECK(shows_words("layers: 2 on"));
+    CHECK(shows_words("in the cells: 1/z"));
 }
 
 } // namespace rasterwalk

@@ -238,20 +238,14 @@ TEST_CASE("From outside the plane that cuts is named, and others can be looked a
     follow_link(driver.ui, "canvas:outside");
     with_clip(driver, "leave_out");
     driver.open("clip");
-    const auto says = [](const std::string& words) {
-        const std::vector<ScreenText> texts = screen_text();
-        return std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
-            return text.window == "canvas" && text.words.find(words) != std::string::npos;
-        });
-    };
-    CHECK_FALSE(says("near plane"));
-    CHECK_FALSE(says("dividing puts it here"));
+    CHECK_FALSE(shows_words("near plane", "canvas"));
+    CHECK_FALSE(shows_words("dividing puts it here", "canvas"));
     with_clip(driver, "near");
-    CHECK(says("near plane"));
+    CHECK(shows_words("near plane", "canvas"));
     with_clip(driver, "all");
-    CHECK(says("near plane"));
+    CHECK(shows_words("near plane", "canvas"));
     with_clip(driver, "none");
-    CHECK_FALSE(says("near plane"));
+    CHECK_FALSE(shows_words("near plane", "canvas"));
 }
 
 } // namespace rasterwalk

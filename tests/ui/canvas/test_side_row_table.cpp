@@ -417,11 +417,7 @@ TEST_CASE("A table without room next to the triangle is left out, and is in the 
     CHECK(driver.hand.is_visible("rows.9"));
     driver.hand.click("canvas.overlays");
     driver.hand.hover("layers.row_table");
-    std::string tooltip;
-    for (const ScreenText& text : screen_text()) {
-        if (text.window.find("Tooltip") != text.window.npos) tooltip += text.words + " ";
-    }
-    CHECK_THAT(tooltip, Catch::Matchers::ContainsSubstring("Rows tab"));
+    CHECK_THAT(words_in("Tooltip"), Catch::Matchers::ContainsSubstring("Rows tab"));
     driver.hand.press(key::escape);
     driver.hand.press('F');
     driver.hand.leave();
@@ -454,10 +450,7 @@ TEST_CASE("1/z is in the table of a triangle of the room") {
     const PolygonRows& rows = room.ui.results.a.rows.rows;
     const RowEnd& left = rows.left[static_cast<std::size_t>(rows.size() / 2)];
     look_at(room, 46.0f, {left.column - 1, rows.first_row + rows.size() / 2});
-    const std::vector<ScreenText> texts = table_texts();
-    CHECK(std::any_of(texts.begin(), texts.end(), [](const ScreenText& text) {
-        return text.words.find("1/z") != text.words.npos;
-    }));
+    CHECK(shows_words("1/z", "row table"));
 }
 
 TEST_CASE("1/z is also in the table where no samples have written the ends") {
@@ -471,11 +464,7 @@ TEST_CASE("1/z is also in the table where no samples have written the ends") {
     REQUIRE(left.column != empty_left);
     look_at(room, 46.0f, {left.column - 1, rows.first_row + rows.size() / 2});
     REQUIRE(is_shown(room));
-    const std::vector<ScreenText> texts = table_texts();
-    const std::string shown = fixed(static_cast<double>(left.inv_w), 4);
-    CHECK(std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
-        return text.words.find(shown) != text.words.npos;
-    }));
+    CHECK(shows_words(fixed(static_cast<double>(left.inv_w), 4), "row table"));
     // If pixels are tested one by one, there are no ends to put into a table.
     room.ui.session.a.settings.coverage = Coverage::edge_functions;
     room.hand.rest();

@@ -56,22 +56,13 @@ std::vector<std::uint8_t> colour_at(const Driver& driver, std::size_t picture, P
     return {at, at + 4};
 }
 
-/// All words of a part of the window.
-std::string words_of_part(const std::string& window) {
-    std::string all;
-    for (const ScreenText& text : screen_text()) {
-        if (text.window.find(window) != text.window.npos) all += text.words + "\n";
-    }
-    return all;
-}
-
 } // namespace
 
 TEST_CASE("The tab of the rows is called Inside where edge functions test pixels") {
     Driver driver("one-triangle.toml");
     driver.open("rows");
     CHECK(shown_text(driver, "tab.rows") == "Rows");
-    CHECK(words_of_part("inspector").find("left by") != std::string::npos);
+    CHECK(words_in("inspector").find("left by") != std::string::npos);
     driver.ui.session.a.settings.coverage = Coverage::edge_functions;
     driver.hand.leave();
     CHECK(shown_text(driver, "tab.rows") == "Inside");
@@ -95,7 +86,7 @@ TEST_CASE("The table has no writers of ends where no samples write them") {
         CHECK(driver.hand.is_visible("rows.header.count"));
         CHECK_FALSE(driver.hand.is_visible("rows.header.left by"));
         CHECK_FALSE(driver.hand.is_visible("rows.header.right by"));
-        CHECK(words_of_part("inspector").find("outside") == std::string::npos);
+        CHECK(words_in("inspector").find("outside") == std::string::npos);
     }
 }
 
@@ -105,31 +96,30 @@ TEST_CASE("The row of the tested pixel is marked, and the time line counts rows 
     const ImU32 white = packed(colour_of(Meaning::current, Theme::dark));
     CHECK(shown_colours(driver.hand.find("rows.5")).count(white) > 0);
     CHECK(shown_colours(driver.hand.find("rows.2")).count(white) == 0);
-    CHECK(words_of_part("transport").find("tests · 10 rows") != std::string::npos);
+    CHECK(words_in("transport").find("tests · 10 rows") != std::string::npos);
 }
 
 TEST_CASE("Each number of a tested pixel says how it came to be when it is clicked") {
     Driver driver("one-triangle.toml");
     show_tested(driver);
-    CHECK(words_of_part("inspector").find("pixel (7, 5): inside") != std::string::npos);
+    CHECK(words_in("inspector").find("pixel (7, 5): inside") != std::string::npos);
     CHECK_FALSE(driver.hand.is_visible("inside.formula.expression"));
     // By hand: edge 1 goes from (14.5, 1.5) to (5.5, 10.5), and the centre is (7.5, 5.5).
     driver.hand.click("inside.e.1");
     CHECK(driver.hand.is_visible("inside.formula.expression"));
-    CHECK(words_of_part("inspector").find("= −9 · (5.5 − 1.5) − 9 · (7.5 − 14.5)") !=
-          std::string::npos);
-    CAPTURE(words_of_part("inspector"));
-    CHECK(words_of_part("inspector").find("= −36 − (−63)") != std::string::npos);
+    CHECK(words_in("inspector").find("= −9 · (5.5 − 1.5) − 9 · (7.5 − 14.5)") != std::string::npos);
+    CAPTURE(words_in("inspector"));
+    CHECK(words_in("inspector").find("= −36 − (−63)") != std::string::npos);
     driver.hand.click("inside.weight.0");
-    CHECK(words_of_part("inspector").find("= 27 / 108") != std::string::npos);
+    CHECK(words_in("inspector").find("= 27 / 108") != std::string::npos);
     // Its number leads on to the edge's, and a click on that closes it.
     driver.hand.click("inside.formula.E1");
     CHECK(driver.ui.inspector.chosen.test_number == "e.1");
     driver.hand.click("inside.e.1");
     CHECK_FALSE(driver.hand.is_visible("inside.formula.expression"));
     driver.hand.click("inside.area");
-    CHECK(words_of_part("inspector").find("= 48 + 27 + 33") != std::string::npos);
-    const std::string all = words_of_part("inspector");
+    CHECK(words_in("inspector").find("= 48 + 27 + 33") != std::string::npos);
+    const std::string all = words_in("inspector");
     for (const char* const word : {"v0", "v1", "v2", "0.2500", "0.3056", "0.4444", "1.0000", "108"})
         CHECK(all.find(word) != std::string::npos);
 }
@@ -139,7 +129,7 @@ TEST_CASE("A picked pixel is explained once it has been tested") {
     show_tested(driver);
     const auto has = [&](const char* words) {
         driver.hand.leave();
-        return words_of_part("inspector").find(words) != std::string::npos;
+        return words_in("inspector").find(words) != std::string::npos;
     };
     Session& session = driver.ui.session;
     session.selection.pixel = glm::ivec2(13, 8);
@@ -160,7 +150,7 @@ TEST_CASE("Three fill rules at a shared edge in small pictures; a click draws wi
     CHECK(shown_text(driver, "inside.rule.inclusive") == "inclusive: 9 twice, 0 holes");
     CHECK(shown_text(driver, "inside.rule.exclusive") == "exclusive: 0 twice, 7 holes");
     CHECK(shown_text(driver, "inside.rule.top_left") == "top left: 0 twice, 0 holes");
-    CHECK(words_of_part("inspector").find("edge 0, shared with triangles[0]") != std::string::npos);
+    CHECK(words_in("inspector").find("edge 0, shared with triangles[0]") != std::string::npos);
     // The pixel on the diagonal: drawn by both, by none, and by the upper half, which is not shown.
     const PixelOf upper{10, 3}, lower{4, 7}, on_edge{7, 5};
     CHECK(colour_at(driver, 0, on_edge) != colour_at(driver, 0, upper));
@@ -194,7 +184,7 @@ TEST_CASE("Small pictures are remade only when what they show changes") {
     driver.ui.session.selection.triangle = 0;
     driver.hand.frames(frames_to_rest);
     CHECK(driver.ui.inspector.coverage.number == number + 1);
-    CHECK(words_of_part("inspector").find("edge 2, shared with triangles[1]") != std::string::npos);
+    CHECK(words_in("inspector").find("edge 2, shared with triangles[1]") != std::string::npos);
 }
 
 TEST_CASE("Small pictures of coverage are there only where there is something to compare") {
@@ -290,7 +280,7 @@ TEST_CASE("Nothing of a tested pixel is cut off at the side") {
             CHECK(driver.hand.find(name).is_whole);
         }
         driver.hand.find("inside.weight.2");
-        const std::string all = words_of_part("inspector");
+        const std::string all = words_in("inspector");
         CAPTURE(all);
         CHECK(all.find("1.0000") != std::string::npos); // on one line
     }

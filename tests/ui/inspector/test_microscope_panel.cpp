@@ -80,19 +80,14 @@ TEST_CASE("The microscope opens on the coordinate that drifts, and shows the one
 TEST_CASE("A sample's coordinates say what they decide, and which of the two drifts") {
     Driver driver("one-triangle.toml");
     open_outside_example(driver);
-    const auto says = [&](const std::string& words) {
-        driver.hand.rest();
-        const std::vector<ScreenText> texts = screen_text();
-        return std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
-            return text.words.find(words) != std::string::npos;
-        });
-    };
+    driver.hand.rest();
     CHECK(driver.hand.is_visible("microscope.axis"));
-    CHECK(says("x → column"));
-    CHECK(says("y → row"));
-    CHECK(says("only y drifts")); // (0,2) to (3,1): x steps by whole pixels
+    CHECK(shows_words("x → column"));
+    CHECK(shows_words("y → row"));
+    CHECK(shows_words("only y drifts")); // (0,2) to (3,1): x steps by whole pixels
     driver.hand.click("microscope.edge.1");
-    CHECK(says("only x drifts"));
+    driver.hand.rest();
+    CHECK(shows_words("only x drifts"));
 }
 
 TEST_CASE("A line that decides shows its decision variable, its steps and its rule with numbers") {
@@ -103,22 +98,16 @@ TEST_CASE("A line that decides shows its decision variable, its steps and its ru
     driver.open("microscope");
     driver.hand.click("microscope.edge.1"); // (1,8) to (13,5): l = 12, s = 3, d begins at -6
     driver.hand.rest();
-    const auto says = [&](const std::string& words) {
-        const std::vector<ScreenText> texts = screen_text();
-        return std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
-            return text.words.find(words) != std::string::npos;
-        });
-    };
     CHECK_FALSE(driver.ui.inspector.microscope.shows_x);
     CHECK(driver.hand.is_visible("microscope.header.6"));
     CHECK(driver.hand.is_visible("microscope.header.7"));
     CHECK_FALSE(driver.hand.is_visible("microscope.header.1"));
-    CHECK(says("l = 12, s = 3; d starts at 2 s − l = −6"));
-    CHECK(says("d < 0: straight, d + 2 s = d + 6"));
-    CHECK(says("d ≥ 0: diagonal, d + 2 s − 2 l = d − 18"));
+    CHECK(shows_words("l = 12, s = 3; d starts at 2 s − l = −6"));
+    CHECK(shows_words("d < 0: straight, d + 2 s = d + 6"));
+    CHECK(shows_words("d ≥ 0: diagonal, d + 2 s − 2 l = d − 18"));
     driver.hand.click("microscope.sample.1");
     driver.hand.rest();
-    CHECK(says("line[1]: d = 0 ≥ 0: diagonal, then d = 0 − 18 = −18"));
+    CHECK(shows_words("line[1]: d = 0 ≥ 0: diagonal, then d = 0 − 18 = −18"));
     driver.hand.drag("microscope.curve", 5000.0f, 0.0f);
     CHECK(driver.ui.results.a.done == sample(0, 1, 12));
     // The DDA decides by its float.

@@ -15,16 +15,6 @@
 
 namespace rasterwalk {
 
-namespace {
-
-bool has_words(const std::vector<ScreenText>& lines, std::string_view words) {
-    return std::any_of(lines.begin(), lines.end(), [&](const ScreenText& line) {
-        return line.words.find(words) != std::string::npos;
-    });
-}
-
-} // namespace
-
 TEST_CASE("A number typed into a setting takes effect at once") {
     Driver driver;
     driver.hand.click("tab.settings");
@@ -232,12 +222,12 @@ TEST_CASE("A setting that is set back stays in its place until the settings are 
     CHECK(top("camera.yaw") == yaw);
     CHECK(top("spans") == spans);
     CHECK_FALSE(driver.hand.is_visible("reset.spans"));
-    CHECK(has_words(screen_text(), "Changed or set back"));
+    CHECK(shows_words("Changed or set back"));
     driver.hand.click("tab.settings");
     driver.hand.click("tab.settings");
     CHECK(top("rounding") > top("stage"));
     CHECK(top("spans") > top("stage"));
-    CHECK_FALSE(has_words(screen_text(), "Changed or set back"));
+    CHECK_FALSE(shows_words("Changed or set back"));
 }
 
 TEST_CASE("A setting that a lesson asks for stays where it is until its next step") {
@@ -331,7 +321,7 @@ TEST_CASE("Closing the settings or resetting one has no sign of failure") {
         CHECK(line.words.find(failed_sign) == std::string::npos);
     }
     // What a preset does is next to its button.
-    CHECK(has_words(screen_text(), "The same lab done carefully"));
+    CHECK(shows_words("The same lab done carefully"));
 }
 
 TEST_CASE("Where there are few lines the presets share one, and what is changed is in sight") {

@@ -55,11 +55,7 @@ TEST_CASE("The way a vertex becomes a pixel is described as it is set") {
     driver.open("vertices");
     const auto help = [&] {
         driver.hand.hover("vertices.pixel.column");
-        std::string words;
-        for (const ScreenText& line : screen_text()) {
-            if (line.window.starts_with("##Tooltip")) words += line.words + " ";
-        }
-        return words;
+        return words_in("Tooltip");
     };
     const std::pair<VertexRounding, const char*> ways[] = {
         {VertexRounding::truncate, "Cut toward 0 to a whole number and shifted by half"},

@@ -410,12 +410,8 @@ TEST_CASE("The first page of a lesson says what the next one is about") {
         INFO(lesson.id);
         // Next to two views it is a strip, whose last card says so.
         if (driver.ui.lesson.is_strip) continue;
-        const std::vector<ScreenText> texts = screen_text();
-        CHECK(std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
-            // If it is too long, as far as it fits.
-            return text.window.starts_with("lesson") &&
-                   text.words.find(lesson.steps[1].heading.substr(0, 6)) != std::string::npos;
-        }));
+        // If it is too long, as far as it fits.
+        CHECK(shows_words(lesson.steps[1].heading.substr(0, 6), "lesson"));
     }
 }
 
@@ -502,10 +498,7 @@ TEST_CASE("What a lesson is about is broken between words, never within a number
         } else {
             ++with_lists;
         }
-        const std::vector<ScreenText> lines = screen_text();
-        CHECK(std::any_of(lines.begin(), lines.end(), [](const ScreenText& line) {
-            return line.words.find("−3.001") != std::string::npos;
-        }));
+        CHECK(shows_words("−3.001"));
     }
     CHECK(with_lists > 0);
 }

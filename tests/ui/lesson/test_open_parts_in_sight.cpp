@@ -17,15 +17,8 @@ namespace rasterwalk {
 
 namespace {
 
-bool says(const std::string& words) {
-    const std::vector<ScreenText> texts = screen_text();
-    return std::any_of(texts.begin(), texts.end(), [&](const ScreenText& text) {
-        return text.words.find(words) != std::string::npos;
-    });
-}
-
 bool leads_on_in_step() {
-    return says("to the question") || says("to the task");
+    return shows_words("to the question") || shows_words("to the task");
 }
 
 std::string name_of(const LessonPrediction& prediction) {
@@ -107,7 +100,7 @@ TEST_CASE("A question that is answered is not led to") {
     REQUIRE(asked.step == 1);
     REQUIRE(asked.kind == LessonPrediction::Kind::number);
     driver.hand.leave();
-    REQUIRE(says("to the question"));
+    REQUIRE(shows_words("to the question"));
     const std::string name = name_of(asked);
     driver.hand.click(name + ".number");
     driver.hand.type_text("7");
@@ -133,7 +126,7 @@ TEST_CASE("A task below the fold is led to, and no longer once it is done") {
             INFO(lesson.id << ", " << task.id);
             open_lesson(driver.ui, lesson.id, task.step);
             driver.hand.leave();
-            if (driver.ui.lesson.is_strip || !says("to the task")) continue;
+            if (driver.ui.lesson.is_strip || !shows_words("to the task")) continue;
             ++tried;
             const std::string name = "lesson.task." + task.id;
             CHECK_FALSE(is_whole(driver, name));

@@ -36,16 +36,10 @@ TEST_CASE("In a large window all keys are in sight at once, by what they are for
 TEST_CASE("In a small window the last key is reached by scrolling") {
     Driver driver("lab-room.toml", {800, 600}, 1.5f);
     driver.hand.press(key::f1);
-    const auto is_seen = [](const std::string& words) {
-        const std::vector<ScreenText> lines = screen_text();
-        return std::any_of(lines.begin(), lines.end(), [&](const ScreenText& line) {
-            return line.window.starts_with("keys") && line.words.find(words) != line.words.npos;
-        });
-    };
-    CHECK_FALSE(is_seen(find_action("help.close").title));
+    CHECK_FALSE(shows_words(find_action("help.close").title, "keys"));
     for (int i = 0; i < 40; ++i)
         driver.hand.press(key::down, {.ctrl = true});
-    CHECK(is_seen(find_action("help.close").title));
+    CHECK(shows_words(find_action("help.close").title, "keys"));
 }
 
 } // namespace rasterwalk
