@@ -18,6 +18,12 @@ inline constexpr int max_triangles = 1'000'000;
 inline constexpr int largest_tessellation = 64;
 inline constexpr int most_tessellated_triangles = 200'000;
 
+/// The most triangles that the painter's algorithm sorts, and the most pieces of a BSP tree and
+/// comparisons of a piece with a plane: what can be done between two frames.
+inline constexpr int most_sorted_triangles = 200'000;
+inline constexpr std::size_t most_bsp_pieces = 20'000;
+inline constexpr long long most_bsp_tests = 20'000'000;
+
 /// The most corners of a polygon of a scene.
 inline constexpr std::size_t most_scene_corners = 100;
 

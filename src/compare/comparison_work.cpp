@@ -61,6 +61,10 @@ std::string no_moments_text(const Frame& a, const Frame& b, const Cursor& to) {
                " by the fast engine, which has no moments, so only the pictures are compared.";
     }
     if (have_same_triangles(a, b)) return {};
+    if (a.list != nullptr || b.list != nullptr) {
+        return "A and B do not draw the same triangles in the same order, so only the pictures are "
+               "compared.";
+    }
     return fmt::format("A draws {} for each triangle of the scene and B {}, so only the pictures "
                        "are compared.",
                        counted(a.triangles_of_each(), "triangle", "triangles"),

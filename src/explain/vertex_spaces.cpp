@@ -146,15 +146,19 @@ NormalPlace normal_of(const std::array<glm::dvec3, triangle_corners>& object,
 std::array<glm::dvec3, triangle_corners> object_corners(const Scene& scene, int triangle,
                                                         const Model* model) {
     std::array<glm::dvec3, triangle_corners> corners;
-    const int part = part_of(scene, triangle);
-    for (int i = 0; i < triangle_corners; ++i) {
-        glm::vec3 place = scene.corner(triangle, i).position;
-        if (model != nullptr && !model->positions.empty()) {
-            const int first = scene.parts[static_cast<std::size_t>(part)].first_triangle;
-            place = model->positions[static_cast<std::size_t>(
-                triangle_corners * (triangle - first) + i)];
-        }
-        corners[static_cast<std::size_t>(i)] = glm::dvec3(place);
+    for (int i = 0; i < triangle_corners; ++i)
+        corners[static_cast<std::size_t>(i)] = glm::dvec3(scene.corner(triangle, i).position);
+    if (model == nullptr || model->positions.empty()) return corners;
+    const auto part = static_cast<std::size_t>(part_of(scene, triangle));
+    const int in_part = scene_triangle(scene, triangle) - scene.parts[part].first_triangle;
+    for (int i = 0; i < triangle_corners; ++i)
+        corners[static_cast<std::size_t>(i)] =
+            glm::dvec3(model->positions[static_cast<std::size_t>(triangle_corners * in_part + i)]);
+    if (scene.sources.empty()) return corners;
+    const std::array<glm::dvec3, triangle_corners> whole = corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec3 weights(scene.sources[static_cast<std::size_t>(triangle)].weights[i]);
+        corners[i] = weights.x * whole[0] + weights.y * whole[1] + weights.z * whole[2];
     }
     return corners;
 }

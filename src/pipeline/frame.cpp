@@ -49,9 +49,15 @@ std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle,
 }
 
 int triangle_in(const Frame& frame, const Frame& other, int triangle_of_other) {
+    if (have_same_triangles(frame, other)) return triangle_of_other;
     const int of_each = frame.triangles_of_each(), of_other = other.triangles_of_each();
-    if (of_each == of_other) return triangle_of_other;
-    return triangle_of_other / of_other * of_each;
+    const int in_order = scene_triangle(*other.scene, triangle_of_other);
+    const int first = of_each == of_other ? in_order : in_order / of_other * of_each;
+    return first_drawn(*frame.scene, first).value_or(0);
+}
+
+bool have_same_triangles(const Frame& a, const Frame& b) {
+    return a.triangles_of_each() == b.triangles_of_each() && a.scene->sources == b.scene->sources;
 }
 
 VaryingSet carried_varyings(const Frame& frame) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/drawn_list.h"
 #include "scene/scene.h"
 #include "settings/choose_stages.h"
 #include "settings/depth_words.h"
@@ -27,9 +28,11 @@ struct TessellatedScene {
 /// A frame ready to be drawn: O(vertices) work is done and kept; O(pixels) work is left to draw().
 /// Refers to its scene, which must outlive it.
 struct Frame {
-    const Scene* scene = nullptr; ///< the one drawn: the given one, or its tessellation
-    const Scene* given = nullptr; ///< the one the frame was made for
+    const Scene* scene = nullptr;    ///< the one drawn: `in_order`, or the drawn list made of it
+    const Scene* in_order = nullptr; ///< the given one, or its tessellation, in the scene's order
+    const Scene* given = nullptr;    ///< the one the frame was made for
     std::shared_ptr<const TessellatedScene> tessellated; ///< owns the tessellation; null: none
+    std::shared_ptr<const DrawnList> list;               ///< owns the drawn list; null: none
     Settings settings;
     ReplaceStages replace;                  ///< functions in addition to those of the settings, or
                                             ///< null
@@ -155,13 +158,11 @@ void prepare_frame(const Scene& scene, const Settings& settings, const ReplaceSt
 std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle, const Settings& settings);
 
 /// The triangle of one frame that corresponds to this one of another frame of the same scene: the
-/// same, or the first of its parts, or the one it is part of.
+/// same, or the first of its parts or pieces that is drawn, or the one it is part of.
 int triangle_in(const Frame& frame, const Frame& other, int triangle_of_other);
 
 /// Do both frames of a scene draw the same triangles, with the same numbers?
-inline bool have_same_triangles(const Frame& a, const Frame& b) {
-    return a.triangles_of_each() == b.triangles_of_each();
-}
+bool have_same_triangles(const Frame& a, const Frame& b);
 
 /// Clips a triangle again, by the function that clipped it.
 /// @param sink    receives each edge at each plane; for a triangle that no plane has cut, nothing

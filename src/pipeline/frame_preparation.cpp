@@ -14,8 +14,8 @@ namespace {
 constexpr double vertex_preparation = 25;
 constexpr double triangle_preparation = 40;
 
-/// Takes the scene itself, or its tessellation. That is kept as long as it is the same: while the
-/// camera moves, nothing is divided again.
+/// Takes the scene itself, or its tessellation, in the scene's order. A tessellation is kept as
+/// long as it is the same: while the camera moves, nothing is divided again.
 void take_scene(const Scene& scene, int tessellation, Frame& frame) {
     const int parts = tessellation_of(scene, tessellation);
     const TessellatedScene* const known = frame.tessellated.get();
@@ -26,7 +26,13 @@ void take_scene(const Scene& scene, int tessellation, Frame& frame) {
             TessellatedScene{scene, parts, tessellate(scene, parts)});
     }
     frame.given = &scene;
-    frame.scene = parts == 1 ? &scene : &frame.tessellated->made;
+    frame.in_order = parts == 1 ? &scene : &frame.tessellated->made;
+}
+
+/// Puts its triangles in the order in which they are drawn.
+void take_list(Frame& frame) {
+    frame.list = make_drawn_list(*frame.in_order, frame.settings, frame.stages, frame.list.get());
+    frame.scene = frame.list == nullptr ? frame.in_order : &frame.list->scene;
 }
 
 } // namespace
@@ -128,10 +134,11 @@ void FramePreparation::count(const ProjectedVertex& corner, Polygon& polygon) {
 FramePreparation begin_frame(const Scene& scene, const Settings& settings,
                              const ReplaceStages& replace, Frame& frame) {
     take_scene(scene, settings.tessellation, frame);
-    const Mesh& mesh = frame.scene->mesh;
     frame.settings = settings;
     frame.replace = replace;
-    frame.stages = stages_for(settings, *frame.scene, replace);
+    frame.stages = stages_for(settings, *frame.in_order, replace);
+    take_list(frame);
+    const Mesh& mesh = frame.scene->mesh;
     const bool blends_textures = settings.texture_alpha == TextureAlpha::blend &&
                                  is_textured(frame) && has_texture_alpha(*frame.scene);
     frame.blends =

@@ -50,7 +50,8 @@ void take_occluders(Frame& frame) {
         return;
     }
     known.rules = frame.settings.shadow_rules;
-    const Mesh& mesh = frame.scene->mesh;
+    // What casts shadows is the same in every order, and uncut.
+    const Mesh& mesh = frame.in_order->mesh;
     if (known.triangles == nullptr || !known.triangles->is_of(mesh)) {
         known.triangles = std::make_shared<const TriangleTree>(mesh);
         known.map = nullptr;
@@ -63,7 +64,7 @@ void take_occluders(Frame& frame) {
     const int resolution = frame.settings.shadow_resolution;
     if (known.map == nullptr || known.map->lamp != lamp || known.map->resolution != resolution)
         known.map =
-            std::make_shared<const ShadowMap>(draw_shadow_map(*frame.scene, lamp, resolution));
+            std::make_shared<const ShadowMap>(draw_shadow_map(*frame.in_order, lamp, resolution));
 }
 
 } // namespace rasterwalk

@@ -35,7 +35,7 @@ std::array<Vertex, triangle_corners> corners_of(const Scene& scene, int triangle
 
 int part_of(const Scene& scene, int triangle) {
     const auto end =
-        std::upper_bound(scene.parts.begin(), scene.parts.end(), triangle,
+        std::upper_bound(scene.parts.begin(), scene.parts.end(), scene_triangle(scene, triangle),
                          [](int number, const Part& part) { return number < part.first_triangle; });
     return static_cast<int>(end - scene.parts.begin()) - 1;
 }

@@ -113,12 +113,26 @@ struct BenchExample {
     friend bool operator==(const BenchExample&, const BenchExample&) = default;
 };
 
+/// A triangle of a list made for drawing: which triangle of the scene it is, or is a piece of.
+struct TriangleSource {
+    int triangle = 0;
+    bool is_cut = false; ///< it is a piece
+    /// Corner i is the sum of the triangle's corners, each times its number in weights[i].
+    std::array<glm::vec3, triangle_corners> weights{
+        glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(0.0f, 1.0f, 0.0f), glm::vec3(0.0f, 0.0f, 1.0f)};
+
+    friend bool operator==(const TriangleSource&, const TriangleSource&) = default;
+};
+
 /// What is drawn, and the view it opens with.
 struct Scene {
     std::string name;
     std::string path; ///< the file it came from; empty for a scene made in memory
     SceneSpace space = SceneSpace::world;
     Mesh mesh;
+    /// Of a scene made for drawing, in another order: a source for each triangle. Parts and
+    /// polygons count the sources' triangles. Empty: every triangle is its own.
+    std::vector<TriangleSource> sources;
     std::vector<Part> parts; ///< one after another: every triangle belongs to one of them
     std::vector<SharedTexture> textures; ///< each once, however many parts show it
     std::string
@@ -144,6 +158,12 @@ glm::vec3 face_normal(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3&
 
 /// All corners of a triangle, in order.
 std::array<Vertex, triangle_corners> corners_of(const Scene& scene, int triangle);
+
+/// The triangle of the scene that a drawn one is, or is a piece of.
+inline int scene_triangle(const Scene& scene, int triangle) {
+    return scene.sources.empty() ? triangle
+                                 : scene.sources[static_cast<std::size_t>(triangle)].triangle;
+}
 
 /// The part that a triangle belongs to, as an index of Scene::parts; -1 for a scene without parts.
 int part_of(const Scene& scene, int triangle);

@@ -48,8 +48,9 @@ struct RunResults {
     RunResults(const RunResults&) = delete;
     RunResults& operator=(const RunResults&) = delete;
 
-    /// What is drawn: the scene, tessellated if the settings say so.
+    /// What is drawn: the scene, tessellated and in another order if the settings say so.
     std::shared_ptr<const Scene> drawn_scene() const {
+        if (frame.list != nullptr) return {frame.list, frame.scene};
         if (frame.tessellated == nullptr) return scene;
         return {frame.tessellated, frame.scene};
     }

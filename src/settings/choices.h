@@ -368,6 +368,26 @@ enum class DepthTest : std::uint8_t {
     or_equal,  ///< larger 1/z wins, and of two equal ones the later: mistake B88a
 };
 
+/// How hidden surfaces are removed, from stage `depth` on.
+enum class Hidden : std::uint8_t {
+    depth_buffer, ///< every pixel remembers how near what it shows is: the lab
+    painter,      ///< triangles sorted by depth, the farthest drawn first
+    bsp,          ///< a tree of planes that cut the triangles, walked from back to front
+};
+
+/// By which rule the painter sorts.
+enum class PainterRule : std::uint8_t {
+    right,          ///< by the mean depth of the corners, the farthest first
+    nearest_corner, ///< by the depth of the nearest corner: mistake B98a
+    near_first,     ///< the nearest first: mistake B98b
+};
+
+/// Which side of a plane is drawn first.
+enum class BspRule : std::uint8_t {
+    right,     ///< the one on which the camera is not
+    exchanged, ///< the one on which the camera is: mistake B98c
+};
+
 /// How a half-transparent fragment is laid over what its pixel shows.
 enum class Blend : std::uint8_t {
     over,    ///< alpha times its colour, plus 1 - alpha times what is there

@@ -85,6 +85,12 @@ bool has_bumps(const Scene& scene) {
 bool has_any_alpha(const Scene& scene) {
     return has_alpha(scene) || has_texture_alpha(scene);
 }
+bool is_painted(const Settings& s) {
+    return s.hidden == Hidden::painter;
+}
+bool has_bsp(const Settings& s) {
+    return s.hidden == Hidden::bsp;
+}
 bool has_shadow_rays(const Settings& s) {
     return s.shadows == Shadows::rays;
 }
@@ -192,6 +198,23 @@ std::vector<Setting> make_table() {
          "Which fragments of a row are drawn: all, both ends included; or, by mistake, none in a "
          "row of one pixel, or all but the last.",
          "Filled triangles", "", choice<&Settings::spans>()},
+        {"hidden", "Hidden surfaces", "Depth and interpolation",
+         "How hidden surfaces are removed, from stage depth on: by the depth buffer; by the "
+         "painter's algorithm, which draws the farthest triangles first; or by a BSP tree, which "
+         "cuts triangles along planes and draws the pieces from back to front. The last two need "
+         "no depth buffer. triangles[t] is then the t-th of those drawn.",
+         "Depth buffer", "", choice<&Settings::hidden>(), SettingTies{.needs_scene = is_in_world}},
+        {"painter_rule", "Painter's order", "Depth and interpolation",
+         "How the painter sorts: by the mean depth of the corners, the farthest first; or, by "
+         "mistake, by the depth of the nearest corner, or the nearest first. Used only if hidden "
+         "is painter.",
+         "Depth buffer", "", choice<&Settings::painter_rule>(),
+         SettingTies{.needs_scene = is_in_world, .needs = is_painted}},
+        {"bsp_rule", "Side drawn first", "Depth and interpolation",
+         "Which side of a plane is drawn first: the one on which the camera is not; or, by "
+         "mistake, the one on which it is. Used only if hidden is bsp.",
+         "Depth buffer", "", choice<&Settings::bsp_rule>(),
+         SettingTies{.needs_scene = is_in_world, .needs = has_bsp}},
         {"depth_test", "Depth test", "Depth and interpolation",
          "What decides which fragment is nearer: 1/z (or whatever the depth buffer holds); z "
          "interpolated in a straight line; nothing; 1/z the wrong way round; or 1/z with ≥ in "

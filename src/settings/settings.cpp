@@ -187,8 +187,13 @@ bool bends_normals(const Settings& settings) {
     return settings.normal_map == NormalMapUse::on && shading_rule(settings) == Shading::phong;
 }
 
+Hidden hidden_rule(const Settings& settings) {
+    return settings.stage >= Stage::depth ? settings.hidden : Hidden::depth_buffer;
+}
+
 DepthTest depth_rule(const Settings& settings) {
-    return settings.stage >= Stage::depth ? settings.depth_test : DepthTest::off;
+    const bool has_buffer = hidden_rule(settings) == Hidden::depth_buffer;
+    return settings.stage >= Stage::depth && has_buffer ? settings.depth_test : DepthTest::off;
 }
 
 } // namespace rasterwalk

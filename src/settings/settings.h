@@ -37,7 +37,10 @@ struct Settings {
     EmptyRows empty_rows = EmptyRows::skipped;
     Spans spans = Spans::inclusive;
     Bounds bounds = Bounds::inside;
-    DepthTest depth_test = DepthTest::inverse_z;
+    Hidden hidden = Hidden::depth_buffer; ///< see hidden_rule()
+    PainterRule painter_rule = PainterRule::right;
+    BspRule bsp_rule = BspRule::right;
+    DepthTest depth_test = DepthTest::inverse_z; ///< of the depth buffer
     float depth_clear = 0.0f;   ///< what the depth buffer starts with, see depth_clear_rule()
     float depth_epsilon = 0.0f; ///< how much nearer is nearer, in the depth buffer's units
     DepthFormat depth_format = DepthFormat::inv_z;
@@ -153,7 +156,12 @@ Shadows shadow_rule(const Settings& settings, SceneSpace space);
 /// there.
 bool bends_normals(const Settings& settings);
 
-/// The depth test in force: none before stage `depth`, whatever the setting says.
+/// How hidden surfaces are removed: not at all before stage `depth`, where the scene's order counts
+/// as it does with a depth buffer.
+Hidden hidden_rule(const Settings& settings);
+
+/// The depth test in force: none before stage `depth`, or if there is no depth buffer, whatever the
+/// setting says.
 DepthTest depth_rule(const Settings& settings);
 
 } // namespace rasterwalk

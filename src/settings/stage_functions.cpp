@@ -12,6 +12,7 @@
 #include "mistakes/coverage.h"
 #include "mistakes/cull.h"
 #include "mistakes/depth_test.h"
+#include "mistakes/hidden.h"
 #include "mistakes/highlight.h"
 #include "mistakes/interpolate.h"
 #include "mistakes/light.h"
@@ -445,6 +446,13 @@ const RegistryRow registry_rows[] = {
     {"shadow_ray=past_lamp", put<&Stages::shadow_ray, shadow_ray_past_lamp>, "mistakes/shadow.h"},
     {"shadow_filter=four", put<&Stages::shadow_texels, four_shadow_texels>, "stages/shadow.h"},
 
+    // Hidden surfaces: with the right order every fragment may cover what is there.
+    {"painter_rule=nearest_corner", put<&Stages::painter_depth, nearest_depth>,
+     "mistakes/hidden.h"},
+    {"painter_rule=near_first", put<&Stages::is_drawn_before, is_nearer_drawn_before>,
+     "mistakes/hidden.h"},
+    {"bsp_rule=exchanged", put<&Stages::is_near_side, is_far_side>, "mistakes/hidden.h"},
+
     // Depth: the lab's test is right for any float if larger is nearer.
     {"depth_test=linear_z", put<&Stages::depth_test, depth_test_linear_z>, "mistakes/depth_test.h",
      from_depth_on},
@@ -453,6 +461,8 @@ const RegistryRow registry_rows[] = {
     {"depth_test=or_equal", put<&Stages::depth_test, depth_test_or_equal>, "mistakes/depth_test.h",
      from_depth_on},
     {"depth_test=off", put<&Stages::depth_test, no_depth_test>, "stages/depth_test.h"},
+    {"hidden=painter|bsp", put<&Stages::depth_test, no_depth_test>, "stages/depth_test.h",
+     from_depth_on},
     {"stage=points|edges|rows|fill", put<&Stages::depth_test, no_depth_test>,
      "stages/depth_test.h"},
     {"depth_format=inv_z_24|inv_z_16|ndc_24|ndc_16|reversed_24|reversed_16",

@@ -6,6 +6,7 @@
 // which word of which setting puts which of them in the table.
 
 #include "stages/blend.h"
+#include "stages/bsp.h"
 #include "stages/clip.h"
 #include "stages/cull.h"
 #include "stages/depth_test.h"
@@ -19,6 +20,7 @@
 #include "stages/lines.h"
 #include "stages/matrices.h"
 #include "stages/normal_map.h"
+#include "stages/painter.h"
 #include "stages/pixel_shader.h"
 #include "stages/polygon_rows.h"
 #include "stages/project.h"
@@ -107,6 +109,10 @@ struct Stages {
     // What a fragment divides its varyings by; correctly, the weight that the vertices gave them.
     float (*recovery_weight)(float zinv) = rasterwalk::varying_weight;
 
+    // Hidden surfaces: by the order in which triangles are drawn, or by depth.
+    decltype(&mean_depth) painter_depth = mean_depth;
+    decltype(&rasterwalk::is_drawn_before) is_drawn_before = rasterwalk::is_drawn_before;
+    decltype(&rasterwalk::is_near_side) is_near_side = rasterwalk::is_near_side;
     decltype(&rasterwalk::depth_test) depth_test = rasterwalk::depth_test;
     decltype(&rasterwalk::depth_cell) depth_cell = rasterwalk::depth_cell;
 

@@ -1,0 +1,19 @@
+#include "mistakes/hidden.h"
+
+#include <algorithm>
+
+namespace rasterwalk {
+
+float nearest_depth(const CornerDepths& depths) {
+    return std::min({depths[0], depths[1], depths[2]});
+}
+
+bool is_nearer_drawn_before(float depth, float other) {
+    return depth < other;
+}
+
+bool is_far_side(double camera_side) {
+    return !is_near_side(camera_side);
+}
+
+} // namespace rasterwalk

@@ -1,0 +1,48 @@
+#pragma once
+
+// The list of triangles that is drawn, where their order removes hidden surfaces: the scene's
+// triangles sorted, or cut and sorted. It is a scene of its own, so that everything that draws,
+// walks or examines a frame does so as ever: its triangle t is the t-th to be drawn, and
+// Scene::sources says which of the scene's it is. tests/pipeline/test_drawn_list.cpp shows that
+// with a depth buffer there is no list.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "scene/scene.h"
+#include "settings/settings.h"
+#include "stages/bsp.h"
+#include "stages/stage_table.h"
+
+namespace rasterwalk {
+
+/// A mesh and its tree, which is the same for every camera.
+struct DividedMesh {
+    Mesh given;
+    BspTree tree; ///< empty if the mesh is too large for one
+};
+
+/// The list of a frame.
+struct DrawnList {
+    Hidden made_by = Hidden::painter;
+    Scene scene;                                ///< in the order in which it is drawn
+    std::shared_ptr<const DividedMesh> divided; ///< of bsp
+    std::vector<float> depths;    ///< of painter: what each drawn triangle was sorted by
+    std::vector<int> nodes;       ///< of bsp: each drawn triangle's node in the tree
+    std::int64_t comparisons = 0; ///< of two depths, or of the camera with a plane
+};
+
+/// Makes the list of a scene for a camera.
+/// @param before the previous list, whose tree is kept if it is of the same mesh; or null
+/// @return null if the depth buffer removes hidden surfaces, or the scene is in pixels or too large
+///         to be sorted or divided: it is then drawn in its own order
+std::shared_ptr<const DrawnList> make_drawn_list(const Scene& scene, const Settings& settings,
+                                                 const Stages& stages, const DrawnList* before);
+
+/// The first drawn triangle that is a triangle of the scene, or a piece of it; none: no part of it
+/// is drawn.
+std::optional<int> first_drawn(const Scene& drawn, int scene_triangle);
+
+} // namespace rasterwalk
