@@ -91,6 +91,8 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
     add_json(stats, line.stats.json);
     stats.add_flag("--time", line.stats.time,
                    "Also measure what each way of culling saves on this machine");
+    stats.add_flag("--hidden", line.stats.hidden,
+                   "Compare the ways to remove hidden surfaces, whichever is set");
     stats.footer(stats_footer());
     add_view_options(stats, line.stats.view);
 

@@ -23,7 +23,8 @@ void render_command(const RenderOptions& options, std::ostream& err);
 struct StatsOptions {
     ViewOptions view;
     bool json = false;
-    bool time = false; ///< also measure the cost of each way of culling
+    bool time = false;   ///< also measure the cost of each way of culling
+    bool hidden = false; ///< also count what each way to remove hidden surfaces takes
 };
 /// @param clock for `time`; without one UsageError
 void stats_command(const StatsOptions& options, const Clock& clock, std::ostream& out,

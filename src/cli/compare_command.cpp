@@ -106,7 +106,7 @@ void print_text(const Scene& scene, const RunTexts& runs, const Comparison& comp
     if (!list.first) return;
     const auto print = [&](const Divergence& divergence) {
         out << "    " << kind_text(divergence.kind) << ", "
-            << part_name(scene, divergence.cursor.triangle) << ": " << divergence.text << '\n';
+            << part_words(scene, divergence.cursor.triangle) << ": " << divergence.text << '\n';
     };
     print(*list.first);
     const std::optional<Divergence>& larger = list.first_beyond_rounding;

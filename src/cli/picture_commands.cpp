@@ -86,6 +86,12 @@ constexpr StatInfo stat_list[] = {
      [](const FrameStats& s) { return s.empty_rows; }},
     {"depth_outside", "fragments whose pixel has no cell in the depth buffer",
      [](const FrameStats& s) { return s.depth_outside; }},
+    {"comparisons", "what hidden compared: fragments with the depth buffer, depths, or planes",
+     [](const FrameStats& s) { return s.hidden.comparisons; }},
+    {"splits", "triangles and pieces that planes of the BSP tree have cut",
+     [](const FrameStats& s) -> std::int64_t { return s.hidden.splits; }},
+    {"memory", "bytes that hidden needs besides scene and picture",
+     [](const FrameStats& s) { return s.hidden.memory; }},
 };
 
 Json to_json(const FrameStats& stats) {
@@ -136,6 +142,33 @@ void print_costs(const CullingCosts& costs, std::ostream& out) {
     }
 }
 
+Json to_json(const std::vector<HiddenWay>& ways) {
+    Json json = Json::array();
+    for (const HiddenWay& way : ways) {
+        json.push_back({{"comparisons", way.counts.comparisons},
+                        {"hidden", word_of(way.way)},
+                        {"is_possible", way.is_possible},
+                        {"memory", way.counts.memory},
+                        {"splits", way.counts.splits},
+                        {"triangles", way.triangles},
+                        {"wrong", way.wrong}});
+    }
+    return json;
+}
+
+void print_ways(const std::vector<HiddenWay>& ways, std::ostream& out) {
+    out << fmt::format("\n{:<14}{:>11}{:>13}{:>8}{:>11}{:>8}\n", "hidden", "triangles",
+                       "comparisons", "splits", "memory", "wrong");
+    for (const HiddenWay& way : ways) {
+        if (!way.is_possible) {
+            out << fmt::format("{:<14}  not possible with this scene\n", word_of(way.way));
+            continue;
+        }
+        out << fmt::format("{:<14}{:>11}{:>13}{:>8}{:>11}{:>8}\n", word_of(way.way), way.triangles,
+                           way.counts.comparisons, way.counts.splits, way.counts.memory, way.wrong);
+    }
+}
+
 void print_model(const ObjReport& report, std::ostream& out, std::ostream& err) {
     for (const ObjCountInfo& info : obj_count_list)
         out << fmt::format("model.{:<18}{}\n", info.name, report.counts.*info.count);
@@ -163,6 +196,10 @@ std::string stats_footer() {
             "\nand that time as a fraction of the time without culling; with --json as "
             "culling_times.";
     text +=
+        "\nWith --hidden, for each way to remove hidden surfaces: the triangles it draws, and the "
+        "pixels\nthat show a triangle farther away than the depth buffer's; with --json as "
+        "ways.";
+    text +=
         "\nFor a model (.obj), with --json as model; its hints name settings that would show more:";
     for (const ObjCountInfo& info : obj_count_list)
         text += fmt::format("\n  model.{:<18}{}", info.name, info.help);
@@ -185,8 +222,11 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
     }
     std::optional<CullingCosts> costs;
     if (options.time) costs = culling_costs(*session.scene, settings, session.cursor, clock);
+    std::vector<HiddenWay> ways;
+    if (options.hidden) ways = hidden_ways(*session.scene, settings);
     if (options.json) {
         Json json = to_json(stats);
+        if (options.hidden) json["ways"] = to_json(ways);
         if (costs) json["culling_times"] = to_json(*costs);
         if (model) {
             json["model"] = to_json(*model);
@@ -198,6 +238,7 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
             out << fmt::format("{:<24}{}\n", info.name, info.read(stats));
         if (model) print_model(*model, out, err);
         if (costs) print_costs(*costs, out);
+        if (options.hidden) print_ways(ways, out);
     }
     report_warnings(frame, stats.left_out, err);
     for (const std::string& hint : hints)

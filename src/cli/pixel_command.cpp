@@ -82,7 +82,7 @@ Json to_json(const ShadowTerms& shadow, const Frame& frame) {
     if (!shadow.is_tested) return object;
     if (shadow.face < 0) {
         if (!shadow.hit.is_hit()) return object;
-        object["name"] = part_name(*frame.scene, shadow.hit.triangle);
+        object["name"] = part_name(*frame.in_order, shadow.hit.triangle);
         object["triangle"] = shadow.hit.triangle;
         object["way"] = shadow.hit.t;
         return object;
@@ -115,6 +115,8 @@ Json to_json(const Frame& frame, const PixelEntry& entry, bool stays, const Curs
     object["margin_to_winner"] = entry.margin_to_winner;
     object["name"] = part_name(scene, entry.cursor.triangle);
     if (is_in_a_row) object["row"] = entry.row;
+    if (!scene.sources.empty())
+        object["scene_triangle"] = scene_triangle(scene, entry.cursor.triangle);
     if (const auto shadow = shadow_of(frame, entry.cursor))
         object["shadow"] = to_json(*shadow, frame);
     object["stays"] = stays;
@@ -253,7 +255,7 @@ std::string entry_line(const Frame& frame, const PixelHistory& history, std::siz
                        const Cursor& to) {
     const Scene& scene = *frame.scene;
     const PixelEntry& entry = history.entries[i];
-    std::string name = part_name(scene, entry.cursor.triangle);
+    std::string name = part_words(scene, entry.cursor.triangle);
     name.resize(std::max(name.size(), name_width), ' '); // bytes
     const glm::vec3& colour = entry.colour_after;
     std::string line =
@@ -278,7 +280,7 @@ void print_text(const Frame& frame, const PixelHistory& history, const Cursor& t
         out << "nothing falls on it.\n" << uncovered_text(frame, history.pixel) << '\n';
         for (const NearTriangle& near : history.nearest) {
             const std::string rules = rules_text(near, history.pixel);
-            out << short_triangle_name(near.triangle) << " " << part_name(scene, near.triangle)
+            out << short_triangle_name(near.triangle) << " " << part_words(scene, near.triangle)
                 << ": " << miss_text(near) << (rules.empty() ? "" : "; ") << rules << ".\n";
         }
         return;

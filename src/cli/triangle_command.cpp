@@ -15,6 +15,7 @@
 #include "cli/json.h"
 #include "cli/row_json.h"
 #include "cli/spaces_report.h"
+#include "explain/order_formulas.h"
 #include "explain/vertex_report.h"
 #include "inspect/coverage_comparison.h"
 #include "inspect/shared_edge.h"
@@ -197,6 +198,8 @@ Json to_json(const TriangleReport& report, const Frame& frame) {
     if (Json shared = shared_edges_to_json(frame, report.triangle); !shared.empty())
         object["shared_edges"] = std::move(shared);
     if (has_spaces(frame)) object["spaces"] = spaces_json(frame, report.triangle);
+    if (!frame.scene->sources.empty())
+        object["scene_triangle"] = scene_triangle(*frame.scene, report.triangle);
     object["triangle"] = report.triangle;
     object["vertices"] = std::move(vertices);
     return object;
@@ -359,7 +362,7 @@ void print_shared_edges(std::ostream& out, const Frame& frame, int triangle) {
 void print_text(std::ostream& out, const TriangleReport& report, const Frame& frame) {
     const Scene& scene = *frame.scene;
     out << element_name_of(triangle_form, report.triangle, scene.triangle_count()) << " ("
-        << part_name(scene, report.triangle) << ")\n\n";
+        << part_words(scene, report.triangle) << ")\n\n";
     print_vertices(out, report, frame);
     print_clipping(out, report.clip);
     if (report.rejection != Rejection::none) {
@@ -382,15 +385,20 @@ void triangle_command(const TriangleOptions& options, std::ostream& out) {
     std::vector<VertexReport> vertices;
     for (int v = 0; options.formulas && v < triangle_corners; ++v)
         vertices.push_back(vertex_report(frame, triangle, v));
+    std::vector<Formula> order;
+    if (options.formulas) order = order_formulas(frame, triangle);
     if (options.json) {
         Json answer = to_json(report, frame);
         for (const VertexReport& vertex : vertices)
             answer["formulas"].push_back(
                 {{"formulas", formulas_json(vertex.formulas)}, {"vertex", vertex.vertex}});
+        if (!order.empty()) answer["order"] = formulas_json(order);
         print_json(answer, out);
         return;
     }
     print_text(out, report, frame);
+    if (!order.empty()) out << '\n';
+    print_formulas(out, order);
     for (const VertexReport& vertex : vertices) {
         out << '\n' << vertex_name(vertex.vertex) << '\n';
         print_formulas(out, vertex.formulas);

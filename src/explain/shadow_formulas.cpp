@@ -77,7 +77,7 @@ class ShadowFormulas {
                  {{"t",
                    {terms_.hit.t},
                    from_words(fmt::format("o + t · w meets {} ({})", triangle_name(triangle),
-                                          part_name(*frame_.scene, triangle)))}},
+                                          part_name(*frame_.in_order, triangle)))}},
                  {terms_.hit.t});
         }
         add_lit(terms_.is_dark() ? "0" : "1", {});
@@ -202,8 +202,8 @@ std::string depth_text(float depth) {
 
 std::string ray_text(const TriangleHit& hit, const Frame& frame) {
     if (!hit.is_hit()) return "Lit: nothing is between here and the lamp";
-    const std::string who =
-        fmt::format("{} ({})", triangle_name(hit.triangle), part_name(*frame.scene, hit.triangle));
+    const std::string who = fmt::format("{} ({})", triangle_name(hit.triangle),
+                                        part_name(*frame.in_order, hit.triangle));
     if (hit.t > 1.0f)
         return fmt::format("In shadow by mistake: {} is behind the lamp, {:.2f} times as far away",
                            who, hit.t);

@@ -16,7 +16,7 @@ namespace {
 std::string given_text(const VertexFormulaBuilder& made) {
     return fmt::format("given by the scene: {} of {}, {}", vertex_name(made.report.vertex),
                        triangle_name(made.report.triangle),
-                       part_name(*made.frame.scene, made.report.triangle));
+                       part_words(*made.frame.scene, made.report.triangle));
 }
 
 void add_given(VertexFormulaBuilder& made, const std::string& space,

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "explain/clip_report.h"
+#include "explain/order_formulas.h"
 #include "facts/fact_values.h"
 #include "facts/facts.h"
 
@@ -102,7 +103,7 @@ FormulaName find_formula_name(std::string_view name) {
     const std::string_view id = name.substr(owner.size() + 1);
     const bool exists = (owner == "pixel" && is_fragment_formula(id)) ||
                         (owner == "vertex" && is_vertex_formula(id)) ||
-                        (owner == "triangle" && is_clip_formula(id));
+                        (owner == "triangle" && (is_clip_formula(id) || is_order_formula(id)));
     return exists ? FormulaName{owner, id} : FormulaName{};
 }
 
@@ -114,8 +115,13 @@ Value formula_value(const Facts& facts, const FormulaName& name) {
         formula = find_formula(facts.fragment()->formulas, name.id);
     if (name.owner == "vertex" && facts.vertex() != nullptr)
         formula = find_formula(facts.vertex()->formulas, name.id);
-    if (name.owner == "triangle" && facts.clip() != nullptr) {
-        of_triangle = clip_formula(facts.results().a.frame, *facts.clip(), name.id);
+    const RunResults& run = facts.results().a;
+    std::vector<Formula> of_order;
+    if (name.owner == "triangle" && run.triangle && is_order_formula(name.id)) {
+        of_order = order_formulas(run.frame, *run.triangle);
+        formula = find_formula(of_order, name.id);
+    } else if (name.owner == "triangle" && facts.clip() != nullptr) {
+        of_triangle = clip_formula(run.frame, *facts.clip(), name.id);
         if (of_triangle) formula = &*of_triangle;
     }
     return formula != nullptr ? number(formula->result.value) : Value();

@@ -118,6 +118,14 @@ const FrameShadows& Facts::shadows() const {
     return *known.shadows;
 }
 
+const HiddenWay* Facts::hidden_way() const {
+    FactCache& known = cache();
+    const Frame& frame = results_->a.frame;
+    if (!known.hidden_ways) known.hidden_ways = hidden_ways(*frame.given, frame.settings);
+    const HiddenWay& way = (*known.hidden_ways)[static_cast<std::size_t>(frame.settings.hidden)];
+    return way.is_possible ? &way : nullptr;
+}
+
 std::int64_t Facts::drawn_twice() const {
     FactCache& known = cache();
     if (!known.drawn_twice) {

@@ -66,6 +66,7 @@ struct FactCache {
     std::optional<Cursor> fragment_at;
     std::optional<FragmentReport> fragment;
     std::optional<FrameShadows> shadows;
+    std::optional<std::vector<HiddenWay>> hidden_ways;
     std::optional<Cursor> texture_at;
     std::optional<TextureReport> texture;
 };
@@ -100,6 +101,9 @@ class Facts {
     const EdgeEnds& edge_ends() const;
     /// How much of the frame's picture is in shadow.
     const FrameShadows& shadows() const;
+    /// The frame's way to remove hidden surfaces, next to the depth buffer's; null if the scene is
+    /// too large for it.
+    const HiddenWay* hidden_way() const;
     /// Pixels that two neighbours of the frame have both drawn.
     std::int64_t drawn_twice() const;
     /// The triangle that each pixel of the picked pixel's column finally shows,

@@ -128,6 +128,16 @@ void add_pixel_facts(std::vector<Fact>& table) {
             const auto winner = static_cast<std::size_t>(history.winner);
             return history.winner < 0 ? -1 : history.entries[winner].cursor.triangle;
         });
+    add_any("pixel.scene_triangle",
+            "Triangle of the scene that the picked pixel finally shows, or a piece of it; none if "
+            "it shows nothing.",
+            natural(), [](const Facts& f) -> std::optional<int> {
+                const std::optional<PixelHistory>& history = f.results().history;
+                if (!history || history->winner < 0) return std::nullopt;
+                const auto winner = static_cast<std::size_t>(history->winner);
+                return scene_triangle(*f.results().a.frame.scene,
+                                      history->entries[winner].cursor.triangle);
+            });
     add_any("pixel.part_in_column",
             "Pixels of the picked pixel's column that show the same part of the scene.", natural(),
             [](const Facts& f) { return part_in_column(f); });

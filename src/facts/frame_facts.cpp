@@ -148,6 +148,14 @@ void add_session_facts(std::vector<Fact>& table) {
         "the one that was "
         "just drawn.",
         natural(), [](const Facts& f) { return f.results().a.triangle; });
+    add("triangle.scene",
+        "Triangle of the scene that the triangle shown is, or is a piece of, from 0: another one "
+        "only if hidden is painter or bsp.",
+        natural(), [](const Facts& f) -> std::optional<int> {
+            const RunResults& run = f.results().a;
+            if (!run.triangle) return std::nullopt;
+            return scene_triangle(*run.frame.scene, *run.triangle);
+        });
     add("row", "Selected row of the picture.", whole(-endless, endless),
         [](const Facts& f) { return f.session().selection.row; });
     add("vertex", "Selected vertex of the triangle shown, 0 to 2.", whole(0, 2),
@@ -209,6 +217,20 @@ void add_frame_facts(std::vector<Fact>& table) {
                 [](Stats s) { return s.triangles - s.left_out.total(); });
     add_counted("frame.left_out", "Triangles that are left out.", natural(),
                 [](Stats s) { return s.left_out.total(); });
+    add_counted("frame.comparisons",
+                "What the removal of hidden surfaces compares: fragments with the depth buffer, "
+                "two depths (painter), or the camera with a plane (bsp).",
+                natural(), [](Stats s) { return s.hidden.comparisons; });
+    add_counted("frame.splits", "Triangles and pieces that planes of the BSP tree have cut.",
+                natural(), [](Stats s) { return s.hidden.splits; });
+    add_counted("frame.memory",
+                "Bytes that the removal of hidden surfaces needs besides scene and picture.",
+                natural(), [](Stats s) { return s.hidden.memory; });
+    const FactAdder<&Facts::hidden_way> add_of_way(table);
+    add_of_way("frame.wrong",
+               "Pixels of the finished picture that show another triangle of the scene than with "
+               "the depth buffer, one that is farther away by more than a thousandth.",
+               natural(), [](const HiddenWay& way) { return way.wrong; });
     add("frame.edges", "Edges of the triangles that are drawn.", natural(),
         [](const Facts& f) { return f.edge_ends().edges; });
     add("frame.ends_missed", "Edges whose last sample is not on the pixel of their end vertex.",

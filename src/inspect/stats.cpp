@@ -40,6 +40,7 @@ FrameStats frame_stats(const Frame& frame, const Cursor& to, Framebuffer& frameb
     stats.pixels_tested = tally.pixels_tested;
     stats.empty_rows = tally.empty_rows;
     stats.depth_outside = tally.depth_outside;
+    stats.hidden = hidden_counts(frame, tally);
     for (const std::uint32_t fragments : framebuffer.overdraw) {
         stats.max_overdraw = std::max(stats.max_overdraw, fragments);
         stats.uncovered += fragments == 0 ? 1 : 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "inspect/hidden_ways.h"
 #include "pipeline/cursor.h"
 #include "pipeline/frame.h"
 #include "pipeline/framebuffer.h"
@@ -43,6 +44,7 @@ struct FrameStats {
     std::int64_t pixels_tested = 0;     ///< in the picture, by edge functions, of whole triangles
     std::int64_t empty_rows = 0;    ///< rows without a sample, drawn all the same; none is visible
     std::int64_t depth_outside = 0; ///< fragments whose pixel has no cell in the depth buffer
+    HiddenCounts hidden;            ///< what it took to find what hides what
     LeftOut left_out;
 
     friend bool operator==(const FrameStats&, const FrameStats&) = default;

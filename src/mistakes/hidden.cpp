@@ -12,7 +12,7 @@ bool is_nearer_drawn_before(float depth, float other) {
     return depth < other;
 }
 
-bool is_far_side(double camera_side) {
+bool is_far_side(float camera_side) {
     return !is_near_side(camera_side);
 }
 

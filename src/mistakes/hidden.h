@@ -14,6 +14,6 @@ float nearest_depth(const CornerDepths& depths);
 bool is_nearer_drawn_before(float depth, float other);
 
 /// B98c, in the slot is_near_side: the side without the camera is taken for the near one.
-bool is_far_side(double camera_side);
+bool is_far_side(float camera_side);
 
 } // namespace rasterwalk

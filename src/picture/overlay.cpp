@@ -372,7 +372,7 @@ std::string overlay_value(Overlay overlay, const Frame& frame, const Framebuffer
     }
     case Overlay::owner:
         if (owner < 0) return "none";
-        return fmt::format("{}, {}", triangle_name(owner), part_name(*frame.scene, owner));
+        return fmt::format("{}, {}", triangle_name(owner), part_words(*frame.scene, owner));
     case Overlay::overdraw:
         return counted(framebuffer.overdraw[at], "fragment", "fragments");
     case Overlay::drawn_twice: {

@@ -30,28 +30,12 @@ Scene scene_of(const Scene& scene, std::vector<TriangleSource> sources, Mesh mes
     return made;
 }
 
-/// z of camera space of every vertex.
-std::vector<float> vertex_depths(const Scene& scene, const VertexRules& rules,
-                                 const Stages& stages) {
-    const glm::mat3 rotation = camera_rotation(rules.camera);
-    std::vector<float> depths;
-    depths.reserve(scene.mesh.vertices().size());
-    for (const Vertex& vertex : scene.mesh.vertices()) {
-        depths.push_back(
-            stages.to_camera_space(vertex.position, rules.camera, rotation, stages).rotated.z);
-    }
-    return depths;
-}
-
 void paint(const Scene& scene, const VertexRules& rules, const Stages& stages, DrawnList& list) {
-    const std::vector<float> depths = vertex_depths(scene, rules, stages);
+    const glm::mat3 rotation = camera_rotation(rules.camera);
     std::vector<CornerDepths> triangles;
     triangles.reserve(scene.mesh.triangles().size());
-    for (const auto& [a, b, c] : scene.mesh.triangles()) {
-        triangles.push_back({depths[static_cast<std::size_t>(a)],
-                             depths[static_cast<std::size_t>(b)],
-                             depths[static_cast<std::size_t>(c)]});
-    }
+    for (int t = 0; t < scene.triangle_count(); ++t)
+        triangles.push_back(corner_depths(scene, t, rules, rotation, stages));
     const PaintersOrder order = painters_order(triangles, stages);
     list.comparisons = order.comparisons;
     Mesh mesh;
@@ -119,6 +103,17 @@ void divide(const Scene& scene, const VertexRules& rules, const Stages& stages,
 }
 
 } // namespace
+
+CornerDepths corner_depths(const Scene& scene, int triangle, const VertexRules& rules,
+                           const glm::mat3& rotation, const Stages& stages) {
+    CornerDepths depths{};
+    for (int i = 0; i < triangle_corners; ++i) {
+        const glm::vec3& place = scene.corner(triangle, i).position;
+        depths[static_cast<std::size_t>(i)] =
+            stages.to_camera_space(place, rules.camera, rotation, stages).rotated.z;
+    }
+    return depths;
+}
 
 std::shared_ptr<const DrawnList> make_drawn_list(const Scene& scene, const Settings& settings,
                                                  const Stages& stages, const DrawnList* before) {

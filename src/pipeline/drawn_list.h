@@ -41,6 +41,11 @@ struct DrawnList {
 std::shared_ptr<const DrawnList> make_drawn_list(const Scene& scene, const Settings& settings,
                                                  const Stages& stages, const DrawnList* before);
 
+/// z of camera space of a triangle's corners, by the function that moves and turns the world.
+/// @param rotation camera_rotation() of the rules' camera
+CornerDepths corner_depths(const Scene& scene, int triangle, const VertexRules& rules,
+                           const glm::mat3& rotation, const Stages& stages);
+
 /// The first drawn triangle that is a triangle of the scene, or a piece of it; none: no part of it
 /// is drawn.
 std::optional<int> first_drawn(const Scene& drawn, int scene_triangle);

@@ -32,6 +32,11 @@ class FrameDrawing {
     /// About how much work the whole frame is; known once it is done.
     double work() const { return work_; }
 
+    /// A frame that is done, and what was counted while it was drawn; valid until the next one is
+    /// begun.
+    const Frame& frame() const { return frame_; }
+    const DrawTally& tally() const { return replay_.tally(); }
+
     /// The picture of a frame that is done; valid until the next one is begun.
     const Framebuffer& picture() const { return *picture_; }
 

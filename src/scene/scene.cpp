@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -68,6 +69,13 @@ bool has_texture_alpha(const Scene& scene) {
         return part.texture >= 0 &&
                (*scene.textures[static_cast<std::size_t>(part.texture)]).has_alpha();
     });
+}
+
+std::string part_words(const Scene& scene, int triangle) {
+    if (scene.sources.empty()) return part_name(scene, triangle);
+    const TriangleSource& source = scene.sources[static_cast<std::size_t>(triangle)];
+    return fmt::format("{}, {} [{}]", part_name(scene, triangle),
+                       source.is_cut ? "a piece of" : "the scene's", source.triangle);
 }
 
 const std::string& part_name(const Scene& scene, int triangle) {

@@ -189,6 +189,10 @@ bool has_texture_alpha(const Scene& scene);
 /// The name of the part that a triangle belongs to.
 const std::string& part_name(const Scene& scene, int triangle);
 
+/// What a drawn triangle is of: the name of its part and, in a list made for drawing, the triangle
+/// of the scene: "floor", "floor, the scene's [3]", "floor, a piece of [3]".
+std::string part_words(const Scene& scene, int triangle);
+
 /// The smallest box, along the world's axes, around everything a scene draws.
 struct SceneBox {
     glm::dvec3 low{-1.0}, high{1.0};

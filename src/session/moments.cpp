@@ -173,7 +173,7 @@ std::string describe_moment(const Frame& frame, const Cursor& cursor) {
     const int row = is_test ? box_row.row : moments.rows.first_row + cursor.index;
     std::string text = fmt::format(
         "{} ({}) · {}{}", element_name_of(triangle_form, cursor.triangle, frame.triangle_count()),
-        part_name(*frame.scene, cursor.triangle),
+        part_words(*frame.scene, cursor.triangle),
         is_row || is_test ? fmt::format("row {}, ", row) : "",
         piece_name(cursor, static_cast<int>(of_phase.pieces.size())));
     if (phase.step.empty()) return text;

@@ -192,6 +192,31 @@ void update_hints(const Session& session, const RunChanges& changes, const WorkL
     hints.work = std::nullopt;
 }
 
+/// Counts the ways to remove hidden surfaces, after everything else.
+void update_hidden(const Session& session, const RunChanges& changes, const WorkLimit& limit,
+                   Results& results) {
+    HiddenTable& table = results.hidden;
+    if (tab_below(session) != hidden_tab) {
+        table.ways.clear();
+        table.work = std::nullopt;
+        table.scene = nullptr;
+        return;
+    }
+    Settings settings = results.a.frame.settings;
+    settings.hidden = Hidden::depth_buffer; // whichever is chosen, all are counted
+    if (table.scene != results.a.scene || !(table.settings == settings)) {
+        table.scene = results.a.scene;
+        table.settings = settings;
+        table.work.emplace(*table.scene, settings);
+    }
+    const bool is_whole = results.a.is_drawn() && !results.a.is_frame_late;
+    if (!table.work || !is_whole || changes.picture) return;
+    table.work->advance({limit.slice, limit.slice});
+    if (!table.work->is_done()) return;
+    table.ways = table.work->ways();
+    table.work = std::nullopt;
+}
+
 /// The limit for each of two runs.
 WorkLimit half_slices(WorkLimit limit) {
     limit.slice /= 2.0;
@@ -304,6 +329,7 @@ bool update_within(const Session& session, const WorkLimit& limit, Results& resu
     update_history(session, changes, limit, results);
     update_second_run(session, changes, are_ready, limit, results);
     update_hints(session, changes, limit, results);
+    update_hidden(session, changes, limit, results);
     update_previews(session, results);
     return changes.picture || shown_preview() != preview_before;
 }
@@ -326,6 +352,7 @@ bool is_working(const Results& results) {
     if (results.a.is_frame_late || !results.a.is_complete()) return true;
     if (results.history_work || results.next_b) return true;
     if (results.hints.are_due && results.a.is_drawn()) return true;
+    if (results.hidden.work && results.a.is_drawn()) return true;
     if (results.overlay.lone.is_drawing()) return true;
     if (!results.b) return false;
     if (results.b->is_frame_late || !results.b->is_complete()) return true;

@@ -9,6 +9,7 @@
 #include "base/image.h"
 #include "compare/compare.h"
 #include "engines/engine_picture.h"
+#include "inspect/hidden_ways.h"
 #include "inspect/pixel_history.h"
 #include "inspect/visibility_hints.h"
 #include "picture/overlay.h"
@@ -66,6 +67,15 @@ struct PictureHints {
     std::optional<VisibilityHintsWork> work; ///< looks for them once all else is done
 };
 
+/// The ways to remove hidden surfaces, counted for the scene and camera of A while their tab is
+/// open. Those of the previous camera stay until these are known.
+struct HiddenTable {
+    std::vector<HiddenWay> ways;
+    std::shared_ptr<const Scene> scene; ///< counted, or being counted; null: none
+    Settings settings;                  ///< the same, but for `hidden`
+    std::optional<HiddenWaysWork> work; ///< counts once all else is done
+};
+
 /// Everything that the panels show, derived from the session. Written only by update(); must not be
 /// copied or moved, because its parts refer to each other.
 struct Results {
@@ -91,6 +101,7 @@ struct Results {
     std::optional<HistoryWork> history_work; ///< computes it once the picture is drawn; none:
                                              ///< nothing to do
     PictureHints hints;
+    HiddenTable hidden;
     FrameLength length; ///< of the frame of A
     HandWatch hand;     ///< says when previews are wanted
     FastRun preview_engine{{.keeps_planes = false}};

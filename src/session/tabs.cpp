@@ -27,6 +27,16 @@ constexpr std::array tabs{
             "An edge's samples as floats next to the exact fractions, which show what the "
             "additions lose.",
             TabGroup::triangle},
+    TabInfo{hidden_tab,
+            "Hidden",
+            "How hidden surfaces are removed: the place of the triangle in the order, and what "
+            "each way costs and gets wrong.",
+            TabGroup::triangle,
+            true,
+            false,
+            {},
+            {},
+            true},
     TabInfo{"fragment", "Fragment",
             "Every number on a fragment's way to its colour, with its formula.", TabGroup::pixel},
     TabInfo{"texture", "Texture",
@@ -225,6 +235,7 @@ bool is_offered(const Session& session, const TabInfo& tab) {
         session.scene && std::any_of(session.scene->parts.begin(), session.scene->parts.end(),
                                      [](const Part& part) { return part.texture >= 0; });
     if (tab.needs_texture && !has_texture) return false;
+    if (tab.needs_order && hidden_rule(session.a.settings) == Hidden::depth_buffer) return false;
     if (!hides_tabs(session)) return true;
     return contains(session.tab_guide.panels, tab.name);
 }

@@ -34,6 +34,7 @@ struct TabInfo {
     bool needs_texture = false;     ///< of no use in a scene without textures
     std::string_view tests_title{}; ///< if edge functions test every pixel; empty: the same
     std::string_view tests_help{};  ///< in that case too; empty: the same
+    bool needs_order = false;       ///< of no use while a depth buffer removes hidden surfaces
 };
 
 /// A tab's title and help in the interface.
@@ -53,6 +54,9 @@ const TabInfo* find_tab(std::string_view name);
 
 /// The settings cover the inspector instead of being one of its tabs, but have a name like a tab.
 inline constexpr std::string_view settings_tab = "settings";
+
+/// The tab of the ways to remove hidden surfaces.
+inline constexpr std::string_view hidden_tab = "hidden";
 
 /// All names: those of the tabs, and the settings.
 std::span<const std::string_view> tab_names();

@@ -168,11 +168,12 @@ BspTree make_bsp_tree(const Mesh& mesh) {
     return BspBuilder(mesh).build();
 }
 
-double camera_side(const BspPlane& plane, const SightRays& rays) {
-    const double mix = rays.mix;
-    const glm::dvec3 camera(rays.camera), forward(rays.forward);
-    return (1.0 - mix) * (glm::dot(plane.normal, camera) - plane.offset) -
-           mix * glm::dot(plane.normal, forward);
+float camera_side(const BspPlane& plane, const SightRays& rays) {
+    const glm::vec3 n(plane.normal);
+    const auto along = [&](const glm::vec3& v) { return n.x * v.x + n.y * v.y + n.z * v.z; };
+    const float ahead = along(rays.camera) - static_cast<float>(plane.offset);
+    if (rays.mix == 0.0f) return ahead;
+    return (1.0f - rays.mix) * ahead - rays.mix * along(rays.forward);
 }
 
 BspWalk walk_bsp_tree(const BspTree& tree, const SightRays& rays, const Stages& stages) {

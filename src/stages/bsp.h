@@ -72,12 +72,12 @@ struct BspTree {
 BspTree make_bsp_tree(const Mesh& mesh);
 
 /// How far in front of a plane the camera is: below 0 it is behind it. Where rays are parallel, how
-/// much they run against its normal.
-double camera_side(const BspPlane& plane, const SightRays& rays);
+/// much they run against its normal. Near 0 the plane is seen edge-on, and either order is right.
+float camera_side(const BspPlane& plane, const SightRays& rays);
 
 /// Is the front side of a plane the camera's, which is drawn last?
-inline bool is_near_side(double camera_side) {
-    return camera_side > 0.0;
+inline bool is_near_side(float camera_side) {
+    return camera_side > 0.0f;
 }
 
 /// A piece as it is drawn.

@@ -58,7 +58,7 @@ std::vector<std::string> pixel_facts(const Ui& ui) {
         // What the picture shows comes first.
         if (ui.session.view == View::depth) std::iter_swap(facts.begin() + colour, facts.end() - 1);
     }
-    facts.push_back(triangle_name(owner) + ", " + part_name(*ui.results.a.frame.scene, owner));
+    facts.push_back(triangle_name(owner) + ", " + part_words(*ui.results.a.frame.scene, owner));
     facts.push_back(counted(framebuffer.overdraw[at], "fragment", "fragments"));
     return facts;
 }

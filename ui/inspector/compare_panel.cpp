@@ -298,7 +298,7 @@ void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
         stand_at(ui, group.first);
     }
     ImGui::PopID();
-    const std::string part = part_name(*ui.results.a.frame.scene, group.triangle);
+    const std::string part = part_words(*ui.results.a.frame.scene, group.triangle);
     register_widget(ui, "compare.group." + std::to_string(index),
                     triangle_name(group.triangle) + ", " + part + ": from " + to_text(group.first) +
                         " to " + to_text(group.last) + ".\nClick to go to the first of them.");

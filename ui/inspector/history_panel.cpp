@@ -28,7 +28,7 @@ std::string capitalized(std::string text) {
 }
 
 std::string triangle_words(const Ui& ui, int triangle) {
-    return triangle_name(triangle) + " (" + part_name(*ui.results.a.frame.scene, triangle) + ")";
+    return triangle_name(triangle) + " (" + part_words(*ui.results.a.frame.scene, triangle) + ")";
 }
 
 /// 1 where the nearer one wins, -1 where the farther one does.
@@ -113,7 +113,7 @@ void draw_title(Ui& ui, const PixelHistory& history) {
     if (owner < 0) {
         shows = {history.entries.empty() ? "not drawn" : "not drawn yet"};
     } else {
-        const std::string part = part_name(*ui.results.a.frame.scene, owner);
+        const std::string part = part_words(*ui.results.a.frame.scene, owner);
         const std::string number = short_triangle_name(owner);
         shows = {"now " + triangle_name(owner) + ", " + part, "now " + number + " " + part,
                  "now " + number};

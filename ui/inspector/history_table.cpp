@@ -256,7 +256,7 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     }
     const std::string number = short_triangle_name(entry.cursor.triangle);
     const std::string name =
-        number + " " + part_name(*ui.results.a.frame.scene, entry.cursor.triangle);
+        number + " " + part_words(*ui.results.a.frame.scene, entry.cursor.triangle);
     const float room = columns.widths[name_column];
     const bool is_bold = stays(history, index) && text_width(ui.fonts.bold, name) <= room;
     ImGui::PushFont(is_bold ? ui.fonts.bold : ui.fonts.text);

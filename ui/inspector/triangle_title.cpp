@@ -18,7 +18,7 @@ void draw_triangle_title(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     ImGui::AlignTextToFramePadding();
     put_text(triangle_name(triangle), ui.fonts.bold);
-    const std::string part = part_name(*ui.results.a.frame.scene, triangle);
+    const std::string part = part_words(*ui.results.a.frame.scene, triangle);
     register_widget(ui, "triangle.name",
                     "The triangle that the inspector shows, a part of \"" + part +
                         "\"; the scene's triangles are counted from 0, as in a C++ program.");

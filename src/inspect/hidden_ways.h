@@ -1,0 +1,82 @@
+#pragma once
+
+// What each way to remove hidden surfaces costs, and what it gets wrong.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "pipeline/frame.h"
+#include "pipeline/frame_drawing.h"
+#include "pipeline/tally.h"
+#include "settings/choices.h"
+
+namespace rasterwalk {
+
+/// What was compared, cut and remembered to find what hides what.
+struct HiddenCounts {
+    /// Depth buffer: fragments with what their pixels hold. Painter: two triangles' depths. BSP:
+    /// the camera with a plane.
+    std::int64_t comparisons = 0;
+    int splits = 0; ///< BSP: triangles and pieces that a plane has cut in two
+    /// Bytes needed besides scene and picture: the buffer, a depth and a number for each triangle,
+    /// or the tree.
+    std::int64_t memory = 0;
+
+    friend bool operator==(const HiddenCounts&, const HiddenCounts&) = default;
+};
+
+/// @param tally of the frame, as far as it is drawn
+HiddenCounts hidden_counts(const Frame& frame, const DrawTally& tally);
+
+/// One of the ways, with a scene and its camera.
+struct HiddenWay {
+    Hidden way = Hidden::depth_buffer;
+    bool is_possible = true; ///< false: the scene is too large for it
+    int triangles = 0;       ///< that are drawn: those of the scene, or pieces
+    HiddenCounts counts;     ///< of the whole picture
+    /// Pixels that show another triangle of the scene than with the depth buffer, one that is
+    /// farther away by more than a thousandth.
+    std::int64_t wrong = 0;
+
+    friend bool operator==(const HiddenWay&, const HiddenWay&) = default;
+};
+
+/// Draws a scene in every way, without light, and counts. The rules of the ways are those of the
+/// settings, except for the depth buffer's: it is the lab's.
+class HiddenWaysWork {
+  public:
+    /// @param scene must outlive this
+    HiddenWaysWork(const Scene& scene, const Settings& settings);
+    HiddenWaysWork(const HiddenWaysWork&) = delete; // its parts refer to each other
+    HiddenWaysWork& operator=(const HiddenWaysWork&) = delete;
+
+    /// Goes on as far as the limit allows.
+    void advance(const WorkLimit& limit = {});
+    bool is_done() const;
+
+    /// In the order of Hidden; all of them once is_done().
+    const std::vector<HiddenWay>& ways() const { return ways_; }
+
+    const Settings& settings() const { return settings_; }
+
+  private:
+    struct Shown {
+        int triangle = -1; ///< of the scene; -1: nothing
+        double z = 0.0;    ///< how far in front of the camera, world units
+    };
+    std::vector<Shown> shown() const;
+    void count();
+
+    const Scene* scene_;
+    Settings settings_;
+    FrameDrawing drawing_;
+    bool is_begun_ = false;        ///< the next way
+    std::vector<Shown> by_buffer_; ///< each pixel of the picture by the depth buffer
+    std::vector<HiddenWay> ways_;
+};
+
+/// All of them at once.
+std::vector<HiddenWay> hidden_ways(const Scene& scene, const Settings& settings);
+
+} // namespace rasterwalk

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/numbers.h"
+#include "explain/order_formulas.h"
+#include "settings/value_words.h"
+#include "ui/actions/go_to_source.h"
+#include "ui/inspector/panels.h"
+#include "ui/ui.h"
+#include "ui/widgets/formula_view.h"
+#include "ui/widgets/imgui_versions.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace rasterwalk {
+
+namespace {
+
+/// Of a deep tree, this many planes next to the root are listed, and as many next to the triangle.
+constexpr std::size_t planes_at_each_end = 4;
+
+/// What orders the triangles, and where the one shown is among them.
+void draw_place(Ui& ui, const DrawnList& list, int triangle) {
+    const int count = ui.results.a.frame.triangle_count();
+    std::string text;
+    if (list.made_by == Hidden::painter) {
+        text = fmt::format("Sorted by depth, the farthest first. {} of {} come before this one.",
+                           triangle, count);
+    } else {
+        const BspTree& tree = list.divided->tree;
+        text = fmt::format("A tree of {}, walked from back to front: at each plane, the side "
+                           "without the camera first.",
+                           counted(static_cast<int>(tree.nodes.size()), "plane", "planes"));
+    }
+    wrapped_text(text);
+    register_widget(ui, "hidden.place", "How the drawn list was ordered.", text);
+}
+
+/// The planes on the way to the triangle: where the camera is, and what is therefore drawn first.
+void draw_walk(Ui& ui, int triangle) {
+    const Frame& frame = ui.results.a.frame;
+    const Palette& p = palette(ui.options.theme);
+    const std::vector<OrderNode> nodes = order_nodes(frame, triangle);
+    if (nodes.empty()) return;
+    put_text("The way from the root", ui.fonts.bold);
+    const std::size_t count = nodes.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (count > 2 * planes_at_each_end + 1 && i == planes_at_each_end) {
+            text_in(p.dim, fmt::format("… {} more", count - 2 * planes_at_each_end));
+            i = count - planes_at_each_end;
+        }
+        const OrderNode& node = nodes[i];
+        const std::string side = node.is_front ? "in front of" : "behind";
+        const std::string when = node.is_near ? "the camera's side, drawn after it"
+                                              : "the side without the camera, drawn before it";
+        text_in(p.text,
+                first_fitting({fmt::format("{} the plane of [{}]: {}", side, node.triangle, when),
+                               fmt::format("{} [{}]: {}", side, node.triangle,
+                                           node.is_near ? "near side" : "far side"),
+                               fmt::format("{} [{}]", side, node.triangle)},
+                              ImGui::GetContentRegionAvail().x));
+        register_widget(ui, fmt::format("hidden.plane.{}", i),
+                        fmt::format("The triangle lies {} the plane of the scene's triangles[{}], "
+                                    "which is {}.",
+                                    side, node.triangle, when));
+    }
+}
+
+/// A way to remove hidden surfaces, in a row of the table.
+struct WayColumn {
+    const char* title;
+    const char* help;
+    std::string (*words)(const HiddenWay&);
+};
+
+const std::array way_columns{
+    WayColumn{"drawn",
+              "Triangles that are drawn: those of the scene, or the pieces they were cut "
+              "into.",
+              [](const HiddenWay& way) { return std::to_string(way.triangles); }},
+    WayColumn{"compared",
+              "Depth buffer: fragments with what their pixels hold. Painter: depths of two "
+              "triangles. BSP tree: the camera with a plane.",
+              [](const HiddenWay& way) { return std::to_string(way.counts.comparisons); }},
+    WayColumn{"splits", "Triangles and pieces that were cut in two.",
+              [](const HiddenWay& way) { return std::to_string(way.counts.splits); }},
+    WayColumn{"bytes", "What has to be remembered besides scene and picture.",
+              [](const HiddenWay& way) { return std::to_string(way.counts.memory); }},
+    WayColumn{"wrong",
+              "Pixels that show a triangle farther away than the one the depth buffer shows, by "
+              "more than a thousandth.",
+              [](const HiddenWay& way) { return std::to_string(way.wrong); }},
+};
+
+void draw_way(Ui& ui, const HiddenWay& way, bool is_chosen) {
+    const Palette& p = palette(ui.options.theme);
+    const std::string word(word_of(way.way));
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const std::string name = choice_words(*find_setting("hidden"), word);
+    if (button(ui, "hidden.way." + word, name, is_chosen ? Look::quiet : Look::link,
+               is_chosen ? "In use now." : "Uses it: hidden=" + word))
+        ui.session.a.settings.hidden = way.way;
+    for (std::size_t i = 0; i < way_columns.size(); ++i) {
+        ImGui::TableNextColumn();
+        const std::string text = way.is_possible ? way_columns[i].words(way) : "–";
+        right_aligned(text, is_chosen ? p.text : p.dim);
+        register_widget(ui, fmt::format("hidden.{}.{}", word, way_columns[i].title),
+                        way.is_possible ? way_columns[i].help : "The scene is too large for this.",
+                        text);
+    }
+}
+
+void draw_ways(Ui& ui) {
+    const Palette& p = palette(ui.options.theme);
+    put_text("All ways, with this scene and camera", ui.fonts.bold);
+    const HiddenTable& table = ui.results.hidden;
+    if (table.ways.empty()) {
+        text_in(p.dim, "Counting …");
+        return;
+    }
+    const auto columns = static_cast<int>(way_columns.size()) + 1;
+    if (!begin_lined_table("hidden.ways", columns, ImGuiTableFlags_SizingStretchProp)) return;
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.7f);
+    for (std::size_t i = 0; i < way_columns.size(); ++i)
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.0f);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    for (const WayColumn& column : way_columns) {
+        ImGui::TableNextColumn();
+        right_aligned(column.title, p.dim, ui.fonts.small);
+        register_widget(ui, std::string("hidden.title.") + column.title, column.help);
+    }
+    const Hidden chosen = hidden_rule(ui.results.a.frame.settings);
+    for (const HiddenWay& way : table.ways)
+        draw_way(ui, way, way.way == chosen);
+    ImGui::EndTable();
+}
+
+} // namespace
+
+void draw_hidden_panel(Ui& ui) {
+    if (!begin_triangle_panel(ui, "place in the picture")) return;
+    const Frame& frame = ui.results.a.frame;
+    if (frame.list != nullptr) {
+        const int triangle = *ui.results.a.triangle;
+        draw_place(ui, *frame.list, triangle);
+        const std::vector<Formula> formulas = order_formulas(frame, triangle);
+        if (frame.list->divided == nullptr) {
+            const std::optional<Source> source = draw_formula(ui, formulas.front(), "hidden.depth");
+            if (source) go_to_source(ui, *source);
+        } else {
+            draw_walk(ui, triangle);
+        }
+        ImGui::Spacing();
+    }
+    draw_ways(ui);
+}
+
+} // namespace rasterwalk
