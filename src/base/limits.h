@@ -19,9 +19,9 @@ inline constexpr int largest_tessellation = 64;
 inline constexpr int most_tessellated_triangles = 200'000;
 
 /// The most triangles that the painter's algorithm sorts, and the most pieces of a BSP tree and
-/// comparisons of a piece with a plane: what can be done between two frames.
+/// comparisons of a piece with a plane: what takes a few tenths of a second at most.
 inline constexpr int most_sorted_triangles = 200'000;
-inline constexpr std::size_t most_bsp_pieces = 20'000;
+inline constexpr std::size_t most_bsp_pieces = 100'000;
 inline constexpr long long most_bsp_tests = 20'000'000;
 
 /// The most corners of a polygon of a scene.

@@ -159,8 +159,11 @@ Json to_json(const Scene& scene, const NearTriangle& near, const glm::ivec2& pix
     return object;
 }
 
-/// Room for the name of a part; longer ones push the rest of their line to the right.
-constexpr std::size_t name_width = 16;
+/// Room for the name of a part, and of the scene's triangle if another one is drawn; longer ones
+/// push the rest of their line to the right.
+std::size_t name_width(const Scene& scene) {
+    return scene.sources.empty() ? 16 : 34;
+}
 
 /// The pixel's colour when everything before `to` is drawn.
 glm::vec3 colour_at(const PixelHistory& history, const Cursor& to) {
@@ -256,7 +259,7 @@ std::string entry_line(const Frame& frame, const PixelHistory& history, std::siz
     const Scene& scene = *frame.scene;
     const PixelEntry& entry = history.entries[i];
     std::string name = part_words(scene, entry.cursor.triangle);
-    name.resize(std::max(name.size(), name_width), ' '); // bytes
+    name.resize(std::max(name.size(), name_width(scene)), ' '); // bytes
     const glm::vec3& colour = entry.colour_after;
     std::string line =
         fmt::format("{:>3}  {:<15}  {}  {:>9.6f}  {:>9.6f}  {:>+9.6f}  {:>+9.6f}  {:<7}  {:.4f} "
@@ -288,9 +291,10 @@ void print_text(const Frame& frame, const PixelHistory& history, const Cursor& t
     const char* const what = has_fragments(stage) ? "fragment" : "mark";
     out << counted(static_cast<std::int64_t>(history.entries.size()), what, std::string(what) + "s")
         << ".\n"
-        << fmt::format("  #  moment           part              {:>8}     stored     margin  to "
-                       "winner  fate     colour after\n",
-                       depth_words(frame).short_name);
+        << fmt::format(
+               "  #  moment           {:<{}}  {:>8}     stored     margin  to winner  fate     "
+               "colour after\n",
+               "part", name_width(scene), depth_words(frame).short_name);
     for (std::size_t i = 0; i < history.entries.size(); ++i)
         out << entry_line(frame, history, i, to);
 }

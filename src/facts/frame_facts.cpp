@@ -227,10 +227,11 @@ void add_frame_facts(std::vector<Fact>& table) {
                 "Bytes that the removal of hidden surfaces needs besides scene and picture.",
                 natural(), [](Stats s) { return s.hidden.memory; });
     const FactAdder<&Facts::hidden_way> add_of_way(table);
-    add_of_way("frame.wrong",
-               "Pixels of the finished picture that show another triangle of the scene than with "
-               "the depth buffer, one that is farther away by more than a thousandth.",
-               natural(), [](const HiddenWay& way) { return way.wrong; });
+    add_of_way(
+        "frame.wrong",
+        "Pixels of the finished picture that show a triangle of the scene, or nothing, which "
+        "the depth buffer shows neither there nor at any pixel next to it.",
+        natural(), [](const HiddenWay& way) { return way.wrong; });
     add("frame.edges", "Edges of the triangles that are drawn.", natural(),
         [](const Facts& f) { return f.edge_ends().edges; });
     add("frame.ends_missed", "Edges whose last sample is not on the pixel of their end vertex.",

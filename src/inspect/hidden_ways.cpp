@@ -3,15 +3,10 @@
 #include <algorithm>
 
 #include "base/enum_words.h"
-#include "stages/orthographic.h"
 
 namespace rasterwalk {
 
 namespace {
-
-/// How much farther away than the nearest a surface is before showing it is wrong: where two
-/// surfaces meet, each is as right as the other.
-constexpr double wrong_from = 1e-3;
 
 // The sizes of what has to be remembered, bytes.
 constexpr std::int64_t number_bytes = 4, float_bytes = 4;
@@ -70,18 +65,35 @@ void HiddenWaysWork::advance(const WorkLimit& limit) {
     }
 }
 
-/// What each pixel of the picture that was drawn shows.
-std::vector<HiddenWaysWork::Shown> HiddenWaysWork::shown() const {
-    const Framebuffer& picture = drawing_.picture();
-    const Frame& frame = drawing_.frame();
-    const DepthRules rules = depth_rules(frame.settings, frame.scene->space);
-    std::vector<Shown> pixels(picture.owner.size());
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (picture.owner[i] < 0) continue;
-        pixels[i] = {scene_triangle(*frame.scene, picture.owner[i]),
-                     z_of_depth(picture.depth[i], rules)};
+/// The triangle of the scene that each pixel of the drawn picture shows; -1: none.
+std::vector<int> HiddenWaysWork::shown() const {
+    const Scene& scene = *drawing_.frame().scene;
+    std::vector<int> triangles = drawing_.picture().owner;
+    for (int& triangle : triangles)
+        triangle = triangle < 0 ? -1 : scene_triangle(scene, triangle);
+    return triangles;
+}
+
+std::int64_t HiddenWaysWork::count_wrong() const {
+    const Viewport size = drawing_.frame().settings.viewport;
+    const std::vector<int> pixels = shown();
+    const auto at = [&](int column, int row) {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(size.width) +
+               static_cast<std::size_t>(column);
+    };
+    std::int64_t wrong = 0;
+    for (int row = 0; row < size.height; ++row) {
+        for (int column = 0; column < size.width; ++column) {
+            bool is_near = false;
+            for (int y = std::max(row - 1, 0); y <= std::min(row + 1, size.height - 1); ++y) {
+                for (int x = std::max(column - 1, 0); x <= std::min(column + 1, size.width - 1);
+                     ++x)
+                    is_near = is_near || by_buffer_[at(x, y)] == pixels[at(column, row)];
+            }
+            wrong += is_near ? 0 : 1;
+        }
     }
-    return pixels;
+    return wrong;
 }
 
 void HiddenWaysWork::count() {
@@ -91,16 +103,8 @@ void HiddenWaysWork::count() {
     way.is_possible = way.way == Hidden::depth_buffer || frame.list != nullptr;
     way.triangles = frame.triangle_count();
     way.counts = hidden_counts(frame, drawing_.tally());
-    if (way.way == Hidden::depth_buffer) {
-        by_buffer_ = shown();
-    } else if (way.is_possible) {
-        const std::vector<Shown> pixels = shown();
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-            const Shown &here = pixels[i], &nearest = by_buffer_[i];
-            const bool is_another = here.triangle >= 0 && here.triangle != nearest.triangle;
-            way.wrong += is_another && here.z > (1.0 + wrong_from) * nearest.z ? 1 : 0;
-        }
-    }
+    if (way.way == Hidden::depth_buffer) by_buffer_ = shown();
+    if (way.is_possible) way.wrong = count_wrong();
     ways_.push_back(way);
     is_begun_ = false;
 }

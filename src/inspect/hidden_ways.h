@@ -35,8 +35,8 @@ struct HiddenWay {
     bool is_possible = true; ///< false: the scene is too large for it
     int triangles = 0;       ///< that are drawn: those of the scene, or pieces
     HiddenCounts counts;     ///< of the whole picture
-    /// Pixels that show another triangle of the scene than with the depth buffer, one that is
-    /// farther away by more than a thousandth.
+    /// Pixels that show a triangle of the scene, or nothing, which the depth buffer shows neither
+    /// there nor at any pixel next to it: outlines may be a pixel apart.
     std::int64_t wrong = 0;
 
     friend bool operator==(const HiddenWay&, const HiddenWay&) = default;
@@ -61,18 +61,15 @@ class HiddenWaysWork {
     const Settings& settings() const { return settings_; }
 
   private:
-    struct Shown {
-        int triangle = -1; ///< of the scene; -1: nothing
-        double z = 0.0;    ///< how far in front of the camera, world units
-    };
-    std::vector<Shown> shown() const;
+    std::vector<int> shown() const;
+    std::int64_t count_wrong() const;
     void count();
 
     const Scene* scene_;
     Settings settings_;
     FrameDrawing drawing_;
-    bool is_begun_ = false;        ///< the next way
-    std::vector<Shown> by_buffer_; ///< each pixel of the picture by the depth buffer
+    bool is_begun_ = false;      ///< the next way
+    std::vector<int> by_buffer_; ///< what each pixel shows with the depth buffer, see shown()
     std::vector<HiddenWay> ways_;
 };
 

@@ -156,20 +156,47 @@ void add_cut_edges(const WorldClipping& clipping, const Corners& corners, Collec
     }
 }
 
-/// Adds the face of the plane at work, and a place for its name.
-void add_plane(const WorldClipping& clipping, const OutsideScene& outside_scene,
-               Collector& collector) {
-    const std::vector<glm::dvec3> face = plane_face(clipping, outside_scene.plane);
+/// Adds the face of a plane, and places for its name.
+void add_face(const std::vector<glm::dvec3>& face, OutsidePointKind kind, int number,
+              Collector& collector) {
     if (face.size() < 3) return;
     std::vector<glm::dvec3> in_view;
     for (const glm::dvec3& corner : face)
         in_view.push_back(collector.eye.in_eye(corner));
     collector.marks.face = visible_face(collector.eye, in_view, collector.size);
-    const int number = static_cast<int>(clipping.plane->plane);
     for (std::size_t i = 0; i < face.size(); ++i)
         collector.line(OutsideLineKind::plane, number, face[i], face[(i + 1) % face.size()]);
     for (const glm::dvec3& corner : face)
-        collector.point(OutsidePointKind::plane, number, corner);
+        collector.point(kind, number, corner);
+}
+
+/// Adds the plane at work.
+void add_plane(const WorldClipping& clipping, const OutsideScene& outside_scene,
+               Collector& collector) {
+    const std::vector<glm::dvec3> face = plane_face(clipping, outside_scene.plane);
+    if (face.size() >= 3)
+        add_face(face, OutsidePointKind::plane, static_cast<int>(clipping.plane->plane), collector);
+}
+
+/// How far a plane that divides the scene is drawn beyond it, in parts of its size.
+constexpr double divider_margin = 0.05;
+
+/// Adds the part of a plane that divides the scene, as far as the scene goes.
+void add_divider(const OutsideDivider& divider, const SceneBox& box, Collector& collector) {
+    const glm::dvec3 &n = divider.plane.normal, middle = box.middle();
+    if (n == glm::dvec3(0.0)) return;
+    const double size = 4.0 * box.radius();
+    const glm::dvec3 foot = middle - (glm::dot(n, middle) - divider.plane.offset) * n;
+    const glm::dvec3 axis = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 u = size * glm::normalize(glm::cross(n, axis)), v = glm::cross(n, u);
+    std::vector<glm::dvec3> face{foot - u - v, foot + u - v, foot + u + v, foot - u + v};
+    const glm::dvec3 margin(divider_margin * box.radius());
+    const glm::dvec3 low = box.low - margin, high = box.high + margin;
+    for (int i = 0; i < axis_count; ++i) {
+        face = cut_by(face, [&](const glm::dvec3& p) { return p[i] - low[i]; });
+        face = cut_by(face, [&](const glm::dvec3& p) { return high[i] - p[i]; });
+    }
+    add_face(face, OutsidePointKind::divider, divider.triangle, collector);
 }
 
 /// Adds where the division puts a vertex behind the camera: on the other side of the picture.
@@ -201,6 +228,7 @@ void add_triangle(const Scene& scene, const MarkedTriangle& marked,
         add_plane(marked.clipping, outside_scene, collector);
         add_cut_edges(marked.clipping, corners, collector);
     } else {
+        if (marked.divider) add_divider(*marked.divider, outside_scene.box, collector);
         for (int i = 0; i < triangle_corners; ++i) {
             collector.line(OutsideLineKind::edge, i, corners[static_cast<std::size_t>(i)],
                            next_corner(corners, i));
@@ -315,6 +343,14 @@ bool is_off_lines(const OutsideLabel& label, const OutsideBox& box,
 }
 
 } // namespace
+
+std::optional<OutsideDivider> divider_of(const Frame& frame, std::optional<int> triangle) {
+    const DrawnList* const list = frame.list.get();
+    if (list == nullptr || list->divided == nullptr || !triangle) return std::nullopt;
+    const int node = list->nodes[static_cast<std::size_t>(*triangle)];
+    const BspNode& of = list->divided->tree.nodes[static_cast<std::size_t>(node)];
+    return OutsideDivider{of.plane, of.triangle};
+}
 
 OutsideMarks outside_marks(const Scene& scene, const OutsideScene& outside_scene,
                            const OutsideEye& eye, const MarkedTriangle& marked,

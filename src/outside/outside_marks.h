@@ -14,6 +14,7 @@
 #include "outside/basis.h"
 #include "outside/outside_eye.h"
 #include "outside/world_clipping.h"
+#include "pipeline/frame.h"
 #include "scene/scene.h"
 
 namespace rasterwalk {
@@ -26,7 +27,7 @@ enum class OutsideLineKind : std::uint8_t {
     cut_off,     ///< what clipping takes away; number: which edge
     cut,         ///< where a plane cuts the triangle
     fan,         ///< between the triangles that draw what clipping leaves
-    plane,       ///< around the visible part of a plane
+    plane,       ///< around the visible part of a plane, or of one that divides the scene
     end,         ///< around near and far plane within the view volume; number: which ClipPlane
     ray,         ///< from a vertex of the triangle to the camera; number: which vertex
     behind,      ///< the same for a vertex that is not in front of the camera
@@ -54,6 +55,7 @@ enum class OutsidePointKind : std::uint8_t {
     cut,      ///< a corner that a plane has made; number: which ClipPlane
     plane,    ///< a place for the name of a plane; number: which ClipPlane
     end,      ///< a place for the name of the near or far plane; number: which ClipPlane
+    divider,  ///< a place for the name of a plane of the BSP tree; number: whose, of the scene
     mirrored, ///< where the division puts a vertex behind the camera; number: which vertex
     shaded,   ///< a point on a surface that the lamp lights, or would
     occluder, ///< where the ray meets what is in between
@@ -73,11 +75,21 @@ struct OutsideMarks {
     std::vector<OutsidePoint> points; ///< in the same order
 };
 
+/// A plane of the BSP tree.
+struct OutsideDivider {
+    BspPlane plane;
+    int triangle = 0; ///< of the scene, whose plane it is
+};
+
+/// The plane of the BSP tree in which a drawn triangle lies; none if no tree orders the frame.
+std::optional<OutsideDivider> divider_of(const Frame& frame, std::optional<int> triangle);
+
 /// The triangle whose rays are drawn, and what is known about it.
 struct MarkedTriangle {
     std::optional<int> triangle; ///< if it is in the scene
     WorldClipping clipping{};
     bool is_mirrored = false; ///< it is shown where the division puts vertices behind the camera
+    std::optional<OutsideDivider> divider{}; ///< the plane that it lies in, with both sides
 };
 
 /// The number of an axis, 0 to 2, among those of all spaces.

@@ -30,6 +30,16 @@ Scene scene_of(const Scene& scene, std::vector<TriangleSource> sources, Mesh mes
     return made;
 }
 
+/// The same vertices, and these triangles of the mesh in this order.
+Mesh in_order(const Mesh& mesh, const std::vector<int>& triangles) {
+    Mesh made;
+    for (const Vertex& vertex : mesh.vertices())
+        made.add_vertex(vertex);
+    for (const int triangle : triangles)
+        made.add_triangle(mesh.triangles()[static_cast<std::size_t>(triangle)]);
+    return made;
+}
+
 void paint(const Scene& scene, const VertexRules& rules, const Stages& stages, DrawnList& list) {
     const glm::mat3 rotation = camera_rotation(rules.camera);
     std::vector<CornerDepths> triangles;
@@ -38,16 +48,12 @@ void paint(const Scene& scene, const VertexRules& rules, const Stages& stages, D
         triangles.push_back(corner_depths(scene, t, rules, rotation, stages));
     const PaintersOrder order = painters_order(triangles, stages);
     list.comparisons = order.comparisons;
-    Mesh mesh;
-    for (const Vertex& vertex : scene.mesh.vertices())
-        mesh.add_vertex(vertex);
     std::vector<TriangleSource> sources;
     for (const int triangle : order.triangles) {
-        mesh.add_triangle(scene.mesh.triangles()[static_cast<std::size_t>(triangle)]);
         sources.push_back({triangle});
         list.depths.push_back(order.depths[static_cast<std::size_t>(triangle)]);
     }
-    list.scene = scene_of(scene, std::move(sources), std::move(mesh));
+    list.scene = scene_of(scene, std::move(sources), in_order(scene.mesh, order.triangles));
 }
 
 /// A corner of a piece: everything is mixed by its weights. What the corners have in common keeps
@@ -69,37 +75,45 @@ Vertex vertex_of(const std::array<Vertex, triangle_corners>& corners, const BspC
     return vertex;
 }
 
-void divide(const Scene& scene, const VertexRules& rules, const Stages& stages,
-            const DrawnList* before, DrawnList& list) {
+DividedMesh divide(const Mesh& mesh) {
+    DividedMesh divided{mesh, make_bsp_tree(mesh), {}, {}};
+    for (const Vertex& vertex : mesh.vertices())
+        divided.pieces.add_vertex(vertex);
+    VertexJoin cuts(divided.pieces);
+    for (const BspPiece& piece : divided.tree.pieces) {
+        const int t = piece.triangle;
+        TriangleIndices indices = mesh.triangles()[static_cast<std::size_t>(t)];
+        TriangleSource source{t, piece.is_cut};
+        const std::array<Vertex, triangle_corners> given{mesh.corner(t, 0), mesh.corner(t, 1),
+                                                         mesh.corner(t, 2)};
+        for (std::size_t i = 0; piece.is_cut && i < indices.size(); ++i) {
+            indices[i] = cuts.index_of(vertex_of(given, piece.corners[i]));
+            source.weights[i] = glm::vec3(piece.corners[i].weights);
+        }
+        divided.pieces.add_triangle(indices);
+        divided.sources.push_back(source);
+    }
+    return divided;
+}
+
+void walk(const Scene& scene, const VertexRules& rules, const Stages& stages,
+          const DrawnList* before, DrawnList& list) {
     const bool is_known =
         before != nullptr && before->divided != nullptr && before->divided->given == scene.mesh;
-    list.divided = is_known ? before->divided
-                            : std::make_shared<const DividedMesh>(
-                                  DividedMesh{scene.mesh, make_bsp_tree(scene.mesh)});
-    const BspTree& tree = list.divided->tree;
-    const BspWalk walk = walk_bsp_tree(tree, sight_rays(rules), stages);
+    list.divided =
+        is_known ? before->divided : std::make_shared<const DividedMesh>(divide(scene.mesh));
+    const DividedMesh& divided = *list.divided;
+    const BspWalk walk = walk_bsp_tree(divided.tree, sight_rays(rules), stages);
     list.comparisons = walk.comparisons;
-    Mesh mesh;
-    for (const Vertex& vertex : scene.mesh.vertices())
-        mesh.add_vertex(vertex);
-    VertexJoin cuts(mesh);
-    std::vector<TriangleSource> sources;
+    std::vector<int> order;
     for (const BspStep& step : walk.steps) {
-        const BspPiece& piece = tree.pieces[static_cast<std::size_t>(step.piece)];
-        const std::array<Vertex, triangle_corners> given = corners_of(scene, piece.triangle);
-        TriangleIndices indices = scene.mesh.triangles()[static_cast<std::size_t>(piece.triangle)];
-        TriangleSource source{piece.triangle, piece.is_cut};
-        if (piece.is_cut) {
-            for (std::size_t i = 0; i < indices.size(); ++i) {
-                indices[i] = cuts.index_of(vertex_of(given, piece.corners[i]));
-                source.weights[i] = glm::vec3(piece.corners[i].weights);
-            }
-        }
-        mesh.add_triangle(indices);
-        sources.push_back(source);
+        order.push_back(step.piece);
         list.nodes.push_back(step.node);
     }
-    list.scene = scene_of(scene, std::move(sources), std::move(mesh));
+    std::vector<TriangleSource> sources;
+    for (const int piece : order)
+        sources.push_back(divided.sources[static_cast<std::size_t>(piece)]);
+    list.scene = scene_of(scene, std::move(sources), in_order(divided.pieces, order));
 }
 
 } // namespace
@@ -126,7 +140,7 @@ std::shared_ptr<const DrawnList> make_drawn_list(const Scene& scene, const Setti
     if (hidden == Hidden::painter)
         paint(scene, rules, stages, list);
     else
-        divide(scene, rules, stages, before, list);
+        walk(scene, rules, stages, before, list);
     if (list.scene.triangle_count() == 0) return nullptr;
     return std::make_shared<const DrawnList>(std::move(list));
 }

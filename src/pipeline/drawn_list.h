@@ -21,7 +21,9 @@ namespace rasterwalk {
 /// A mesh and its tree, which is the same for every camera.
 struct DividedMesh {
     Mesh given;
-    BspTree tree; ///< empty if the mesh is too large for one
+    BspTree tree;                        ///< empty if the mesh is too large for one
+    Mesh pieces;                         ///< of the tree, as triangles in its order
+    std::vector<TriangleSource> sources; ///< of the pieces
 };
 
 /// The list of a frame.

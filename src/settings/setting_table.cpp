@@ -85,6 +85,9 @@ bool has_bumps(const Scene& scene) {
 bool has_any_alpha(const Scene& scene) {
     return has_alpha(scene) || has_texture_alpha(scene);
 }
+bool has_depth_buffer(const Settings& s) {
+    return hidden_rule(s) == Hidden::depth_buffer;
+}
 bool is_painted(const Settings& s) {
     return s.hidden == Hidden::painter;
 }
@@ -219,7 +222,8 @@ std::vector<Setting> make_table() {
          "What decides which fragment is nearer: 1/z (or whatever the depth buffer holds); z "
          "interpolated in a straight line; nothing; 1/z the wrong way round; or 1/z with ≥ in "
          "place of >.",
-         "Depth buffer", "", choice<&Settings::depth_test>()},
+         "Depth buffer", "", choice<&Settings::depth_test>(),
+         SettingTies{.needs = has_depth_buffer}},
         {"depth_format", "Depth buffer holds", "Depth and interpolation",
          "What the depth buffer holds: 1/z; NDC z, 0 at the near plane and 1 at the far one; or "
          "NDC z reversed; each as a float, or rounded to 24 or 16 bits. Without perspective, 1/z "

@@ -246,6 +246,9 @@ ViewField pixel_field() {
 
 /// The number of triangles drawn of the scene.
 int triangles_of(const Session& session) {
+    // How many pieces planes cut is known only once they have.
+    if (hidden_rule(session.a.settings) == Hidden::bsp)
+        return prepare_frame(*session.scene, session.a.settings).triangle_count();
     const int parts = tessellation_of(*session.scene, session.a.settings.tessellation);
     return session.scene->triangle_count() * parts * parts;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "ui/ui.h"
@@ -180,6 +181,7 @@ void draw_point(const Pen& pen, const OutsidePoint& point) {
     case OutsidePointKind::picture:
     case OutsidePointKind::plane:
     case OutsidePointKind::end:
+    case OutsidePointKind::divider:
     case OutsidePointKind::axis:
     case OutsidePointKind::origin:
         break; // only its name is there
@@ -236,6 +238,7 @@ float reach_of(OutsidePointKind kind) {
     case OutsidePointKind::picture:
     case OutsidePointKind::plane:
     case OutsidePointKind::end:
+    case OutsidePointKind::divider:
     case OutsidePointKind::axis:
     case OutsidePointKind::origin:
         break; // nothing is drawn there
@@ -278,14 +281,16 @@ std::string origin_name(int number, bool is_narrow) {
 
 /// Is it a plane, which is named at one of its corners?
 bool is_plane(OutsidePointKind kind) {
-    return kind == OutsidePointKind::plane || kind == OutsidePointKind::end;
+    return kind == OutsidePointKind::plane || kind == OutsidePointKind::end ||
+           kind == OutsidePointKind::divider;
 }
 
 /// Empty for a point without a name.
 Name name_of(const Pen& pen, const OutsidePoint& point) {
     const std::string vertex =
         (pen.is_narrow ? "[" : "vertices[") + std::to_string(point.number) + "]";
-    const bool is_of_plane = point.kind == OutsidePointKind::cut || is_plane(point.kind);
+    const bool is_of_plane = point.kind == OutsidePointKind::cut ||
+                             (is_plane(point.kind) && point.kind != OutsidePointKind::divider);
     const auto which = is_of_plane ? static_cast<ClipPlane>(point.number) : ClipPlane::near;
     const std::string_view plane = word_of(which);
     switch (point.kind) {
@@ -306,6 +311,9 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
     case OutsidePointKind::end:
         return {point, pen.is_narrow ? std::string(plane) : std::string(plane) + " plane",
                 pen.meaning(Meaning::left_end), 4, LabelSide::above_right};
+    case OutsidePointKind::divider:
+        return {point, fmt::format("plane of [{}]", point.number), pen.meaning(Meaning::left_end),
+                4, LabelSide::above_right};
     case OutsidePointKind::mirrored:
         return {point, pen.is_narrow ? "divided" : "dividing puts it here",
                 pen.meaning(Meaning::fail), 2};
@@ -366,7 +374,8 @@ std::vector<Name> names_of(const Pen& pen, const OutsideMarks& marks) {
     }
     std::stable_sort(names.begin(), names.end(),
                      [](const Name& a, const Name& b) { return a.rank < b.rank; });
-    for (const OutsidePointKind kind : {OutsidePointKind::plane, OutsidePointKind::end}) {
+    for (const OutsidePointKind kind :
+         {OutsidePointKind::plane, OutsidePointKind::divider, OutsidePointKind::end}) {
         for (const OutsidePoint* const point : named_corners(marks, kind))
             names.push_back(name_of(pen, *point));
     }

@@ -232,11 +232,11 @@ void draw_outside(Ui& ui, const Pane& pane) {
     list->AddRectFilled(pane.low, pane.high, packed(p.canvas), 4.0f * u);
     list->PushClipRect(pane.low, pane.high, true);
     draw_image(ui, list, pane);
-    const OutsideMarks marks =
-        outside_marks(*a.frame.scene, drawing.outside_scene(), drawing.eye(),
-                      {a.triangle, subject.clipping, is_mirrored_visible(a)},
-                      ui.session.selection.pixel, size_of(pane), bases_of(a.frame, a.triangle),
-                      lamp_ray_outside(a.frame, a.inspected.fragment));
+    const OutsideMarks marks = outside_marks(
+        *a.frame.scene, drawing.outside_scene(), drawing.eye(),
+        {a.triangle, subject.clipping, is_mirrored_visible(a), divider_of(a.frame, a.triangle)},
+        ui.session.selection.pixel, size_of(pane), bases_of(a.frame, a.triangle),
+        lamp_ray_outside(a.frame, a.inspected.fragment));
     const std::string coming = fitting_coming_words(ui, pane);
     const float below =
         coming.empty() ? 0.0f : ui.fonts.small->FontSize + (coming_border + coming_gap) * u;

@@ -91,8 +91,8 @@ const std::array way_columns{
     WayColumn{"bytes", "What has to be remembered besides scene and picture.",
               [](const HiddenWay& way) { return std::to_string(way.counts.memory); }},
     WayColumn{"wrong",
-              "Pixels that show a triangle farther away than the one the depth buffer shows, by "
-              "more than a thousandth.",
+              "Pixels that show what the depth buffer shows neither there nor at any pixel next to "
+              "it.",
               [](const HiddenWay& way) { return std::to_string(way.wrong); }},
 };
 
