@@ -36,7 +36,10 @@ std::string note_name(const Session& session) {
     if (session.scene && is_bench(*session.scene)) {
         return session.scene->examples.empty() ? "pixels" : "bench";
     }
-    return std::string(stage_info(session.a.settings).name);
+    const Settings& settings = session.a.settings;
+    if (settings.stage == Stage::depth && hidden_rule(settings) != Hidden::depth_buffer)
+        return "hidden";
+    return std::string(stage_info(settings).name);
 }
 
 std::string note_about(std::string_view text, const FactReader& fact) {

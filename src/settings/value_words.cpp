@@ -62,7 +62,7 @@ constexpr ChoiceWords choice_word_list[] = {
     {"spans", "single_skipped", "no single pixels"},
     {"spans", "last_dropped", "without the last"},
     {"hidden", "depth_buffer", "depth buffer"},
-    {"hidden", "painter", "painter's algorithm"},
+    {"hidden", "painter", "painter"},
     {"hidden", "bsp", "BSP tree"},
     {"painter_rule", "right", "by mean depth"},
     {"painter_rule", "nearest_corner", "by nearest corner"},

@@ -67,12 +67,14 @@ TEST_CASE("stats of the lab's room are the numbers that were found independently
     CHECK(result.exit_code == 0);
     CHECK(result.err.empty());
     CHECK(without_blanks(result.out) ==
-          "{\"clip_triangles\":30,\"clipped\":0,\"culled\":0,\"depth_outside\":0,"
+          "{\"clip_triangles\":30,\"clipped\":0,\"comparisons\":328789,\"culled\":0,"
+          "\"depth_outside\":0,"
           "\"fragments\":328789,\"fragments_outside\":0,\"left_out\":{\"behind_camera\":0,"
-          "\"not_finite\":0,\"taken_for_behind\":0,\"too_far_out\":0},\"max_overdraw\":8,\"pixels_"
+          "\"not_finite\":0,\"taken_for_behind\":0,\"too_far_out\":0},\"max_overdraw\":8,"
+          "\"memory\":1000000,\"pixels_"
           "tested\":0,"
           "\"rejected\":0,\"rows_looked_at\":15109,\"rows_outside\":4,\"rows_outside_triangles\":4,"
-          "\"shaded\":293357,\"triangles\":30,\"uncovered\":998,\"unset_rows\":0}");
+          "\"shaded\":293357,\"splits\":0,\"triangles\":30,\"uncovered\":998,\"unset_rows\":0}");
     CHECK_THAT(run({"stats"}).out, ContainsSubstring("fragments               328789\n"));
 }
 

@@ -156,8 +156,15 @@ std::vector<DivergenceGroup> groups_of(const Differences& differences) {
 
 /// Fails unless the divergences are those that the plain walk finds.
 void require_true_divergences(const Frame& a, const Frame& b) {
-    const Differences expected = differences(a, b);
     const DivergenceList found = compare_runs(a, b).divergences;
+    if (!have_same_triangles(a, b)) {
+        // Moments of different lists cannot be compared; one entry says so.
+        REQUIRE(found.count == 1);
+        REQUIRE(found.first);
+        REQUIRE(found.first->text.ends_with("so only the pictures are compared."));
+        return;
+    }
+    const Differences expected = differences(a, b);
     REQUIRE(found.count == static_cast<std::int64_t>(expected.size()));
     REQUIRE(found.first.has_value() == !expected.empty());
     if (found.first) {

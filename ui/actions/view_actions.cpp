@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "picture/view_image.h"
 #include "session/walk.h"
@@ -243,14 +244,21 @@ std::vector<Action> stage_actions() {
         {"switch.depth_test",
          "Stage",
          "Depth test",
-         "Draws a fragment only if it is nearer; when it is off, the last one drawn wins.",
+         "Draws a fragment only if it is nearer; when it is off, the last one drawn wins. If "
+         "something else removes hidden surfaces, brings the depth buffer back.",
          {'Z'},
          [](Ui& ui) {
              if (refuses_settings(ui.session)) return;
-             DepthTest& d = ui.session.a.settings.depth_test;
-             d = d == DepthTest::off ? DepthTest::inverse_z : DepthTest::off;
+             Settings& settings = ui.session.a.settings;
+             DepthTest& d = settings.depth_test;
+             if (std::exchange(settings.hidden, Hidden::depth_buffer) == Hidden::depth_buffer)
+                 d = d == DepthTest::off ? DepthTest::inverse_z : DepthTest::off;
          },
-         [](const Ui& ui) { return ui.session.a.settings.depth_test != DepthTest::off; }},
+         [](const Ui& ui) {
+             const Settings& settings = ui.session.a.settings;
+             return settings.hidden == Hidden::depth_buffer &&
+                    settings.depth_test != DepthTest::off;
+         }},
     };
     actions.insert(actions.end(), switches.begin(), switches.end());
     return actions;

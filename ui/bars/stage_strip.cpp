@@ -157,10 +157,15 @@ std::vector<StripWord> strip_words(const Ui& ui, const Form& form, bool has_swit
         add("switch.perspective", form.is_short ? "P-corr." : "Perspective-correct",
             word_of_perspective(settings), settings.interpolation == Interpolation::perspective,
             "off");
-        add("switch.depth_test", form.is_short ? "Depth" : "Depth test",
-            word_of_depth_test(settings, ui.results.a.frame),
-            settings.depth_test == DepthTest::inverse_z, "1/z");
-        if (!is_hidden) words.back().help += depth_help(ui.results.a.frame);
+        if (hidden_rule(settings) == Hidden::depth_buffer) {
+            add("switch.depth_test", form.is_short ? "Depth" : "Depth test",
+                word_of_depth_test(settings, ui.results.a.frame),
+                settings.depth_test == DepthTest::inverse_z, "1/z");
+            if (!is_hidden) words.back().help += depth_help(ui.results.a.frame);
+        } else {
+            add("switch.depth_test", form.is_short ? "" : "Hidden by",
+                choice_words(*find_setting("hidden"), word_of(settings.hidden)), false, "");
+        }
     }
     words.push_back({.name = "switch.compare",
                      .quiet = "",

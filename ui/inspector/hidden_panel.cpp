@@ -47,26 +47,35 @@ void draw_walk(Ui& ui, int triangle) {
     const std::vector<OrderNode> nodes = order_nodes(frame, triangle);
     if (nodes.empty()) return;
     put_text("The way from the root", ui.fonts.bold);
-    const std::size_t count = nodes.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        if (count > 2 * planes_at_each_end + 1 && i == planes_at_each_end) {
-            text_in(p.dim, fmt::format("… {} more", count - 2 * planes_at_each_end));
-            i = count - planes_at_each_end;
+    // All lines in the longest form that fits for each of them.
+    constexpr int form_count = 3;
+    std::vector<std::array<std::string, form_count>> lines;
+    float widest[form_count]{};
+    for (const OrderNode& node : nodes) {
+        const char* const side = node.is_front ? "in front of" : "behind";
+        const char* const near = node.is_near ? "near" : "far";
+        lines.push_back({fmt::format("{} the plane of [{}]: its {} side, drawn {}", side,
+                                     node.triangle, near, node.is_near ? "last" : "first"),
+                         fmt::format("{} [{}]: {} side", side, node.triangle, near),
+                         fmt::format("{} [{}]", side, node.triangle)});
+        for (std::size_t i = 0; i < form_count; ++i)
+            widest[i] = std::max(widest[i], text_width(lines.back()[i]));
+    }
+    std::size_t form = 0;
+    while (form + 1 < form_count && widest[form] > ImGui::GetContentRegionAvail().x)
+        ++form;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (nodes.size() > 2 * planes_at_each_end + 1 && i == planes_at_each_end) {
+            text_in(p.dim, fmt::format("… {} more", nodes.size() - 2 * planes_at_each_end));
+            i = nodes.size() - planes_at_each_end;
         }
-        const OrderNode& node = nodes[i];
-        const std::string side = node.is_front ? "in front of" : "behind";
-        const std::string when = node.is_near ? "the camera's side, drawn after it"
-                                              : "the side without the camera, drawn before it";
-        text_in(p.text,
-                first_fitting({fmt::format("{} the plane of [{}]: {}", side, node.triangle, when),
-                               fmt::format("{} [{}]: {}", side, node.triangle,
-                                           node.is_near ? "near side" : "far side"),
-                               fmt::format("{} [{}]", side, node.triangle)},
-                              ImGui::GetContentRegionAvail().x));
+        text_in(p.text, lines[i][form]);
         register_widget(ui, fmt::format("hidden.plane.{}", i),
-                        fmt::format("The triangle lies {} the plane of the scene's triangles[{}], "
-                                    "which is {}.",
-                                    side, node.triangle, when));
+                        fmt::format("The triangle lies {} the plane of the scene's triangles[{}]. "
+                                    "The camera is on {} side, so this side is drawn {} the other.",
+                                    nodes[i].is_front ? "in front of" : "behind", nodes[i].triangle,
+                                    nodes[i].is_near ? "the same" : "the other",
+                                    nodes[i].is_near ? "after" : "before"));
     }
 }
 
@@ -125,7 +134,7 @@ void draw_ways(Ui& ui) {
     }
     const auto columns = static_cast<int>(way_columns.size()) + 1;
     if (!begin_lined_table("hidden.ways", columns, ImGuiTableFlags_SizingStretchProp)) return;
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.7f);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.5f);
     for (std::size_t i = 0; i < way_columns.size(); ++i)
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.0f);
     ImGui::TableNextRow();
