@@ -24,6 +24,12 @@ inline constexpr int most_sorted_triangles = 200'000;
 inline constexpr std::size_t most_bsp_pieces = 100'000;
 inline constexpr long long most_bsp_tests = 20'000'000;
 
+/// The most rows of all triangles whose picture is divided into squares, the most squares, and the
+/// most rows that may be looked at to divide it.
+inline constexpr long long most_warnock_rows = 100'000;
+inline constexpr std::size_t most_warnock_squares = 500'000;
+inline constexpr long long most_warnock_steps = 100'000'000;
+
 /// The most corners of a polygon of a scene.
 inline constexpr std::size_t most_scene_corners = 100;
 
