@@ -40,6 +40,9 @@ std::string to_text(const Cursor& cursor) {
     if (cursor == cursor_end) return "end";
     const PhaseInfo& phase = phase_info(cursor.phase);
     std::string text = cursor.pass == 0 ? "" : numbered('p', cursor.pass) + ":";
+    if (cursor.square >= 0) text += numbered('w', cursor.square);
+    if (is_square(cursor)) return text;
+    if (cursor.square >= 0) text += "/";
     text.append(numbered('t', cursor.triangle)).append("/");
     if (!phase.is_numbered) return text + phase.letter;
     text += numbered(phase.letter, cursor.index);
@@ -48,6 +51,7 @@ std::string to_text(const Cursor& cursor) {
 }
 
 std::string short_place(const Cursor& cursor) {
+    if (is_square(cursor)) return numbered('w', cursor.square);
     const PhaseInfo& phase = phase_info(cursor.phase);
     if (!phase.is_numbered) return std::string(1, phase.letter);
     std::string text = numbered(phase.letter, cursor.index);
@@ -62,6 +66,14 @@ std::optional<Cursor> parse_cursor(std::string_view text) {
         const auto pass = take_numbered(text, 'p');
         if (!pass || !take(text, ':')) return std::nullopt;
         cursor.pass = *pass;
+    }
+    if (text.starts_with('w')) {
+        const auto square = take_numbered(text, 'w');
+        if (!square) return std::nullopt;
+        cursor.square = *square;
+        cursor.triangle = -1;
+        if (text.empty()) return cursor;
+        if (!take(text, '/')) return std::nullopt;
     }
     const auto triangle = take_numbered(text, 't');
     if (!triangle) return std::nullopt;

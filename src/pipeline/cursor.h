@@ -59,15 +59,18 @@ constexpr const PhaseInfo& phase_info(Phase phase) {
 /// A moment in the drawing of a frame: the next piece of work to be done. Everything before it is
 /// done, and nothing else. Totally ordered; counts from 0.
 struct Cursor {
-    int pass = 0; ///< over all triangles; a frame has one, so far
-    int triangle = 0;
+    int pass = 0;     ///< over all triangles; a frame has one, so far
+    int square = -1;  ///< of the picture, see Frame::squares; -1: the frame is not made of squares
+    int triangle = 0; ///< -1: a square itself, which comes before the fragments in it
     Phase phase = Phase::vertices;
     int index = 0; ///< the piece: which vertex, plane, edge, row of the box or of the row table
     int step = 0;  ///< of the piece: which sample, or which column from the row's left end
 
     constexpr Cursor() = default;
-    constexpr Cursor(int in_triangle, Phase in_phase, int at_index, int at_step, int in_pass = 0)
-        : pass(in_pass), triangle(in_triangle), phase(in_phase), index(at_index), step(at_step) {}
+    constexpr Cursor(int in_triangle, Phase in_phase, int at_index, int at_step, int in_pass = 0,
+                     int in_square = -1)
+        : pass(in_pass), square(in_square), triangle(in_triangle), phase(in_phase), index(at_index),
+          step(at_step) {}
 
     friend auto operator<=>(const Cursor&, const Cursor&) = default;
 };
@@ -83,12 +86,23 @@ constexpr Cursor beginning_of(int triangle) {
     return {triangle, Phase::vertices, 0, 0};
 }
 
+/// The moment of a square of the picture.
+constexpr Cursor moment_of_square(int square) {
+    return {-1, Phase::vertices, 0, 0, 0, square};
+}
+
+/// Is it the moment of a square, not a piece of work in it?
+constexpr bool is_square(const Cursor& cursor) {
+    return cursor.square >= 0 && cursor.triangle < 0;
+}
+
 /// The text form: `t12/v1`, `t12/p0/s2`, `t12/k`, `t12/e2/s14`, `t12/b4/c7`, `t12/r37/c5`, `end`;
-/// with the pass in front if it is not 0: `p1:t12/v1`.
+/// of a square of the picture `w12`, and of a fragment in it `w12/t3/r37/c5`; with the pass in
+/// front if it is not 0: `p1:t12/v1`.
 std::string to_text(const Cursor& cursor);
 
 /// The piece and the step alone, for tight spaces: "v1", "e2 [14]" for edge 2, line[14], "r37 [5]"
-/// for entry [37], fragments[5]; "k" for a phase whose piece has no number.
+/// for entry [37], fragments[5]; "k" for a phase whose piece has no number; "w12" for a square.
 std::string short_place(const Cursor& cursor);
 
 /// Reads the text form; parts left out are 0: `t12` is `t12/v0`, `t12/r37` is `t12/r37/c0`.
