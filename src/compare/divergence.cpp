@@ -203,7 +203,7 @@ void DivergenceCollector::walk_part(const Frame& a, const Frame& b, RunWalk& wal
 
 std::optional<Divergence> next_divergence(const EventSource& a, const EventSource& b,
                                           const Cursor& from) {
-    if (!have_same_triangles(*a.frame, *b.frame)) return std::nullopt;
+    if (!have_same_moments(*a.frame, *b.frame)) return std::nullopt;
     std::optional<Divergence> found;
     RunWalk walk(a, b, cursor_end);
     walk.skip_to(from.triangle);
@@ -221,7 +221,7 @@ std::optional<Divergence> next_divergence(const EventSource& a, const EventSourc
 
 std::optional<Divergence> previous_divergence(const EventSource& a, const EventSource& b,
                                               const Cursor& to) {
-    if (!have_same_triangles(*a.frame, *b.frame)) return std::nullopt;
+    if (!have_same_moments(*a.frame, *b.frame)) return std::nullopt;
     // Once forward to find where it is, and once more to get there and report it.
     std::optional<Cursor> last;
     RunWalk walk(a, b, to);
@@ -238,7 +238,7 @@ std::optional<Divergence> previous_divergence(const EventSource& a, const EventS
 std::optional<Divergence> divergence_at(const Frame& a, const Framebuffer& picture_a,
                                         const Frame& b, const Framebuffer& picture_b,
                                         const Cursor& cursor, Framebuffer& scratch) {
-    if (!have_same_triangles(a, b)) return std::nullopt;
+    if (!have_same_moments(a, b)) return std::nullopt;
     std::optional<Divergence> found;
     const SightRules rules = sight_rules(a, b);
     visit_moment(a, picture_a, b, picture_b, cursor, scratch, [&](const PairMoment& moment) {

@@ -31,7 +31,8 @@ const Cursor* cursor_before_end(const Facts& facts) {
 template <Phase phase>
 const Cursor* cursor_in(const Facts& facts) {
     const Cursor* const cursor = cursor_before_end(facts);
-    return cursor != nullptr && cursor->phase == phase ? cursor : nullptr;
+    const bool is_in_it = cursor != nullptr && cursor->phase == phase && !is_square(*cursor);
+    return is_in_it ? cursor : nullptr;
 }
 
 /// Row or column of the picture where the next fragment falls.
@@ -66,11 +67,14 @@ void add_cursor_facts(std::vector<Fact>& table) {
     const FactAdder<&Facts::decision> add_of_decision(table);
     add("cursor", "The moment, that is, what comes next; `end` after everything.", moment(),
         [](const Facts& f) { return Value(f.results().a.cursor); });
-    add_before_end("cursor.triangle", "Triangle of the moment, from 0.", natural(),
-                   [](const Cursor& at) { return at.triangle; });
+    add("cursor.triangle", "Triangle of the moment, from 0.", natural(), [](const Facts& f) {
+        const Cursor* const at = cursor_before_end(f);
+        return at == nullptr ? std::nullopt : triangle_at(f.results().a.frame, *at);
+    });
     add("cursor.phase", "What kind of work comes next.", words(phase_words), [](const Facts& f) {
         const Cursor* const at = cursor_before_end(f);
-        return at == nullptr ? phase_words.back() : phase_info(at->phase).word;
+        if (at != nullptr && is_square(*at)) return Value(); // it has no phases
+        return Value(std::string(at == nullptr ? phase_words.back() : phase_info(at->phase).word));
     });
     add_in_vertices("cursor.vertex", "Vertex that comes next, 0 to 2.", whole(0, 2),
                     [](const Cursor& at) { return at.index; });

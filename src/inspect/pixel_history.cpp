@@ -124,7 +124,9 @@ void HistoryWork::draw_part(int triangles) {
             }};
     const Cursor from = beginning_of(drawn_);
     drawn_ += triangles;
-    source_.play({from, beginning_of(drawn_), only_pixel(history_.pixel)}, keep_all);
+    // Squares come after what would be the moments of triangles.
+    const Cursor to = drawn_ == frame_->triangle_count() ? cursor_end : beginning_of(drawn_);
+    source_.play({from, to, only_pixel(history_.pixel)}, keep_all);
 }
 
 /// Completes what is known only when everything has been drawn.

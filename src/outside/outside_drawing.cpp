@@ -212,7 +212,8 @@ bool OutsideDrawing::update(const OutsideSubject& subject, const OutsideLook& lo
     take_scene(subject);
     const BaseKey base{subject.frame_number, look};
     const int count = subject.scene->triangle_count();
-    const int begun = count <= most_ordered ? std::clamp(subject.cursor.triangle, 0, count) : count;
+    const bool is_ordered = count <= most_ordered && !is_square(subject.cursor);
+    const int begun = is_ordered ? std::clamp(subject.cursor.triangle, 0, count) : count;
     if (base_key_ != base) {
         // Noted as begun only when it is, so that after an exception it is begun again.
         const std::optional<BaseKey> before = std::exchange(base_key_, std::nullopt);

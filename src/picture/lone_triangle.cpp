@@ -8,8 +8,9 @@ namespace rasterwalk {
 
 bool LoneTriangle::draw(const Frame& frame, const FrameWork& work, std::uint64_t number,
                         int triangle, const Cursor& cursor, const WorkLimit& limit) {
-    const Cursor from = beginning_of(triangle);
-    const Cursor to = std::clamp(cursor, from, beginning_of(triangle + 1));
+    const bool has_squares = frame.squares != nullptr;
+    const Cursor from = has_squares ? cursor_begin : beginning_of(triangle);
+    const Cursor to = has_squares ? cursor : std::clamp(cursor, from, beginning_of(triangle + 1));
     const bool is_same = number == number_ && triangle == triangle_;
     if (is_same && to == to_ && !is_drawing()) return false;
     if (!is_same || to < at_) {
@@ -26,7 +27,7 @@ bool LoneTriangle::draw(const Frame& frame, const FrameWork& work, std::uint64_t
         const Cursor part = work.at(begun + limit.slice);
         if (part > at_) end = std::min(part, to);
     }
-    if (end > at_) rasterwalk::draw(frame, {at_, end, std::nullopt}, picture_);
+    if (end > at_) rasterwalk::draw(frame, {at_, end, std::nullopt, triangle}, picture_);
     at_ = end;
     pixels_ = std::count_if(picture_.owner.begin(), picture_.owner.end(),
                             [](std::int32_t owner) { return owner >= 0; });

@@ -14,6 +14,9 @@
 //     test_depth         is the fragment nearer than what its pixel shows?
 //     shade              the pixel shader: its colour
 //     put_pixel          into the planes; half-transparent colours over what is there
+//
+// If the picture is divided into squares, fill_rows is called for each of them instead, with the
+// row table of the one polygon that is drawn in it.
 
 #include "pipeline/draw.h"
 
@@ -24,6 +27,8 @@
 #include "pipeline/fill_rows.h"
 #include "pipeline/observe_clipping.h"
 #include "pipeline/observe_tests.h"
+#include "pipeline/square_steps.h"
+#include "pipeline/surface.h"
 
 namespace rasterwalk {
 
@@ -86,7 +91,36 @@ void draw_polygon(Drawing& d, int triangle) {
     if (stage == Stage::points || !d.frame.is_drawn(triangle)) return;
     cover(d, triangle);
     if (stage == Stage::rows) show_row_ends(d, triangle);
-    if (has_fragments(stage)) fill_rows(d, triangle);
+    if (has_fragments(stage))
+        fill_rows(d, d.rows, surface_of(d.frame, triangle), {triangle, Phase::rows, 0, 0});
+}
+
+/// Counts the row tables of a frame that is divided into squares, at the first of them.
+void count_tables(Drawing& d, bool draws_part) {
+    const Cursor first = moment_of_square(0);
+    if (d.window.from > first || d.window.to <= first) return;
+    for (int t = 0; t < d.frame.triangle_count(); ++t) {
+        if (d.frame.is_drawn(t) && (!draws_part || can_reach(d, t)))
+            count_rows(d.frame, d.frame.squares->rows(t), t, d.draws_empty, d.tally);
+    }
+}
+
+void draw_squares(Drawing& d, bool draws_part) {
+    count_tables(d, draws_part);
+    const WarnockSquares& squares = *d.frame.squares;
+    const Rectangle scissor = d.scissor;
+    Surface surface;
+    int triangle = -1; // that it is of
+    for (int n = square_at(squares, d.window.from);
+         n < squares.count() && moment_of_square(n) < d.window.to; ++n) {
+        const WarnockSquare& square = squares[n];
+        d.scissor = intersection(scissor, square.pixels);
+        const bool is_meant = d.window.only < 0 || square.surface == d.window.only;
+        if (square.surface < 0 || !is_meant || is_empty(d.scissor)) continue;
+        if (square.surface != triangle) surface = surface_of(d.frame, square.surface);
+        triangle = square.surface;
+        fill_rows(d, squares.rows(triangle), surface, {triangle, Phase::rows, 0, 0, 0, n});
+    }
 }
 
 } // namespace
@@ -137,6 +171,10 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
     const auto begins_in_time = [&](int triangle) {
         return triangle < frame.triangle_count() && beginning_of(triangle) < window.to;
     };
+    if (frame.squares != nullptr) {
+        draw_squares(d, draws_part);
+        return d.tally;
+    }
     for (int t = std::max(window.from.triangle, 0); begins_in_time(t); ++t) {
         if (frame.has_moments(t) && (!draws_part || can_reach(d, t))) draw_polygon(d, t);
     }

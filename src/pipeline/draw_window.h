@@ -16,6 +16,7 @@ struct DrawWindow {
     Cursor from = cursor_begin;
     Cursor to = cursor_end;
     std::optional<Rectangle> scissor;
+    int only = -1; ///< of squares, only those in which this triangle is drawn; -1: all
 };
 
 /// A scissor that leaves one pixel of the picture.
@@ -33,8 +34,8 @@ inline PieceRange clamp_to_window(const DrawWindow& window, Cursor piece, int Cu
     // A cursor of this triangle and phase bounds the loop by its own count; any other comes either
     // before or after all pieces.
     const auto begun_before = [&](const Cursor& bound) {
-        const bool same_line = bound.pass == piece.pass && bound.triangle == piece.triangle &&
-                               bound.phase == piece.phase &&
+        const bool same_line = bound.pass == piece.pass && bound.square == piece.square &&
+                               bound.triangle == piece.triangle && bound.phase == piece.phase &&
                                (field == &Cursor::index || bound.index == piece.index);
         if (!same_line) return bound > piece ? count : 0;
         const int whole = std::clamp(bound.*field, 0, count);

@@ -132,7 +132,8 @@ CornerDepths corner_depths(const Scene& scene, int triangle, const VertexRules& 
 std::shared_ptr<const DrawnList> make_drawn_list(const Scene& scene, const Settings& settings,
                                                  const Stages& stages, const DrawnList* before) {
     const Hidden hidden = hidden_rule(settings);
-    if (hidden == Hidden::depth_buffer || scene.space == SceneSpace::pixels) return nullptr;
+    const bool is_sorted = hidden == Hidden::painter || hidden == Hidden::bsp;
+    if (!is_sorted || scene.space == SceneSpace::pixels) return nullptr;
     if (scene.triangle_count() > most_sorted_triangles) return nullptr;
     const VertexRules rules = vertex_rules(settings, scene.space);
     DrawnList list;

@@ -38,8 +38,8 @@ struct DrawnList {
 
 /// Makes the list of a scene for a camera.
 /// @param before the previous list, whose tree is kept if it is of the same mesh; or null
-/// @return null if the depth buffer removes hidden surfaces, or the scene is in pixels or too large
-///         to be sorted or divided: it is then drawn in its own order
+/// @return null if no order removes hidden surfaces, or the scene is in pixels or too large to be
+///         sorted or divided: it is then drawn in its own order
 std::shared_ptr<const DrawnList> make_drawn_list(const Scene& scene, const Settings& settings,
                                                  const Stages& stages, const DrawnList* before);
 

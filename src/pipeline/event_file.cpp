@@ -221,7 +221,7 @@ bool can_be_at(std::size_t kind, const Cursor& cursor) {
     const bool is_mark = kind + 1 == kinds.size() &&
                          (cursor.phase == Phase::vertices || cursor.phase == Phase::edges);
     return (is_mark || cursor.phase == static_cast<Phase>(kind)) && cursor.pass == 0 &&
-           cursor.triangle < max_triangles && cursor.index < most_pieces &&
+           cursor.triangle >= 0 && cursor.triangle < max_triangles && cursor.index < most_pieces &&
            cursor.step < most_pieces &&
            (cursor.phase != Phase::vertices || cursor.index < triangle_corners) &&
            (cursor.phase != Phase::clip || cursor.index < static_cast<int>(clip_plane_count));

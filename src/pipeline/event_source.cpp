@@ -54,6 +54,14 @@ void check_recording(const std::vector<Event>& events, const Frame& frame) {
             throw InputError(fmt::format("the recording has {}, and the scene only {}",
                                          to_text(cursor),
                                          counted(frame.triangle_count(), "triangle", "triangles")));
+        const bool is_in_square = frame.squares != nullptr &&
+                                  cursor.square < frame.squares->count() && cursor.square >= 0 &&
+                                  (*frame.squares)[cursor.square].surface == cursor.triangle;
+        if (is_in_square != (frame.squares != nullptr || cursor.square >= 0))
+            throw InputError(
+                fmt::format("the recording has {}, and the picture is not divided into "
+                            "squares in that way",
+                            to_text(cursor)));
         const bool goes_on = frame.is_drawn(cursor.triangle) ||
                              (frame.has_moments(cursor.triangle) && cursor.phase < Phase::edges);
         if (!goes_on)

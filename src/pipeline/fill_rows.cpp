@@ -106,11 +106,11 @@ PieceRange columns_in_window(const Drawing& d, const Cursor& row, const RowSpan&
 }
 
 /// The fragments of a row of the table in these of its columns.
-std::span<const LineSample> interpolate_row(Drawing& d, int index, const RowSpan& span,
-                                            const PieceRange& columns, VaryingSet carried) {
+std::span<const LineSample> interpolate_row(Drawing& d, const PolygonRows& rows, int index,
+                                            const RowSpan& span, const PieceRange& columns,
+                                            VaryingSet carried) {
     const auto i = static_cast<std::size_t>(index);
-    const Row row{d.rows.left[i], d.rows.right[i], d.rows.first_row + index, span.count,
-                  &d.rows.tested};
+    const Row row{rows.left[i], rows.right[i], rows.first_row + index, span.count, &rows.tested};
     const std::span<LineSample> fragments = samples_of(d.fragments, columns.last - columns.first);
     call<row_fragments, fragments_by_weights>(d.stages.row_fragments, d.stages, row, columns.first,
                                               carried, fragments);
@@ -133,15 +133,15 @@ bool skip_occluded_row(Drawing& d, std::span<const LineSample> fragments) {
 }
 
 /// The fragments of a row in these of its columns, all at once.
-void draw_row_at_once(Drawing& d, int triangle, int index, const RowSpan& span,
-                      const PieceRange& columns, const Surface& surface) {
+void draw_row_at_once(Drawing& d, const PolygonRows& rows, int triangle, int index,
+                      const RowSpan& span, const PieceRange& columns, const Surface& surface) {
     const auto i = static_cast<std::size_t>(index);
-    const RowPart part{.left = d.rows.left[i],
-                       .right = d.rows.right[i],
+    const RowPart part{.left = rows.left[i],
+                       .right = rows.right[i],
                        .count = span.count,
                        .first = columns.first,
                        .drawn = columns.last - columns.first,
-                       .pixel = d.target.at(span.left + columns.first, d.rows.first_row + index),
+                       .pixel = d.target.at(span.left + columns.first, rows.first_row + index),
                        .triangle = triangle};
     d.tally.fragments += part.drawn;
     d.tally.shaded += d.row_kernel(part, {surface, d.pixels, d.stages}, d.target);
@@ -149,27 +149,26 @@ void draw_row_at_once(Drawing& d, int triangle, int index, const RowSpan& span,
 
 } // namespace
 
-void fill_rows(Drawing& d, int triangle) {
-    const PolygonRows& rows = d.rows;
-    const Surface surface = surface_of(d.frame, triangle);
-    const PieceRange range =
-        clamp_to_window(d.window, {triangle, Phase::rows, 0, 0}, &Cursor::index, rows.size());
+void fill_rows(Drawing& d, const PolygonRows& rows, const Surface& surface, const Cursor& begin) {
+    const PieceRange range = clamp_to_window(d.window, begin, &Cursor::index, rows.size());
     // The row above the first that begins in the window may end in it; its columns decide.
     const int first_row = std::max({range.first - 1, d.scissor.top - rows.first_row, 0});
     const int last_row = std::min(range.last, d.scissor.bottom - rows.first_row);
     for (int r = first_row; r < last_row; ++r) {
         const RowSpan span = row_span(d.stages, rows, r);
-        const PieceRange columns = columns_in_window(d, {triangle, Phase::rows, r, 0}, span);
+        Cursor cursor = begin;
+        cursor.index = r;
+        const PieceRange columns = columns_in_window(d, cursor, span);
         if (columns.first >= columns.last) continue;
         if (d.row_kernel != nullptr) {
-            draw_row_at_once(d, triangle, r, span, columns, surface);
+            draw_row_at_once(d, rows, begin.triangle, r, span, columns, surface);
             continue;
         }
-        if (d.skips_hidden && skip_occluded_row(d, interpolate_row(d, r, span, columns, {})))
+        if (d.skips_hidden && skip_occluded_row(d, interpolate_row(d, rows, r, span, columns, {})))
             continue;
         const std::span<const LineSample> fragments =
-            interpolate_row(d, r, span, columns, d.carried);
-        const Cursor cursor{triangle, Phase::rows, r, columns.first};
+            interpolate_row(d, rows, r, span, columns, d.carried);
+        cursor.step = columns.first;
         if (d.observer == nullptr || !d.observer->fragment)
             draw_fragments<false>(d, cursor, fragments, surface);
         else

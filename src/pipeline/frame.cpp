@@ -60,6 +60,18 @@ bool have_same_triangles(const Frame& a, const Frame& b) {
     return a.triangles_of_each() == b.triangles_of_each() && a.scene->sources == b.scene->sources;
 }
 
+bool have_same_moments(const Frame& a, const Frame& b) {
+    return a.squares == nullptr && b.squares == nullptr && have_same_triangles(a, b);
+}
+
+std::optional<int> triangle_at(const Frame& frame, const Cursor& cursor) {
+    int triangle = cursor.triangle;
+    if (is_square(cursor) && frame.squares != nullptr && cursor.square < frame.squares->count())
+        triangle = (*frame.squares)[cursor.square].surface;
+    const bool exists = triangle >= 0 && triangle < frame.triangle_count();
+    return exists ? std::optional(triangle) : std::nullopt;
+}
+
 VaryingSet carried_varyings(const Frame& frame) {
     const VaryingSet carried = carried_varyings(frame.stages, shading_rule(frame.settings));
     return is_textured(frame) || frame.bends ? carried | VaryingSet::of(&Varyings::texcoord)

@@ -3,10 +3,13 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "pipeline/cursor.h"
 #include "pipeline/drawn_list.h"
+#include "pipeline/warnock_squares.h"
 #include "scene/scene.h"
 #include "settings/choose_stages.h"
 #include "settings/depth_words.h"
@@ -46,6 +49,8 @@ struct Frame {
     bool bends = false;                     ///< normal maps bend normals somewhere
     std::vector<Polygon> polygons;          ///< what reject, clip and cull left of each triangle
                                             ///< of `scene`, in order
+    std::shared_ptr<const WarnockSquares> squares; ///< the moments, if the picture is divided into
+                                                   ///< squares; null: it is not
 
     int triangle_count() const { return static_cast<int>(polygons.size()); }
     /// How many triangles are drawn for each one of the given scene.
@@ -69,8 +74,9 @@ struct Frame {
         return is_cut(triangle) || rejection(triangle) == Rejection::clipped_away;
     }
     /// Does the triangle have moments? Of those not drawn, only the ones removed by clip or cull:
-    /// the reason is one of their moments.
+    /// the reason is one of their moments. Where squares are the moments, none has any.
     bool has_moments(int triangle) const {
+        if (squares != nullptr) return false;
         const Rejection why = rejection(triangle);
         return why == Rejection::none || why == Rejection::clipped_away ||
                why == Rejection::back_facing;
@@ -100,6 +106,9 @@ struct Frame {
         return std::span{vertices.data() + polygon.first, static_cast<std::size_t>(polygon.count)};
     }
 };
+
+/// The triangle that a piece of work is about: of a square, the one that is drawn in it, if any.
+std::optional<int> triangle_at(const Frame& frame, const Cursor& cursor);
 
 /// What casts shadows in the frame; null: nothing does.
 inline const Occluders* occluders_of(const Frame& frame) {
@@ -163,6 +172,9 @@ int triangle_in(const Frame& frame, const Frame& other, int triangle_of_other);
 
 /// Do both frames of a scene draw the same triangles, with the same numbers?
 bool have_same_triangles(const Frame& a, const Frame& b);
+
+/// Do they draw them one after another, too, so that their moments correspond?
+bool have_same_moments(const Frame& a, const Frame& b);
 
 /// Clips a triangle again, by the function that clipped it.
 /// @param sink    receives each edge at each plane; for a triangle that no plane has cut, nothing

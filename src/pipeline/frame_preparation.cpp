@@ -29,6 +29,12 @@ void take_scene(const Scene& scene, int tessellation, Frame& frame) {
     frame.in_order = parts == 1 ? &scene : &frame.tessellated->made;
 }
 
+/// Is the picture of the frame to be divided into squares?
+bool is_divided(const Frame& frame) {
+    return hidden_rule(frame.settings) == Hidden::warnock && frame.scene != nullptr &&
+           frame.scene->space == SceneSpace::world;
+}
+
 /// Puts its triangles in the order in which they are drawn.
 void take_list(Frame& frame) {
     frame.list = make_drawn_list(*frame.in_order, frame.settings, frame.stages, frame.list.get());
@@ -41,25 +47,28 @@ FramePreparation::FramePreparation(const Mesh& mesh, const VertexRules& rules, F
     : mesh_(&mesh), frame_(&frame), volume_(rules), rays_(sight_rays(rules)),
       rotation_(camera_rotation(rules.camera)),
       asks_corners_(frame.stages.reject != reject_nothing || frame.stages.clip != clip_nothing ||
-                    frame.stages.cull != cull_nothing) {
+                    frame.stages.cull != cull_nothing),
+      needs_squares_(is_divided(frame)) {
     frame.triangles = mesh.triangles();
     frame.shaded.clear();
     frame.projected.clear();
     frame.vertices.clear();
     frame.polygons.clear();
+    frame.squares = nullptr;
     frame.shaded.reserve(mesh.vertices().size());
     frame.projected.reserve(mesh.vertices().size());
     frame.polygons.reserve(mesh.triangles().size());
 }
 
 bool FramePreparation::is_done() const {
-    return frame_->projected.size() == mesh_->vertices().size() &&
+    return !needs_squares_ && frame_->projected.size() == mesh_->vertices().size() &&
            frame_->polygons.size() == mesh_->triangles().size();
 }
 
 double FramePreparation::work() const {
     return vertex_preparation * static_cast<double>(mesh_->vertices().size()) +
-           triangle_preparation * static_cast<double>(mesh_->triangles().size());
+           triangle_preparation * static_cast<double>(mesh_->triangles().size()) +
+           (needs_squares_ ? squares_work(*frame_) : 0.0);
 }
 
 void FramePreparation::advance(const WorkLimit& limit) {
@@ -75,6 +84,18 @@ void FramePreparation::advance(const WorkLimit& limit) {
     const double left = part - vertex_preparation * static_cast<double>(vertices);
     make_polygons(
         count_of(left, triangle_preparation, mesh_->triangles().size() - frame_->polygons.size()));
+    const bool has_polygons = frame_->polygons.size() == mesh_->triangles().size();
+    // How much work the squares are is a guess, so they are bounded by the size of a part.
+    if (needs_squares_ && has_polygons) make_squares(limit.slice);
+}
+
+void FramePreparation::make_squares(double work) {
+    if (!squares_) squares_.emplace(*frame_);
+    squares_->advance(work);
+    if (!squares_->is_done()) return;
+    frame_->squares = squares_->take();
+    squares_ = std::nullopt;
+    needs_squares_ = false;
 }
 
 void FramePreparation::shade_vertices(std::size_t count) {

@@ -1,16 +1,19 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "pipeline/frame.h"
+#include "pipeline/squares_preparation.h"
 #include "pipeline/work.h"
 
 namespace rasterwalk {
 
 /// The vertices and polygons of a frame on their way: each vertex of the mesh is shaded and
-/// projected once, then each triangle goes through reject, clip and cull. The result does not
-/// depend on how many parts this is done in. Mesh and frame must outlive it.
+/// projected once, then each triangle goes through reject, clip and cull; last, if the settings ask
+/// for it, the picture is divided into squares. The result does not depend on how many parts this
+/// is done in. Mesh and frame must outlive it.
 class FramePreparation {
   public:
     /// Removes the frame's vertices and polygons. Its stages must have been chosen.
@@ -29,6 +32,7 @@ class FramePreparation {
   private:
     void shade_vertices(std::size_t count);
     void make_polygons(std::size_t count);
+    void make_squares(double work);
     Polygon make(int triangle);
     void clip(int triangle, Polygon& polygon);
     static void count(const ProjectedVertex& corner, Polygon& polygon);
@@ -38,8 +42,10 @@ class FramePreparation {
     ViewVolume volume_;
     SightRays rays_;
     glm::mat3 rotation_;
-    bool asks_corners_;               ///< only then are the corners gathered
-    std::vector<ClipVertex> corners_; ///< of the current polygon
+    bool asks_corners_;                         ///< only then are the corners gathered
+    std::vector<ClipVertex> corners_;           ///< of the current polygon
+    bool needs_squares_;                        ///< the frame has none yet, and is to have them
+    std::optional<SquaresPreparation> squares_; ///< once the polygons are made
 };
 
 /// Puts the scene, or its tessellation, into a frame, reusing its memory, and begins its

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "pipeline/clearing.h"
+#include "pipeline/square_steps.h"
 
 namespace rasterwalk {
 
@@ -27,6 +28,14 @@ std::int64_t area(const Rectangle& r) {
 
 Rectangle whole_picture(const Frame& frame) {
     return {0, 0, frame.settings.viewport.width, frame.settings.viewport.height};
+}
+
+/// A rectangle around what is drawn in the squares from one moment up to another.
+Rectangle squares_between(const WarnockSquares& squares, const Cursor& from, const Cursor& to) {
+    Rectangle around_all;
+    for (int n = square_at(squares, from); n < squares.count() && moment_of_square(n) < to; ++n)
+        if (squares[n].surface >= 0) around_all = around(around_all, squares[n].pixels);
+    return around_all;
 }
 
 } // namespace
@@ -155,8 +164,12 @@ Cursor Replay::part_end(const Cursor& cursor, const WorkLimit& limit) const {
     const double part = limit.of(work_.total());
     if (part >= missing) return cursor;
     Cursor end = work_.at(begun + part);
-    // If the estimate does not get further, a row is drawn, or the triangle to its end.
-    if (end <= cursor_) {
+    // If the estimate does not get further, a square is drawn, or a row, or the triangle to its
+    // end.
+    if (end <= cursor_ && frame_->squares != nullptr) {
+        const int square = square_at(*frame_->squares, cursor_);
+        end = cursor_at_square(*frame_->squares, square + 1);
+    } else if (end <= cursor_) {
         const Cursor row{cursor_.triangle, Phase::rows, cursor_.index + 1, 0};
         const bool is_divided = cursor_.phase == Phase::rows && work_.before(row) > begun;
         end = is_divided ? row : Cursor{cursor_.triangle + 1, Phase::vertices, 0, 0};
@@ -178,6 +191,10 @@ const Replay::Mark* Replay::last_saved(const Cursor& cursor) const {
 /// picture if it is not worth finding out.
 Rectangle Replay::changed_between(const Cursor& from, const Cursor& to) const {
     const Rectangle whole = whole_picture(*frame_);
+    if (frame_->squares != nullptr) {
+        const Rectangle changed = squares_between(*frame_->squares, from, to);
+        return 2 * area(changed) > area(whole) ? whole : changed;
+    }
     const int first_triangle = std::max(from.triangle, 0);
     const int last_triangle = std::min(to.triangle, frame_->triangle_count() - 1);
     if (frame_->settings.stage < Stage::rows) return whole;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "pipeline/square_steps.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -64,6 +66,41 @@ std::vector<int> walked_triangles(const Frame& frame) {
     return walked;
 }
 
+Cursor advance_squares(const WarnockSquares& squares, const Cursor& from, std::int64_t steps,
+                       Granularity step) {
+    int square = from.square;
+    if (step == Granularity::moment)
+        return cursor_at_square(
+            squares, static_cast<int>(std::min<std::int64_t>(square + steps, squares.count())));
+    for (; steps > 0 && square < squares.count(); --steps)
+        square = next_square(squares, square, step);
+    return cursor_at_square(squares, square);
+}
+
+/// Runs on by this many squares, to the beginning of a step.
+Instant run_on_squares(const WarnockSquares& squares, const Instant& from, double count,
+                       Granularity step) {
+    int begin = from.cursor.square;
+    int end = next_square(squares, begin, step);
+    const double at = begin + from.passed * (end - begin) + count;
+    while (at >= end && end < squares.count()) {
+        begin = end;
+        end = next_square(squares, begin, step);
+    }
+    if (at >= end) return {cursor_end, 0.0};
+    return {moment_of_square(begin), std::clamp((at - begin) / (end - begin), 0.0, 1.0)};
+}
+
+FrameLength length_of(const WarnockSquares& squares) {
+    FrameLength length;
+    length.triangles = squares.count() > 0 ? 1 : 0;
+    for (std::size_t step = 0; step < length.steps.size(); ++step) {
+        for (int square = 0; square < squares.count(); ++length.steps[step])
+            square = next_square(squares, square, static_cast<Granularity>(step));
+    }
+    return length;
+}
+
 int step_count(const TriangleMoments& moments, Granularity step) {
     if (step == Granularity::moment) return moments.count;
     int count = 0;
@@ -94,6 +131,7 @@ Cursor advance(const Timeline& timeline, const Cursor& cursor, std::int64_t step
     const Cursor here = timeline.at_or_after(cursor);
     if (here == cursor_end || steps <= 0) return here;
     const Frame& frame = timeline.frame();
+    if (frame.squares != nullptr) return advance_squares(*frame.squares, here, steps, step);
     if (step == Granularity::triangle) return advance_triangles(frame, here, steps);
     int ordinal = timeline.ordinal(here);
     for (int t = here.triangle; t < frame.triangle_count(); t = walked_from(frame, t + 1)) {
@@ -108,6 +146,8 @@ Cursor advance(const Timeline& timeline, const Cursor& cursor, std::int64_t step
 Instant run_on(const Timeline& timeline, const Instant& from, double triangles, Granularity step) {
     const Cursor here = timeline.at_or_after(from.cursor);
     if (here == cursor_end) return {cursor_end, 0.0};
+    if (const WarnockSquares* const squares = timeline.frame().squares.get(); squares != nullptr)
+        return run_on_squares(*squares, {here, from.passed}, triangles * squares->count(), step);
     const TriangleMoments& moments = timeline.moments(here.triangle);
     const int ordinal = timeline.ordinal(here);
     const int step_end = step_around(moments, ordinal, step).end;
@@ -125,6 +165,7 @@ Instant run_on(const Timeline& timeline, const Instant& from, double triangles, 
 }
 
 FrameLength frame_length(const Timeline& timeline) {
+    if (timeline.frame().squares != nullptr) return length_of(*timeline.frame().squares);
     const std::vector<int> walked = walked_triangles(timeline.frame());
     FrameLength length;
     length.triangles = static_cast<int>(walked.size());

@@ -1,6 +1,7 @@
 #pragma once
 
-// Long jumps in time: many steps at once, and running on by an amount of playing time.
+// Long jumps in time: many steps at once, and running on by an amount of playing time. Where the
+// picture is divided into squares, all of them together count as one triangle.
 
 #include <array>
 #include <cstddef>
@@ -42,7 +43,7 @@ Instant run_on(const Timeline& timeline, const Instant& from, double triangles, 
 
 /// How long a frame is.
 struct FrameLength {
-    int triangles = 0;                                          ///< that have moments
+    int triangles = 0;                                          ///< that have moments; see above
     std::array<double, enum_words<Granularity>.size()> steps{}; ///< of each size, by Granularity
 
     double of(Granularity step) const { return steps[static_cast<std::size_t>(step)]; }

@@ -5,6 +5,8 @@
 #include <climits>
 #include <cmath>
 
+#include "pipeline/square_steps.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -177,7 +179,9 @@ const TriangleMoments& Timeline::moments(int triangle) const {
     cache_.rows.left.clear();
     cache_.rows.right.clear();
     cache_.rows.tested.triangles.clear();
+    cache_.count = 0;
     const Frame& frame = *frame_;
+    if (squares() != nullptr) return cache_;
     if (frame.has_moments(triangle)) {
         for (int v = 0; v < triangle_corners; ++v)
             cache_.of(Phase::vertices).add({0, 1});
@@ -191,14 +195,14 @@ const TriangleMoments& Timeline::moments(int triangle) const {
             find_rows(frame, cache_.rows, cache_.of(Phase::rows));
         }
     }
-    cache_.count = 0;
     for (const PhaseMoments& phase : cache_.phases)
         cache_.count += phase.count();
     return cache_;
 }
 
 Cursor Timeline::at_or_after(const Cursor& cursor) const {
-    if (cursor.pass > 0) return cursor_end;
+    if (squares() != nullptr) return cursor_at_square(*squares(), square_at(*squares(), cursor));
+    if (cursor.pass > 0 || cursor.square >= 0) return cursor_end;
     Cursor wanted = cursor;
     for (int t = std::max(cursor.triangle, 0); t < frame_->triangle_count(); ++t) {
         if (frame_->has_moments(t)) {
@@ -218,11 +222,17 @@ bool Timeline::exists(const Cursor& cursor) const {
 Cursor Timeline::next(const Cursor& cursor, Granularity step) const {
     const Cursor here = at_or_after(cursor);
     if (here == cursor_end) return cursor_end;
+    if (squares() != nullptr)
+        return cursor_at_square(*squares(), next_square(*squares(), here.square, step));
     return at_or_after(end_of_piece(here, step));
 }
 
 Cursor Timeline::previous(const Cursor& cursor, Granularity step) const {
     const Cursor here = at_or_after(cursor);
+    if (squares() != nullptr) {
+        const int square = square_at(*squares(), here);
+        return cursor_at_square(*squares(), previous_square(*squares(), square, step));
+    }
     Cursor before = here; // the last moment before `here`
     if (here != cursor_end && ordinal(here) > 0) {
         before = at_ordinal(here.triangle, ordinal(here) - 1);
@@ -249,18 +259,23 @@ double Timeline::place(const Cursor& cursor) const {
     const int triangles = frame_->triangle_count();
     const Cursor here = at_or_after(cursor);
     if (here == cursor_end || triangles == 0) return 1.0;
+    if (squares() != nullptr) return static_cast<double>(here.square) / squares()->count();
     const double within = static_cast<double>(ordinal(here)) / moments(here.triangle).count;
     return (here.triangle + within) / triangles;
 }
 
 Cursor Timeline::at_place(double place) const {
+    // place() and its inverse lose a little; no more than this fraction of a moment.
+    constexpr double slack = 0.01;
+    if (squares() != nullptr) {
+        const double at = std::clamp(place, 0.0, 1.0) * squares()->count();
+        return cursor_at_square(*squares(), static_cast<int>(at + slack));
+    }
     const int triangles = frame_->triangle_count();
     const double at = std::clamp(place, 0.0, 1.0) * triangles;
     if (!(at < triangles)) return cursor_end;
     const int triangle = static_cast<int>(at);
     if (!frame_->has_moments(triangle)) return at_or_after(beginning_of(triangle));
-    // place() and its inverse lose a little; no more than this fraction of a moment.
-    constexpr double slack = 0.01;
     const int count = moments(triangle).count;
     const int ordinal = static_cast<int>((at - triangle) * count + slack);
     return ordinal < count ? at_ordinal(triangle, ordinal)

@@ -9,6 +9,9 @@
 // moments, nor does a triangle that is left out; one removed by clip or cull ends there. Every
 // question costs at most a triangle or two: the samples of their edges and their rows, or the rows
 // of their boxes.
+//
+// Where the picture is divided into squares, they are the moments, see square_steps.h: triangles
+// have none.
 
 #include <array>
 #include <cstdint>
@@ -75,14 +78,14 @@ class Timeline {
     Cursor previous(const Cursor& cursor, Granularity step) const;
 
     /// Place of a moment on the scrub bar, 0..1: triangles are equally wide, moments within them
-    /// too.
+    /// too. So are squares.
     double place(const Cursor& cursor) const;
     Cursor at_place(double place) const;
 
     /// The moments of a triangle; none if it is left out. Valid until the next question.
     const TriangleMoments& moments(int triangle) const;
 
-    /// Number of a moment within its triangle, from 0, and back.
+    /// Number of a moment within its triangle, from 0, and back. Not of a square.
     int ordinal(const Cursor& cursor) const;
     Cursor at_ordinal(int triangle, int ordinal) const;
 
@@ -91,6 +94,8 @@ class Timeline {
   private:
     const Frame* frame_;
     mutable TriangleMoments cache_;
+
+    const WarnockSquares* squares() const { return frame_->squares.get(); }
 };
 
 } // namespace rasterwalk

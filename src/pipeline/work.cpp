@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "pipeline/square_steps.h"
 #include "stages/fan.h"
 
 namespace rasterwalk {
@@ -17,6 +18,10 @@ constexpr double triangle_work = 20;
 
 /// The extra cost of a fragment that sends a ray to the lamp.
 constexpr double shadow_ray_work = 15;
+
+/// The cost of a square itself, and of a fragment to the left of it, over which its row is walked.
+constexpr double square_work = 2;
+constexpr double skipped_work = 0.3;
 
 /// The cost of estimating a triangle.
 constexpr double estimate_work = 10;
@@ -87,6 +92,25 @@ double work_of(const Frame& frame, int triangle, const FragmentEstimate& fragmen
     return triangle_work + sample_work * samples_of(box) + of_each * fragments.in_picture;
 }
 
+/// The fragments of a square that one triangle is drawn in.
+double fragments_of(const WarnockSquare& square) {
+    const Rectangle& pixels = square.pixels;
+    if (square.surface < 0) return 0.0;
+    return static_cast<double>(pixels.right - pixels.left) * (pixels.bottom - pixels.top);
+}
+
+/// The work of a square. Values are added up from the left end of its rows, even outside it.
+double work_of(const Frame& frame, const WarnockSquare& square) {
+    if (square.surface < 0) return square_work;
+    const PolygonRows& rows = frame.squares->rows(square.surface);
+    const Rectangle& pixels = square.pixels;
+    const int height = pixels.bottom - pixels.top;
+    const int middle = std::clamp(pixels.top + height / 2 - rows.first_row, 0, rows.size() - 1);
+    const double left = rows.left[static_cast<std::size_t>(middle)].column;
+    const double outside = std::max(pixels.left - left, 0.0);
+    return square_work + fragments_of(square) + skipped_work * outside * height;
+}
+
 bool is_divided(const Frame& frame, double work) {
     return work > large_triangle && has_fragments(frame.settings.stage);
 }
@@ -108,34 +132,48 @@ void FrameWork::begin(const Frame& frame) {
 void FrameWork::start(const Frame& frame) {
     frame_ = &frame;
     before_.clear();
-    before_.reserve(static_cast<std::size_t>(frame.triangle_count()) + 1);
+    before_.reserve(static_cast<std::size_t>(count()) + 1);
     before_.push_back(0.0);
     fragments_ = {};
 }
 
+/// The triangles, or the squares.
+int FrameWork::count() const {
+    return frame_->squares != nullptr ? frame_->squares->count() : frame_->triangle_count();
+}
+
 bool FrameWork::is_done() const {
-    return before_.size() == frame_->polygons.size() + 1;
+    return before_.size() == static_cast<std::size_t>(count()) + 1;
+}
+
+/// The work of a triangle, or of a square; adds its fragments.
+double FrameWork::add(int number) {
+    if (frame_->squares != nullptr) {
+        const WarnockSquare& square = (*frame_->squares)[number];
+        fragments_.all += fragments_of(square);
+        fragments_.in_picture += fragments_of(square);
+        return work_of(*frame_, square);
+    }
+    if (!frame_->is_drawn(number)) return 0.0;
+    const FragmentEstimate fragments = fragments_of(*frame_, number);
+    fragments_.all += fragments.all;
+    fragments_.in_picture += fragments.in_picture;
+    return work_of(*frame_, number, fragments);
 }
 
 void FrameWork::advance(const WorkLimit& limit) {
-    const double all = estimate_work * static_cast<double>(frame_->triangle_count());
+    const double all = estimate_work * static_cast<double>(count());
     const int done = static_cast<int>(before_.size()) - 1;
-    const int left = frame_->triangle_count() - done;
+    const int left = count() - done;
     const double part = std::clamp(limit.of(all) / estimate_work, 1.0, left + 1.0);
     const int end = done + std::min(static_cast<int>(part), left);
-    for (int t = done; t < end; ++t) {
-        double work = 0.0;
-        if (frame_->is_drawn(t)) {
-            const FragmentEstimate fragments = fragments_of(*frame_, t);
-            fragments_.all += fragments.all;
-            fragments_.in_picture += fragments.in_picture;
-            work = work_of(*frame_, t, fragments);
-        }
-        before_.push_back(before_.back() + work);
-    }
+    for (int number = done; number < end; ++number)
+        before_.push_back(before_.back() + add(number));
 }
 
 double FrameWork::before(const Cursor& cursor) const {
+    if (frame_->squares != nullptr)
+        return before_[static_cast<std::size_t>(square_at(*frame_->squares, cursor))];
     const int triangles = frame_->triangle_count();
     if (cursor.triangle < 0) return 0.0;
     if (cursor.triangle >= triangles || cursor.pass > 0) return total();
@@ -153,6 +191,7 @@ Cursor FrameWork::at(double work) const {
     if (!(work < total())) return cursor_end;
     const auto end = std::upper_bound(before_.begin(), before_.end(), std::max(work, 0.0));
     const auto triangle = static_cast<int>(end - before_.begin()) - 1;
+    if (frame_->squares != nullptr) return moment_of_square(triangle);
     const double begin = before_[static_cast<std::size_t>(triangle)], of_triangle = *end - begin;
     if (!is_divided(*frame_, of_triangle)) return {triangle, Phase::vertices, 0, 0};
     const Box box = box_of(*frame_, triangle);

@@ -42,7 +42,7 @@ struct FragmentEstimate {
     double share_outside() const { return all > 0.0 ? 1.0 - in_picture / all : 0.0; }
 };
 
-/// The work of a frame, triangle by triangle.
+/// The work of a frame, triangle by triangle, or square by square.
 class FrameWork {
   public:
     /// Estimates the work of this frame, which must live as long as this is used.
@@ -65,13 +65,17 @@ class FrameWork {
     double before(const Cursor& cursor) const;
 
     /// A cursor with about this much work before it: at the beginning of a triangle, or of a row of
-    /// a large one. The end if the frame has no more than that.
+    /// a large one, or at a square. The end if the frame has no more than that.
     Cursor at(double work) const;
 
   private:
+    int count() const;
+    double add(int number);
+
     const Frame* frame_ = nullptr;
     FragmentEstimate fragments_;
-    std::vector<double> before_; ///< work of all earlier triangles; one entry more than triangles
+    std::vector<double> before_; ///< work of all earlier triangles, or squares; one entry more than
+                                 ///< there are
 };
 
 } // namespace rasterwalk

@@ -1,5 +1,6 @@
 #include "session/moments.h"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -91,6 +92,11 @@ std::string cull_sentence(const Frame& frame, const Cursor& cursor, const std::s
 /// What would be possible in place of a cursor that does not exist.
 std::string possible(const Frame& frame, const Cursor& cursor) {
     if (cursor.pass > 0) return "a frame is drawn in a single pass";
+    if (frame.squares != nullptr)
+        return fmt::format("the picture has the squares w0 to w{}, and ",
+                           std::max(frame.squares->count() - 1, 0)) +
+               "triangles have no moments of their own";
+    if (cursor.square >= 0) return "the picture is not divided into squares";
     if (cursor.triangle >= frame.triangle_count()) {
         return "the scene has " + pieces("triangle", 0, frame.triangle_count() - 1);
     }
@@ -120,8 +126,9 @@ std::string possible(const Frame& frame, const Cursor& cursor) {
 /// Does the cursor name a row of a row table, or of a box?
 bool is_row(const Timeline& timeline, const Cursor& cursor) {
     const Frame& frame = timeline.frame();
-    if (cursor.pass != 0 || cursor.phase < Phase::tests || frame.settings.stage < Stage::rows ||
-        cursor.triangle >= frame.triangle_count() || !frame.is_drawn(cursor.triangle))
+    if (cursor.pass != 0 || cursor.square >= 0 || cursor.phase < Phase::tests ||
+        frame.settings.stage < Stage::rows || cursor.triangle >= frame.triangle_count() ||
+        !frame.is_drawn(cursor.triangle))
         return false;
     const TriangleMoments& moments = timeline.moments(cursor.triangle);
     const auto index = static_cast<std::size_t>(cursor.index);
@@ -131,6 +138,10 @@ bool is_row(const Timeline& timeline, const Cursor& cursor) {
 /// @param text the moment as written
 Cursor find_moment(const Frame& frame, const Cursor& cursor, const std::string& text) {
     const Timeline timeline(frame);
+    // The fragments in a square are no moments: they stand for it.
+    const bool is_in_square = frame.squares != nullptr && cursor.square >= 0 &&
+                              cursor.square < frame.squares->count() && cursor.pass == 0;
+    if (is_in_square) return moment_of_square(cursor.square);
     // The text need not know how many columns a row has, or where the picture begins in it: a
     // column outside stands for the next moment.
     if (is_row(timeline, cursor)) return timeline.at_or_after(cursor);
@@ -138,6 +149,29 @@ Cursor find_moment(const Frame& frame, const Cursor& cursor, const std::string& 
         throw UsageError("there is no moment " + text + ": " + possible(frame, cursor) + ".");
     }
     return cursor;
+}
+
+/// "square w12".
+std::string square_name(int square) {
+    return "square " + to_text(moment_of_square(square));
+}
+
+/// "column 3", or "columns 0 to 7".
+std::string range_text(const std::string& word, int first, int end) {
+    return end - first == 1 ? fmt::format("{} {}", word, first)
+                            : fmt::format("{}s {} to {}", word, first, end - 1);
+}
+
+std::string describe_square(const Frame& frame, int number) {
+    const WarnockSquare& square = (*frame.squares)[number];
+    const Rectangle& pixels = square.pixels;
+    std::string text =
+        fmt::format("{} of {}: {}, {} · {}", square_name(number), frame.squares->count(),
+                    range_text("column", pixels.left, pixels.right),
+                    range_text("row", pixels.top, pixels.bottom), words(square.reason).in_short);
+    if (square.surface < 0) return text;
+    return text + fmt::format(": {} ({})", triangle_name(square.surface),
+                              part_name(*frame.scene, square.surface));
 }
 
 /// The name of a piece of a phase.
@@ -154,7 +188,7 @@ Cursor moment_of(const Frame& frame, const std::string& text) {
     if (!cursor) {
         throw UsageError(in_quotes(text) +
                          " is not a moment; moments are written t12, t12/v1, t12/p2/s1, t12/k, "
-                         "t12/e2/s14, t12/b4/c7, t12/r37/c5 or end.");
+                         "t12/e2/s14, t12/b4/c7, t12/r37/c5, w12 or end.");
     }
     return find_moment(frame, *cursor, text);
 }
@@ -164,6 +198,7 @@ Cursor moment_of(const Frame& frame, const Cursor& cursor) {
 }
 
 std::string describe_moment(const Frame& frame, const Cursor& cursor) {
+    if (is_square(cursor)) return describe_square(frame, cursor.square);
     const Timeline timeline(frame);
     const TriangleMoments& moments = timeline.moments(cursor.triangle);
     const PhaseInfo& phase = phase_info(cursor.phase);
@@ -188,6 +223,7 @@ std::string describe_moment(const Frame& frame, const Cursor& cursor) {
 
 std::string moment_name(const Cursor& cursor) {
     if (cursor == cursor_end) return "end of the frame";
+    if (is_square(cursor)) return square_name(cursor.square);
     const PhaseInfo& phase = phase_info(cursor.phase);
     const std::string piece = cursor.phase == Phase::clip ? plane_name(cursor.index)
                                                           : element_name(phase.piece, cursor.index);

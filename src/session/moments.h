@@ -9,13 +9,15 @@ namespace rasterwalk {
 
 /// The moment of a frame that a text names, on the command line, in a link or in a lesson. In a row
 /// that exists, a column that does not (`t12/r37`, `t12/r37/c9999`) stands for the next moment
-/// after it. Throws UsageError that says which moments exist.
+/// after it; a fragment in a square stands for the square. Throws UsageError that says which
+/// moments exist.
 Cursor moment_of(const Frame& frame, const std::string& text);
 Cursor moment_of(const Frame& frame, const Cursor& cursor);
 
 /// A moment in words, counted from 0: "triangles[20] of 30 (tall block) · edge 1 · line[13] of
-/// 104". A row is named by its place in the picture and in the table. The moment must exist in the
-/// frame and must not be the end.
+/// 104". A row is named by its place in the picture and in the table. Of a square: "square w12 of
+/// 3021: columns 250 to 311, rows 0 to 61 · one surface: triangles[3] (floor)". The moment must
+/// exist in the frame and must not be the end.
 std::string describe_moment(const Frame& frame, const Cursor& cursor);
 
 /// The same in short, for any cursor: "triangles[20], edge 1, line[13]"; for the end, "end of the

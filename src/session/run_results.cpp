@@ -35,7 +35,10 @@ std::optional<int> shown_triangle(const Session& session, const RunResults& resu
     if (results.cursor == cursor_end) {
         if (const std::optional<int> owner = owner_of_pixel(session, results)) return owner;
     }
-    if (results.done) return results.done->triangle;
+    if (results.done) {
+        if (const std::optional<int> at_work = triangle_at(results.frame, *results.done))
+            return at_work;
+    }
     return count > 0 ? std::optional(0) : std::nullopt;
 }
 
@@ -46,8 +49,13 @@ std::optional<int> triangle_of_shared(const SharedView& shared, const RunResults
 }
 
 /// The moment at which this run has drawn what the other has at its cursor. If they cut the scene
-/// into different triangles, only the beginning of a triangle of the scene is a common moment.
+/// into different triangles, only the beginning of a triangle of the scene is a common moment; if
+/// only one of them divides the picture into squares, none is but the beginning and the end.
 Cursor moment_of_shared(const SharedView& shared, const Cursor& wanted, const RunResults& results) {
+    const Frame &a = *shared.frame, &b = results.frame;
+    if ((a.squares == nullptr) != (b.squares == nullptr))
+        return wanted <= Timeline(a).first() ? cursor_begin : cursor_end;
+    if (a.squares != nullptr) return wanted;
     const bool is_alike = have_same_triangles(results.frame, *shared.frame);
     if (is_alike || wanted.triangle >= shared.frame->triangle_count()) return wanted;
     return {triangle_in(results.frame, *shared.frame, wanted.triangle), Phase::vertices, 0, 0};
@@ -114,7 +122,8 @@ void update_warnings(const WorkLimit& limit, RunResults& results) {
     const Cursor& to = results.replay.tallied();
     results.has_all_warnings =
         results.is_drawn() && work.total() - work.before(to) <= limit.at_once;
-    if (results.has_all_warnings && to < cursor_end) {
+    const bool has_tables = results.frame.squares != nullptr && to > moment_of_square(0);
+    if (results.has_all_warnings && to < cursor_end && !has_tables) {
         const bool has_begun = to > Cursor{to.triangle, Phase::vertices, 0, 0};
         tally += tally_rows(results.frame, has_begun ? to.triangle + 1 : to.triangle);
     }
@@ -242,6 +251,20 @@ bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, bool
     return next.is_done;
 }
 
+/// Why hidden surfaces are not removed as the settings ask; empty if they are.
+std::string_view hidden_undone(const Frame& frame) {
+    const Hidden hidden = hidden_rule(frame.settings);
+    if (hidden == Hidden::depth_buffer) return {};
+    if (frame.in_order->space == SceneSpace::pixels) return "a scene in pixels has no camera";
+    if (hidden == Hidden::warnock && frame.squares == nullptr)
+        return "the scene is too large to divide the picture into squares";
+    const bool is_sorted = hidden == Hidden::warnock || frame.list != nullptr;
+    // Nothing that is drawn is in front of anything.
+    if (is_sorted || frame.in_order->triangle_count() == 0) return {};
+    return hidden == Hidden::painter ? "the scene is too large to be sorted"
+                                     : "the scene is too large to be divided by planes";
+}
+
 std::vector<Warning> describe_warnings(const Frame& frame, const DrawTally& tally) {
     std::vector<Warning> warnings;
     for (SettingFault& fault : setting_faults(frame.settings, *frame.given))
@@ -250,6 +273,13 @@ std::vector<Warning> describe_warnings(const Frame& frame, const DrawTally& tall
         const std::string refusal = fast_engine_refuses(*frame.scene, frame.settings);
         if (!refusal.empty())
             warnings.push_back({refusal + ", so the steps draw", "engine=fast: the steps draw"});
+    }
+    if (const std::string_view undone = hidden_undone(frame); !undone.empty()) {
+        warnings.push_back(
+            {fmt::format("hidden={}: {}, so the triangles are drawn in the scene's "
+                         "order, without a depth test",
+                         word_of(frame.settings.hidden), undone),
+             fmt::format("hidden={}: the scene's order", word_of(frame.settings.hidden))});
     }
     const LeftOut left_out = count_left_out(frame);
     for (const RejectionWords& reason : rejection_list) {

@@ -373,6 +373,7 @@ enum class Hidden : std::uint8_t {
     depth_buffer, ///< every pixel remembers how near what it shows is: the lab
     painter,      ///< triangles sorted by depth, the farthest drawn first
     bsp,          ///< a tree of planes that cut the triangles, walked from back to front
+    warnock,      ///< the picture divided into squares until each is simple
 };
 
 /// By which rule the painter sorts.

@@ -203,9 +203,10 @@ std::vector<Setting> make_table() {
          "Filled triangles", "", choice<&Settings::spans>()},
         {"hidden", "Hidden surfaces", "Depth and interpolation",
          "How hidden surfaces are removed, from stage depth on: by the depth buffer; by the "
-         "painter's algorithm, which draws the farthest triangles first; or by a BSP tree, which "
-         "cuts triangles along planes and draws the pieces from back to front. The last two need "
-         "no depth buffer. triangles[t] is then the t-th of those drawn.",
+         "painter's algorithm, which draws the farthest triangles first; by a BSP tree, which "
+         "cuts triangles along planes and draws the pieces from back to front; or by Warnock's "
+         "algorithm, which divides the picture into squares until each is simple. The last three "
+         "need no depth buffer. With painter and bsp, triangles[t] is the t-th of those drawn.",
          "Depth buffer", "", choice<&Settings::hidden>(), SettingTies{.needs_scene = is_in_world}},
         {"painter_rule", "Painter's order", "Depth and interpolation",
          "How the painter sorts: by the mean depth of the corners, the farthest first; or, by "

@@ -461,7 +461,7 @@ const RegistryRow registry_rows[] = {
     {"depth_test=or_equal", put<&Stages::depth_test, depth_test_or_equal>, "mistakes/depth_test.h",
      from_depth_on},
     {"depth_test=off", put<&Stages::depth_test, no_depth_test>, "stages/depth_test.h"},
-    {"hidden=painter|bsp", put<&Stages::depth_test, no_depth_test>, "stages/depth_test.h",
+    {"hidden=painter|bsp|warnock", put<&Stages::depth_test, no_depth_test>, "stages/depth_test.h",
      from_depth_on},
     {"stage=points|edges|rows|fill", put<&Stages::depth_test, no_depth_test>,
      "stages/depth_test.h"},
