@@ -86,7 +86,7 @@ void draw_line(const TimeLines& s) {
     const float right = s.at.x + s.width, x = s.on_frame(s.cursor);
     list->AddRectFilled({s.at.x, s.top}, {right, s.bottom}, packed(p.button), 2.0f * u);
     list->AddRectFilled({s.at.x, s.top}, {x, s.bottom}, packed(p.accent), 2.0f * u);
-    const int triangles = s.timeline.frame().triangle_count();
+    const int triangles = time_units(s.timeline.frame());
     if (static_cast<float>(triangles) * time_tick_distance * u > s.width) return;
     for (int t = 1; t < triangles; ++t) {
         const float tick = std::round(s.on_frame(t));
@@ -108,13 +108,15 @@ void use_frame_line(const TimeLines& s, bool has_window) {
             s.in_scale >= window.begin && s.in_scale <= window.begin + window.width;
         zoom_by_wheel(s, is_inside ? s.in_scale : window.begin + 0.5 * window.width);
     }
+    const bool has_squares = s.timeline.frame().squares != nullptr;
     register_widget(
         s.ui, "walk.scrub",
-        has_window ? "The whole frame from its first vertex to its last fragment, with one tick "
-                     "per triangle. Drag to go to any moment. The bracket marks what the line "
-                     "below enlarges; scroll to make it narrower."
-                   : "The whole frame from its first vertex to its last fragment, with one tick "
-                     "per triangle. Drag to go to any moment.");
+        has_squares ? "The whole frame from its first square to its last. Drag to go to any moment."
+        : has_window ? "The whole frame from its first vertex to its last fragment, with one tick "
+                       "per triangle. Drag to go to any moment. The bracket marks what the line "
+                       "below enlarges; scroll to make it narrower."
+                     : "The whole frame from its first vertex to its last fragment, with one tick "
+                       "per triangle. Drag to go to any moment.");
     step_by_arrows(s, "walk.scrub");
 }
 

@@ -18,14 +18,19 @@ constexpr double fewest_moments = 8.0;
 
 } // namespace
 
+int time_units(const Frame& frame) {
+    return frame.squares != nullptr ? frame.squares->count() : frame.triangle_count();
+}
+
 double place_in_triangles(const Timeline& timeline, const Cursor& cursor) {
-    if (cursor == cursor_end) return std::max(timeline.frame().triangle_count(), 1);
+    if (cursor == cursor_end) return std::max(time_units(timeline.frame()), 1);
+    if (timeline.frame().squares != nullptr) return cursor.square;
     const int count = std::max(timeline.moments(cursor.triangle).count, 1);
     return cursor.triangle + static_cast<double>(timeline.ordinal(cursor)) / count;
 }
 
 double place_in_scale(const Timeline& timeline, const Cursor& cursor) {
-    if (cursor == cursor_end) return place_in_triangles(timeline, cursor);
+    if (cursor == cursor_end || is_square(cursor)) return place_in_triangles(timeline, cursor);
     const TriangleScale scale = triangle_scale(timeline.moments(cursor.triangle));
     return cursor.triangle + scale.share_of(timeline.ordinal(cursor));
 }
@@ -49,7 +54,9 @@ void zoom_by_wheel(const TimeLines& s, double about) {
     const Frame& frame = s.timeline.frame();
     const bool is_walked = triangle < frame.triangle_count() && frame.has_moments(triangle);
     const int moments = is_walked ? s.timeline.moments(triangle).count : 1;
-    const double least = std::min(1.0, fewest_moments / std::max(moments, 1));
+    const double least = frame.squares != nullptr
+                             ? fewest_moments
+                             : std::min(1.0, fewest_moments / std::max(moments, 1));
     zoom_window(s.window(), std::pow(wheel_factor, -turns), about, least);
 }
 

@@ -19,6 +19,9 @@ inline constexpr float lone_time_line_height = 34.0f;
 /// The least distance between two ticks, design pixels.
 inline constexpr float time_tick_distance = 5.0f;
 
+/// What is equally long on the lines: the triangles of a frame, or the squares of its picture.
+int time_units(const Frame& frame);
+
 /// Where both time lines are in this frame of the window, screen pixels.
 struct TimeLines {
     Ui& ui;
@@ -32,7 +35,8 @@ struct TimeLines {
 
     const Palette& colours() const { return palette(ui.options.theme); }
     float unit() const { return ui.options.text_scale; }
-    double triangles() const { return std::max(timeline.frame().triangle_count(), 1); }
+    /// What the lines count: triangles, or squares.
+    double triangles() const { return std::max(time_units(timeline.frame()), 1); }
     TimeWindow& window() const { return ui.transport.window; }
 
     float on_frame(double place) const {
@@ -49,7 +53,7 @@ struct TimeLines {
     }
 };
 
-/// The position of a moment on the line of the whole frame, in triangles.
+/// The position of a moment on the line of the whole frame, in triangles or squares.
 double place_in_triangles(const Timeline& timeline, const Cursor& cursor);
 
 /// The same in the scale that the enlarged part has for the moments of a triangle.

@@ -18,6 +18,8 @@ namespace {
 constexpr float frame_line_height = 12.0f;
 constexpr float grip_room = 11.0f;
 constexpr float window_line_height = 25.0f;
+/// How many squares the enlarged part holds to begin with.
+constexpr double squares_in_window = 16.0;
 /// Without the enlarged part the line is higher.
 constexpr float lone_line_height = 14.0f;
 
@@ -62,7 +64,9 @@ void draw_time_strips(Ui& ui, ImVec2 at, float width, bool has_window) {
                       window_top + window_line_height * u,
                       place_in_triangles(timeline, ui.results.a.cursor),
                       place_in_scale(timeline, ui.results.a.cursor)};
-    follow_moment(s.window(), timeline.frame().triangle_count(), s.in_scale, ui.results.a.cursor);
+    const Frame& frame = timeline.frame();
+    follow_moment(s.window(), time_units(frame), s.in_scale, ui.results.a.cursor,
+                  frame.squares != nullptr ? squares_in_window : 1.0);
     draw_frame_line(s, has_window);
     if (has_window) draw_window_line(s);
     draw_cursor_lines(s, has_window);

@@ -19,10 +19,12 @@ void keep_inside(TimeWindow& window) {
 
 } // namespace
 
-void follow_moment(TimeWindow& window, int triangles, double place, const Cursor& cursor) {
-    const bool is_new = window.triangles != triangles;
+void follow_moment(TimeWindow& window, int triangles, double place, const Cursor& cursor,
+                   double usual) {
+    const bool is_new = window.triangles != triangles || window.usual != usual;
     const bool has_moved = is_new || cursor != window.followed;
     window.triangles = triangles;
+    window.usual = usual;
     window.followed = cursor;
     if (is_new) show_triangle(window, place);
     const bool is_outside = place < window.begin || place >= window.begin + window.width;
@@ -47,8 +49,9 @@ void pan_window(TimeWindow& window, double by) {
 }
 
 void show_triangle(TimeWindow& window, double place) {
-    window.width = 1.0;
-    window.begin = std::floor(std::min(place, window.triangles - 1.0));
+    window.width = window.usual;
+    const double page = std::floor(std::min(place, window.triangles - 1.0) / window.usual);
+    window.begin = page * window.usual;
     keep_inside(window);
 }
 

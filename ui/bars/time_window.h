@@ -11,7 +11,9 @@ namespace rasterwalk {
 /// window is still while time runs through it. A new frame begins with the triangle at work.
 /// @param triangles of the frame, drawn or not
 /// @param place     of the cursor, in triangles
-void follow_moment(TimeWindow& window, int triangles, double place, const Cursor& cursor);
+/// @param usual     the window's width to begin with, in triangles
+void follow_moment(TimeWindow& window, int triangles, double place, const Cursor& cursor,
+                   double usual = 1.0);
 
 /// Makes the window narrower (factor < 1) or wider; what is at `about` stays in place.
 /// @param least width, in triangles
@@ -35,7 +37,8 @@ struct TriangleScale {
 /// The pieces are the edges, and each of the other phases as a whole.
 TriangleScale triangle_scale(const TriangleMoments& moments);
 
-/// Makes the window hold the triangle at this place and nothing else.
+/// Makes the window as wide as usual, with this place in it: it holds the triangle there and
+/// nothing else.
 void show_triangle(TimeWindow& window, double place);
 
 } // namespace rasterwalk

@@ -79,8 +79,15 @@ struct StepChoice {
     const char* help;
 };
 
-std::array<StepChoice, 4> step_choices(Stage stage) {
-    const bool fragments = has_fragments(stage);
+std::array<StepChoice, 4> step_choices(const Ui& ui) {
+    if (ui.results.a.frame.squares != nullptr) {
+        return {{{Granularity::moment, "square", "A step is one square, divided or not."},
+                 {Granularity::line, "parts", "A step is a square with all its parts."},
+                 {Granularity::triangle, "quarter", "A step is a quarter of the picture."},
+                 {Granularity::phase, "outer",
+                  "A step is all that is left of the square that this one is a part of."}}};
+    }
+    const bool fragments = has_fragments(ui.session.a.settings.stage);
     return {{{Granularity::moment, fragments ? "fragment" : "sample",
               "A step is the smallest piece of work: one vertex, one edge at a clipping plane, one "
               "edge sample, one fragment."},
@@ -112,11 +119,19 @@ struct Groups {
 constexpr float least_strips = 340.0f;
 constexpr float least_compact_strip = 140.0f;
 
+/// The room for a name: what a step is called depends on the stage, and nothing should move when
+/// that changes.
+float choice_width(const Ui& ui, const StepChoice& choice) {
+    if (ui.results.a.frame.squares != nullptr) return text_width(choice.name);
+    if (choice.granularity == Granularity::moment) return text_width("fragment");
+    return text_width(choice.granularity == Granularity::line ? "row" : choice.name);
+}
+
 float step_choice_width(const Ui& ui) {
     const float u = ui.options.text_scale;
     float width = 2.0f * u;
-    for (const char* name : {"fragment", "row", "triangle", "phase"})
-        width += text_width(name) + 24.0f * u;
+    for (const StepChoice& choice : step_choices(ui))
+        width += choice_width(ui, choice) + 24.0f * u;
     return width;
 }
 
@@ -163,7 +178,7 @@ std::string step_name(const StepChoice& choice) {
 void draw_step_list(Ui& ui, ImVec2 at, ImVec2 size) {
     ImGui::SetCursorScreenPos({at.x, at.y + 0.5f * (size.y - ImGui::GetFrameHeight())});
     ImGui::SetNextItemWidth(size.x);
-    const auto choices = step_choices(ui.session.a.settings.stage);
+    const auto choices = step_choices(ui);
     const auto now = static_cast<std::size_t>(ui.session.play.granularity);
     const bool open = ImGui::BeginCombo("##step", choices[now].name);
     register_widget(ui, "step.list", "The size of a step.");
@@ -183,13 +198,8 @@ void draw_step_choice(Ui& ui, ImVec2 at, ImVec2 size) {
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(at, {at.x + size.x, at.y + size.y}, packed(p.button), 5.0f * u);
     float x = at.x;
-    for (const StepChoice& choice : step_choices(ui.session.a.settings.stage)) {
-        const float slack = choice.granularity == Granularity::moment
-                                ? text_width("fragment") - text_width(choice.name)
-                            : choice.granularity == Granularity::line
-                                ? text_width("row") - text_width(choice.name)
-                                : 0.0f;
-        const float width = text_width(choice.name) + slack + 24.0f * u;
+    for (const StepChoice& choice : step_choices(ui)) {
+        const float width = choice_width(ui, choice) + 24.0f * u;
         const bool chosen = ui.session.play.granularity == choice.granularity;
         ImGui::SetCursorScreenPos({x, at.y});
         const std::string name = step_name(choice);

@@ -9,11 +9,13 @@
 namespace rasterwalk {
 
 /// The part of the frame that the second time line enlarges. Counted in triangles: 2.5 is the
-/// middle of triangles[2], as triangle_scale() spreads its moments.
+/// middle of triangles[2], as triangle_scale() spreads its moments. In squares, if the picture is
+/// divided into squares: then each is a moment.
 struct TimeWindow {
     double begin = 0.0;
     double width = 1.0;      ///< > 0; 1: one triangle
     int triangles = 0;       ///< of the frame it belongs to
+    double usual = 1.0;      ///< its width to begin with
     Cursor followed{};       ///< where the cursor was when the window last followed it
     bool is_dragged = false; ///< the cursor is being dragged in it: the window stays in place
 };

@@ -23,6 +23,8 @@ constexpr float divided_triangle = 40.0f;
 /// The moment at a position of the enlarged part.
 Cursor moment_in_scale(const Timeline& timeline, double place) {
     const Frame& frame = timeline.frame();
+    if (frame.squares != nullptr)
+        return timeline.at_or_after(moment_of_square(static_cast<int>(std::max(place, 0.0))));
     if (place >= frame.triangle_count()) return cursor_end;
     const int triangle = static_cast<int>(std::max(place, 0.0));
     if (frame.has_moments(triangle)) {
@@ -130,6 +132,21 @@ void add_pieces(const TimeLines& s, int triangle, std::vector<Piece>& pieces) {
     }
 }
 
+/// A square of the picture: what is drawn, what is divided, and background differ in colour.
+Piece piece_of(const TimeLines& s, int number) {
+    const Palette& p = s.colours();
+    const WarnockSquare& square = (*s.timeline.frame().squares)[number];
+    Piece piece;
+    piece.begin = number;
+    piece.end = number + 1.0;
+    piece.colour = square.surface >= 0                     ? p.accent
+                   : square.reason == SquareReason::divide ? p.dim
+                                                           : p.line;
+    piece.brief = to_text(moment_of_square(number));
+    piece.name = fmt::format("{} · {}", piece.brief, words(square.reason).in_short);
+    return piece;
+}
+
 /// The pieces of the enlarged part. With very many triangles it is one piece.
 std::vector<Piece> pieces_in_window(const TimeLines& s) {
     const TimeWindow& window = s.window();
@@ -139,7 +156,10 @@ std::vector<Piece> pieces_in_window(const TimeLines& s) {
     const float each = s.width / static_cast<float>(window.width);
     std::vector<Piece> pieces;
     if (each < 3.0f * s.unit()) return {{window.begin, end, p.accent, "", "", 0, {}, {}, 1}};
-    const int last = std::min(static_cast<int>(std::ceil(end)), frame.triangle_count());
+    const int last = std::min(static_cast<int>(std::ceil(end)), time_units(frame));
+    for (int n = static_cast<int>(window.begin); frame.squares != nullptr && n < last; ++n)
+        pieces.push_back(piece_of(s, n));
+    if (frame.squares != nullptr) return pieces;
     for (int t = static_cast<int>(window.begin); t < last; ++t) {
         const double first = t;
         const std::string index = fmt::format("[{}]", t);
@@ -248,11 +268,16 @@ void use_window_line(const TimeLines& s) {
     if (is_hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         show_triangle(window, place);
     }
+    const bool has_squares = s.timeline.frame().squares != nullptr;
     register_widget(
         s.ui, "walk.window",
-        "The part in the bracket, enlarged. It shows what a triangle is made of; the more "
-        "moments a piece has, the longer it is. Drag to go to any moment and scroll to "
-        "enlarge; a double click shows the whole triangle again.");
+        has_squares
+            ? "The part in the bracket, enlarged: one piece per square. Drag to go to any moment "
+              "and "
+              "scroll to enlarge."
+            : "The part in the bracket, enlarged. It shows what a triangle is made of; the more "
+              "moments a piece has, the longer it is. Drag to go to any moment and scroll to "
+              "enlarge; a double click shows the whole triangle again.");
     step_by_arrows(s, "walk.window");
 }
 

@@ -9,6 +9,7 @@
 #include "session/bench.h"
 #include "ui/canvas/clip_marks.h"
 #include "ui/canvas/marks.h"
+#include "ui/canvas/square_marks.h"
 #include "ui/canvas/test_marks.h"
 
 namespace rasterwalk {
@@ -197,6 +198,7 @@ void draw_current(const Marks& m) {
     if (!m.run.done || m.run.cursor == cursor_end) return;
     const Frame& frame = m.run.frame;
     const Cursor done = *m.run.done;
+    if (is_square(done)) return; // see draw_squares()
     const Timeline timeline(frame);
     switch (done.phase) {
     case Phase::vertices: {
@@ -238,6 +240,13 @@ void draw_lit_row(const Marks& m, int row, float opacity) {
     const float h = std::max(0.5f * m.scale, 1.0f);
     m.list->AddRectFilled({left.x, left.y - h}, {right.x, right.y + h},
                           m.colour(Meaning::pass, opacity));
+}
+
+/// Does the picture's latest square have this triangle in it? Triangles that are drawn one after
+/// another are always at work.
+bool is_at_work(const ShownRun& run, const std::optional<int>& triangle) {
+    if (run.frame.squares == nullptr) return true;
+    return run.done && triangle_at(run.frame, *run.done) == triangle;
 }
 
 const ClipHistory* clip_of(const RunResults& run) {
@@ -289,9 +298,11 @@ std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, Im
         return labels;
     }
     draw_point_rings(m);
-    const bool has_triangle = ui.results.a.triangle && frame.is_drawn(*ui.results.a.triangle);
     const bool is_picked = ui.session.selection.triangle.has_value();
     const bool is_walking = run.cursor != cursor_end;
+    const bool is_elsewhere = is_walking && !is_picked && !is_at_work(run, ui.results.a.triangle);
+    const bool has_triangle =
+        ui.results.a.triangle && frame.is_drawn(*ui.results.a.triangle) && !is_elsewhere;
     const bool is_marked = m.is_large() || is_picked || is_walking;
     const bool has_clip = run.clip != nullptr && is_marked;
     if (has_clip) draw_clip_marks(m, *run.clip);
@@ -313,6 +324,7 @@ std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, Im
     }
     if (ui.inspector.hovered_row) draw_lit_row(m, *ui.inspector.hovered_row, 0.25f);
     if (ui.canvas.hovered_row) draw_lit_row(m, *ui.canvas.hovered_row, 0.25f);
+    draw_squares(m);
     draw_current(m);
     // Side by side, what is pointed at in one picture is marked in both.
     if (ui.compare.place_of_b && ui.canvas.hovered_pixel) {

@@ -253,7 +253,8 @@ bool is_outside_working(const Ui& ui) {
 }
 
 std::string coming_words(int triangles, const Cursor& cursor) {
-    if (triangles > most_ordered || cursor.triangle >= triangles - 1) return {};
+    if (triangles > most_ordered || is_square(cursor) || cursor.triangle >= triangles - 1)
+        return {};
     const int first = cursor.triangle + 1;
     std::string words = "faint: still to come, triangles[" + std::to_string(first) + "]";
     if (first + 1 < triangles) words += " to triangles[" + std::to_string(triangles - 1) + "]";
