@@ -174,6 +174,17 @@ std::string describe_square(const Frame& frame, int number) {
                               part_name(*frame.scene, square.surface));
 }
 
+/// A fragment in a square: no moment of its own.
+std::string describe_in_square(const Frame& frame, const Cursor& cursor) {
+    const PolygonRows& rows = frame.squares->rows(cursor.triangle);
+    return fmt::format("{} · {} ({}) · row {}, {} · {}", square_name(cursor.square),
+                       element_name_of(triangle_form, cursor.triangle, frame.triangle_count()),
+                       part_name(*frame.scene, cursor.triangle), rows.first_row + cursor.index,
+                       element_name_of(phase_info(cursor.phase).piece, cursor.index, rows.size()),
+                       element_name_of(phase_info(cursor.phase).step, cursor.step,
+                                       row_span(frame.stages, rows, cursor.index).count));
+}
+
 /// The name of a piece of a phase.
 /// @param count number of all pieces of the phase
 std::string piece_name(const Cursor& cursor, int count) {
@@ -199,6 +210,7 @@ Cursor moment_of(const Frame& frame, const Cursor& cursor) {
 
 std::string describe_moment(const Frame& frame, const Cursor& cursor) {
     if (is_square(cursor)) return describe_square(frame, cursor.square);
+    if (cursor.square >= 0) return describe_in_square(frame, cursor);
     const Timeline timeline(frame);
     const TriangleMoments& moments = timeline.moments(cursor.triangle);
     const PhaseInfo& phase = phase_info(cursor.phase);
@@ -221,13 +233,20 @@ std::string describe_moment(const Frame& frame, const Cursor& cursor) {
     return text + " · " + element_name_of(phase.step, cursor.step, steps);
 }
 
+std::string describe_square_in_short(const Frame& frame, int square) {
+    const WarnockSquare& of = (*frame.squares)[square];
+    const std::string text = square_name(square) + " · " + std::string(words(of.reason).in_short);
+    return of.surface < 0 ? text : text + ": " + triangle_name(of.surface);
+}
+
 std::string moment_name(const Cursor& cursor) {
     if (cursor == cursor_end) return "end of the frame";
     if (is_square(cursor)) return square_name(cursor.square);
     const PhaseInfo& phase = phase_info(cursor.phase);
     const std::string piece = cursor.phase == Phase::clip ? plane_name(cursor.index)
                                                           : element_name(phase.piece, cursor.index);
-    const std::string text = triangle_name(cursor.triangle) + ", " + piece;
+    const std::string square = cursor.square >= 0 ? square_name(cursor.square) + ", " : "";
+    const std::string text = square + triangle_name(cursor.triangle) + ", " + piece;
     return phase.step.empty() ? text : text + ", " + element_name(phase.step, cursor.step);
 }
 

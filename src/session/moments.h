@@ -17,8 +17,11 @@ Cursor moment_of(const Frame& frame, const Cursor& cursor);
 /// A moment in words, counted from 0: "triangles[20] of 30 (tall block) · edge 1 · line[13] of
 /// 104". A row is named by its place in the picture and in the table. Of a square: "square w12 of
 /// 3021: columns 250 to 311, rows 0 to 61 · one surface: triangles[3] (floor)". The moment must
-/// exist in the frame and must not be the end.
+/// exist in the frame and must not be the end; fragments in squares are described too.
 std::string describe_moment(const Frame& frame, const Cursor& cursor);
+
+/// What becomes of a square, without its place: "square w12 · one surface: triangles[3]".
+std::string describe_square_in_short(const Frame& frame, int square);
 
 /// The same in short, for any cursor: "triangles[20], edge 1, line[13]"; for the end, "end of the
 /// frame".

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/element_names.h"
+#include "base/error.h"
 #include "pipeline/timeline.h"
 #include "session/content.h"
 #include "session/scene_file.h"
@@ -117,4 +118,61 @@ TEST_CASE("A moment has a short name that no decimal can be mistaken for") {
     CHECK(moment_name({0, Phase::vertices, 2, 0}) == "triangles[0], vertices[2]");
     CHECK(moment_name({3, Phase::rows, 37, 5}) == "triangles[3], entry [37], fragments[5]");
     CHECK(moment_name(cursor_end) == "end of the frame");
+}
+
+TEST_CASE("A square of the picture, and a fragment in it, in words") {
+    const Scene room = read_scene_file(lessons_folder() + "/scenes/lab-room.toml");
+    Settings settings = default_settings(room);
+    set_step(settings, StripStep{Stage::depth});
+    settings.hidden = Hidden::warnock;
+    const Frame frame = prepare_frame(room, settings);
+    REQUIRE(frame.squares != nullptr);
+    const std::string count = std::to_string(frame.squares->count());
+    CHECK(describe_moment(frame, moment_of_square(0)) ==
+          "square w0 of " + count + ": columns 0 to 499, rows 0 to 499 · divided");
+    CHECK(moment_name(moment_of_square(12)) == "square w12");
+    CHECK(describe_square_in_short(frame, 0) == "square w0 · divided");
+    int pixels = 0;
+    for (int n = 0; n < frame.squares->count(); ++n) {
+        const WarnockSquare& square = (*frame.squares)[n];
+        const std::string words = describe_moment(frame, moment_of_square(n));
+        REQUIRE(words.starts_with("square w" + std::to_string(n) + " of " + count + ": column"));
+        REQUIRE(
+            (square.surface >= 0) ==
+            (words.find(": triangles[" + std::to_string(square.surface) + "] (") != words.npos));
+        if (square.reason != SquareReason::one_pixel) continue;
+        ++pixels;
+        REQUIRE(words.find(" · one pixel: ") != words.npos);
+    }
+    CHECK(pixels > 100);
+
+    // A fragment in a square stands for it.
+    const int surface = (*frame.squares)[frame.squares->count() - 1].surface;
+    REQUIRE(surface >= 0);
+    const Cursor fragment{surface, Phase::rows, 1, 0, 0, frame.squares->count() - 1};
+    CHECK(moment_of(frame, to_text(fragment)) == moment_of_square(fragment.square));
+    const std::string name = triangle_name(surface);
+    CHECK(moment_name(fragment) ==
+          "square w" + std::to_string(fragment.square) + ", " + name + ", entry [1], fragments[0]");
+    const std::string words = describe_moment(frame, fragment);
+    CHECK(words.starts_with("square w" + std::to_string(fragment.square) + " · " + name +
+                            " of 30 ("));
+
+    const auto refusal = [&](const char* text) -> std::string {
+        try {
+            moment_of(frame, text);
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return {};
+    };
+    CHECK(refusal("t12") == "there is no moment t12: the picture has the squares w0 to w" +
+                                std::to_string(frame.squares->count() - 1) +
+                                ", and triangles have no moments of their own.");
+    CHECK(refusal("w99999999").starts_with("there is no moment w99999999: the picture has"));
+    settings.hidden = Hidden::depth_buffer;
+    const Frame other = prepare_frame(room, settings);
+    for (const char* const text : {"w12", "w12/t3/r37/c5"})
+        CHECK_THROWS_WITH(moment_of(other, text),
+                          Catch::Matchers::ContainsSubstring("is not divided into squares"));
 }

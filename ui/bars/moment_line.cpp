@@ -84,7 +84,11 @@ float zoom_buttons_width(const Ui& ui) {
 std::vector<std::string> moment_forms(const Ui& ui) {
     if (!ui.results.a.done) return {"nothing is drawn yet", "nothing yet"};
     const Cursor& done = *ui.results.a.done;
-    return {describe_moment(ui.results.a.frame, done), moment_name(done), to_text(done)};
+    const Frame& frame = ui.results.a.frame;
+    if (is_square(done))
+        return {describe_moment(frame, done), describe_square_in_short(frame, done.square),
+                moment_name(done), to_text(done)};
+    return {describe_moment(frame, done), moment_name(done), to_text(done)};
 }
 
 /// What the diamonds above the time line mean, from the longest form to the shortest.
