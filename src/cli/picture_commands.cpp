@@ -86,10 +86,13 @@ constexpr StatInfo stat_list[] = {
      [](const FrameStats& s) { return s.empty_rows; }},
     {"depth_outside", "fragments whose pixel has no cell in the depth buffer",
      [](const FrameStats& s) { return s.depth_outside; }},
-    {"comparisons", "what hidden compared: fragments with the depth buffer, depths, or planes",
+    {"comparisons",
+     "what hidden compared: fragments with the depth buffer, depths, planes or squares",
      [](const FrameStats& s) { return s.hidden.comparisons; }},
     {"splits", "triangles and pieces that planes of the BSP tree have cut",
      [](const FrameStats& s) -> std::int64_t { return s.hidden.splits; }},
+    {"squares", "squares into which Warnock's algorithm divides the picture",
+     [](const FrameStats& s) -> std::int64_t { return s.hidden.squares; }},
     {"memory", "bytes that hidden needs besides scene and picture",
      [](const FrameStats& s) { return s.hidden.memory; }},
 };
@@ -150,6 +153,7 @@ Json to_json(const std::vector<HiddenWay>& ways) {
                         {"is_possible", way.is_possible},
                         {"memory", way.counts.memory},
                         {"splits", way.counts.splits},
+                        {"squares", way.counts.squares},
                         {"triangles", way.triangles},
                         {"wrong", way.wrong}});
     }
@@ -157,15 +161,16 @@ Json to_json(const std::vector<HiddenWay>& ways) {
 }
 
 void print_ways(const std::vector<HiddenWay>& ways, std::ostream& out) {
-    out << fmt::format("\n{:<14}{:>11}{:>13}{:>8}{:>11}{:>8}\n", "hidden", "triangles",
-                       "comparisons", "splits", "memory", "wrong");
+    out << fmt::format("\n{:<14}{:>11}{:>13}{:>8}{:>9}{:>11}{:>8}\n", "hidden", "triangles",
+                       "comparisons", "splits", "squares", "memory", "wrong");
     for (const HiddenWay& way : ways) {
         if (!way.is_possible) {
             out << fmt::format("{:<14}  not possible with this scene\n", word_of(way.way));
             continue;
         }
-        out << fmt::format("{:<14}{:>11}{:>13}{:>8}{:>11}{:>8}\n", word_of(way.way), way.triangles,
-                           way.counts.comparisons, way.counts.splits, way.counts.memory, way.wrong);
+        out << fmt::format("{:<14}{:>11}{:>13}{:>8}{:>9}{:>11}{:>8}\n", word_of(way.way),
+                           way.triangles, way.counts.comparisons, way.counts.splits,
+                           way.counts.squares, way.counts.memory, way.wrong);
     }
 }
 

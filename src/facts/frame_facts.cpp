@@ -221,12 +221,18 @@ void add_frame_facts(std::vector<Fact>& table) {
                 [](Stats s) { return s.triangles - s.left_out.total(); });
     add_counted("frame.left_out", "Triangles that are left out.", natural(),
                 [](Stats s) { return s.left_out.total(); });
-    add_counted("frame.comparisons",
-                "What the removal of hidden surfaces compares: fragments with the depth buffer, "
-                "two depths (painter), or the camera with a plane (bsp).",
-                natural(), [](Stats s) { return s.hidden.comparisons; });
+    add_counted(
+        "frame.comparisons",
+        "What the removal of hidden surfaces compares: fragments with the depth buffer, "
+        "two depths (painter), the camera with a plane (bsp), or a triangle with a square and "
+        "two triangles in one (warnock).",
+        natural(), [](Stats s) { return s.hidden.comparisons; });
     add_counted("frame.splits", "Triangles and pieces that planes of the BSP tree have cut.",
                 natural(), [](Stats s) { return s.hidden.splits; });
+    add_counted("frame.squares",
+                "Squares into which Warnock's algorithm divides the picture, those that are "
+                "divided in turn too.",
+                natural(), [](Stats s) { return s.hidden.squares; });
     add_counted("frame.memory",
                 "Bytes that the removal of hidden surfaces needs besides scene and picture.",
                 natural(), [](Stats s) { return s.hidden.memory; });

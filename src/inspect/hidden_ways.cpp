@@ -13,6 +13,7 @@ constexpr std::int64_t number_bytes = 4, float_bytes = 4;
 constexpr std::int64_t plane_bytes = 4 * float_bytes;
 constexpr std::int64_t node_bytes = plane_bytes + 3 * number_bytes; // both sides, and its pieces
 constexpr std::int64_t corner_bytes = 3 * float_bytes;
+constexpr std::int64_t row_bytes = 2 * number_bytes + 2 * float_bytes; // its ends, their depths
 
 std::int64_t tree_bytes(const BspTree& tree) {
     std::int64_t bytes = node_bytes * std::ssize(tree.nodes);
@@ -21,21 +22,29 @@ std::int64_t tree_bytes(const BspTree& tree) {
     return bytes;
 }
 
+HiddenCounts counts_of(const WarnockSquares& squares) {
+    HiddenCounts counts{squares.comparisons, 0, squares.count(), 0};
+    for (const PolygonRows& table : squares.tables)
+        counts.memory += row_bytes * table.size();
+    return counts;
+}
+
 } // namespace
 
 HiddenCounts hidden_counts(const Frame& frame, const DrawTally& tally) {
+    if (frame.squares != nullptr) return counts_of(*frame.squares);
     if (frame.list == nullptr) {
         if (depth_rule(frame.settings) == DepthTest::off) return {};
         const Viewport& size = frame.settings.viewport;
-        return {tally.fragments, 0, float_bytes * size.width * size.height};
+        return {tally.fragments, 0, 0, float_bytes * size.width * size.height};
     }
     const DrawnList& list = *frame.list;
     if (list.divided == nullptr) {
-        return {list.comparisons, 0,
+        return {list.comparisons, 0, 0,
                 (float_bytes + number_bytes) * static_cast<std::int64_t>(list.depths.size())};
     }
     const BspTree& tree = list.divided->tree;
-    return {list.comparisons, tree.splits, tree_bytes(tree)};
+    return {list.comparisons, tree.splits, 0, tree_bytes(tree)};
 }
 
 HiddenWaysWork::HiddenWaysWork(const Scene& scene, const Settings& settings)
@@ -100,7 +109,8 @@ void HiddenWaysWork::count() {
     const Frame& frame = drawing_.frame();
     HiddenWay way;
     way.way = hidden_rule(frame.settings);
-    way.is_possible = way.way == Hidden::depth_buffer || frame.list != nullptr;
+    way.is_possible =
+        way.way == Hidden::depth_buffer || frame.list != nullptr || frame.squares != nullptr;
     way.triangles = frame.triangle_count();
     way.counts = hidden_counts(frame, drawing_.tally());
     if (way.way == Hidden::depth_buffer) by_buffer_ = shown();

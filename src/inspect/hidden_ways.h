@@ -16,11 +16,12 @@ namespace rasterwalk {
 /// What was compared, cut and remembered to find what hides what.
 struct HiddenCounts {
     /// Depth buffer: fragments with what their pixels hold. Painter: two triangles' depths. BSP:
-    /// the camera with a plane.
+    /// the camera with a plane. Warnock: a triangle with a square, and two triangles in one.
     std::int64_t comparisons = 0;
-    int splits = 0; ///< BSP: triangles and pieces that a plane has cut in two
-    /// Bytes needed besides scene and picture: the buffer, a depth and a number for each triangle,
-    /// or the tree.
+    int splits = 0;  ///< BSP: triangles and pieces that a plane has cut in two
+    int squares = 0; ///< Warnock: of the picture, those that are divided too
+    /// Bytes needed besides scene and picture: the buffer; a depth and a number for each triangle;
+    /// the tree; or the rows of all triangles.
     std::int64_t memory = 0;
 
     friend bool operator==(const HiddenCounts&, const HiddenCounts&) = default;

@@ -64,7 +64,7 @@ constexpr ChoiceWords choice_word_list[] = {
     {"hidden", "depth_buffer", "depth buffer"},
     {"hidden", "painter", "painter"},
     {"hidden", "bsp", "BSP tree"},
-    {"hidden", "warnock", "Warnock's squares"},
+    {"hidden", "warnock", "Warnock"},
     {"painter_rule", "right", "by mean depth"},
     {"painter_rule", "nearest_corner", "by nearest corner"},
     {"painter_rule", "near_first", "nearest first"},

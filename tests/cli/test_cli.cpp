@@ -74,7 +74,8 @@ TEST_CASE("stats of the lab's room are the numbers that were found independently
           "\"memory\":1000000,\"pixels_"
           "tested\":0,"
           "\"rejected\":0,\"rows_looked_at\":15109,\"rows_outside\":4,\"rows_outside_triangles\":4,"
-          "\"shaded\":293357,\"splits\":0,\"triangles\":30,\"uncovered\":998,\"unset_rows\":0}");
+          "\"shaded\":293357,\"splits\":0,\"squares\":0,\"triangles\":30,\"uncovered\":998,\"unset_"
+          "rows\":0}");
     CHECK_THAT(run({"stats"}).out, ContainsSubstring("fragments               328789\n"));
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/element_names.h"
 #include "base/numbers.h"
 #include "explain/order_formulas.h"
 #include "settings/value_words.h"
@@ -79,6 +80,34 @@ void draw_walk(Ui& ui, int triangle) {
     }
 }
 
+/// The square that comes next: where it is, and why it is drawn, left or divided.
+void draw_square(Ui& ui, const WarnockSquares& squares) {
+    const Palette& p = palette(ui.options.theme);
+    const Cursor& cursor = ui.results.a.cursor;
+    if (cursor.square < 0 || cursor.square >= squares.count()) {
+        put_text("Every square is done", ui.fonts.bold);
+        register_widget(ui, "hidden.square", "All squares of the picture are drawn.");
+        text_in(p.dim, fmt::format("{} in all", squares.count()));
+        return;
+    }
+    const WarnockSquare& square = squares[cursor.square];
+    put_text(fmt::format("w{} of {}", cursor.square, squares.count()), ui.fonts.bold);
+    register_widget(ui, "hidden.square", "The square that comes next.");
+    const Rectangle& r = square.pixels;
+    text_in(p.dim,
+            fmt::format("columns {} to {}, rows {} to {} · divided {} before", r.left, r.right - 1,
+                        r.top, r.bottom - 1, counted(square.depth, "time", "times")));
+    const std::string surface =
+        square.surface < 0 ? ""
+                           : fmt::format(" {} ({}).", triangle_name(square.surface),
+                                         part_words(*ui.results.a.frame.scene, square.surface));
+    std::string sentence(words(square.reason).sentence);
+    sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
+    wrapped_text(sentence + "." + surface);
+    register_widget(ui, "hidden.reason", "What is done with the square, and why.",
+                    words(square.reason).in_short);
+}
+
 /// A way to remove hidden surfaces, in a row of the table.
 struct WayColumn {
     const char* title;
@@ -91,12 +120,16 @@ const std::array way_columns{
               "Triangles that are drawn: those of the scene, or the pieces they were cut "
               "into.",
               [](const HiddenWay& way) { return std::to_string(way.triangles); }},
-    WayColumn{"compared",
-              "Depth buffer: fragments with what their pixels hold. Painter: depths of two "
-              "triangles. BSP tree: the camera with a plane.",
-              [](const HiddenWay& way) { return std::to_string(way.counts.comparisons); }},
+    WayColumn{
+        "compared",
+        "Depth buffer: fragments with what their pixels hold. Painter: depths of two "
+        "triangles. BSP tree: the camera with a plane. Warnock: a triangle with a square, and two "
+        "triangles in one.",
+        [](const HiddenWay& way) { return std::to_string(way.counts.comparisons); }},
     WayColumn{"splits", "Triangles and pieces that were cut in two.",
               [](const HiddenWay& way) { return std::to_string(way.counts.splits); }},
+    WayColumn{"squares", "Squares of the picture, those that are divided in turn too.",
+              [](const HiddenWay& way) { return std::to_string(way.counts.squares); }},
     WayColumn{"bytes", "What has to be remembered besides scene and picture.",
               [](const HiddenWay& way) { return std::to_string(way.counts.memory); }},
     WayColumn{"wrong",
@@ -153,8 +186,14 @@ void draw_ways(Ui& ui) {
 } // namespace
 
 void draw_hidden_panel(Ui& ui) {
-    if (!begin_triangle_panel(ui, "place in the picture")) return;
     const Frame& frame = ui.results.a.frame;
+    if (frame.squares != nullptr) {
+        draw_square(ui, *frame.squares);
+        ImGui::Spacing();
+        draw_ways(ui);
+        return;
+    }
+    if (!begin_triangle_panel(ui, "place in the picture")) return;
     if (frame.list != nullptr) {
         const int triangle = *ui.results.a.triangle;
         draw_place(ui, *frame.list, triangle);
