@@ -325,7 +325,7 @@ TEST_CASE("In every scene of the lessons the squares show what the depth buffer 
 TEST_CASE("In every scene of the lessons the squares show what rays meet") {
     SquareCounts counts;
     for (const Scene& scene : opaque_scenes()) {
-        if (scene.camera.aim != CameraAim::angles) continue; // rays know no other
+        if (scene.camera.aim != CameraAim::angles) continue; // as rays are cast
         Settings settings = settings_of(scene, Hidden::warnock);
         cover_by_centres(settings);
         CAPTURE(scene.name);
