@@ -31,10 +31,14 @@ void go_to_source(Ui& ui, const Source& source) {
         ui.inspector.scroll_to_row = true;
         open_tab(ui, "rows");
         return;
-    case SourceKind::moment:
+    case SourceKind::moment: {
         selection.triangle = source.moment.triangle;
+        // Where squares are the moments, an edge sample or a row has none.
+        const bool has_squares = ui.results.a.frame.squares != nullptr;
+        if (has_squares && source.moment.square < 0) return;
         go_to(ui.session, Timeline(ui.results.a.frame).next(source.moment, Granularity::moment));
         return;
+    }
     }
 }
 
