@@ -21,6 +21,8 @@ TEST_CASE("A row's graph has the numbers that are drawn, under either interpolat
         Settings settings = default_settings(room);
         set_step(settings, StripStep::vertex_light);
         variant.apply(settings);
+        // Among squares a row has no moments to be drawn by; its graph is that of the triangle.
+        if (hidden_rule(settings) == Hidden::warnock) settings.hidden = Hidden::depth_buffer;
         const Frame frame = prepare_frame(room, settings);
         // Rules chosen at random can leave no triangle in the picture.
         const int count = frame.triangle_count();
