@@ -274,6 +274,45 @@ PREDICTIONS_TEST("Lesson 26: what planes cut", "26-hidden-surfaces", "pieces", "
     CHECK(3 * 30 * 30 == 2700);
 }
 
+/// The squares that a part of a picture takes, the part itself among them: asked of all fragments.
+int squares_of(const PixelFragments& picture, int left, int top, int width, int height) {
+    if (width == 0 || height == 0) return 0;
+    std::map<int, int> pixels, nearest; // of each triangle
+    for (int row = top; row < top + height; ++row) {
+        for (int column = left; column < left + width; ++column) {
+            double most = 0.0;
+            const auto& fragments =
+                picture.pixels[static_cast<std::size_t>(row * picture.width + column)];
+            for (const PixelFragments::Fragment& fragment : fragments)
+                most = std::max(most, fragment.zinv);
+            for (const PixelFragments::Fragment& fragment : fragments) {
+                ++pixels[fragment.triangle];
+                nearest[fragment.triangle] += fragment.zinv == most ? 1 : 0;
+            }
+        }
+    }
+    if (pixels.size() <= 1 || width * height == 1) return 1;
+    for (const auto& [triangle, count] : nearest) {
+        if (count == width * height) return 1;
+    }
+    const int w = width / 2, h = height / 2;
+    return 1 + squares_of(picture, left, top, w, h) +
+           squares_of(picture, left + w, top, width - w, h) +
+           squares_of(picture, left, top + h, w, height - h) +
+           squares_of(picture, left + w, top + h, width - w, height - h);
+}
+
+PREDICTIONS_TEST("Lesson 26: the squares of the needles", "26-hidden-surfaces", "small-squares") {
+    const Scene needles = scene_named("three-needles");
+    const PixelFragments pixels(needles, settings_of(needles, {}));
+    const int squares = squares_of(pixels, 0, 0, pixels.width, pixels.height);
+    CHECK(squares == 363);
+    CHECK(pixels.width * pixels.height == 40'000);
+    const Questions lesson("26-hidden-surfaces");
+    lesson.require_choice("small-squares", 1);
+    require_figures({"| Warnock | 62 795 | 83 920 |"});
+}
+
 TEST_CASE("Lesson 26: the plane of the red block's right side, and the camera") {
     const std::vector<Triangle> room = triangles_of(scene_named("lab-room"));
     const Triangle& side = room[12];

@@ -101,9 +101,11 @@ const std::vector<Situation>& workplace_situations() {
         {room, "tab:microscope triangle:12",
          "microscope.header.0 microscope.header.1 microscope.header.4 microscope.header.5"},
         {room, "set:stage=depth&hidden=painter triangle:12 tab:hidden",
-         "hidden.way.bsp hidden.painter.wrong hidden.bsp.splits hidden.depth_buffer.bytes"},
+         "hidden.way.bsp hidden.painter.wrong hidden.depth_buffer.wrong"},
         {room, "set:stage=depth&hidden=bsp cursor:t20/r3/c2 tab:hidden canvas:both",
          "hidden.plane.0 hidden.bsp.wrong"},
+        {room, "set:stage=depth&hidden=warnock cursor:w40 tab:hidden",
+         "hidden.square hidden.reason hidden.warnock.wrong"},
         // The pixel: its fragment, texture, history, and the graph of its row.
         {room, "tab:fragment pixel:398,121 click:fragment.z.perspective",
          "fragment.z_world.off fragment.light.per_vertex fragment.pixel_light.R.red fragment.after "

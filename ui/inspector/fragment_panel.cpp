@@ -88,8 +88,9 @@ void draw_title(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     const Scene& scene = *ui.results.a.frame.scene;
     const int triangle = report.cursor.triangle;
-    const std::string part = part_words(scene, triangle);
-    const std::vector<std::string> parts{part, part.substr(part.rfind(' ') + 1)};
+    const std::string& part = part_name(scene, triangle);
+    const std::vector<std::string> parts{part_words(scene, triangle), part,
+                                         part.substr(part.rfind(' ') + 1)};
     const std::string pixel =
         "(" + std::to_string(report.pixel.x) + ", " + std::to_string(report.pixel.y) + ")";
     const bool is_picked = ui.session.selection.pixel.has_value();

@@ -108,48 +108,71 @@ void draw_square(Ui& ui, const WarnockSquares& squares) {
                     words(square.reason).in_short);
 }
 
-/// A way to remove hidden surfaces, in a row of the table.
+/// What is counted of a way.
 struct WayColumn {
     const char* title;
     const char* help;
     std::string (*words)(const HiddenWay&);
 };
 
+/// In the order in which they are left out where there is no room.
 const std::array way_columns{
-    WayColumn{"drawn",
-              "Triangles that are drawn: those of the scene, or the pieces they were cut "
-              "into.",
-              [](const HiddenWay& way) { return std::to_string(way.triangles); }},
-    WayColumn{
-        "compared",
-        "Depth buffer: fragments with what their pixels hold. Painter: depths of two "
-        "triangles. BSP tree: the camera with a plane. Warnock: a triangle with a square, and two "
-        "triangles in one.",
-        [](const HiddenWay& way) { return std::to_string(way.counts.comparisons); }},
+    WayColumn{"parts",
+              "What is drawn one after another: the triangles of the scene, the pieces they were "
+              "cut into, or the squares of the picture, those that are divided in turn too.",
+              [](const HiddenWay& way) {
+                  const int squares = way.counts.squares;
+                  return std::to_string(squares > 0 ? squares : way.triangles);
+              }},
     WayColumn{"splits", "Triangles and pieces that were cut in two.",
               [](const HiddenWay& way) { return std::to_string(way.counts.splits); }},
-    WayColumn{"squares", "Squares of the picture, those that are divided in turn too.",
-              [](const HiddenWay& way) { return std::to_string(way.counts.squares); }},
     WayColumn{"bytes", "What has to be remembered besides scene and picture.",
               [](const HiddenWay& way) { return std::to_string(way.counts.memory); }},
+    WayColumn{"compared",
+              "Depth buffer: fragments with what their pixels hold. Painter: depths of two "
+              "triangles. BSP tree: the camera with a plane. Warnock: a triangle with a square, "
+              "and two triangles in one.",
+              [](const HiddenWay& way) { return std::to_string(way.counts.comparisons); }},
     WayColumn{"wrong",
               "Pixels that show what the depth buffer shows neither there nor at any pixel next to "
               "it.",
               [](const HiddenWay& way) { return std::to_string(way.wrong); }},
 };
 
-void draw_way(Ui& ui, const HiddenWay& way, bool is_chosen) {
+std::string name_of(const HiddenWay& way) {
+    return choice_words(*find_setting("hidden"), word_of(way.way));
+}
+
+std::string words_in(const WayColumn& column, const HiddenWay& way) {
+    return way.is_possible ? column.words(way) : "–";
+}
+
+/// The width of each column, and of the names before them, screen pixels.
+std::vector<float> way_widths(const Ui& ui, const std::vector<HiddenWay>& ways) {
+    std::vector<float> widths{0.0f};
+    for (const HiddenWay& way : ways)
+        widths[0] = std::max(widths[0], button_width(name_of(way)));
+    for (const WayColumn& column : way_columns) {
+        widths.push_back(text_width(ui.fonts.small, column.title));
+        for (const HiddenWay& way : ways)
+            widths.back() = std::max(widths.back(), text_width(words_in(column, way)));
+    }
+    return widths;
+}
+
+void draw_way(Ui& ui, const HiddenWay& way, std::size_t first_column, bool is_chosen) {
     const Palette& p = palette(ui.options.theme);
     const std::string word(word_of(way.way));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    const std::string name = choice_words(*find_setting("hidden"), word);
-    if (button(ui, "hidden.way." + word, name, is_chosen ? Look::quiet : Look::link,
-               is_chosen ? "In use now." : "Uses it: hidden=" + word))
+    std::string help = is_chosen ? "In use now." : "Uses it: hidden=" + word + ".";
+    for (const WayColumn& column : way_columns)
+        help += fmt::format("\n{}: {}", column.title, words_in(column, way));
+    if (button(ui, "hidden.way." + word, name_of(way), is_chosen ? Look::quiet : Look::link, help))
         ui.session.a.settings.hidden = way.way;
-    for (std::size_t i = 0; i < way_columns.size(); ++i) {
+    for (std::size_t i = first_column; i < way_columns.size(); ++i) {
         ImGui::TableNextColumn();
-        const std::string text = way.is_possible ? way_columns[i].words(way) : "–";
+        const std::string text = words_in(way_columns[i], way);
         right_aligned(text, is_chosen ? p.text : p.dim);
         register_widget(ui, fmt::format("hidden.{}.{}", word, way_columns[i].title),
                         way.is_possible ? way_columns[i].help : "The scene is too large for this.",
@@ -157,29 +180,39 @@ void draw_way(Ui& ui, const HiddenWay& way, bool is_chosen) {
     }
 }
 
+/// As many columns as there is room for; the tooltip of each name has all of them.
 void draw_ways(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     put_text("All ways, with this scene and camera", ui.fonts.bold);
-    const HiddenTable& table = ui.results.hidden;
-    if (table.ways.empty()) {
+    const std::vector<HiddenWay>& ways = ui.results.hidden.ways;
+    if (ways.empty()) {
         text_in(p.dim, "Counting …");
         return;
     }
-    const auto columns = static_cast<int>(way_columns.size()) + 1;
+    const std::vector<float> widths = way_widths(ui, ways);
+    const float gap = 2.0f * ImGui::GetStyle().CellPadding.x + 1.0f;
+    float needed = 0.0f;
+    for (const float width : widths)
+        needed += width + gap;
+    std::size_t first = 0;
+    while (first + 1 < way_columns.size() && needed > ImGui::GetContentRegionAvail().x)
+        needed -= widths[++first] + gap;
+    const auto columns = static_cast<int>(way_columns.size() - first) + 1;
     if (!begin_lined_table("hidden.ways", columns, ImGuiTableFlags_SizingStretchProp)) return;
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.5f);
-    for (std::size_t i = 0; i < way_columns.size(); ++i)
-        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.0f);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, widths[0] + gap);
+    for (std::size_t i = first; i < way_columns.size(); ++i)
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, widths[i + 1] + gap);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    for (const WayColumn& column : way_columns) {
+    for (std::size_t i = first; i < way_columns.size(); ++i) {
         ImGui::TableNextColumn();
-        right_aligned(column.title, p.dim, ui.fonts.small);
-        register_widget(ui, std::string("hidden.title.") + column.title, column.help);
+        right_aligned(way_columns[i].title, p.dim, ui.fonts.small);
+        register_widget(ui, std::string("hidden.title.") + way_columns[i].title,
+                        way_columns[i].help);
     }
     const Hidden chosen = hidden_rule(ui.results.a.frame.settings);
-    for (const HiddenWay& way : table.ways)
-        draw_way(ui, way, way.way == chosen);
+    for (const HiddenWay& way : ways)
+        draw_way(ui, way, first, way.way == chosen);
     ImGui::EndTable();
 }
 

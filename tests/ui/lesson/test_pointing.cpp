@@ -25,11 +25,11 @@ int step_that_points(const Lesson& lesson) {
 TEST_CASE("A step outlines what it points at, whatever is pressed, until it is used or left") {
     Driver driver;
     const LessonView& view = driver.ui.lesson;
-    const std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
+    std::vector<Lesson> lessons = driver.ui.lesson.lessons.all();
+    std::erase_if(lessons, [](const Lesson& lesson) { return step_that_points(lesson) < 0; });
     int tried = 0;
-    for (const Lesson& lesson : test::some_of(lessons, 8)) {
+    for (const Lesson& lesson : test::some_of(lessons, 4)) {
         const int step = step_that_points(lesson);
-        if (step < 0) continue;
         INFO(lesson.id << ", step " << step);
         ++tried;
         const std::string widget = *lesson.steps[static_cast<std::size_t>(step)].state.point_at;
