@@ -63,7 +63,8 @@ inline constexpr std::array square_reason_list{
                       "one polygon surrounds it and is in front of all others everywhere in it"},
     SquareReasonWords{SquareReason::one_pixel, "one pixel",
                       "it cannot be divided, so the polygon nearest there is drawn"},
-    SquareReasonWords{SquareReason::divide, "divided", "none of that is the case: it is divided"},
+    SquareReasonWords{SquareReason::divide, "divided",
+                      "several polygons meet it, and none surrounds it in front of all others"},
 };
 static_assert(is_indexed_by(square_reason_list, &SquareReasonWords::reason));
 

@@ -94,9 +94,9 @@ void draw_square(Ui& ui, const WarnockSquares& squares) {
     put_text(fmt::format("w{} of {}", cursor.square, squares.count()), ui.fonts.bold);
     register_widget(ui, "hidden.square", "The square that comes next.");
     const Rectangle& r = square.pixels;
-    text_in(p.dim,
-            fmt::format("columns {} to {}, rows {} to {} · divided {} before", r.left, r.right - 1,
-                        r.top, r.bottom - 1, counted(square.depth, "time", "times")));
+    wrapped_text_in(p.dim, fmt::format("columns {} to {}, rows {} to {} · divided {} before",
+                                       r.left, r.right - 1, r.top, r.bottom - 1,
+                                       counted(square.depth, "time", "times")));
     const std::string surface =
         square.surface < 0 ? ""
                            : fmt::format(" {} ({}).", triangle_name(square.surface),
