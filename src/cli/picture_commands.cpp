@@ -202,8 +202,8 @@ std::string stats_footer() {
             "culling_times.";
     text +=
         "\nWith --hidden, for each way to remove hidden surfaces: the triangles it draws, and the "
-        "pixels\nthat show a triangle farther away than the depth buffer's; with --json as "
-        "ways.";
+        "pixels\nthat show what the depth buffer shows neither there nor next to it; with "
+        "--json as ways.";
     text +=
         "\nFor a model (.obj), with --json as model; its hints name settings that would show more:";
     for (const ObjCountInfo& info : obj_count_list)

@@ -83,7 +83,8 @@ Json to_json(const ShadowTerms& shadow, const Frame& frame) {
     if (shadow.face < 0) {
         if (!shadow.hit.is_hit()) return object;
         object["name"] = part_name(*frame.in_order, shadow.hit.triangle);
-        object["triangle"] = shadow.hit.triangle;
+        // With another order, its number in the list that is drawn stands in no report.
+        object[frame.list == nullptr ? "triangle" : "scene_triangle"] = shadow.hit.triangle;
         object["way"] = shadow.hit.t;
         return object;
     }
@@ -163,6 +164,11 @@ Json to_json(const Scene& scene, const NearTriangle& near, const glm::ivec2& pix
 /// push the rest of their line to the right.
 std::size_t name_width(const Scene& scene) {
     return scene.sources.empty() ? 16 : 34;
+}
+
+/// Of the column of moments: those of squares are longer.
+std::size_t moment_width(const Frame& frame) {
+    return frame.squares == nullptr ? 15 : 20;
 }
 
 /// The pixel's colour when everything before `to` is drawn.
@@ -262,9 +268,9 @@ std::string entry_line(const Frame& frame, const PixelHistory& history, std::siz
     name.resize(std::max(name.size(), name_width(scene)), ' '); // bytes
     const glm::vec3& colour = entry.colour_after;
     std::string line =
-        fmt::format("{:>3}  {:<15}  {}  {:>9.6f}  {:>9.6f}  {:>+9.6f}  {:>+9.6f}  {:<7}  {:.4f} "
+        fmt::format("{:>3}  {:<{}}  {}  {:>9.6f}  {:>9.6f}  {:>+9.6f}  {:>+9.6f}  {:<7}  {:.4f} "
                     "{:.4f} {:.4f}",
-                    i, to_text(entry.cursor), name,
+                    i, to_text(entry.cursor), moment_width(frame), name,
                     depth_kind(frame) == ClipDepth::inv_z ? entry.zinv : entry.depth, entry.stored,
                     entry.margin, entry.margin_to_winner, word_in_table(entry.fate), colour.r,
                     colour.g, colour.b);
@@ -291,10 +297,10 @@ void print_text(const Frame& frame, const PixelHistory& history, const Cursor& t
     const char* const what = has_fragments(stage) ? "fragment" : "mark";
     out << counted(static_cast<std::int64_t>(history.entries.size()), what, std::string(what) + "s")
         << ".\n"
-        << fmt::format(
-               "  #  moment           {:<{}}  {:>8}     stored     margin  to winner  fate     "
-               "colour after\n",
-               "part", name_width(scene), depth_words(frame).short_name);
+        << fmt::format("  #  {:<{}}  {:<{}}  {:>8}     stored     margin  to winner  fate     "
+                       "colour after\n",
+                       "moment", moment_width(frame), "part", name_width(scene),
+                       depth_words(frame).short_name);
     for (std::size_t i = 0; i < history.entries.size(); ++i)
         out << entry_line(frame, history, i, to);
 }

@@ -28,10 +28,11 @@ namespace {
 
 int parse_triangle(const std::string& text, const Scene& scene) {
     const int count = scene.triangle_count();
-    const std::string range = count == 0 ? "the scene has no triangles."
-                              : count == 1
-                                  ? "the scene has only triangle 0."
-                                  : fmt::format("the scene has triangles 0 to {}.", count - 1);
+    const std::string range =
+        count == 0   ? "the scene has no triangles."
+        : count == 1 ? "the scene has only triangle 0."
+                     : fmt::format("the {} has triangles 0 to {}.",
+                                   scene.sources.empty() ? "scene" : "drawn list", count - 1);
     // A number may be quoted with blanks before it.
     const std::string number = text.substr(std::min(text.find_first_not_of(' '), text.size()));
     int triangle = 0;

@@ -62,9 +62,9 @@ void add_side(const Frame& frame, int node, FormulaWriter& write) {
     }
     Formula& formula = write.add(
         fmt::format("side.{}", node), "n · C − d",
-        fmt::format("How far in front of {} the camera is. Above 0, what lies behind the plane is "
+        fmt::format("How far in front of {} the camera is. Above 0, what lies behind the plane {} "
                     "drawn first; below 0, what lies in front of it.",
-                    plane),
+                    plane, frame.stages.is_near_side == is_near_side ? "is" : "should be"),
         expression, std::move(inputs), {camera_side(of.plane, rays)});
     formula.section = "order";
     formula.label = fmt::format("plane of [{}]", of.triangle);
@@ -84,8 +84,9 @@ std::vector<OrderNode> order_nodes(const Frame& frame, int triangle) {
     for (int node = node_of(frame, below).parent; node >= 0; node = node_of(frame, node).parent) {
         const BspNode& at = node_of(frame, node);
         const bool is_front = at.front == below;
-        const bool is_front_near = frame.stages.is_near_side(camera_side(at.plane, rays));
-        nodes.push_back({node, at.triangle, is_front, is_front == is_front_near});
+        const float side = camera_side(at.plane, rays);
+        nodes.push_back({node, at.triangle, is_front, is_front == is_near_side(side),
+                         is_front == frame.stages.is_near_side(side)});
         below = node;
     }
     std::reverse(nodes.begin(), nodes.end());

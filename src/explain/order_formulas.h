@@ -16,7 +16,8 @@ struct OrderNode {
     int node = 0;
     int triangle = 0;      ///< of the scene, whose plane it is
     bool is_front = false; ///< the triangle lies on the side that the normal points to
-    bool is_near = false;  ///< and that is the side on which the camera is, drawn last
+    bool is_near = false;  ///< and that is the side on which the camera is
+    bool is_last = false;  ///< and that side is drawn last: the same, but for a mistake
 };
 
 /// The nodes above the triangle's own, the root first; none unless a BSP tree gave it its place.

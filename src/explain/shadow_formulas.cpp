@@ -11,6 +11,12 @@ namespace rasterwalk {
 
 namespace {
 
+/// What casts the shadow: shadows are cast by the scene as it is, whatever list is drawn.
+std::string occluder_words(const Frame& frame, int triangle) {
+    return fmt::format("{}{} ({})", frame.list == nullptr ? "" : "the scene's ",
+                       triangle_name(triangle), part_name(*frame.in_order, triangle));
+}
+
 /// Writes the formulas of one point.
 class ShadowFormulas {
   public:
@@ -76,8 +82,7 @@ class ShadowFormulas {
                  "t",
                  {{"t",
                    {terms_.hit.t},
-                   from_words(fmt::format("o + t · w meets {} ({})", triangle_name(triangle),
-                                          part_name(*frame_.in_order, triangle)))}},
+                   from_words("o + t · w meets " + occluder_words(frame_, triangle))}},
                  {terms_.hit.t});
         }
         add_lit(terms_.is_dark() ? "0" : "1", {});
@@ -202,8 +207,7 @@ std::string depth_text(float depth) {
 
 std::string ray_text(const TriangleHit& hit, const Frame& frame) {
     if (!hit.is_hit()) return "Lit: nothing is between here and the lamp";
-    const std::string who = fmt::format("{} ({})", triangle_name(hit.triangle),
-                                        part_name(*frame.in_order, hit.triangle));
+    const std::string who = occluder_words(frame, hit.triangle);
     if (hit.t > 1.0f)
         return fmt::format("In shadow by mistake: {} is behind the lamp, {:.2f} times as far away",
                            who, hit.t);

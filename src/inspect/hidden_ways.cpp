@@ -36,7 +36,8 @@ HiddenCounts hidden_counts(const Frame& frame, const DrawTally& tally) {
     if (frame.list == nullptr) {
         if (depth_rule(frame.settings) == DepthTest::off) return {};
         const Viewport& size = frame.settings.viewport;
-        return {tally.fragments, 0, 0, float_bytes * size.width * size.height};
+        return {tally.fragments - tally.depth_outside, 0, 0,
+                float_bytes * size.width * size.height};
     }
     const DrawnList& list = *frame.list;
     if (list.divided == nullptr) {

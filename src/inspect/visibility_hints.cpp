@@ -128,7 +128,7 @@ void VisibilityHintsWork::begin_try() {
     for (const std::string& assignment : tries_[done_].settings)
         set_from_text(settings, assignment);
     other_.tessellated = frame_->tessellated;
-    other_.list = frame_->list;
+    other_.divided = frame_->divided;
     other_.occluders = frame_->occluders;
     preparation_ = begin_frame(*frame_->given, settings, frame_->replace, other_);
     is_prepared_ = false;

@@ -213,7 +213,9 @@ class Search {
             if (change.bug == nullptr) continue;
             const Attempt attempt{correct_run(*change.bug, reference_), {&change}};
             if (recipe_of(attempt).settings == attempt.right) continue;
-            if (!makes_mistake(attempt.right)) note({attempt.right, {}});
+            // Another way to hide surfaces is right in its own way, but not the same picture.
+            const bool hides_alike = attempt.right.hidden == reference_.hidden;
+            if (hides_alike && !makes_mistake(attempt.right)) note({attempt.right, {}});
             note(attempt);
         }
     }

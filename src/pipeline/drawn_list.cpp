@@ -96,12 +96,7 @@ DividedMesh divide(const Mesh& mesh) {
     return divided;
 }
 
-void walk(const Scene& scene, const VertexRules& rules, const Stages& stages,
-          const DrawnList* before, DrawnList& list) {
-    const bool is_known =
-        before != nullptr && before->divided != nullptr && before->divided->given == scene.mesh;
-    list.divided =
-        is_known ? before->divided : std::make_shared<const DividedMesh>(divide(scene.mesh));
+void walk(const Scene& scene, const VertexRules& rules, const Stages& stages, DrawnList& list) {
     const DividedMesh& divided = *list.divided;
     const BspWalk walk = walk_bsp_tree(divided.tree, sight_rays(rules), stages);
     list.comparisons = walk.comparisons;
@@ -130,7 +125,8 @@ CornerDepths corner_depths(const Scene& scene, int triangle, const VertexRules& 
 }
 
 std::shared_ptr<const DrawnList> make_drawn_list(const Scene& scene, const Settings& settings,
-                                                 const Stages& stages, const DrawnList* before) {
+                                                 const Stages& stages,
+                                                 std::shared_ptr<const DividedMesh>& divided) {
     const Hidden hidden = hidden_rule(settings);
     const bool is_sorted = hidden == Hidden::painter || hidden == Hidden::bsp;
     if (!is_sorted || scene.space == SceneSpace::pixels) return nullptr;
@@ -138,10 +134,14 @@ std::shared_ptr<const DrawnList> make_drawn_list(const Scene& scene, const Setti
     const VertexRules rules = vertex_rules(settings, scene.space);
     DrawnList list;
     list.made_by = hidden;
-    if (hidden == Hidden::painter)
+    if (hidden == Hidden::painter) {
         paint(scene, rules, stages, list);
-    else
-        walk(scene, rules, stages, before, list);
+    } else {
+        if (divided == nullptr || !(divided->given == scene.mesh))
+            divided = std::make_shared<const DividedMesh>(divide(scene.mesh));
+        list.divided = divided;
+        walk(scene, rules, stages, list);
+    }
     if (list.scene.triangle_count() == 0) return nullptr;
     return std::make_shared<const DrawnList>(std::move(list));
 }

@@ -37,11 +37,13 @@ struct DrawnList {
 };
 
 /// Makes the list of a scene for a camera.
-/// @param before the previous list, whose tree is kept if it is of the same mesh; or null
+/// @param divided the last tree, kept if it is of the same mesh; gets the one that is made, even if
+///                that is empty; may hold null
 /// @return null if no order removes hidden surfaces, or the scene is in pixels or too large to be
 ///         sorted or divided: it is then drawn in its own order
 std::shared_ptr<const DrawnList> make_drawn_list(const Scene& scene, const Settings& settings,
-                                                 const Stages& stages, const DrawnList* before);
+                                                 const Stages& stages,
+                                                 std::shared_ptr<const DividedMesh>& divided);
 
 /// z of camera space of a triangle's corners, by the function that moves and turns the world.
 /// @param rotation camera_rotation() of the rules' camera

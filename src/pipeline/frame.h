@@ -36,6 +36,7 @@ struct Frame {
     const Scene* given = nullptr;    ///< the one the frame was made for
     std::shared_ptr<const TessellatedScene> tessellated; ///< owns the tessellation; null: none
     std::shared_ptr<const DrawnList> list;               ///< owns the drawn list; null: none
+    std::shared_ptr<const DividedMesh> divided;          ///< the last tree, for the next list
     Settings settings;
     ReplaceStages replace;                  ///< functions in addition to those of the settings, or
                                             ///< null

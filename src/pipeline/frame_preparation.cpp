@@ -37,7 +37,7 @@ bool is_divided(const Frame& frame) {
 
 /// Puts its triangles in the order in which they are drawn.
 void take_list(Frame& frame) {
-    frame.list = make_drawn_list(*frame.in_order, frame.settings, frame.stages, frame.list.get());
+    frame.list = make_drawn_list(*frame.in_order, frame.settings, frame.stages, frame.divided);
     frame.scene = frame.list == nullptr ? frame.in_order : &frame.list->scene;
 }
 

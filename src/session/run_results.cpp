@@ -70,7 +70,7 @@ void begin_next(const std::shared_ptr<const Scene>& scene, const Run& run, RunRe
     next.run = std::nullopt;
     next.is_done = false;
     next.frame.tessellated = results.frame.tessellated;
-    next.frame.list = results.frame.list;
+    next.frame.divided = results.frame.divided;
     next.frame.occluders = results.frame.occluders;
     next.preparation = begin_frame(*scene, run.settings, nullptr, next.frame);
     next.scene = scene;

@@ -26,16 +26,20 @@ constexpr std::size_t planes_at_each_end = 4;
 
 /// What orders the triangles, and where the one shown is among them.
 void draw_place(Ui& ui, const DrawnList& list, int triangle) {
-    const int count = ui.results.a.frame.triangle_count();
+    const Frame& frame = ui.results.a.frame;
     std::string text;
     if (list.made_by == Hidden::painter) {
-        text = fmt::format("Sorted by depth, the farthest first. {} of {} come before this one.",
-                           triangle, count);
+        text = fmt::format("Sorted by depth, the {} first. {} of {} come before this one.",
+                           frame.stages.is_drawn_before == is_drawn_before ? "farthest" : "nearest",
+                           triangle, frame.triangle_count());
     } else {
         const BspTree& tree = list.divided->tree;
-        text = fmt::format("A tree of {}, walked from back to front: at each plane, the side "
-                           "without the camera first.",
-                           counted(static_cast<int>(tree.nodes.size()), "plane", "planes"));
+        const bool is_right = frame.stages.is_near_side == is_near_side;
+        text = fmt::format("A tree of {}, walked from {}: at each plane, the side {} the camera "
+                           "first.",
+                           counted(static_cast<int>(tree.nodes.size()), "plane", "planes"),
+                           is_right ? "back to front" : "front to back",
+                           is_right ? "without" : "with");
     }
     wrapped_text(text);
     register_widget(ui, "hidden.place", "How the drawn list was ordered.", text);
@@ -56,7 +60,7 @@ void draw_walk(Ui& ui, int triangle) {
         const char* const side = node.is_front ? "in front of" : "behind";
         const char* const near = node.is_near ? "near" : "far";
         lines.push_back({fmt::format("{} the plane of [{}]: its {} side, drawn {}", side,
-                                     node.triangle, near, node.is_near ? "last" : "first"),
+                                     node.triangle, near, node.is_last ? "last" : "first"),
                          fmt::format("{} [{}]: {} side", side, node.triangle, near),
                          fmt::format("{} [{}]", side, node.triangle)});
         for (std::size_t i = 0; i < form_count; ++i)
@@ -76,7 +80,7 @@ void draw_walk(Ui& ui, int triangle) {
                                     "The camera is on {} side, so this side is drawn {} the other.",
                                     nodes[i].is_front ? "in front of" : "behind", nodes[i].triangle,
                                     nodes[i].is_near ? "the same" : "the other",
-                                    nodes[i].is_near ? "after" : "before"));
+                                    nodes[i].is_last ? "after" : "before"));
     }
 }
 

@@ -73,6 +73,8 @@ std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
                     " of the colour is its own,",
                 number_words(1.0f - winner.share) + " is what the pixel showed before."};
     }
+    if (ui.results.a.frame.squares != nullptr)
+        return {text + " because the square around the pixel shows it.", ""};
     if (history.entries.size() == 1) return {text + " because nothing else fell here.", ""};
     if (!history.depth_tested)
         return {text + " because there is no depth test and it was drawn last.", ""};
