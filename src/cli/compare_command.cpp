@@ -157,9 +157,9 @@ ExitCode compare_command(const CompareOptions& options, std::ostream& out) {
     }
     const RunTexts runs = run_texts(a.settings, b.settings);
     if (options.json) {
-        print_comparison(*session.scene, runs, comparison, out);
+        print_comparison(*a.scene, runs, comparison, out);
     } else {
-        print_text(*session.scene, runs, comparison, out);
+        print_text(*a.scene, runs, comparison, out);
     }
     return comparison.is_same() ? ExitCode::done : ExitCode::difference;
 }

@@ -122,7 +122,8 @@ const HiddenWay* Facts::hidden_way() const {
     FactCache& known = cache();
     const Frame& frame = results_->a.frame;
     if (!known.hidden_ways) known.hidden_ways = hidden_ways(*frame.given, frame.settings);
-    const HiddenWay& way = (*known.hidden_ways)[static_cast<std::size_t>(frame.settings.hidden)];
+    const HiddenWay& way =
+        (*known.hidden_ways)[static_cast<std::size_t>(hidden_rule(frame.settings))];
     return way.is_possible ? &way : nullptr;
 }
 

@@ -108,7 +108,9 @@ class FactsWriter {
   public:
     FactsWriter(const Frame& frame, PixelFacts& facts)
         : frame_(frame), facts_(facts), width_(frame.settings.viewport.width) {
-        if (!facts.drawn_twice.empty()) neighbours_ = find_neighbours(frame);
+        // In a square only one triangle is drawn.
+        marks_twice_ = !facts.drawn_twice.empty() && frame.squares == nullptr;
+        if (marks_twice_) neighbours_ = find_neighbours(frame);
         if (!facts.affine_error.empty())
             positions.assign(facts.affine_error.size(), glm::vec3(0.0f));
     }
@@ -116,7 +118,7 @@ class FactsWriter {
     void note(const FragmentEvent& event) {
         const Fragment& f = event.fragment;
         const std::size_t pixel = static_cast<std::size_t>(f.row) * width_ + f.column;
-        if (!facts_.drawn_twice.empty()) record_neighbours(event.cursor.triangle, f, pixel);
+        if (marks_twice_) record_neighbours(event.cursor.triangle, f, pixel);
         if (!facts_.depth.empty()) {
             DepthVerdicts& verdicts = facts_.depth[pixel];
             if (is_depth_tested(event.fate))
@@ -157,6 +159,7 @@ class FactsWriter {
 
     const Frame& frame_;
     PixelFacts& facts_;
+    bool marks_twice_ = false; ///< looks for pixels that two neighbours draw
     std::size_t width_;
     Neighbours neighbours_;
     int rows_of_ = -1;

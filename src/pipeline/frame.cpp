@@ -49,6 +49,7 @@ std::vector<ScreenVertex> polygon_under(const Frame& frame, int triangle,
 }
 
 int triangle_in(const Frame& frame, const Frame& other, int triangle_of_other) {
+    if (triangle_of_other < 0 || triangle_of_other >= other.triangle_count()) return 0;
     if (have_same_triangles(frame, other)) return triangle_of_other;
     const int of_each = frame.triangles_of_each(), of_other = other.triangles_of_each();
     const int in_order = scene_triangle(*other.scene, triangle_of_other);

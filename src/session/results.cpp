@@ -205,15 +205,20 @@ void update_hidden(const Session& session, const RunChanges& changes, const Work
     Settings settings = results.a.frame.settings;
     settings.hidden = Hidden::depth_buffer; // whichever is chosen, all are counted
     if (table.scene != results.a.scene || !(table.settings == settings)) {
+        if (table.scene != results.a.scene) table.ways.clear();
         table.scene = results.a.scene;
         table.settings = settings;
         table.work.emplace(*table.scene, settings);
     }
     const bool is_whole = results.a.is_drawn() && !results.a.is_frame_late;
     if (!table.work || !is_whole || changes.picture) return;
-    table.work->advance({limit.slice, limit.slice});
-    if (!table.work->is_done()) return;
-    table.ways = table.work->ways();
+    try {
+        table.work->advance({limit.slice, limit.slice});
+        if (!table.work->is_done()) return;
+        table.ways = table.work->ways();
+    } catch (const std::bad_alloc&) {
+        table.ways.clear(); // the picture does not need them
+    }
     table.work = std::nullopt;
 }
 
@@ -229,6 +234,7 @@ bool may_preview(const Session& session, const Run& run, const RunResults& resul
     return results.run && results.scene == session.scene &&
            results.run->settings.viewport == run.settings.viewport &&
            results.run->settings.tessellation == run.settings.tessellation &&
+           results.frame.list == nullptr &&
            fast_engine_refuses(*results.frame.scene, run.settings).empty();
 }
 

@@ -55,7 +55,8 @@ Cursor moment_of_shared(const SharedView& shared, const Cursor& wanted, const Ru
     const Frame &a = *shared.frame, &b = results.frame;
     if ((a.squares == nullptr) != (b.squares == nullptr))
         return wanted <= Timeline(a).first() ? cursor_begin : cursor_end;
-    if (a.squares != nullptr) return wanted;
+    // A square that was stood at under another rule is in neither.
+    if (a.squares != nullptr || is_square(wanted)) return wanted;
     const bool is_alike = have_same_triangles(results.frame, *shared.frame);
     if (is_alike || wanted.triangle >= shared.frame->triangle_count()) return wanted;
     return {triangle_in(results.frame, *shared.frame, wanted.triangle), Phase::vertices, 0, 0};
@@ -251,6 +252,8 @@ bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, bool
     return next.is_done;
 }
 
+namespace {
+
 /// Why hidden surfaces are not removed as the settings ask; empty if they are.
 std::string_view hidden_undone(const Frame& frame) {
     const Hidden hidden = hidden_rule(frame.settings);
@@ -264,6 +267,8 @@ std::string_view hidden_undone(const Frame& frame) {
     return hidden == Hidden::painter ? "the scene is too large to be sorted"
                                      : "the scene is too large to be divided by planes";
 }
+
+} // namespace
 
 std::vector<Warning> describe_warnings(const Frame& frame, const DrawTally& tally) {
     std::vector<Warning> warnings;

@@ -49,8 +49,14 @@ void draw_place(Ui& ui, const DrawnList& list, int triangle) {
 void draw_walk(Ui& ui, int triangle) {
     const Frame& frame = ui.results.a.frame;
     const Palette& p = palette(ui.options.theme);
-    const std::vector<OrderNode> nodes = order_nodes(frame, triangle);
+    std::vector<OrderNode> nodes = order_nodes(frame, triangle);
     if (nodes.empty()) return;
+    std::size_t left_out = 0;
+    if (nodes.size() > 2 * planes_at_each_end + 1) {
+        left_out = nodes.size() - 2 * planes_at_each_end;
+        const auto middle = nodes.begin() + planes_at_each_end;
+        nodes.erase(middle, middle + static_cast<std::ptrdiff_t>(left_out));
+    }
     put_text("The way from the root", ui.fonts.bold);
     // All lines in the longest form that fits for each of them.
     constexpr int form_count = 3;
@@ -70,17 +76,16 @@ void draw_walk(Ui& ui, int triangle) {
     while (form + 1 < form_count && widest[form] > ImGui::GetContentRegionAvail().x)
         ++form;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (nodes.size() > 2 * planes_at_each_end + 1 && i == planes_at_each_end) {
-            text_in(p.dim, fmt::format("… {} more", nodes.size() - 2 * planes_at_each_end));
-            i = nodes.size() - planes_at_each_end;
-        }
+        if (left_out > 0 && i == planes_at_each_end)
+            text_in(p.dim, fmt::format("… {} more", left_out));
         text_in(p.text, lines[i][form]);
-        register_widget(ui, fmt::format("hidden.plane.{}", i),
-                        fmt::format("The triangle lies {} the plane of the scene's triangles[{}]. "
-                                    "The camera is on {} side, so this side is drawn {} the other.",
-                                    nodes[i].is_front ? "in front of" : "behind", nodes[i].triangle,
-                                    nodes[i].is_near ? "the same" : "the other",
-                                    nodes[i].is_last ? "after" : "before"));
+        register_widget(
+            ui, fmt::format("hidden.plane.{}", i),
+            fmt::format("The triangle lies {} the plane of the scene's triangles[{}]. "
+                        "The camera is on {} side, and this side is drawn {} the other.",
+                        nodes[i].is_front ? "in front of" : "behind", nodes[i].triangle,
+                        nodes[i].is_near ? "the same" : "the other",
+                        nodes[i].is_last ? "after" : "before"));
     }
 }
 
@@ -172,8 +177,9 @@ void draw_way(Ui& ui, const HiddenWay& way, std::size_t first_column, bool is_ch
     std::string help = is_chosen ? "In use now." : "Uses it: hidden=" + word + ".";
     for (const WayColumn& column : way_columns)
         help += fmt::format("\n{}: {}", column.title, words_in(column, way));
-    if (button(ui, "hidden.way." + word, name_of(way), is_chosen ? Look::quiet : Look::link, help))
-        ui.session.a.settings.hidden = way.way;
+    const bool pressed =
+        button(ui, "hidden.way." + word, name_of(way), is_chosen ? Look::quiet : Look::link, help);
+    if (pressed && !refuses_settings(ui.session)) ui.session.a.settings.hidden = way.way;
     for (std::size_t i = first_column; i < way_columns.size(); ++i) {
         ImGui::TableNextColumn();
         const std::string text = words_in(way_columns[i], way);
@@ -234,9 +240,9 @@ void draw_hidden_panel(Ui& ui) {
     if (frame.list != nullptr) {
         const int triangle = *ui.results.a.triangle;
         draw_place(ui, *frame.list, triangle);
-        const std::vector<Formula> formulas = order_formulas(frame, triangle);
         if (frame.list->divided == nullptr) {
-            const std::optional<Source> source = draw_formula(ui, formulas.front(), "hidden.depth");
+            const std::optional<Source> source =
+                draw_formula(ui, order_formulas(frame, triangle).front(), "hidden.depth");
             if (source) go_to_source(ui, *source);
         } else {
             draw_walk(ui, triangle);

@@ -18,21 +18,25 @@ void draw_triangle_title(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
     ImGui::AlignTextToFramePadding();
     put_text(triangle_name(triangle), ui.fonts.bold);
-    const std::string part = part_words(*ui.results.a.frame.scene, triangle);
+    const Scene& scene = *ui.results.a.frame.scene;
+    const std::string part = part_words(scene, triangle);
     register_widget(ui, "triangle.name",
-                    "The triangle that the inspector shows, a part of \"" + part +
-                        "\"; the scene's triangles are counted from 0, as in a C++ program.");
+                    "The triangle that the inspector shows, a part of \"" +
+                        part_name(scene, triangle) + "\"; the " +
+                        (scene.sources.empty() ? "scene's" : "drawn") +
+                        " triangles are counted from 0, as in a C++ program.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const bool follows = !ui.session.selection.triangle;
-    const bool can_follow =
-        !follows && ui.results.a.done && ui.results.a.done->triangle != triangle;
+    const std::optional<int> at_work =
+        ui.results.a.done ? triangle_at(ui.results.a.frame, *ui.results.a.done) : std::nullopt;
+    const bool can_follow = !follows && at_work && *at_work != triangle;
     const std::string follow_label =
         ui.inspector.is_low ? "follow"
                             : (ui.results.a.cursor == cursor_end ? "the one drawn last: "
                                                                  : "the one being drawn: ") +
-                                  triangle_name(can_follow ? ui.results.a.done->triangle : 0);
+                                  triangle_name(can_follow ? *at_work : 0);
     const auto follow = [&] {
         if (button(ui, "triangle.follow", follow_label, Look::link,
                    "Releases the picked triangle and always shows the one being drawn.")) {
