@@ -34,7 +34,7 @@ inline float mean_depth(const CornerDepths& depths) {
     return (depths[0] + depths[1] + depths[2]) / 3.0f;
 }
 
-/// Is what has this depth drawn before what has the other? The farther one is.
+/// Does the triangle of this depth come before the one of the other? If it is farther.
 inline bool is_drawn_before(float depth, float other) {
     return depth > other;
 }
