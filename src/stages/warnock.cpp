@@ -10,10 +10,10 @@ namespace rasterwalk {
 namespace {
 
 /// The rows that a polygon and a square have in common.
-struct RowRange {
+struct CommonRows {
     int first, end;
 };
-RowRange common_rows(const PixelSurface& surface, const Rectangle& square) {
+CommonRows common_rows(const PixelSurface& surface, const Rectangle& square) {
     return {std::max(surface.box.top, square.top), std::min(surface.box.bottom, square.bottom)};
 }
 
