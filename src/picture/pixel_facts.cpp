@@ -107,9 +107,8 @@ Neighbours find_neighbours(const Frame& frame) {
 class FactsWriter {
   public:
     FactsWriter(const Frame& frame, PixelFacts& facts)
-        : frame_(frame), facts_(facts), width_(frame.settings.viewport.width) {
-        // In a square only one triangle is drawn.
-        marks_twice_ = !facts.drawn_twice.empty() && frame.squares == nullptr;
+        : frame_(frame), facts_(facts), width_(frame.settings.viewport.width),
+          marks_twice_(!facts.drawn_twice.empty() && frame.squares == nullptr) {
         if (marks_twice_) neighbours_ = find_neighbours(frame);
         if (!facts.affine_error.empty())
             positions.assign(facts.affine_error.size(), glm::vec3(0.0f));
@@ -159,8 +158,8 @@ class FactsWriter {
 
     const Frame& frame_;
     PixelFacts& facts_;
-    bool marks_twice_ = false; ///< looks for pixels that two neighbours draw
     std::size_t width_;
+    bool marks_twice_; ///< not of squares, in each of which one triangle is drawn
     Neighbours neighbours_;
     int rows_of_ = -1;
     std::vector<PolygonRows> rows_; ///< of the neighbours; only the first count_ are in use
