@@ -121,10 +121,11 @@ const FrameShadows& Facts::shadows() const {
 const HiddenWay* Facts::hidden_way() const {
     FactCache& known = cache();
     const Frame& frame = results_->a.frame;
-    if (!known.hidden_ways) known.hidden_ways = hidden_ways(*frame.given, frame.settings);
-    const HiddenWay& way =
-        (*known.hidden_ways)[static_cast<std::size_t>(hidden_rule(frame.settings))];
-    return way.is_possible ? &way : nullptr;
+    if (!known.hidden_way) {
+        known.hidden_way =
+            hidden_ways(*frame.given, frame.settings, hidden_rule(frame.settings)).back();
+    }
+    return known.hidden_way->is_possible ? &*known.hidden_way : nullptr;
 }
 
 std::int64_t Facts::drawn_twice() const {

@@ -66,7 +66,7 @@ struct FactCache {
     std::optional<Cursor> fragment_at;
     std::optional<FragmentReport> fragment;
     std::optional<FrameShadows> shadows;
-    std::optional<std::vector<HiddenWay>> hidden_ways;
+    std::optional<HiddenWay> hidden_way;
     std::optional<Cursor> texture_at;
     std::optional<TextureReport> texture;
 };

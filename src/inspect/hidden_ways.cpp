@@ -48,11 +48,31 @@ HiddenCounts hidden_counts(const Frame& frame, const DrawTally& tally) {
     return {list.comparisons, tree.splits, 0, tree_bytes(tree)};
 }
 
-HiddenWaysWork::HiddenWaysWork(const Scene& scene, const Settings& settings)
-    : scene_(&scene), settings_(settings) {}
+Settings counted_settings(const Settings& settings) {
+    Settings counted = settings;
+    counted.hidden = Hidden::depth_buffer;
+    counted.engine = Engine::steps;
+    counted.stage = Stage::depth;
+    counted.depth_test = DepthTest::inverse_z;
+    counted.depth_format = DepthFormat::inv_z;
+    counted.depth_index = DepthIndex::row_major;
+    counted.depth_clear = counted.depth_epsilon = 0.0f;
+    counted.shading = Shading::unlit;
+    counted.light = {};
+    return counted;
+}
 
-bool HiddenWaysWork::is_done() const {
-    return ways_.size() == enum_words<Hidden>.size();
+void HiddenWaysWork::begin(const Scene& scene, const Settings& settings,
+                           std::optional<Hidden> only) {
+    scene_ = &scene;
+    settings_ = counted_settings(settings);
+    wanted_ = {Hidden::depth_buffer};
+    for (std::size_t i = 1; i < enum_words<Hidden>.size(); ++i) {
+        const auto way = static_cast<Hidden>(i);
+        if (!only || *only == way) wanted_.push_back(way);
+    }
+    ways_.clear();
+    is_begun_ = false;
 }
 
 void HiddenWaysWork::advance(const WorkLimit& limit) {
@@ -60,13 +80,7 @@ void HiddenWaysWork::advance(const WorkLimit& limit) {
     while (!is_done() && left > 0.0) {
         if (!is_begun_) {
             Settings settings = settings_;
-            settings.hidden = static_cast<Hidden>(ways_.size());
-            settings.engine = Engine::steps;
-            settings.stage = Stage::depth;
-            settings.depth_test = DepthTest::inverse_z;
-            settings.depth_format = DepthFormat::inv_z;
-            settings.depth_index = DepthIndex::row_major;
-            settings.depth_clear = settings.depth_epsilon = 0.0f;
+            settings.hidden = wanted_[ways_.size()];
             drawing_.begin(*scene_, settings);
             is_begun_ = true;
         }
@@ -94,8 +108,9 @@ std::int64_t HiddenWaysWork::count_wrong() const {
     std::int64_t wrong = 0;
     for (int row = 0; row < size.height; ++row) {
         for (int column = 0; column < size.width; ++column) {
-            bool is_near = false;
-            for (int y = std::max(row - 1, 0); y <= std::min(row + 1, size.height - 1); ++y) {
+            bool is_near = by_buffer_[at(column, row)] == pixels[at(column, row)];
+            for (int y = std::max(row - 1, 0); !is_near && y <= std::min(row + 1, size.height - 1);
+                 ++y) {
                 for (int x = std::max(column - 1, 0); x <= std::min(column + 1, size.width - 1);
                      ++x)
                     is_near = is_near || by_buffer_[at(x, y)] == pixels[at(column, row)];
@@ -120,8 +135,10 @@ void HiddenWaysWork::count() {
     is_begun_ = false;
 }
 
-std::vector<HiddenWay> hidden_ways(const Scene& scene, const Settings& settings) {
-    HiddenWaysWork work(scene, settings);
+std::vector<HiddenWay> hidden_ways(const Scene& scene, const Settings& settings,
+                                   std::optional<Hidden> only) {
+    HiddenWaysWork work;
+    work.begin(scene, settings, only);
     while (!work.is_done())
         work.advance();
     return work.ways();

@@ -43,38 +43,47 @@ struct HiddenWay {
     friend bool operator==(const HiddenWay&, const HiddenWay&) = default;
 };
 
-/// Draws a scene in every way, without light, and counts. The rules of the ways are those of the
+/// What the counts depend on, of these settings: a picture without light, and the lab's depth
+/// buffer. `hidden` is depth_buffer.
+Settings counted_settings(const Settings& settings);
+
+/// Draws a scene in several ways, without light, and counts. The rules of the ways are those of the
 /// settings, except for the depth buffer's: it is the lab's.
 class HiddenWaysWork {
   public:
-    /// @param scene must outlive this
-    HiddenWaysWork(const Scene& scene, const Settings& settings);
+    HiddenWaysWork() = default;
     HiddenWaysWork(const HiddenWaysWork&) = delete; // its parts refer to each other
     HiddenWaysWork& operator=(const HiddenWaysWork&) = delete;
 
+    /// Begins with the depth buffer, which the others are compared with. A BSP tree of the same
+    /// mesh is kept from the last time.
+    /// @param scene must outlive the work
+    /// @param only  the one way to be counted besides it; none: all of them
+    void begin(const Scene& scene, const Settings& settings, std::optional<Hidden> only = {});
+
     /// Goes on as far as the limit allows.
     void advance(const WorkLimit& limit = {});
-    bool is_done() const;
+    bool is_done() const { return ways_.size() == wanted_.size(); }
 
-    /// In the order of Hidden; all of them once is_done().
+    /// In the order of Hidden; all that are wanted once is_done().
     const std::vector<HiddenWay>& ways() const { return ways_; }
-
-    const Settings& settings() const { return settings_; }
 
   private:
     std::vector<int> shown() const;
     std::int64_t count_wrong() const;
     void count();
 
-    const Scene* scene_;
+    const Scene* scene_ = nullptr;
     Settings settings_;
+    std::vector<Hidden> wanted_;
     FrameDrawing drawing_;
     bool is_begun_ = false;      ///< the next way
     std::vector<int> by_buffer_; ///< what each pixel shows with the depth buffer, see shown()
     std::vector<HiddenWay> ways_;
 };
 
-/// All of them at once.
-std::vector<HiddenWay> hidden_ways(const Scene& scene, const Settings& settings);
+/// All at once, see HiddenWaysWork::begin().
+std::vector<HiddenWay> hidden_ways(const Scene& scene, const Settings& settings,
+                                   std::optional<Hidden> only = {});
 
 } // namespace rasterwalk

@@ -13,20 +13,9 @@ namespace {
 
 /// The scene with other triangles, given by their sources.
 Scene scene_of(const Scene& scene, std::vector<TriangleSource> sources, Mesh mesh) {
-    Scene made;
-    made.name = scene.name;
-    made.path = scene.path;
-    made.space = scene.space;
+    Scene made = scene;
     made.mesh = std::move(mesh);
     made.sources = std::move(sources);
-    made.parts = scene.parts;
-    made.textures = scene.textures;
-    made.applied_texture = scene.applied_texture;
-    made.camera = scene.camera;
-    made.light = scene.light;
-    made.viewport = scene.viewport;
-    made.stage = scene.stage;
-    made.model_report = scene.model_report;
     return made;
 }
 

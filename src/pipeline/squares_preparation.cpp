@@ -58,13 +58,11 @@ bool SquaresPreparation::fits(int triangle) {
 void SquaresPreparation::add_table(int triangle) {
     compute_rows(*frame_, triangle, rows_);
     made_.table_of[static_cast<std::size_t>(triangle)] = static_cast<int>(made_.tables.size());
-    PolygonRows& kept = made_.tables.emplace_back();
-    kept.first_row = rows_.first_row;
-    kept.left = rows_.left;
-    kept.right = rows_.right;
-    kept.outside = rows_.outside;
-    kept.lookups = rows_.lookups;
-    kept.tested = rows_.tested;
+    PolygonRows& kept = made_.tables.emplace_back(rows_);
+    // What only makes the table is not kept.
+    kept.line = {};
+    kept.decisions = {};
+    kept.points = {};
     surfaces_.push_back(surface_of_rows(*frame_, kept, drawn_area(*frame_)));
     triangles_.push_back(triangle);
 }

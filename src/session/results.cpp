@@ -192,6 +192,10 @@ void update_hints(const Session& session, const RunChanges& changes, const WorkL
     hints.work = std::nullopt;
 }
 
+bool is_counting(const HiddenTable& table) {
+    return table.work && !table.work->is_done();
+}
+
 /// Counts the ways to remove hidden surfaces, after everything else.
 void update_hidden(const Session& session, const RunChanges& changes, const WorkLimit& limit,
                    Results& results) {
@@ -202,24 +206,23 @@ void update_hidden(const Session& session, const RunChanges& changes, const Work
         table.scene = nullptr;
         return;
     }
-    Settings settings = results.a.frame.settings;
-    settings.hidden = Hidden::depth_buffer; // whichever is chosen, all are counted
-    if (table.scene != results.a.scene || !(table.settings == settings)) {
-        if (table.scene != results.a.scene) table.ways.clear();
-        table.scene = results.a.scene;
-        table.settings = settings;
-        table.work.emplace(*table.scene, settings);
-    }
-    const bool is_whole = results.a.is_drawn() && !results.a.is_frame_late;
-    if (!table.work || !is_whole || changes.picture) return;
     try {
+        const Settings settings = counted_settings(results.a.frame.settings);
+        if (table.scene != results.a.scene || !(table.settings == settings)) {
+            if (table.scene != results.a.scene) table.ways.clear();
+            if (!table.work) table.work.emplace();
+            table.scene = results.a.scene;
+            table.settings = settings;
+            table.work->begin(*table.scene, settings);
+        }
+        const bool is_whole = results.a.is_drawn() && !results.a.is_frame_late;
+        if (!is_counting(table) || !is_whole || changes.picture) return;
         table.work->advance({limit.slice, limit.slice});
-        if (!table.work->is_done()) return;
-        table.ways = table.work->ways();
+        if (table.work->is_done()) table.ways = table.work->ways();
     } catch (const std::bad_alloc&) {
         table.ways.clear(); // the picture does not need them
+        table.work = std::nullopt;
     }
-    table.work = std::nullopt;
 }
 
 /// The limit for each of two runs.
@@ -358,7 +361,7 @@ bool is_working(const Results& results) {
     if (results.a.is_frame_late || !results.a.is_complete()) return true;
     if (results.history_work || results.next_b) return true;
     if (results.hints.are_due && results.a.is_drawn()) return true;
-    if (results.hidden.work && results.a.is_drawn()) return true;
+    if (is_counting(results.hidden) && results.a.is_drawn()) return true;
     if (results.overlay.lone.is_drawing()) return true;
     if (!results.b) return false;
     if (results.b->is_frame_late || !results.b->is_complete()) return true;

@@ -72,8 +72,8 @@ struct PictureHints {
 struct HiddenTable {
     std::vector<HiddenWay> ways;
     std::shared_ptr<const Scene> scene; ///< counted, or being counted; null: none
-    Settings settings;                  ///< the same, but for `hidden`
-    std::optional<HiddenWaysWork> work; ///< counts once all else is done
+    Settings settings;                  ///< the same, see counted_settings()
+    std::optional<HiddenWaysWork> work; ///< counts once all else is done, and keeps its tree
 };
 
 /// Everything that the panels show, derived from the session. Written only by update(); must not be

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "base/element_names.h"
 #include "base/numbers.h"
 #include "explain/order_formulas.h"
+#include "session/moments.h"
 #include "settings/value_words.h"
 #include "ui/actions/go_to_source.h"
 #include "ui/inspector/panels.h"
@@ -89,32 +89,24 @@ void draw_walk(Ui& ui, int triangle) {
     }
 }
 
-/// The square that comes next: where it is, and why it is drawn, left or divided.
+/// The square that was looked at last, which the picture frames, and why it is drawn, left or
+/// divided.
 void draw_square(Ui& ui, const WarnockSquares& squares) {
-    const Palette& p = palette(ui.options.theme);
-    const Cursor& cursor = ui.results.a.cursor;
-    if (cursor.square < 0 || cursor.square >= squares.count()) {
-        put_text("Every square is done", ui.fonts.bold);
-        register_widget(ui, "hidden.square", "All squares of the picture are drawn.");
-        text_in(p.dim, fmt::format("{} in all", squares.count()));
+    const std::optional<Cursor>& done = ui.results.a.done;
+    if (!done) {
+        wrapped_text("No square has been looked at yet.");
+        register_widget(ui, "hidden.square", "The whole picture comes first.");
         return;
     }
-    const WarnockSquare& square = squares[cursor.square];
-    put_text(fmt::format("w{} of {}", cursor.square, squares.count()), ui.fonts.bold);
-    register_widget(ui, "hidden.square", "The square that comes next.");
-    const Rectangle& r = square.pixels;
-    wrapped_text_in(p.dim, fmt::format("columns {} to {}, rows {} to {} · divided {} before",
-                                       r.left, r.right - 1, r.top, r.bottom - 1,
-                                       counted(square.depth, "time", "times")));
-    const std::string surface =
-        square.surface < 0 ? ""
-                           : fmt::format(" {} ({}).", triangle_name(square.surface),
-                                         part_words(*ui.results.a.frame.scene, square.surface));
-    std::string sentence(words(square.reason).sentence);
+    wrapped_text(describe_moment(ui.results.a.frame, *done));
+    register_widget(ui, "hidden.square",
+                    "The square that was looked at last; it is framed in the picture.");
+    const SquareReasonWords& reason = words(squares[done->square].reason);
+    std::string sentence(reason.sentence);
     sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
-    wrapped_text(sentence + "." + surface);
-    register_widget(ui, "hidden.reason", "What is done with the square, and why.",
-                    words(square.reason).in_short);
+    wrapped_text_in(palette(ui.options.theme).dim, sentence + ".");
+    register_widget(ui, "hidden.reason", "What was done with the square, and why.",
+                    reason.in_short);
 }
 
 /// What is counted of a way.
