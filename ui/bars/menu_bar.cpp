@@ -180,7 +180,7 @@ void draw_menu_button(Ui& ui, const Area& area) {
     if (pressed) ImGui::OpenPopup("menus");
     ImGui::SetNextWindowPos({low.x, high.y});
     if (ImGui::BeginPopup("menus")) {
-        draw_menus(ui);
+        draw_menus(ui, 0.0f);
         ImGui::EndPopup();
     }
     end_part();
@@ -250,7 +250,7 @@ void draw_wide_bar(Ui& ui, const Area& whole) {
         put_text("Rasterwalk", ui.fonts.bold);
         ImGui::PopStyleVar(2);
         ImGui::Dummy({4.0f * u, 0});
-        draw_menus(ui);
+        draw_menus(ui, area.position.y + area.size.y);
         push_style_of_line();
         draw_corner_buttons(ui, all_ranks);
         ImGui::EndMenuBar();

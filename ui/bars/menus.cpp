@@ -1,6 +1,7 @@
 #include "ui/bars/menus.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -161,8 +162,12 @@ const MenuTitle menus[] = {{"File", "Open and save views, save pictures, quit."}
                            {"Walk", "Move through time: steps, play, beginning and end."},
                            {"Help", "All keys, and what the words mean."}};
 
-void draw_menu(Ui& ui, const MenuTitle& menu) {
+/// @param top no part of it may be above this, screen pixels
+void draw_menu(Ui& ui, const MenuTitle& menu, float top) {
     const char* const title = menu.title;
+    // One that would not fit below the bar scrolls, and does not cover its own title.
+    const float room = ImGui::GetIO().DisplaySize.y - top - 8.0f * ui.options.text_scale;
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {FLT_MAX, std::max(room, 1.0f)});
     const bool open = ImGui::BeginMenu(title);
     // An open menu needs no tooltip.
     register_widget(ui, std::string("menu.") + title, open ? "" : menu.help);
@@ -183,9 +188,9 @@ void draw_menu(Ui& ui, const MenuTitle& menu) {
 
 } // namespace
 
-void draw_menus(Ui& ui) {
+void draw_menus(Ui& ui, float top) {
     for (const MenuTitle& menu : menus)
-        draw_menu(ui, menu);
+        draw_menu(ui, menu, top);
 }
 
 } // namespace rasterwalk

@@ -5,6 +5,7 @@ namespace rasterwalk {
 struct Ui;
 
 /// In a menu bar or an open popup: all menus with their contents.
-void draw_menus(Ui& ui);
+/// @param top no menu may reach above this, screen pixels
+void draw_menus(Ui& ui, float top);
 
 } // namespace rasterwalk
