@@ -185,7 +185,7 @@ void draw_way(Ui& ui, const HiddenWay& way, std::size_t first_column, bool is_ch
 /// As many columns as there is room for; the tooltip of each name has all of them.
 void draw_ways(Ui& ui) {
     const Palette& p = palette(ui.options.theme);
-    put_text("All ways, with this scene and camera", ui.fonts.bold);
+    wrapped_text("All ways, with this scene and camera", ui.fonts.bold);
     const std::vector<HiddenWay>& ways = ui.results.hidden.ways;
     if (ways.empty()) {
         text_in(p.dim, "Counting …");
