@@ -13,6 +13,7 @@
 #include "engines/engine_picture.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
+#include "pipeline/shadow_pass.h"
 #include "session/second_run.h"
 #include "settings/setting_table.h"
 
@@ -46,23 +47,23 @@ RunTexts run_texts(const Settings& a, const Settings& b) {
     return texts;
 }
 
-Json to_json(const Scene& scene, const DivergenceGroup& group) {
+Json to_json(const Frame& frame, const DivergenceGroup& group) {
     return {{"count", group.count},
-            {"first", to_text(group.first)},
+            {"first", moment_text(frame, group.first)},
             {"kind", kind_name(group.kind)},
-            {"last", to_text(group.last)},
-            {"name", part_name(scene, group.triangle)},
+            {"last", moment_text(frame, group.last)},
+            {"name", part_name(*frame.scene, group.triangle)},
             {"phase", phase_info(group.phase).word},
             {"triangle", group.triangle}};
 }
 
-void print_comparison(const Scene& scene, const RunTexts& runs, const Comparison& comparison,
+void print_comparison(const Frame& frame, const RunTexts& runs, const Comparison& comparison,
                       std::ostream& out) {
     const DivergenceList& list = comparison.divergences;
     const auto &first = list.first, &larger = list.first_beyond_rounding;
     Json groups = Json::array();
     for (const DivergenceGroup& group : list.groups)
-        groups.push_back(to_json(scene, group));
+        groups.push_back(to_json(frame, group));
     Json object{{"a", texts_to_json(runs.a)}, {"b", texts_to_json(runs.b)}};
     if (first) object["cause"] = first->text;
     if (larger) object["cause_beyond_rounding"] = larger->text;
@@ -70,8 +71,8 @@ void print_comparison(const Scene& scene, const RunTexts& runs, const Comparison
     object["different_rows"] = comparison.different_rows;
     object["divergence_count"] = list.count;
     object["divergences"] = std::move(groups);
-    if (larger) object["first_beyond_rounding"] = to_text(larger->cursor);
-    if (first) object["first_divergence"] = to_text(first->cursor);
+    if (larger) object["first_beyond_rounding"] = moment_text(frame, larger->cursor);
+    if (first) object["first_divergence"] = moment_text(frame, first->cursor);
     object["largest_difference"] = comparison.pixels.largest;
     object["mean_difference"] = comparison.pixels.mean;
     object["pixels"] = comparison.pixels.pixels;
@@ -91,7 +92,7 @@ std::string joined(const std::vector<std::string>& texts) {
 /// More groups than this are left to --json.
 constexpr std::size_t most_groups_printed = 20;
 
-void print_text(const Scene& scene, const RunTexts& runs, const Comparison& comparison,
+void print_text(const Frame& frame, const RunTexts& runs, const Comparison& comparison,
                 std::ostream& out) {
     const PixelDifference& pixels = comparison.pixels;
     const DivergenceList& list = comparison.divergences;
@@ -102,16 +103,18 @@ void print_text(const Scene& scene, const RunTexts& runs, const Comparison& comp
         << "mean_difference     " << significant(pixels.mean, 6) << '\n'
         << "different_rows      " << comparison.different_rows << '\n'
         << "divergences         " << list.count << '\n'
-        << "first_divergence    " << (list.first ? to_text(list.first->cursor) : "none") << '\n';
+        << "first_divergence    " << (list.first ? moment_text(frame, list.first->cursor) : "none")
+        << '\n';
     if (!list.first) return;
     const auto print = [&](const Divergence& divergence) {
         out << "    " << kind_text(divergence.kind) << ", "
-            << part_words(scene, divergence.cursor.triangle) << ": " << divergence.text << '\n';
+            << part_words(*frame.scene, divergence.cursor.triangle) << ": " << divergence.text
+            << '\n';
     };
     print(*list.first);
     const std::optional<Divergence>& larger = list.first_beyond_rounding;
     if (larger && larger->cursor != list.first->cursor) {
-        out << "beyond rounding     " << to_text(larger->cursor) << '\n';
+        out << "beyond rounding     " << moment_text(frame, larger->cursor) << '\n';
         print(*larger);
     }
     out << '\n';
@@ -119,7 +122,7 @@ void print_text(const Scene& scene, const RunTexts& runs, const Comparison& comp
         const DivergenceGroup& group = list.groups[i];
         out << fmt::format("t{:<4} {:<9} {:<13} {:>9}  first {}\n", group.triangle,
                            phase_info(group.phase).word, kind_text(group.kind), group.count,
-                           to_text(group.first));
+                           moment_text(frame, group.first));
     }
     if (list.groups.size() > most_groups_printed) {
         out << "... and " << list.groups.size() - most_groups_printed
@@ -145,21 +148,30 @@ void write_difference(const Frame& a, const Frame& b, const Cursor& to, float la
 ExitCode compare_command(const CompareOptions& options, std::ostream& out) {
     const Session session = open_view(options.view);
     const Run& run_b = session.b ? *session.b : session.a;
-    const Frame a = prepare_frame(*session.scene, settings_of_run(session.a.settings, options.a));
-    const Frame b = prepare_frame(*session.scene, settings_of_run(run_b.settings, options.b));
+    const auto frame_of = [&](const Settings& settings, const std::vector<std::string>& texts) {
+        const Settings run = settings_of_run(settings, texts);
+        return prepare_pass(*session.scene, run,
+                            pass_of(session.cursor, run, session.scene->space));
+    };
+    const Frame a = frame_of(session.a.settings, options.a);
+    const Frame b = frame_of(run_b.settings, options.b);
+    if (a.pass != b.pass)
+        throw UsageError("only one of the two runs has a shadow map, so its pass cannot be "
+                         "compared.");
     if (!(a.settings.viewport == b.settings.viewport)) {
         throw UsageError("the two runs have pictures of different sizes, which cannot be "
                          "compared.");
     }
-    const Comparison comparison = compare_runs(a, b, session.cursor);
+    const Cursor to = in_frame(session.cursor, a.pass);
+    const Comparison comparison = compare_runs(a, b, to);
     if (!options.output.empty()) {
-        write_difference(a, b, session.cursor, comparison.pixels.largest, options.output);
+        write_difference(a, b, to, comparison.pixels.largest, options.output);
     }
     const RunTexts runs = run_texts(a.settings, b.settings);
     if (options.json) {
-        print_comparison(*a.scene, runs, comparison, out);
+        print_comparison(a, runs, comparison, out);
     } else {
-        print_text(*a.scene, runs, comparison, out);
+        print_text(a, runs, comparison, out);
     }
     return comparison.is_same() ? ExitCode::done : ExitCode::difference;
 }

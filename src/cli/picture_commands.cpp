@@ -15,6 +15,7 @@
 #include "inspect/visibility_hints.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
+#include "session/shown_pass.h"
 #include "settings/setting_faults.h"
 
 namespace rasterwalk {
@@ -185,9 +186,9 @@ void print_model(const ObjReport& report, std::ostream& out, std::ostream& err) 
 
 void render_command(const RenderOptions& options, std::ostream& err) {
     const Session session = open_view(options.view);
-    const Frame frame = prepare_frame(*session.scene, session.a.settings);
+    const Frame frame = shown_frame(session);
     Framebuffer framebuffer;
-    draw_by_engine(frame, session.cursor, framebuffer);
+    draw_by_engine(frame, in_frame(session.cursor, frame.pass), framebuffer);
     write_png(view_image(framebuffer, session.view, session.depth_range), options.output);
     report_warnings(frame, count_left_out(frame), err);
 }
@@ -215,10 +216,10 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
                    std::ostream& err) {
     if (options.time && !clock) throw UsageError("--time: no clock is available here.");
     const Session session = open_view(options.view);
-    const Settings& settings = session.a.settings;
-    const Frame frame = prepare_frame(*session.scene, settings);
+    const Frame frame = shown_frame(session);
     Framebuffer framebuffer;
-    const FrameStats stats = frame_stats(frame, session.cursor, framebuffer);
+    const Cursor to = in_frame(session.cursor, frame.pass);
+    const FrameStats stats = frame_stats(frame, to, framebuffer);
     const std::optional<ObjReport>& model = session.scene->model_report;
     std::vector<std::string> hints;
     if (session.cursor == cursor_end) {
@@ -226,9 +227,9 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
             hints.push_back(hint.finding + "; " + hint.help);
     }
     std::optional<CullingCosts> costs;
-    if (options.time) costs = culling_costs(*session.scene, settings, session.cursor, clock);
+    if (options.time) costs = culling_costs(*session.scene, frame.settings, to, clock);
     std::vector<HiddenWay> ways;
-    if (options.hidden) ways = hidden_ways(*session.scene, settings);
+    if (options.hidden) ways = hidden_ways(*session.scene, frame.settings);
     if (options.json) {
         Json json = to_json(stats);
         if (options.hidden) json["ways"] = to_json(ways);

@@ -17,6 +17,7 @@
 #include "explain/texture_report.h"
 #include "inspect/pixel_history.h"
 #include "inspect/pixel_tests.h"
+#include "session/shown_pass.h"
 
 namespace rasterwalk {
 
@@ -108,7 +109,7 @@ Json to_json(const Frame& frame, const PixelEntry& entry, bool stays, const Curs
     Json object{{"colour_after", vector_to_json(entry.colour_after)},
                 {"colour_before", vector_to_json(entry.colour_before)}};
     if (is_in_a_row) object["column"] = entry.column;
-    object["cursor"] = to_text(entry.cursor);
+    object["cursor"] = moment_text(frame, entry.cursor);
     object["depth"] = entry.depth;
     object["drawn"] = entry.cursor < to;
     object["fate"] = word_of(entry.fate);
@@ -130,16 +131,20 @@ Json to_json(const Frame& frame, const PixelEntry& entry, bool stays, const Curs
     return object;
 }
 
-Json to_json(const TestEvent& event, const Cursor& to) {
+Json to_json(const Frame& frame, const TestEvent& event, const Cursor& to) {
     Json values = Json::array(), edges = Json::array();
     for (const std::int64_t e : event.test.e)
         values.push_back(in_square_pixels(e));
     for (const int number : event.test.edges)
         edges.push_back(number < 0 ? Json() : Json(number)); // an inner edge has no number
-    return {{"asked", event.cursor < to},      {"edge_functions", std::move(values)},
-            {"edges", std::move(edges)},       {"fan_triangle", event.test.triangle},
-            {"inside", event.test.is_inside},  {"is_corner_given_away", event.test.is_given_corner},
-            {"moment", to_text(event.cursor)}, {"passes", event.test.passes},
+    return {{"asked", event.cursor < to},
+            {"edge_functions", std::move(values)},
+            {"edges", std::move(edges)},
+            {"fan_triangle", event.test.triangle},
+            {"inside", event.test.is_inside},
+            {"is_corner_given_away", event.test.is_given_corner},
+            {"moment", moment_text(frame, event.cursor)},
+            {"passes", event.test.passes},
             {"weights", event.test.weights}};
 }
 
@@ -168,7 +173,7 @@ std::size_t name_width(const Scene& scene) {
 
 /// Of the column of moments: those of squares are longer.
 std::size_t moment_width(const Frame& frame) {
-    return frame.squares == nullptr ? 15 : 20;
+    return frame.squares == nullptr && frame.pass == 0 ? 15 : 20;
 }
 
 /// The pixel's colour when everything before `to` is drawn.
@@ -200,16 +205,18 @@ Json to_json(const Frame& frame, const PixelHistory& history, const Cursor& to) 
     if (!history.tests.empty()) {
         Json tests = Json::array();
         for (const TestEvent& event : history.tests)
-            tests.push_back(to_json(event, to));
+            tests.push_back(to_json(frame, event, to));
         object["tests"] = std::move(tests);
     }
     return object;
 }
 
 /// Each test of the pixel, if edge functions are used.
-void print_tests(const PixelHistory& history, const Cursor& to, std::ostream& out) {
+void print_tests(const Frame& frame, const PixelHistory& history, const Cursor& to,
+                 std::ostream& out) {
     for (const TestEvent& event : history.tests) {
-        out << fmt::format("{:<15}  {}{}\n", to_text(event.cursor), pixel_test_text(event.test),
+        out << fmt::format("{:<15}  {}{}\n", moment_text(frame, event.cursor),
+                           pixel_test_text(event.test),
                            event.cursor < to ? "" : "  not tested yet");
     }
 }
@@ -270,7 +277,7 @@ std::string entry_line(const Frame& frame, const PixelHistory& history, std::siz
     std::string line =
         fmt::format("{:>3}  {:<{}}  {}  {:>9.6f}  {:>9.6f}  {:>+9.6f}  {:>+9.6f}  {:<7}  {:.4f} "
                     "{:.4f} {:.4f}",
-                    i, to_text(entry.cursor), moment_width(frame), name,
+                    i, moment_text(frame, entry.cursor), moment_width(frame), name,
                     depth_kind(frame) == ClipDepth::inv_z ? entry.zinv : entry.depth, entry.stored,
                     entry.margin, entry.margin_to_winner, word_in_table(entry.fate), colour.r,
                     colour.g, colour.b);
@@ -322,23 +329,24 @@ void print_fragment(const std::optional<FragmentReport>& report, std::ostream& o
 
 void pixel_command(const PixelOptions& options, std::ostream& out) {
     const Session session = open_view(options.view);
-    const glm::ivec2 pixel = pixel_of(options.pixel, session.a.settings.viewport);
-    const Frame frame = prepare_frame(*session.scene, session.a.settings);
+    const Frame frame = shown_frame(session);
+    const glm::ivec2 pixel = pixel_of(options.pixel, frame.settings.viewport);
+    const Cursor to = in_frame(session.cursor, frame.pass);
     const PixelHistory history = pixel_history(frame, pixel);
     const PixelEntry* const winner = winner_of(history);
     const std::optional<FragmentReport> report = options.formulas && winner != nullptr
                                                      ? fragment_report(frame, winner->cursor)
                                                      : std::nullopt;
     if (options.json) {
-        Json answer = to_json(frame, history, session.cursor);
+        Json answer = to_json(frame, history, to);
         if (options.formulas)
             answer["formulas"] = report ? formulas_json(report->formulas) : Json::array();
         print_json(answer, out);
     } else {
-        print_text(frame, history, session.cursor, out);
+        print_text(frame, history, to, out);
         print_texture(frame, history, out);
         print_shadow(frame, history, out);
-        print_tests(history, session.cursor, out);
+        print_tests(frame, history, to, out);
         if (options.formulas) print_fragment(report, out);
     }
 }

@@ -21,6 +21,7 @@
 #include "inspect/shared_edge.h"
 #include "inspect/triangle_report.h"
 #include "session/moments.h"
+#include "session/shown_pass.h"
 
 namespace rasterwalk {
 
@@ -380,9 +381,10 @@ void print_text(std::ostream& out, const TriangleReport& report, const Frame& fr
 
 void triangle_command(const TriangleOptions& options, std::ostream& out) {
     const Session session = open_view(options.view);
-    const Frame frame = prepare_frame(*session.scene, session.a.settings);
+    const Frame frame = shown_frame(session);
     const int triangle = parse_triangle(options.triangle, *frame.scene);
-    const TriangleReport report = triangle_report(frame, triangle, session.cursor);
+    const TriangleReport report =
+        triangle_report(frame, triangle, in_frame(session.cursor, frame.pass));
     std::vector<VertexReport> vertices;
     for (int v = 0; options.formulas && v < triangle_corners; ++v)
         vertices.push_back(vertex_report(frame, triangle, v));

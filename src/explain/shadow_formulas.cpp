@@ -147,11 +147,7 @@ class ShadowFormulas {
         Formula& map = write_.add(
             id, "z in the map",
             "How far the lamp saw in that direction. The map is a depth buffer, so it holds 1/z.",
-            "1 / h",
-            {{"h",
-              {texel.inv_depth},
-              from_words(fmt::format("column {}, row {} of face {}", texel.column, texel.row,
-                                     face_name()))}},
+            "1 / h", {{"h", {texel.inv_depth}, from_texel(terms_.face, texel.column, texel.row)}},
             {1.0f / texel.inv_depth});
         if (terms_.texel_count == 1) map.section = section_;
     }

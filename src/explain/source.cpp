@@ -2,7 +2,10 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/element_names.h"
+#include "stages/shadow.h"
 
 namespace rasterwalk {
 
@@ -44,6 +47,15 @@ Source from_moment(const Cursor& moment) {
     return source;
 }
 
+Source from_texel(int face, int column, int row) {
+    Source source;
+    source.kind = SourceKind::texel;
+    source.face = face;
+    source.column = column;
+    source.row = row;
+    return source;
+}
+
 Source from_formula(std::string id) {
     Source source;
     source.kind = SourceKind::formula;
@@ -64,6 +76,9 @@ std::string source_text(const Source& source) {
                std::to_string(source.row);
     case SourceKind::moment:
         return "the moment " + to_text(source.moment);
+    case SourceKind::texel:
+        return fmt::format("column {}, row {} of face {}", source.column, source.row,
+                           shadow_face_names[static_cast<std::size_t>(source.face)]);
     case SourceKind::formula:
         return "a formula of its own";
     }

@@ -53,9 +53,20 @@ bool is_unnumbered_phase(std::string_view text) {
     });
 }
 
-/// The length of the moment at the front of the text: `end`, or with its
-/// slashes `t12/r37/c5`, `t12/k`; 0 if there is none.
+/// The length of the pass in front of a moment, "p3:"; 0 if there is none.
+std::size_t pass_length(std::string_view text) {
+    if (text.empty() || text[0] != 'p') return 0;
+    const std::size_t end = text.find_first_not_of("0123456789", 1);
+    return end != text.npos && end > 1 && text[end] == ':' ? end + 1 : 0;
+}
+
+/// The length of the moment at the front of the text: `end`, or with its slashes `t12/r37/c5`,
+/// `t12/k`, and its pass before it; 0 if there is none.
 std::size_t moment_length(std::string_view text) {
+    if (const std::size_t pass = pass_length(text); pass > 0 && pass < text.size()) {
+        const std::size_t length = moment_length(text.substr(pass));
+        return length > 0 ? pass + length : 0;
+    }
     constexpr std::string_view end = "end";
     const auto ends_at = [&](std::size_t place) {
         return place == text.size() || !is_in_name(text[place]);

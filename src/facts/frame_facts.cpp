@@ -66,7 +66,10 @@ void add_cursor_facts(std::vector<Fact>& table) {
     const FactAdder<cursor_in<Phase::edges>> add_in_edges(table);
     const FactAdder<&Facts::decision> add_of_decision(table);
     add("cursor", "The moment, that is, what comes next; `end` after everything.", moment(),
-        [](const Facts& f) { return Value(f.results().a.cursor); });
+        [](const Facts& f) {
+            const RunResults& run = f.results().a;
+            return Value(in_pass(run.cursor, run.frame.pass));
+        });
     add("cursor.triangle", "Triangle of the moment, from 0.", natural(), [](const Facts& f) {
         const Cursor* const at = cursor_before_end(f);
         return at == nullptr ? std::nullopt : triangle_at(f.results().a.frame, *at);

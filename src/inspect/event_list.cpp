@@ -83,6 +83,7 @@ EventList list_events(const EventSource& source, int triangle) {
     if (triangle < 0 || triangle >= source.frame->triangle_count()) return list;
     list.moments = source.moments(triangle);
     list.stages = source.frame->stages;
+    list.pass = source.frame->pass;
     list.has_fragments = has_fragments(source.frame->settings.stage);
     Observer keep = observe_all([&](const auto& event) { list.events.emplace_back(event); });
     keep.fragment = nullptr; // the row table knows them, and perhaps the box the tested pixels
@@ -111,7 +112,7 @@ Cursor event_cursor(const EventList& list, int ordinal) {
 
 std::string event_text(const EventList& list, int ordinal) {
     const Cursor cursor = event_cursor(list, ordinal);
-    const std::string moment = to_text(cursor) + "  ";
+    const std::string moment = to_text(in_pass(cursor, list.pass)) + "  ";
     if (cursor.phase == Phase::rows) return moment + row_event(list, cursor);
     if (cursor.phase == Phase::tests && list.has_box()) {
         const TestedPolygon& tested = list.moments.rows.tested;

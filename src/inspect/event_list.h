@@ -16,6 +16,7 @@ struct EventList {
     std::vector<Event> events;  ///< before the rows, in order of time; no tests if it has_box()
     Stages stages;              ///< for testing pixels
     bool has_fragments = false; ///< rows are filled, not only bounded
+    int pass = 0;               ///< in which the frame is drawn
 
     int count() const { return moments.count; }
     /// Is the box known whose pixels are tested? Then each test can be made again.

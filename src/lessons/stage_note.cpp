@@ -9,6 +9,7 @@
 #include "lessons/lesson_run.h"
 #include "session/bench.h"
 #include "session/content.h"
+#include "session/shown_pass.h"
 
 namespace rasterwalk {
 
@@ -36,6 +37,7 @@ std::string note_name(const Session& session) {
     if (session.scene && is_bench(*session.scene)) {
         return session.scene->examples.empty() ? "pixels" : "bench";
     }
+    if (shown_pass(session, session.a) < 0) return "shadow";
     const Settings& settings = session.a.settings;
     if (settings.stage == Stage::depth && hidden_rule(settings) != Hidden::depth_buffer)
         return "hidden";

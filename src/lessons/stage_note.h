@@ -18,7 +18,8 @@ struct StageNote {
     std::string fault; ///< why it could not be read, a sentence; empty if it could
 };
 
-/// Name of the note for what the session shows: the stage's, or for a scene in pixel space `bench`
+/// Name of the note for what the session shows: the stage's, in a pass before the picture `shadow`,
+/// or for a scene in pixel space `bench`
 /// if it has the lab's examples, otherwise `pixels`.
 std::string note_name(const Session& session);
 

@@ -212,9 +212,9 @@ bool changes_picture(const ViewOptions& o) {
 
 /// Moves or drops the start's cursor, pixel and row if they do not exist with other settings.
 void fit(const Session& session, ViewState& state) {
-    const Frame frame = prepare_frame(*session.scene, session.a.settings);
-    if (state.cursor) state.cursor = Timeline(frame).at_or_after(*state.cursor);
-    const Viewport& size = frame.settings.viewport;
+    if (state.cursor)
+        state.cursor = existing_moment(*session.scene, session.a.settings, *state.cursor);
+    const Viewport& size = session.a.settings.viewport;
     const std::optional<glm::ivec2>& pixel = state.pixel;
     if (state.line_of("pixel") != set_by_options && pixel &&
         (pixel->x >= size.width || pixel->y >= size.height)) {
@@ -295,9 +295,9 @@ Session open_view(const ViewOptions& given, const ReadingWatch& watch) {
     if (changes_picture(options)) fit(session, state);
     refuse_faults(start.path, show_on_scene(session, state));
     if (!start.own_tab.empty() && options.given.count("tab") == 0) show_own_tab(start, session);
-    const Frame frame = prepare_frame(*session.scene, session.a.settings);
     const auto to = options.given.find("cursor");
-    if (to != options.given.end()) session.cursor = moment_of(frame, to->second.back());
+    if (to != options.given.end())
+        session.cursor = moment_of(*session.scene, session.a.settings, to->second.back());
     if (bug && options.given.count("compare") == 0 && correct) {
         compare_with(session, *correct);
         session.replaced = replaced; // the laboratory turns it off again

@@ -39,7 +39,8 @@ std::string numbered(char letter, int number) {
 std::string to_text(const Cursor& cursor) {
     if (cursor == cursor_end) return "end";
     const PhaseInfo& phase = phase_info(cursor.phase);
-    std::string text = cursor.pass == 0 ? "" : numbered('p', cursor.pass) + ":";
+    std::string text = cursor.pass == 0 ? "" : numbered('p', pass_number(cursor.pass)) + ":";
+    if (cursor.triangle == cursor_end.triangle) return text + "end";
     if (cursor.square >= 0) text += numbered('w', cursor.square);
     if (is_square(cursor)) return text;
     if (cursor.square >= 0) text += "/";
@@ -64,8 +65,9 @@ std::optional<Cursor> parse_cursor(std::string_view text) {
     Cursor cursor;
     if (text.starts_with('p')) {
         const auto pass = take_numbered(text, 'p');
-        if (!pass || !take(text, ':')) return std::nullopt;
-        cursor.pass = *pass;
+        if (!pass || *pass < 1 || *pass > early_pass_count || !take(text, ':')) return std::nullopt;
+        cursor.pass = *pass - pass_number(0);
+        if (text == "end") return in_pass(cursor_end, cursor.pass);
     }
     if (text.starts_with('w')) {
         const auto square = take_numbered(text, 'w');

@@ -56,10 +56,17 @@ constexpr const PhaseInfo& phase_info(Phase phase) {
     return phase_list[static_cast<std::size_t>(phase)];
 }
 
+/// Before the picture, the faces of a shadow map may be drawn: each in a pass of its own.
+inline constexpr int early_pass_count = 6;
+
 /// A moment in the drawing of a frame: the next piece of work to be done. Everything before it is
 /// done, and nothing else. Totally ordered; counts from 0.
+///
+/// Each pass draws a frame of its own. What belongs to a frame (Timeline, draw(), reports) counts
+/// its moments with pass 0, whichever pass it is drawn in; in a session, a link or a file a moment
+/// has its pass. in_pass() and in_frame() lead from one to the other.
 struct Cursor {
-    int pass = 0;     ///< over all triangles; a frame has one, so far
+    int pass = 0;     ///< 0: the picture; -6 to -1, in texts p1 to p6: a pass before it
     int square = -1;  ///< of the picture, see Frame::squares; -1: the frame is not made of squares
     int triangle = 0; ///< -1: a square itself, which comes before the fragments in it
     Phase phase = Phase::vertices;
@@ -81,6 +88,27 @@ inline constexpr Cursor cursor_begin{};
 /// The moment after the last of every frame.
 inline constexpr Cursor cursor_end{INT_MAX, Phase::vertices, 0, 0, INT_MAX};
 
+/// A moment of the frame that is drawn in a pass, with that pass. The end of a pass before the
+/// picture is a moment too: what it has drawn is complete.
+constexpr Cursor in_pass(Cursor cursor, int pass) {
+    if (cursor != cursor_end || pass < 0) cursor.pass = pass;
+    return cursor;
+}
+
+/// The moment of the frame drawn in `pass` at which a moment of any pass finds it: the same, or its
+/// beginning or end if that pass comes later or is over.
+constexpr Cursor in_frame(Cursor cursor, int pass) {
+    const int of_cursor = cursor == cursor_end ? 0 : cursor.pass;
+    if (of_cursor != pass) return of_cursor < pass ? cursor_begin : cursor_end;
+    cursor.pass = 0;
+    return cursor.triangle == INT_MAX ? cursor_end : cursor;
+}
+
+/// The number of a pass before the picture in texts, 1 to 6.
+constexpr int pass_number(int pass) {
+    return pass + early_pass_count + 1;
+}
+
 /// Where the moments of a triangle begin; those of earlier triangles have ended.
 constexpr Cursor beginning_of(int triangle) {
     return {triangle, Phase::vertices, 0, 0};
@@ -97,8 +125,8 @@ constexpr bool is_square(const Cursor& cursor) {
 }
 
 /// The text form: `t12/v1`, `t12/p0/s2`, `t12/k`, `t12/e2/s14`, `t12/b4/c7`, `t12/r37/c5`, `end`;
-/// of a square of the picture `w12`, and of a fragment in it `w12/t3/r37/c5`; with the pass in
-/// front if it is not 0: `p1:t12/v1`.
+/// of a square of the picture `w12`, and of a fragment in it `w12/t3/r37/c5`; of a pass before the
+/// picture, with its number in front, `p1:t12/v1` and `p1:end`.
 std::string to_text(const Cursor& cursor);
 
 /// The piece and the step alone, for tight spaces: "v1", "e2 [14]" for edge 2, line[14], "r37 [5]"

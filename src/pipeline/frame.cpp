@@ -67,6 +67,10 @@ bool have_same_moments(const Frame& a, const Frame& b) {
     return a.squares == nullptr && b.squares == nullptr && have_same_triangles(a, b);
 }
 
+std::string moment_text(const Frame& frame, const Cursor& cursor) {
+    return to_text(in_pass(cursor, frame.pass));
+}
+
 std::optional<int> triangle_at(const Frame& frame, const Cursor& cursor) {
     int triangle = cursor.triangle;
     if (is_square(cursor) && frame.squares != nullptr && cursor.square < frame.squares->count())

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct Frame {
     const Scene* scene = nullptr;    ///< the one drawn: `in_order`, or the drawn list made of it
     const Scene* in_order = nullptr; ///< the given one, or its tessellation, in the scene's order
     const Scene* given = nullptr;    ///< the one the frame was made for
+    int pass = 0; ///< in which it is drawn, see Cursor::pass; its own moments have pass 0
     std::shared_ptr<const TessellatedScene> tessellated; ///< owns the tessellation; null: none
     std::shared_ptr<const DrawnList> list;               ///< owns the drawn list; null: none
     std::shared_ptr<const DividedMesh> divided;          ///< the last tree, for the next list
@@ -107,6 +109,9 @@ struct Frame {
         return std::span{vertices.data() + polygon.first, static_cast<std::size_t>(polygon.count)};
     }
 };
+
+/// The text of a moment of the frame, with the pass that it is drawn in.
+std::string moment_text(const Frame& frame, const Cursor& cursor);
 
 /// The triangle that a piece of work is about: of a square, the one that is drawn in it, if any.
 std::optional<int> triangle_at(const Frame& frame, const Cursor& cursor);

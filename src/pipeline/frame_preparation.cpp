@@ -26,6 +26,7 @@ void take_scene(const Scene& scene, int tessellation, Frame& frame) {
             TessellatedScene{scene, parts, tessellate(scene, parts)});
     }
     frame.given = &scene;
+    frame.pass = 0;
     frame.in_order = parts == 1 ? &scene : &frame.tessellated->made;
 }
 

@@ -1,5 +1,6 @@
 #include "pipeline/shadow_pass.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "pipeline/draw.h"
@@ -25,6 +26,33 @@ Settings shadow_face_settings(const glm::vec3& lamp, int face, int resolution) {
     settings.camera.up =
         direction.y == 0.0f ? glm::vec3(0.0f, -1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, 1.0f);
     return settings;
+}
+
+int first_pass(const Settings& settings, SceneSpace space) {
+    return shadow_rule(settings, space) == Shadows::map ? pass_of_face(0) : 0;
+}
+
+int pass_of(const Cursor& cursor, const Settings& settings, SceneSpace space) {
+    return cursor.pass < first_pass(settings, space) ? 0 : std::min(cursor.pass, 0);
+}
+
+std::string pass_name(int pass) {
+    return std::string("shadow map, face ") +
+           shadow_face_names[static_cast<std::size_t>(face_of_pass(pass))];
+}
+
+Settings settings_of_pass(const Settings& settings, int pass) {
+    if (pass == 0) return settings;
+    Settings of_face = shadow_face_settings(light_rule(settings).position, face_of_pass(pass),
+                                            settings.shadow_resolution);
+    of_face.tessellation = settings.tessellation;
+    return of_face;
+}
+
+Frame prepare_pass(const Scene& scene, const Settings& settings, int pass) {
+    Frame frame = prepare_frame(scene, settings_of_pass(settings, pass));
+    frame.pass = pass;
+    return frame;
 }
 
 ShadowMap draw_shadow_map(const Scene& scene, const glm::vec3& lamp, int resolution) {

@@ -1,7 +1,11 @@
 #pragma once
 
 // The shadow pass: prepares what casts shadows, before the picture is drawn. For a map the scene is
-// drawn six times by the pipeline itself, from the lamp, and only the depth is kept.
+// drawn six times by the pipeline itself, from the lamp, and only the depth is kept. In time these
+// six passes come before the picture. To walk through one, its frame is made again: each is the
+// same work with other settings.
+
+#include <string>
 
 #include "pipeline/frame.h"
 
@@ -15,6 +19,33 @@ inline constexpr float shadow_near = 1e-3f;
 /// @param lamp world
 /// @param face 0 to shadow_face_count - 1
 Settings shadow_face_settings(const glm::vec3& lamp, int face, int resolution);
+
+static_assert(shadow_face_count == early_pass_count);
+constexpr int pass_of_face(int face) {
+    return face - shadow_face_count;
+}
+constexpr int face_of_pass(int pass) {
+    return pass + shadow_face_count;
+}
+
+/// The pass with which a picture with these settings begins: that of the map's first face, or the
+/// picture itself.
+int first_pass(const Settings& settings, SceneSpace space);
+
+/// The pass of a cursor in the walk through a picture with these settings; 0 if there is no such
+/// pass.
+int pass_of(const Cursor& cursor, const Settings& settings, SceneSpace space);
+
+/// What is drawn in a pass before the picture: "shadow map, face +x".
+std::string pass_name(int pass);
+
+/// The settings of the frame that is drawn in a pass, for a picture with these settings.
+/// @param pass first_pass() to 0
+Settings settings_of_pass(const Settings& settings, int pass);
+
+/// Prepares the frame that is drawn in a pass.
+/// @param settings of the picture
+Frame prepare_pass(const Scene& scene, const Settings& settings, int pass);
 
 /// Draws all faces.
 ShadowMap draw_shadow_map(const Scene& scene, const glm::vec3& lamp, int resolution);

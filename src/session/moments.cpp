@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/quoted.h"
 #include "inspect/clip_history.h"
+#include "pipeline/shadow_pass.h"
 #include "pipeline/timeline.h"
 
 namespace rasterwalk {
@@ -91,7 +92,8 @@ std::string cull_sentence(const Frame& frame, const Cursor& cursor, const std::s
 
 /// What would be possible in place of a cursor that does not exist.
 std::string possible(const Frame& frame, const Cursor& cursor) {
-    if (cursor.pass > 0) return "a frame is drawn in a single pass";
+    if (cursor.pass < 0)
+        return "the picture is drawn in a single pass; only shadows=map has passes before it";
     if (frame.squares != nullptr)
         return fmt::format("the picture has the squares w0 to w{}, and ",
                            std::max(frame.squares->count() - 1, 0)) +
@@ -126,29 +128,40 @@ std::string possible(const Frame& frame, const Cursor& cursor) {
 /// Does the cursor name a row of a row table, or of a box?
 bool is_row(const Timeline& timeline, const Cursor& cursor) {
     const Frame& frame = timeline.frame();
-    if (cursor.pass != 0 || cursor.square >= 0 || cursor.phase < Phase::tests ||
-        frame.settings.stage < Stage::rows || cursor.triangle >= frame.triangle_count() ||
-        !frame.is_drawn(cursor.triangle))
+    if (cursor.square >= 0 || cursor.phase < Phase::tests || frame.settings.stage < Stage::rows ||
+        cursor.triangle >= frame.triangle_count() || !frame.is_drawn(cursor.triangle))
         return false;
     const TriangleMoments& moments = timeline.moments(cursor.triangle);
     const auto index = static_cast<std::size_t>(cursor.index);
     return index < moments.of(cursor.phase).pieces.size();
 }
 
+[[noreturn]] void refuse(const Frame& frame, const Cursor& cursor, const std::string& text) {
+    throw UsageError("there is no moment " + text + ": " + possible(frame, cursor) + ".");
+}
+
+/// @param given with its pass
 /// @param text the moment as written
-Cursor find_moment(const Frame& frame, const Cursor& cursor, const std::string& text) {
+Cursor find_moment(const Frame& frame, const Cursor& given, const std::string& text) {
+    if (given == cursor_end) return given;
+    if (given.pass != frame.pass) refuse(frame, given, text);
+    const Cursor cursor = in_frame(given, frame.pass);
+    const auto found = [&](const Cursor& moment) { return in_pass(moment, frame.pass); };
     const Timeline timeline(frame);
     // The fragments in a square are no moments: they stand for it.
-    const bool is_in_square = frame.squares != nullptr && cursor.square >= 0 &&
-                              cursor.square < frame.squares->count() && cursor.pass == 0;
-    if (is_in_square) return moment_of_square(cursor.square);
+    const bool is_in_square =
+        frame.squares != nullptr && cursor.square >= 0 && cursor.square < frame.squares->count();
+    if (is_in_square) return found(moment_of_square(cursor.square));
     // The text need not know how many columns a row has, or where the picture begins in it: a
     // column outside stands for the next moment.
-    if (is_row(timeline, cursor)) return timeline.at_or_after(cursor);
-    if (!timeline.exists(cursor)) {
-        throw UsageError("there is no moment " + text + ": " + possible(frame, cursor) + ".");
-    }
-    return cursor;
+    if (is_row(timeline, cursor)) return found(timeline.at_or_after(cursor));
+    if (!timeline.exists(cursor)) refuse(frame, cursor, text);
+    return given;
+}
+
+/// The frame of the pass in which a moment is to be looked for.
+Frame frame_for(const Scene& scene, const Settings& settings, const Cursor& cursor) {
+    return prepare_pass(scene, settings, pass_of(cursor, settings, scene.space));
 }
 
 /// "square w12".
@@ -192,23 +205,15 @@ std::string piece_name(const Cursor& cursor, int count) {
     return element_name_of(phase_info(cursor.phase).piece, cursor.index, count);
 }
 
-} // namespace
-
-Cursor moment_of(const Frame& frame, const std::string& text) {
+Cursor read_moment(const std::string& text) {
     const std::optional<Cursor> cursor = parse_cursor(text);
-    if (!cursor) {
-        throw UsageError(in_quotes(text) +
-                         " is not a moment; moments are written t12, t12/v1, t12/p2/s1, t12/k, "
-                         "t12/e2/s14, t12/b4/c7, t12/r37/c5, w12 or end.");
-    }
-    return find_moment(frame, *cursor, text);
+    if (cursor) return *cursor;
+    throw UsageError(in_quotes(text) +
+                     " is not a moment; moments are written t12, t12/v1, t12/p2/s1, t12/k, "
+                     "t12/e2/s14, t12/b4/c7, t12/r37/c5, w12, p1:t12 or end.");
 }
 
-Cursor moment_of(const Frame& frame, const Cursor& cursor) {
-    return find_moment(frame, cursor, to_text(cursor));
-}
-
-std::string describe_moment(const Frame& frame, const Cursor& cursor) {
+std::string describe_in_frame(const Frame& frame, const Cursor& cursor) {
     if (is_square(cursor)) return describe_square(frame, cursor.square);
     if (cursor.square >= 0) return describe_in_square(frame, cursor);
     const Timeline timeline(frame);
@@ -231,6 +236,35 @@ std::string describe_moment(const Frame& frame, const Cursor& cursor) {
                       : is_test ? box_row.right - box_row.left
                                 : of_phase.pieces[cursor.index].count;
     return text + " · " + element_name_of(phase.step, cursor.step, steps);
+}
+
+} // namespace
+
+Cursor moment_of(const Frame& frame, const std::string& text) {
+    return find_moment(frame, read_moment(text), text);
+}
+
+Cursor moment_of(const Frame& frame, const Cursor& cursor) {
+    return find_moment(frame, cursor, to_text(cursor));
+}
+
+Cursor moment_of(const Scene& scene, const Settings& settings, const std::string& text) {
+    const Cursor cursor = read_moment(text);
+    return find_moment(frame_for(scene, settings, cursor), cursor, text);
+}
+
+Cursor moment_of(const Scene& scene, const Settings& settings, const Cursor& cursor) {
+    return moment_of(frame_for(scene, settings, cursor), cursor);
+}
+
+Cursor existing_moment(const Scene& scene, const Settings& settings, const Cursor& cursor) {
+    const Frame frame = frame_for(scene, settings, cursor);
+    return in_pass(Timeline(frame).at_or_after(in_frame(cursor, frame.pass)), frame.pass);
+}
+
+std::string describe_moment(const Frame& frame, const Cursor& cursor) {
+    if (frame.pass < 0) return pass_name(frame.pass) + " · " + describe_in_frame(frame, cursor);
+    return describe_in_frame(frame, cursor);
 }
 
 std::string describe_square_in_short(const Frame& frame, int square) {

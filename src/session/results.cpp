@@ -10,6 +10,7 @@
 
 #include "engines/fast/fast_view.h"
 #include "session/difference_parts.h"
+#include "session/shown_pass.h"
 
 namespace rasterwalk {
 
@@ -107,7 +108,11 @@ std::string size_text(Viewport size) {
 }
 
 /// Why the two runs cannot be compared; empty if they can.
-std::string obstacle(const Settings& a, const Settings& b) {
+std::string obstacle(const Session& session) {
+    if (shown_pass(session, session.a) != shown_pass(session, *session.b))
+        return "Run B cannot be compared with run A because it has no shadow map.";
+    const Settings a = shown_run(session, session.a).settings;
+    const Settings b = shown_run(session, *session.b).settings;
     if (a.viewport == b.viewport) return "";
     return fmt::format("Run B cannot be compared with run A because its picture has {} pixels and "
                        "A's has {}.",
@@ -117,9 +122,13 @@ std::string obstacle(const Settings& a, const Settings& b) {
 /// Continues preparing the frames that are asked for. Both runs show theirs at the same time, so
 /// that they are seen from the same place.
 bool prepare_runs(const Session& session, const WorkLimit& limit, Results& results) {
-    const bool is_ready = prepare_run(session.scene, session.a, false, limit, results.a);
+    const auto prepare = [&](const Run& run, RunResults& of) {
+        return prepare_run(session.scene, shown_run(session, run), shown_pass(session, run), false,
+                           limit, of);
+    };
+    const bool is_ready = prepare(session.a, results.a);
     if (!session.b || !results.b) return is_ready;
-    return prepare_run(session.scene, *session.b, false, limit, *results.b) && is_ready;
+    return prepare(*session.b, *results.b) && is_ready;
 }
 
 /// How much work it is to compare the whole frames.
@@ -130,8 +139,7 @@ double comparison_work(const Results& results) {
 
 void update_second_run(const Session& session, const RunChanges& a, bool are_ready,
                        const WorkLimit& limit, Results& results) {
-    results.no_comparison =
-        session.b ? obstacle(session.a.settings, session.b->settings) : std::string();
+    results.no_comparison = session.b ? obstacle(session) : std::string();
     if (!session.b || !results.no_comparison.empty()) {
         results.b = nullptr;
         results.next_b = nullptr;
@@ -140,15 +148,16 @@ void update_second_run(const Session& session, const RunChanges& a, bool are_rea
     }
     if (!results.b) {
         if (!results.next_b) results.next_b = std::make_unique<RunResults>();
-        are_ready = prepare_run(session.scene, *session.b, true, limit, *results.next_b);
+        are_ready = prepare_run(session.scene, shown_run(session, *session.b),
+                                shown_pass(session, *session.b), true, limit, *results.next_b);
         if (!are_ready) return;
         results.b = std::move(results.next_b);
     }
     // Both in the colours of A, so that the same colour means the same depth.
     SharedView shared{&results.a.frame, results.a.triangle, session.depth_range};
     if (!shared.depths && results.depth) shared.depths = values_of(results.depth->range);
-    const RunChanges b =
-        update_run(session, *session.b, are_ready, &shared, limit, results.numbers, *results.b);
+    const RunChanges b = update_run(session, shown_run(session, *session.b), are_ready, &shared,
+                                    limit, results.numbers, *results.b);
     ComparisonResults& comparison = results.comparison;
     if (a.frame || b.frame) comparison.work.begin(results.a.frame, results.b->frame);
     const bool was_done = comparison.work.is_done();
@@ -253,8 +262,8 @@ bool may_preview(const Session& session, const Results& results) {
 /// Calls this with each run and its results.
 template <class Visitor>
 void for_each_run(const Session& session, Results& results, const Visitor& visit) {
-    visit(session.a, results.a);
-    if (session.b && results.b) visit(*session.b, *results.b);
+    visit(shown_run(session, session.a), results.a);
+    if (session.b && results.b) visit(shown_run(session, *session.b), *results.b);
 }
 
 /// Are there steps that have yet to draw what is asked for?
@@ -321,8 +330,8 @@ bool update_within(const Session& session, const WorkLimit& limit, Results& resu
     results.hand.watch(session);
     if (follow_hand(session, limit, results)) return shown_preview() != preview_before;
     const bool are_ready = prepare_runs(session, limit, results);
-    const RunChanges changes =
-        update_run(session, session.a, are_ready, nullptr, limit, results.numbers, results.a);
+    const RunChanges changes = update_run(session, shown_run(session, session.a), are_ready,
+                                          nullptr, limit, results.numbers, results.a);
     if (changes.picture) {
         results.depth = std::nullopt;
         results.overdraw = std::nullopt;

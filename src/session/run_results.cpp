@@ -66,14 +66,17 @@ bool have_same_size(const std::optional<Run>& a, const Run& b) {
     return a && a->settings.viewport == b.settings.viewport;
 }
 
-void begin_next(const std::shared_ptr<const Scene>& scene, const Run& run, RunResults& results) {
+void begin_next(const std::shared_ptr<const Scene>& scene, const Run& run, int pass,
+                RunResults& results) {
     PendingFrame& next = results.next;
     next.run = std::nullopt;
     next.is_done = false;
     next.frame.tessellated = results.frame.tessellated;
     next.frame.divided = results.frame.divided;
-    next.frame.occluders = results.frame.occluders;
+    if (occluders_of(results.frame) != nullptr) results.occluders = results.frame.occluders;
+    next.frame.occluders = results.occluders;
     next.preparation = begin_frame(*scene, run.settings, nullptr, next.frame);
+    next.frame.pass = pass;
     next.scene = scene;
 }
 
@@ -231,7 +234,7 @@ bool is_shown(const std::shared_ptr<const Scene>& scene, const Run& run,
     return results.scene == scene && results.run == run;
 }
 
-bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, bool is_aside,
+bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, int pass, bool is_aside,
                  const WorkLimit& limit, RunResults& results) {
     PendingFrame& next = results.next;
     if (is_shown(scene, run, results)) {
@@ -243,7 +246,7 @@ bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, bool
     const bool may_wait = is_aside || is_alike;
     const bool may_go_on = may_wait && next.scene == scene && have_same_size(next.run, run);
     const bool is_begun = may_go_on && (next.run == run || !results.preview.is_shown);
-    if (!is_begun) begin_next(scene, run, results);
+    if (!is_begun) begin_next(scene, run, pass, results);
     // Noted as begun only if it could go on.
     const Run target = is_begun ? *next.run : run;
     next.run = std::nullopt;
@@ -333,8 +336,8 @@ RunChanges update_run(const Session& session, const Run& run, bool takes_frame,
     changes.frame = takes_frame && take_next(results);
     results.is_frame_late = !is_shown(session.scene, run, results);
     if (changes.frame) results.frame_number = ++numbers;
-    const Cursor wanted =
-        shared != nullptr ? moment_of_shared(*shared, session.cursor, results) : session.cursor;
+    const Cursor here = in_frame(session.cursor, results.frame.pass);
+    const Cursor wanted = shared != nullptr ? moment_of_shared(*shared, here, results) : here;
     changes.moment = update_cursor(wanted, changes.frame, results);
     results.is_fast = is_drawn_fast(*results.frame.scene, results.frame.settings, results.cursor);
     results.is_deferred = !results.is_fast && results.replay.is_deferred(results.cursor, limit);

@@ -55,9 +55,9 @@ struct RunResults {
         return {frame.tessellated, frame.scene};
     }
 
-    Frame frame;                    ///< the scene, projected
+    Frame frame;                    ///< the scene, projected: the picture, or a pass before it
     std::uint64_t frame_number = 0; ///< changes whenever `frame` does
-    Cursor cursor;              ///< the session's cursor, moved to a moment that exists in this run
+    Cursor cursor;              ///< the session's cursor, moved to a moment that exists in `frame`
     std::optional<Cursor> done; ///< the previous moment: what was just drawn; none at the start
     const Framebuffer* framebuffer = nullptr; ///< at the cursor, or as far as it is drawn
     Image picture;                            ///< the view of the framebuffer
@@ -85,6 +85,7 @@ struct RunResults {
                                         ///< first update
     std::optional<Run> run;
     PendingFrame next;
+    Occluders occluders; ///< of the last frame that had some: the frames of its passes have none
     std::optional<View> view;                 ///< that `picture` shows
     std::optional<DepthInterval> depth_range; ///< that it colours
     PictureRules rules;                       ///< that it is coloured by
@@ -131,14 +132,17 @@ struct SharedView {
 /// scene and size, it is prepared in parts where the limit requires that, and finished even if
 /// another is asked for meanwhile, so that something shows while a camera keeps turning. Behind a
 /// preview it is not finished. Only for update().
+/// @param run     as shown, see shown_run()
+/// @param pass    that it is drawn in
 /// @param is_aside none of these results is shown yet, so even the first frame may be prepared in
 ///                 parts
 /// @return is the frame ready to be shown, or already shown?
-bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, bool is_aside,
+bool prepare_run(const std::shared_ptr<const Scene>& scene, const Run& run, int pass, bool is_aside,
                  const WorkLimit& limit, RunResults& results);
 
 /// Brings the results of one run up to date; does nothing if they already are what is asked for.
 /// Only for update(), after prepare_run().
+/// @param run     as shown, see shown_run()
 /// @param takes_frame the frame that is ready is shown now; otherwise the previous one stays
 /// @param shared  for run B; null for run A, which decides for itself
 /// @param limit   how much it may draw

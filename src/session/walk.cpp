@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "pipeline/shadow_pass.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -28,17 +30,37 @@ Instant after(const Timeline& timeline, const FrameLength& length, const Play& p
     return {cursor_end, 0.0};
 }
 
+/// The session's cursor as a moment of the frame that is shown.
+Cursor moment_in(const Timeline& timeline, const Session& session) {
+    return timeline.at_or_after(in_frame(session.cursor, timeline.frame().pass));
+}
+
+int first_pass(const Session& session) {
+    return first_pass(session.a.settings, session.scene->space);
+}
+
 } // namespace
 
 void step_forward(Session& session, const Timeline& timeline, Granularity step) {
-    scrub_to(session, timeline.next(session.cursor, step));
+    const int pass = timeline.frame().pass;
+    const Cursor here = moment_in(timeline, session);
+    const bool is_over = here == cursor_end && pass < 0;
+    scrub_to(session,
+             is_over ? in_pass(cursor_begin, pass + 1) : in_pass(timeline.next(here, step), pass));
 }
 
 void step_back(Session& session, const Timeline& timeline, Granularity step) {
-    scrub_to(session, timeline.previous(session.cursor, step));
+    const int pass = timeline.frame().pass;
+    const Cursor here = moment_in(timeline, session);
+    const bool is_first = here == timeline.first() && pass > first_pass(session);
+    scrub_to(session, is_first ? in_pass(cursor_end, pass - 1)
+                               : in_pass(timeline.previous(here, step), pass));
 }
 
 void scrub_to(Session& session, const Cursor& cursor) {
+    // A pixel is one of the picture in which it was picked.
+    if (std::min(cursor.pass, 0) != std::min(session.cursor.pass, 0))
+        session.selection.pixel = std::nullopt;
     session.cursor = cursor;
     session.play.running = false;
 }
@@ -48,13 +70,43 @@ void go_to(Session& session, const Cursor& cursor) {
     ++session.jumps;
 }
 
+void go_to(Session& session, const Timeline& timeline, const Cursor& cursor) {
+    go_to(session, in_pass(cursor, timeline.frame().pass));
+}
+
+void go_to_texel(Session& session, int face, const glm::ivec2& texel) {
+    const int pass = pass_of_face(face);
+    const Frame frame = prepare_pass(*session.scene, session.a.settings, pass);
+    const PixelHistory history = pixel_history(frame, texel);
+    const Timeline timeline(frame);
+    if (history.winner >= 0) {
+        go_to_entry(session, timeline, history.entries[static_cast<std::size_t>(history.winner)]);
+    } else {
+        go_to(session, timeline, cursor_end);
+        session.selection.triangle = std::nullopt;
+    }
+    session.selection.pixel = texel;
+    session.selection.row = std::nullopt;
+    if (session.canvas.zoom > 0.0f) session.canvas.centre = glm::vec2(texel) + 0.5f;
+}
+
+void go_to_beginning(Session& session, const Timeline& timeline) {
+    const bool is_there = moment_in(timeline, session) == timeline.first();
+    go_to(session, in_pass(cursor_begin, is_there ? first_pass(session) : timeline.frame().pass));
+}
+
+void go_to_end(Session& session, const Timeline& timeline) {
+    const bool is_there = moment_in(timeline, session) == cursor_end;
+    go_to(session, in_pass(cursor_end, is_there ? 0 : timeline.frame().pass));
+}
+
 void go_to_entry(Session& session, const Timeline& timeline, const PixelEntry& entry) {
-    go_to(session, timeline.next(entry.cursor, Granularity::moment));
+    go_to(session, timeline, timeline.next(entry.cursor, Granularity::moment));
     session.selection.triangle = entry.cursor.triangle;
 }
 
 bool next_change(Session& session, const Timeline& timeline, const PixelHistory& history) {
-    const Cursor here = timeline.at_or_after(session.cursor);
+    const Cursor here = moment_in(timeline, session);
     for (const PixelEntry& entry : history.entries) {
         if (entry.fate != Fate::written || entry.cursor < here) continue;
         go_to_entry(session, timeline, entry);
@@ -64,7 +116,7 @@ bool next_change(Session& session, const Timeline& timeline, const PixelHistory&
 }
 
 bool previous_change(Session& session, const Timeline& timeline, const PixelHistory& history) {
-    const Cursor here = timeline.at_or_after(session.cursor);
+    const Cursor here = moment_in(timeline, session);
     for (std::size_t i = history.entries.size(); i-- > 0;) {
         const PixelEntry& entry = history.entries[i];
         if (entry.fate != Fate::written || entry.cursor >= here) continue;
@@ -81,7 +133,7 @@ void toggle_play(Session& session, const Timeline& timeline) {
     play.running = !play.running;
     play.has_just_begun = play.running;
     play.passed = 0.0;
-    const bool at_end = timeline.at_or_after(session.cursor) == cursor_end;
+    const bool at_end = timeline.frame().pass == 0 && moment_in(timeline, session) == cursor_end;
     if (play.running && at_end) session.cursor = timeline.first();
 }
 
@@ -92,10 +144,17 @@ void advance_play(Session& session, const Timeline& timeline, const FrameLength&
     // The time since the previous frame does not belong to playback yet.
     if (std::exchange(play.has_just_begun, false)) return;
     const double time = seconds > 0.0f ? std::min(seconds, longest_play_step) : 0.0f;
-    const Instant now = after(timeline, length, play, session.cursor, time);
-    session.cursor = now.cursor;
+    const int pass = timeline.frame().pass;
+    const Cursor here = moment_in(timeline, session);
+    if (here == cursor_end && pass < 0) {
+        session.cursor = in_pass(cursor_begin, pass + 1);
+        play.passed = 0.0;
+        return;
+    }
+    const Instant now = after(timeline, length, play, here, time);
+    session.cursor = in_pass(now.cursor, pass);
     play.passed = now.passed;
-    if (now.cursor == cursor_end) play.running = false;
+    if (now.cursor == cursor_end && pass == 0) play.running = false;
 }
 
 } // namespace rasterwalk

@@ -177,7 +177,7 @@ ViewField cursor_field() {
             block.input().fail(node,
                                in_quotes(block.text(node)) +
                                    " is not a moment; moments are written t12, t12/v1, t12/p2/s1, "
-                                   "t12/k, t12/e2/s14, t12/b4/c7, t12/r37/c5, w12 or end.");
+                                   "t12/k, t12/e2/s14, t12/b4/c7, t12/r37/c5, w12, p1:t12 or end.");
         }
         return *cursor;
     };
@@ -185,18 +185,17 @@ ViewField cursor_field() {
     form.word = [](const auto& cursor) { return to_text(cursor.value_or(cursor_end)); };
     form.read_session = [](const Session& session) -> std::optional<Cursor> {
         if (session.cursor == cursor_end) return std::nullopt;
-        const Frame frame = prepare_frame(*session.scene, session.a.settings);
-        const Cursor cursor = Timeline(frame).at_or_after(session.cursor);
+        const Cursor cursor = existing_moment(*session.scene, session.a.settings, session.cursor);
         return cursor != cursor_end ? std::optional(cursor) : std::nullopt;
     };
     form.show = [](const auto& cursor, Session& session) {
         session.cursor = cursor_end;
         if (!cursor) return;
-        session.cursor = moment_of(prepare_frame(*session.scene, session.a.settings), *cursor);
+        session.cursor = moment_of(*session.scene, session.a.settings, *cursor);
     };
     const ViewOption option{"to", "CURSOR",
                             "Draw up to this moment: t12, t12/v1, t12/p2/s1, t12/k, t12/e2/s14, "
-                            "t12/b4/c7, t12/r37/c5, w12 or end"};
+                            "t12/b4/c7, t12/r37/c5, w12, p1:t12 or end"};
     ViewField field = make_field("cursor", ViewPart::selection, option, form);
     field.is_of_scene = true;
     field.link = cursor_link();

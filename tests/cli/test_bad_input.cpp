@@ -185,8 +185,10 @@ TEST_CASE("A moment that does not exist ends with exit code 2 and says which one
     expect({"stats", "--to", "t3/p0/s2"}, 2,
            "there is no moment t3/p0/s2: no plane cuts triangle t3.");
     expect({"stats", "--to", "t3/k"}, 2, "there is no moment t3/k: no triangle is culled.");
-    expect({"stats", "--to", "p1:t3/k"}, 2,
-           "there is no moment p1:t3/k: a frame is drawn in a single pass.");
+    expect(
+        {"stats", "--to", "p1:t3/k"}, 2,
+        "there is no moment p1:t3/k: the picture is drawn in a single pass; only shadows=map has "
+        "passes before it.");
     expect({"stats", "--to", "t3/e3"}, 2,
            "there is no moment t3/e3: a triangle has edges e0 to e2.");
     expect({"stats", "--to", "t12/e1/s9999"}, 2,
@@ -206,7 +208,7 @@ TEST_CASE("A moment that does not exist ends with exit code 2 and says which one
         expect({"stats", "--to", text}, 2,
                "'" + text +
                    "' is not a moment; moments are written t12, t12/v1, t12/p2/s1, t12/k, "
-                   "t12/e2/s14, t12/b4/c7, t12/r37/c5, w12 or end.");
+                   "t12/e2/s14, t12/b4/c7, t12/r37/c5, w12, p1:t12 or end.");
     }
 }
 

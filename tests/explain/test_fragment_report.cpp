@@ -123,6 +123,14 @@ void check_sources(const Frame& frame, const FragmentReport& report, const std::
             case SourceKind::moment:
                 found = source.moment < report.cursor;
                 break;
+            case SourceKind::texel: {
+                const ShadowMap& map = *frame.occluders.map;
+                const std::vector<float>& face =
+                    map.faces[static_cast<std::size_t>(source.face)].inv_depth;
+                const int at = source.row * map.resolution + source.column;
+                found = same_bits(face[static_cast<std::size_t>(at)], input.number.value);
+                break;
+            }
             case SourceKind::formula:
                 named = find_formula(report.formulas, source.name);
                 found = named != nullptr && same_bits(named->result.value, input.number.value);

@@ -332,5 +332,36 @@ PREDICTIONS_TEST("Lesson 31: a ray that begins on its surface", "31-shadows", "o
     lesson.require_choice("own-surface", darker == 0 ? 0 : darker < 2'459 ? 1 : 2);
 }
 
+PREDICTIONS_TEST("Lesson 31: what the lamp sees", "31-shadows", "open-front") {
+    const Room room;
+    const glm::dvec3 lamp(default_settings(room.scene).light.position);
+    // A texel's centre, in units of half a side of the face: from -1 to 1.
+    const auto across = [](int texel) { return (texel + 0.5) / 256.0 - 1.0; };
+    int filled = 0;
+    for (int row = 0; row < 512; row += 7) {
+        for (int column = 0; column < 512; column += 7) {
+            const glm::dvec3 way(across(column), across(row), -1.0);
+            filled += room.first(lamp, way, 1e9, -1).triangle >= 0 ? 1 : 0;
+        }
+    }
+    const Questions lesson("31-shadows");
+    lesson.require_number("open-front", filled, 0.5, 262'144);
+    // The texel of the task: down is forward, +z is up in the picture, +x is right.
+    const glm::dvec3 way(across(393), 1.0, -across(221));
+    const Met met = room.first(lamp, way, 1e9, -1);
+    CHECK(met.triangle == 19);
+    CHECK(met.t == Approx(0.9054).margin(0.001)); // the z from the lamp: y of `way` is 1
+    // The top of the block: level, and above the floor.
+    CHECK(std::abs(room.normal(19).y) > 0.999);
+    // The floor at the point that pixel (410, 449) shows is in its shadow, at a depth of 1.5.
+    const glm::dvec3 eye(default_settings(room.scene).camera.position);
+    const glm::dvec3 place = eye + room.first(eye, {160.0 / 500.0, 199.0 / 500.0, 1.0}, 1e9, -1).t *
+                                       glm::dvec3(160.0 / 500.0, 199.0 / 500.0, 1.0);
+    CHECK(place.y - lamp.y == Approx(1.5).margin(0.001));
+    const glm::dvec3 seen = (place - lamp) / (place.y - lamp.y);
+    CHECK(std::floor((seen.x + 1.0) * 256.0) == 393);
+    CHECK(std::floor((1.0 - seen.z) * 256.0) == 221);
+}
+
 } // namespace shadow_lesson
 } // namespace

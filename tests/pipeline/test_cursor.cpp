@@ -1,4 +1,5 @@
 #include <string>
+#include <vector>
 
 #include "pipeline/cursor.h"
 #include "support/random.h"
@@ -12,7 +13,7 @@ namespace {
 Cursor random_cursor(Random& random) {
     Cursor cursor;
     cursor.triangle = random.integer(0, random.integer(0, 3) == 0 ? INT_MAX - 1 : 50);
-    cursor.pass = random.integer(0, 3) == 0 ? random.integer(0, 5) : 0;
+    cursor.pass = random.integer(0, 3) == 0 ? -random.integer(1, 6) : 0;
     cursor.phase = static_cast<Phase>(random.integer(0, phase_count - 1));
     const PhaseInfo& phase = phase_info(cursor.phase);
     cursor.index = phase.is_numbered ? random.integer(0, 400) : 0;
@@ -28,7 +29,9 @@ TEST_CASE("Moments have the text form of the command line") {
     CHECK(to_text({12, Phase::rows, 37, 5}) == "t12/r37/c5");
     CHECK(to_text({12, Phase::clip, 0, 2}) == "t12/p0/s2");
     CHECK(to_text({12, Phase::cull, 0, 0}) == "t12/k");
-    CHECK(to_text({12, Phase::vertices, 1, 0, 1}) == "p1:t12/v1");
+    CHECK(to_text({12, Phase::vertices, 1, 0, -6}) == "p1:t12/v1");
+    CHECK(to_text({12, Phase::vertices, 1, 0, -1}) == "p6:t12/v1");
+    CHECK(to_text(in_pass(cursor_end, -4)) == "p3:end");
     CHECK(to_text(cursor_begin) == "t0/v0");
     CHECK(to_text(cursor_end) == "end");
 }
@@ -41,10 +44,32 @@ TEST_CASE("Parts omitted from the text of a moment are 0") {
     CHECK(parse_cursor("t12/p3") == Cursor{12, Phase::clip, 3, 0});
     CHECK(parse_cursor("t12/p0/s2") == Cursor{12, Phase::clip, 0, 2});
     CHECK(parse_cursor("t12/k") == Cursor{12, Phase::cull, 0, 0});
-    CHECK(parse_cursor("p1:t12") == Cursor{12, Phase::vertices, 0, 0, 1});
-    CHECK(parse_cursor("p0:t12/e2/s14") == Cursor{12, Phase::edges, 2, 14});
+    CHECK(parse_cursor("p1:t12") == Cursor{12, Phase::vertices, 0, 0, -6});
+    CHECK(parse_cursor("p6:t12/e2/s14") == Cursor{12, Phase::edges, 2, 14, -1});
+    CHECK(parse_cursor("p3:end") == in_pass(cursor_end, -4));
     CHECK(parse_cursor("end") == cursor_end);
     CHECK(parse_cursor("t0") == cursor_begin);
+}
+
+TEST_CASE("The passes come before the picture, and each has a moment at its end") {
+    std::vector<Cursor> in_order;
+    for (int pass = -early_pass_count; pass <= 0; ++pass) {
+        in_order.push_back(in_pass(cursor_begin, pass));
+        in_order.push_back(in_pass({1 << 30, Phase::rows, 7, 7}, pass));
+        in_order.push_back(in_pass(cursor_end, pass));
+    }
+    CHECK(in_order.back() == cursor_end);
+    for (std::size_t i = 1; i < in_order.size(); ++i)
+        CHECK(in_order[i - 1] < in_order[i]);
+    for (int pass = -early_pass_count; pass <= 0; ++pass) {
+        for (std::size_t i = 0; i < in_order.size(); ++i) {
+            const int of_cursor = static_cast<int>(i / 3) - early_pass_count;
+            const Cursor found = in_frame(in_order[i], pass);
+            if (of_cursor < pass) CHECK(found == cursor_begin);
+            if (of_cursor > pass) CHECK(found == cursor_end);
+            if (of_cursor == pass) CHECK(in_pass(found, pass) == in_order[i]);
+        }
+    }
 }
 
 TEST_CASE("Every moment is read back from its text") {
@@ -117,7 +142,9 @@ TEST_CASE("Text that is not a moment is refused") {
                              "p",
                              "p1",
                              "p1:",
-                             "p1:end",
+                             "p0:t1",
+                             "p7:t1",
+                             "p1:end/v0",
                              "p-1:t1",
                              "p1t1",
                              "p:t1",
@@ -144,8 +171,7 @@ TEST_CASE("A text cut short or garbled is refused or read as some moment, never 
         }
         const std::optional<Cursor> cursor = parse_cursor(text);
         if (!cursor) continue;
-        const bool counts_from_0 =
-            cursor->pass >= 0 && cursor->triangle >= 0 && cursor->index >= 0 && cursor->step >= 0;
+        const bool counts_from_0 = cursor->triangle >= 0 && cursor->index >= 0 && cursor->step >= 0;
         if (counts_from_0 && parse_cursor(to_text(*cursor)) == cursor) continue;
         CAPTURE(text);
         FAIL("was read as a moment that has no text of its own");

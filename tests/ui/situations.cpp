@@ -116,6 +116,8 @@ const std::vector<Situation>& workplace_situations() {
         {"studs.toml", "pixel:42,26 tab:fragment click:fragment.bump.arrow.y"},
         {room, "set:stage=pixel_light&shadows=rays pixel:410,449 tab:fragment"},
         {room, "set:stage=pixel_light&shadows=map pixel:410,449 tab:fragment"},
+        {room, "set:stage=pixel_light&shadows=map cursor:p3:t1/r200/c9 tab:fragment"},
+        {room, "set:stage=pixel_light&shadows=map cursor:p3:end tab:vertices canvas:both"},
         {"glass-halves.toml", "pixel:7,5 tab:fragment"},
         {"checkered-floor.toml",
          "tab:texture pixel:120,92 set:texture_filter=trilinear click:texture.texel.0"},

@@ -70,7 +70,7 @@ void toggle_compare(Ui& ui) {
 }
 
 void stand_at(Ui& ui, const Cursor& cursor) {
-    go_to(ui.session, cursor);
+    go_to(ui.session, Timeline(ui.results.a.frame), cursor);
     Selection& selection = ui.session.selection;
     selection.triangle = cursor.triangle;
     selection.pixel = std::nullopt;
@@ -87,7 +87,7 @@ void go_to_next_divergence(Ui& ui) {
         ui.session.notice = "There is only one run. Press C to compare.";
         return;
     }
-    Cursor from = ui.session.cursor;
+    Cursor from = ui.results.a.cursor;
     if (from != cursor_end) ++from.step;
     const auto found = next_divergence(ui.results.a.frame, ui.results.b->frame, from);
     if (found) stand_at(ui, found->cursor);
@@ -100,7 +100,7 @@ void go_to_previous_divergence(Ui& ui) {
         return;
     }
     const auto found =
-        previous_divergence(ui.results.a.frame, ui.results.b->frame, ui.session.cursor);
+        previous_divergence(ui.results.a.frame, ui.results.b->frame, ui.results.a.cursor);
     if (found) stand_at(ui, found->cursor);
     ui.session.notice = found ? "" : "The runs do not differ before this moment.";
 }

@@ -31,12 +31,16 @@ void go_to_source(Ui& ui, const Source& source) {
         ui.inspector.scroll_to_row = true;
         open_tab(ui, "rows");
         return;
+    case SourceKind::texel:
+        go_to_texel(ui.session, source.face, {source.column, source.row});
+        return;
     case SourceKind::moment: {
         selection.triangle = source.moment.triangle;
         // Where squares are the moments, an edge sample or a row has none.
         const bool has_squares = ui.results.a.frame.squares != nullptr;
         if (has_squares && source.moment.square < 0) return;
-        go_to(ui.session, Timeline(ui.results.a.frame).next(source.moment, Granularity::moment));
+        const Timeline timeline(ui.results.a.frame);
+        go_to(ui.session, timeline, timeline.next(source.moment, Granularity::moment));
         return;
     }
     }

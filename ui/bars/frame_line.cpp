@@ -101,7 +101,8 @@ void use_frame_line(const TimeLines& s, bool has_window) {
     const float below = has_window ? 2.0f * u : s.at.y + lone_time_line_height * u - s.bottom;
     ImGui::SetCursorScreenPos({s.at.x, s.top - above});
     ImGui::InvisibleButton("scrub", {s.width, s.bottom - s.top + above + below});
-    if (ImGui::IsItemActive()) scrub_to(s.ui.session, s.timeline.at_place(s.pointer()));
+    if (ImGui::IsItemActive())
+        scrub_to(s.ui.session, in_pass(s.timeline.at_place(s.pointer()), s.timeline.frame().pass));
     if (ImGui::IsItemHovered() && has_window) {
         const TimeWindow& window = s.window();
         const bool is_inside =

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/shadow_pass.h"
 #include "session/moments.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/outside.h"
@@ -88,7 +89,7 @@ std::vector<std::string> moment_forms(const Ui& ui) {
     if (is_square(done))
         return {describe_moment(frame, done), describe_square_in_short(frame, done.square),
                 moment_name(done), to_text(done)};
-    return {describe_moment(frame, done), moment_name(done), to_text(done)};
+    return {describe_moment(frame, done), moment_name(done), moment_text(frame, done)};
 }
 
 /// What the diamonds above the time line mean, from the longest form to the shortest.
@@ -114,7 +115,11 @@ void draw_marks_key(Ui& ui, ImVec2 at, float room) {
 /// room for it too.
 void draw_next(Ui& ui, ImVec2 at, float room) {
     const Cursor& cursor = ui.results.a.cursor;
-    const std::string next = (cursor == cursor_end ? "" : "next ") + moment_name(cursor);
+    const Frame& frame = ui.results.a.frame;
+    const bool is_over = cursor == cursor_end && frame.pass < 0;
+    const std::string next = is_over                ? pass_name(frame.pass) + " is complete"
+                             : cursor == cursor_end ? moment_name(cursor)
+                                                    : "next " + moment_name(cursor);
     const float width = text_width(next.c_str());
     const bool has_marks = !ui.transport.differences.marks.empty();
     const float key =
@@ -129,7 +134,7 @@ void draw_next(Ui& ui, ImVec2 at, float room) {
     text_in(palette(ui.options.theme).dim, next);
     register_widget(ui, "walk.cursor",
                     "The cursor: the next piece of work. On the command line it is --to " +
-                        to_text(cursor) + ".");
+                        moment_text(frame, cursor) + ".");
 }
 
 /// The pixel under the pointer, if no other line describes it; small, to have room.

@@ -4,6 +4,7 @@
 
 #include "pipeline/timeline.h"
 #include "ui/bars/frame_line.h"
+#include "ui/bars/pass_blocks.h"
 #include "ui/bars/time_lines.h"
 #include "ui/bars/time_window.h"
 #include "ui/bars/window_line.h"
@@ -54,14 +55,17 @@ void draw_time_strips(Ui& ui, ImVec2 at, float width, bool has_window) {
     const float top = at.y + time_marks_height * u;
     const float bottom = top + (has_window ? frame_line_height : lone_line_height) * u;
     const float window_top = bottom + grip_room * u;
+    const float window_bottom = window_top + window_line_height * u;
+    const PassRoom passes = pass_room(ui, width);
+    draw_pass_blocks(ui, passes, {at.x, top}, {at.x + width, has_window ? window_bottom : bottom});
     const TimeLines s{ui,
                       timeline,
-                      at,
-                      std::max(width, 1.0f),
+                      {at.x + passes.before, at.y},
+                      std::max(width - passes.before - passes.after, 1.0f),
                       top,
                       bottom,
                       window_top,
-                      window_top + window_line_height * u,
+                      window_bottom,
                       place_in_triangles(timeline, ui.results.a.cursor),
                       place_in_scale(timeline, ui.results.a.cursor)};
     const Frame& frame = timeline.frame();

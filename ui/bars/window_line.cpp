@@ -262,7 +262,8 @@ void use_window_line(const TimeLines& s) {
     const bool is_hovered = ImGui::IsItemHovered();
     const bool is_moved = ImGui::IsItemActivated() || ImGui::GetIO().MouseDelta.x != 0.0f;
     if (window.is_dragged && is_moved) {
-        scrub_to(s.ui.session, moment_in_scale(s.timeline, place));
+        scrub_to(s.ui.session,
+                 in_pass(moment_in_scale(s.timeline, place), s.timeline.frame().pass));
     }
     if (is_hovered) zoom_by_wheel(s, place);
     if (is_hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {

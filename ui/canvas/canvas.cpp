@@ -22,6 +22,7 @@
 #include "ui/canvas/outside_view.h"
 #include "ui/canvas/overdraw_legend.h"
 #include "ui/canvas/overlays.h"
+#include "ui/canvas/pass_title.h"
 #include "ui/canvas/picture_view.h"
 #include "ui/canvas/side_row_table.h"
 #include "ui/ui.h"
@@ -178,6 +179,7 @@ void draw_picture(Ui& ui, const Pane& pane) {
     }
     list->PopClipRect();
     if (!is_comparing(ui)) draw_cells(ui, visible, labels);
+    if (!is_comparing(ui)) draw_pass_title(ui, list, canvas);
     if (shows_cell_key(ui))
         draw_cell_key(ui, {{visible.low.x, visible.high.y}, {visible.high.x, canvas.high.y}});
     if (table) {

@@ -104,7 +104,8 @@ void show_with_diagram(float top) {
 void go_to_step(const ClipPage& page, ClipPlane plane, int step) {
     const Timeline timeline(page.frame);
     const Cursor cursor{page.history.triangle, Phase::clip, static_cast<int>(plane), step};
-    if (timeline.exists(cursor)) go_to(page.ui.session, timeline.next(cursor, Granularity::moment));
+    if (timeline.exists(cursor))
+        go_to(page.ui.session, timeline, timeline.next(cursor, Granularity::moment));
 }
 
 void draw_step(const ClipPage& page, const ClipStep& step, const std::vector<CutCorner>& before,

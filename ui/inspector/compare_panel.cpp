@@ -293,7 +293,7 @@ void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
     ImGui::TableNextColumn();
     ImGui::PushID(index);
     const bool is_here = ui.results.a.triangle == group.triangle &&
-                         ui.session.cursor >= group.first && ui.session.cursor <= group.last;
+                         ui.results.a.cursor >= group.first && ui.results.a.cursor <= group.last;
     if (selectable_row("##group", is_here)) {
         stand_at(ui, group.first);
     }

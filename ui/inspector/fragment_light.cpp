@@ -1,5 +1,7 @@
 #include <string>
 
+#include <fmt/format.h>
+
 #include "base/element_names.h"
 #include "explain/light_formulas.h"
 #include "explain/shadow_formulas.h"
@@ -37,6 +39,28 @@ void draw_clamped(Ui& ui, const glm::vec3& colour) {
         line.text(shown({cut[i]}) + (i < 2 ? "  " : ""), p.text);
 }
 
+/// The texels of the shadow map that decided; each leads to the moment that wrote it.
+void draw_texels(Ui& ui, const ShadowTerms& shadow) {
+    if (shadow.face < 0) return;
+    FormulaLine line(ui, 0.0f);
+    line.text(std::string("face ") + shadow_face_names[static_cast<std::size_t>(shadow.face)] +
+                  "  ",
+              palette(ui.options.theme).dim);
+    for (int i = 0; i < shadow.texel_count; ++i) {
+        const ShadowTexel& texel = shadow.texels[static_cast<std::size_t>(i)];
+        const Meaning meaning = texel.is_lit ? Meaning::pass : Meaning::fail;
+        const std::string sign = texel.is_lit ? passed_sign : failed_sign;
+        if (line.link(fmt::format("{} ({}, {})", sign, texel.column, texel.row),
+                      fmt::format("fragment.shadow.texel.{}", i),
+                      "The texel of the shadow map that this pixel was compared with, by column "
+                      "and row.\nClick to go to the pass in which the lamp looked there, to the "
+                      "moment that wrote it.",
+                      colour_of(meaning, ui.options.theme)))
+            go_to_source(ui, from_texel(shadow.face, texel.column, texel.row));
+        if (i + 1 < shadow.texel_count) line.text("  ", palette(ui.options.theme).dim);
+    }
+}
+
 /// What is in the way, if anything casts shadows, and the numbers that show it.
 void draw_shadow(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
     const std::string words = shadow_text(light.shadow, ui.results.a.frame);
@@ -47,6 +71,7 @@ void draw_shadow(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
         ui, "fragment.shadow",
         "Whether the lamp's light arrives, according to the shadows setting. Where it does "
         "not, there is no direct light.");
+    draw_texels(ui, light.shadow);
     draw_fragment_section(ui, prefix + "shadow");
 }
 

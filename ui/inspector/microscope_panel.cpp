@@ -267,7 +267,8 @@ int current_sample(const Ui& ui) {
 void go_to_sample(Ui& ui, int sample) {
     const Timeline timeline(ui.results.a.frame);
     const Cursor cursor{*ui.results.a.triangle, Phase::edges, ui.inspector.microscope.edge, sample};
-    if (timeline.exists(cursor)) go_to(ui.session, timeline.next(cursor, Granularity::moment));
+    if (timeline.exists(cursor))
+        go_to(ui.session, timeline, timeline.next(cursor, Granularity::moment));
 }
 
 const MicroscopeCoordinate& shown_coordinate(const Ui& ui, const MicroscopeSample& sample) {

@@ -67,7 +67,8 @@ void draw_event(Ui& ui, int index, int done) {
     register_widget(ui, "events." + std::to_string(moment), "Goes to just after this moment.");
     if (!is_clicked) return;
     const Timeline timeline(ui.results.a.frame);
-    go_to(ui.session, timeline.next(event_cursor(sheet.list, moment), Granularity::moment));
+    go_to(ui.session, timeline,
+          timeline.next(event_cursor(sheet.list, moment), Granularity::moment));
 }
 
 /// Brings the line of the last moment into view when time has moved.

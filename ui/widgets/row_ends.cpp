@@ -46,7 +46,8 @@ std::string end_tooltip(const Ui& ui, const RowEnd& end, const EndWriter& writer
 void go_to_sample(Ui& ui, int edge, int sample) {
     const Timeline timeline(ui.results.a.frame);
     const Cursor cursor{*ui.results.a.triangle, Phase::edges, edge, sample};
-    if (timeline.exists(cursor)) go_to(ui.session, timeline.next(cursor, Granularity::moment));
+    if (timeline.exists(cursor))
+        go_to(ui.session, timeline, timeline.next(cursor, Granularity::moment));
 }
 
 std::optional<int> row_at_work(const Ui& ui) {

@@ -23,6 +23,7 @@
 #include "opening/view_link.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
+#include "session/shown_pass.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/reading.h"
 #include "ui/actions/view_files.h"
@@ -420,10 +421,11 @@ EMSCRIPTEN_KEEPALIVE void web_context(bool is_lost) {
 EMSCRIPTEN_KEEPALIVE void web_picture(const char* path) {
     using namespace rasterwalk;
     const Session& session = the_page->ui.session;
-    const Frame frame = prepare_frame(*session.scene, session.a.settings);
+    const Frame frame = shown_frame(session);
+    const Cursor to = in_frame(session.cursor, frame.pass);
     Framebuffer framebuffer;
     clear(framebuffer, frame);
-    draw(frame, {.from = cursor_begin, .to = session.cursor, .scissor = {}}, framebuffer);
+    draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, framebuffer);
     write_png(view_image(framebuffer, session.view, session.depth_range), path);
 }
 
