@@ -40,7 +40,7 @@ std::string to_text(const Cursor& cursor) {
     if (cursor == cursor_end) return "end";
     const PhaseInfo& phase = phase_info(cursor.phase);
     std::string text = cursor.pass == 0 ? "" : numbered('p', pass_number(cursor.pass)) + ":";
-    if (cursor.triangle == cursor_end.triangle) return text + "end";
+    if (cursor == in_pass(cursor_end, cursor.pass)) return text + "end";
     if (cursor.square >= 0) text += numbered('w', cursor.square);
     if (is_square(cursor)) return text;
     if (cursor.square >= 0) text += "/";

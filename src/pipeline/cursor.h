@@ -100,8 +100,9 @@ constexpr Cursor in_pass(Cursor cursor, int pass) {
 constexpr Cursor in_frame(Cursor cursor, int pass) {
     const int of_cursor = cursor == cursor_end ? 0 : cursor.pass;
     if (of_cursor != pass) return of_cursor < pass ? cursor_begin : cursor_end;
+    if (cursor == in_pass(cursor_end, pass)) return cursor_end;
     cursor.pass = 0;
-    return cursor.triangle == INT_MAX ? cursor_end : cursor;
+    return cursor;
 }
 
 /// The number of a pass before the picture in texts, 1 to 6.
