@@ -92,6 +92,9 @@ class Mesh {
     /// What differs between the corners of any triangle.
     const CornerDifferences& differences() const { return differences_; }
 
+    /// Has any vertex a highlight?
+    bool is_shiny() const { return is_shiny_; }
+
     /// The same triangles in the same order, whether or not they share the same corners.
     friend bool operator==(const Mesh& a, const Mesh& b);
 
@@ -102,6 +105,7 @@ class Mesh {
     std::vector<Vertex> vertices_;
     std::vector<TriangleIndices> triangles_;
     CornerDifferences differences_;
+    bool is_shiny_ = false;
 };
 
 /// Joins equal vertices while a mesh is built: those whose members are equal in every bit, so that

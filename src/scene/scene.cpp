@@ -49,6 +49,11 @@ const Texture* normal_map_of(const Scene& scene, int triangle) {
     return picture_of(scene, triangle, &Part::normal_map);
 }
 
+bool has_texture(const Scene& scene) {
+    return std::any_of(scene.parts.begin(), scene.parts.end(),
+                       [](const Part& part) { return part.texture >= 0; });
+}
+
 bool has_normal_map(const Scene& scene) {
     return std::any_of(scene.parts.begin(), scene.parts.end(),
                        [](const Part& part) { return part.normal_map >= 0; });

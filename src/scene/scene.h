@@ -174,6 +174,9 @@ const Texture* texture_of(const Scene& scene, int triangle);
 /// The normal map that bends the normals of a triangle; null if it has none.
 const Texture* normal_map_of(const Scene& scene, int triangle);
 
+/// Does any part of the scene show a texture? Normal maps are textures too, but are not shown.
+bool has_texture(const Scene& scene);
+
 /// Has any part of the scene a normal map?
 bool has_normal_map(const Scene& scene);
 

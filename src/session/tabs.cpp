@@ -189,18 +189,22 @@ void follow_stage(Session& session) {
     if (guide.stage == now) return;
     const bool is_first = !guide.stage;
     guide.stage = now;
+    if (!is_first) suggest_tab(session, usual_tab(session));
+}
+
+void suggest_tab(Session& session, std::string_view tab) {
+    TabGuide& guide = session.tab_guide;
     const bool lesson_has_chosen = !session.lesson.empty() && !guide.of_step.empty();
-    if (is_first || guide.is_own || lesson_has_chosen) return;
+    if (guide.is_own || lesson_has_chosen) return;
     // Runs are compared at any stage, and a mistake may set its own stage.
-    const auto is_of_runs = [](std::string_view tab) {
-        const TabInfo* const info = find_tab(tab);
+    const auto is_of_runs = [](std::string_view name) {
+        const TabInfo* const info = find_tab(name);
         return info != nullptr && info->group == TabGroup::runs;
     };
-    const std::string usual(usual_tab(session));
     if (!is_of_runs(tab_below(session))) {
-        show_below(session, usual);
+        show_below(session, tab);
     } else if (!guide.before_compare.empty() && !is_of_runs(guide.before_compare)) {
-        guide.before_compare = usual;
+        guide.before_compare = tab;
     }
 }
 
@@ -230,11 +234,8 @@ bool is_offered(const Session& session, const TabInfo& tab) {
     if (tab.name == tab_below(session)) return true;
     const bool has_camera = session.scene && session.scene->space == SceneSpace::world;
     if (tab.needs_camera && !has_camera) return false;
-    // Normal maps are textures of the scene, too, but do not paint anything.
-    const bool has_texture =
-        session.scene && std::any_of(session.scene->parts.begin(), session.scene->parts.end(),
-                                     [](const Part& part) { return part.texture >= 0; });
-    if (tab.needs_texture && !has_texture) return false;
+    const bool has_paint = session.scene && has_texture(*session.scene);
+    if (tab.needs_texture && !has_paint) return false;
     if (tab.needs_order && hidden_rule(session.a.settings) == Hidden::depth_buffer) return false;
     if (!hides_tabs(session)) return true;
     return contains(session.tab_guide.panels, tab.name);

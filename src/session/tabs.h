@@ -97,9 +97,10 @@ void show_compare_tab(Session& session);
 void leave_compare_tab(Session& session);
 /// Closes the settings: the tab below them is back.
 void close_settings(Session& session);
-/// If the stage has changed, shows its tab, unless the student or the lesson has chosen one, or
-/// runs are compared, which belongs to no stage; then it is shown when the comparison ends. Call it
-/// once per frame.
+/// Shows a tab, unless the student or the lesson has chosen one, or runs are compared, which
+/// belongs to no stage; then it is shown when the comparison ends.
+void suggest_tab(Session& session, std::string_view tab);
+/// If the stage has changed, suggests its tab. Call it once per frame.
 void follow_stage(Session& session);
 
 /// The tab shown, or the one below the settings.

@@ -5,7 +5,6 @@ namespace rasterwalk {
 const std::array<StageInfo, stage_count>& stage_list() {
     static constexpr std::array<StageInfo, stage_count> list{{
         {{Stage::points},
-         StripJoin::begins_group,
          false,
          "points",
          "Points",
@@ -14,7 +13,6 @@ const std::array<StageInfo, stage_count>& stage_list() {
          "Drawing points",
          "vertices"},
         {{Stage::edges},
-         StripJoin::follows,
          false,
          "edges",
          "Edges",
@@ -23,7 +21,6 @@ const std::array<StageInfo, stage_count>& stage_list() {
          "Drawing edges",
          "microscope"},
         {{Stage::rows},
-         StripJoin::follows,
          false,
          "rows",
          "Rows",
@@ -32,7 +29,6 @@ const std::array<StageInfo, stage_count>& stage_list() {
          "Filled triangles",
          "rows"},
         {{Stage::fill},
-         StripJoin::follows,
          false,
          "fill",
          "Fill",
@@ -42,7 +38,6 @@ const std::array<StageInfo, stage_count>& stage_list() {
          "Filled triangles",
          "rows"},
         {{Stage::depth},
-         StripJoin::begins_group,
          true,
          "depth",
          "Depth",
@@ -50,10 +45,10 @@ const std::array<StageInfo, stage_count>& stage_list() {
          "A fragment is drawn only if it is nearer.",
          "Depth buffer",
          "history"},
-        {StripStep::vertex_light, StripJoin::begins_group, true, "vertex_light", "Vertex light",
+        {StripStep::vertex_light, true, "vertex_light", "Vertex light",
          "Light computed at the vertices and interpolated between them.",
          "Light at the vertices, interpolated between them.", "Light per vertex", "fragment"},
-        {StripStep::pixel_light, StripJoin::alternative, true, "pixel_light", "Pixel light",
+        {StripStep::pixel_light, true, "pixel_light", "Pixel light",
          "Light computed at every pixel, from the pixel's own position in the room.",
          "Light computed at every pixel.", "Light per pixel", "fragment"},
     }};
@@ -72,15 +67,6 @@ int strip_place(const StripStep& step) {
 
 bool is_of_use(const StageInfo& info, const Scene& scene) {
     return !info.needs_depth || scene.space == SceneSpace::world;
-}
-
-bool is_computed_in(int place, const StripStep& step) {
-    int last = strip_place(step);
-    // Of several alternatives, only the one that is drawn.
-    if (place == last) return true;
-    while (stage_list()[static_cast<std::size_t>(last)].join == StripJoin::alternative)
-        --last;
-    return place < last;
 }
 
 const StageInfo* find_stage(std::string_view name) {

@@ -29,17 +29,9 @@ struct StripStep {
 inline constexpr StripStep StripStep::vertex_light{Stage::shade, Shading::gouraud};
 inline constexpr StripStep StripStep::pixel_light{Stage::shade, Shading::phong};
 
-/// How a step of the strip is joined to the previous one.
-enum class StripJoin : std::uint8_t {
-    begins_group, ///< another part of the work begins
-    follows,      ///< it goes on from there
-    alternative,  ///< it takes that one's place
-};
-
 /// What the interface says about a step of the strip.
 struct StageInfo {
     StripStep step;
-    StripJoin join = StripJoin::begins_group;
     bool needs_depth = false;   ///< no use to a scene in pixels, which has no depth and no light
     std::string_view name;      ///< as in settings and on the command line: "vertex_light"
     std::string_view title;     ///< on the button
@@ -60,10 +52,6 @@ int strip_place(const StripStep& step);
 
 /// Is this step of use to the scene?
 bool is_of_use(const StageInfo& info, const Scene& scene);
-
-/// Does the picture of a step contain the work of this place of the list? It is that step itself,
-/// or comes before it and is not an alternative to it.
-bool is_computed_in(int place, const StripStep& step);
 
 /// The step with this name; null if there is none.
 const StageInfo* find_stage(std::string_view name);

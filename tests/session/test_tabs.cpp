@@ -263,20 +263,7 @@ TEST_CASE("A tab that a view names is the student's; one that it does not name i
     CHECK_FALSE(session.tab_guide.is_own);
 }
 
-TEST_CASE("The strip shows what the picture of a step contains, and what a scene can use") {
-    const auto computed = [](const char* name) {
-        std::string names;
-        for (int i = 0; i < stage_count; ++i) {
-            const StageInfo& info = stage_list()[static_cast<std::size_t>(i)];
-            if (is_computed_in(i, find_stage(name)->step)) names.append(info.name).append(" ");
-        }
-        return names;
-    };
-    CHECK(computed("points") == "points ");
-    CHECK(computed("rows") == "points edges rows ");
-    CHECK(computed("depth") == "points edges rows fill depth ");
-    CHECK(computed("vertex_light") == "points edges rows fill depth vertex_light ");
-    CHECK(computed("pixel_light") == "points edges rows fill depth pixel_light ");
+TEST_CASE("A scene in pixels has no use for depth and light") {
     const Session bench = open_session(lessons_folder() + "/scenes/one-triangle.toml");
     for (const StageInfo& info : stage_list()) {
         CHECK(is_of_use(info, *session_of_room().scene));

@@ -163,6 +163,8 @@ const std::vector<Situation>& workplace_situations() {
         {room, "key:6"},
         {room, "key:7"},
         {bench, "key:7"},
+        {"brick-relief.toml", "set:transform=matrices&clip=all&shadows=rays"},
+        {"cylinder.toml", "set:coverage=edge_functions&shading=flat&cull=face_normal"},
         {room, "view:overdraw pixel:250,400"},
         {room, "view:depth", "",
          "depth.far depth.near depth.histogram depth.autofit depth.far_text depth.near_text"},

@@ -66,6 +66,11 @@ std::string key_name(int code) {
     return std::string(1, static_cast<char>(code));
 }
 
+std::string with_key(const std::string& help, const Chord& chord) {
+    const std::string key = chord_text(chord);
+    return key.empty() ? help : help + "\nKey: " + key;
+}
+
 /// Nothing moves behind the start page.
 bool shows_on_start_page(const Action& action) {
     return action.menu == "File" || action.menu == "Help" || action.is_on_start_page;
@@ -99,10 +104,19 @@ std::string chord_text(const Chord& chord) {
            (chord.shift ? "Shift+" : "") + key_name(chord.key);
 }
 
+ActionWords words_of(const Ui& ui, const Action& action) {
+    return action.words_now != nullptr ? action.words_now(ui)
+                                       : ActionWords{action.title, action.help};
+}
+
 std::string tooltip_of(std::string_view action) {
     const Action& found = find_action(action);
-    const std::string chord = chord_text(found.chord);
-    return chord.empty() ? found.help : found.help + "\nKey: " + chord;
+    return with_key(found.help, found.chord);
+}
+
+std::string tooltip_of(const Ui& ui, std::string_view action) {
+    const Action& found = find_action(action);
+    return with_key(words_of(ui, found).help, found.chord);
 }
 
 void handle_keys(Ui& ui) {

@@ -18,6 +18,11 @@ struct Chord {
     bool alt = false;
 };
 
+/// What an action is called.
+struct ActionWords {
+    std::string title, help;
+};
+
 /// Something that the student can do. One table feeds the keys, the menus, the tooltips and the
 /// sheet of keys.
 struct Action {
@@ -27,10 +32,16 @@ struct Action {
     std::string help;  ///< one sentence
     Chord chord;
     std::function<void(Ui&)> run;
-    std::function<bool(const Ui&)> is_on{}; ///< for switches; null otherwise
-    bool begins_group = false;              ///< a line is drawn above it in its menu
-    bool is_on_start_page = false;          ///< works there too, as all of File and Help does
+    std::function<bool(const Ui&)> is_on{};     ///< for switches; null otherwise
+    bool begins_group = false;                  ///< a line is drawn above it in its menu
+    bool is_on_start_page = false;              ///< works there too, as all of File and Help does
+    std::function<bool(const Ui&)> is_of_use{}; ///< is it in its menu now? Null: always
+    /// What it is called now; null: the title and the help above.
+    std::function<ActionWords(const Ui&)> words_now{};
 };
+
+/// What the action is called now.
+ActionWords words_of(const Ui& ui, const Action& action);
 
 /// All actions, in the order of the menus.
 std::span<const Action> action_table();
@@ -38,6 +49,8 @@ const Action& find_action(std::string_view name);
 
 /// The action's help with its key: "Draws the next piece. Key: ."
 std::string tooltip_of(std::string_view action);
+/// The same, of an action whose words depend on what is shown.
+std::string tooltip_of(const Ui& ui, std::string_view action);
 
 /// "Ctrl+Shift+Z"; empty for no key.
 std::string chord_text(const Chord& chord);

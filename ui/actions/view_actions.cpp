@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "picture/view_image.h"
+#include "session/strip.h"
 #include "session/walk.h"
 #include "settings/setting_table.h"
 #include "ui/actions/action_menus.h"
@@ -11,6 +12,7 @@
 #include "ui/actions/open_tab.h"
 #include "ui/actions/outside.h"
 #include "ui/actions/picture_fit.h"
+#include "ui/actions/strip_doors.h"
 #include "ui/ui.h"
 #include "ui/widgets/keys.h"
 #include "ui/widgets/style.h"
@@ -123,6 +125,39 @@ std::vector<Action> turning_actions() {
     return actions;
 }
 
+/// A row for each entry of the strip; the stages have the digits as keys.
+std::vector<Action> strip_actions() {
+    std::vector<Action> actions;
+    for (const StripEntry& entry : strip_list()) {
+        const StageInfo* const stage = find_stage(entry.name);
+        Action action{std::string("stage.").append(entry.name),
+                      "Stage",
+                      std::string(entry.words.title),
+                      std::string(entry.words.help),
+                      Chord{stage != nullptr ? '1' + strip_place(stage->step) : 0},
+                      [&entry](Ui& ui) {
+                          if (entry.set != nullptr) {
+                              take_step(ui.session, entry);
+                          } else {
+                              open_door(ui, entry.name);
+                          }
+                      }};
+        // Light and depth have no line between them where flat shading is of no use.
+        action.begins_group =
+            entry.name == "points" || entry.name == "flat" || entry.name == "texture";
+        action.is_of_use = [&entry](const Ui& ui) {
+            const StripRow usable = usable_entries(ui.session);
+            return std::find(usable.begin(), usable.end(), &entry) != usable.end();
+        };
+        action.words_now = [&entry](const Ui& ui) {
+            return ActionWords{std::string(title_of(entry, ui.session)),
+                               help_of(entry, ui.session)};
+        };
+        actions.push_back(std::move(action));
+    }
+    return actions;
+}
+
 } // namespace
 
 std::vector<Action> view_actions() {
@@ -214,16 +249,7 @@ std::vector<Action> view_actions() {
 }
 
 std::vector<Action> stage_actions() {
-    std::vector<Action> actions;
-    for (const StageInfo& info : stage_list()) {
-        const StripStep step = info.step;
-        actions.push_back({std::string("stage.").append(info.name),
-                           "Stage",
-                           std::string(info.title),
-                           std::string(info.menu_help),
-                           {'1' + static_cast<int>(actions.size())},
-                           [step](Ui& ui) { set_step(ui.session.a.settings, step); }});
-    }
+    std::vector<Action> actions = strip_actions();
     const std::vector<Action> switches{
         {"switch.perspective",
          "Stage",

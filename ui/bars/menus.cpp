@@ -40,8 +40,9 @@ void draw_line_between(const Ui& ui) {
 
 void draw_action_item(Ui& ui, const Action& action) {
     const bool on = action.is_on != nullptr && action.is_on(ui);
-    if (ImGui::MenuItem(action.title.c_str(), chord_text(action.chord).c_str(), on)) action.run(ui);
-    register_widget(ui, "menu." + action.name, action.help);
+    const ActionWords words = words_of(ui, action);
+    if (ImGui::MenuItem(words.title.c_str(), chord_text(action.chord).c_str(), on)) action.run(ui);
+    register_widget(ui, "menu." + action.name, words.help);
 }
 
 namespace fs = std::filesystem;
@@ -174,10 +175,13 @@ void draw_menu(Ui& ui, const MenuTitle& menu, float top) {
     if (!open) return;
     begin_line_clip();
     if (std::string_view(title) == "Scene") draw_scene_menu(ui);
+    bool is_first = true;
     for (const Action& action : action_table()) {
         if (action.menu != title) continue;
         if (action.name == "file.quit" && ui.host.is_browser) continue;
-        if (action.begins_group) draw_line_between(ui);
+        if (action.is_of_use != nullptr && !action.is_of_use(ui)) continue;
+        if (action.begins_group && !is_first) draw_line_between(ui);
+        is_first = false;
         draw_action_item(ui, action);
     }
     // Below the few actions: in a low window the many lessons scroll.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "session/depth_view.h"
+#include "session/strip.h"
 #include "settings/setting_table.h"
 #include "settings/value_words.h"
 #include "ui/actions/actions.h"
@@ -48,44 +49,33 @@ struct StripWord {
     std::string widest;      ///< the widest `loud` can be: a click must not shift its neighbours
 };
 
-using StageRow = std::vector<const StageInfo*>;
-
-/// The stages that the scene can use, in their order.
-StageRow usable_stages(const Ui& ui) {
-    const StripStep here = step_of(ui.session.a.settings);
-    StageRow stages;
-    for (const StageInfo& info : stage_list()) {
-        // A stage that the scene cannot use is still listed while it is the current one.
-        if (is_of_use(info, *ui.session.scene) || info.step == here) stages.push_back(&info);
-    }
-    return stages;
+std::string action_of(const StripEntry& entry) {
+    return std::string("stage.").append(entry.name);
 }
 
 constexpr std::size_t few_count = 3;
 
-/// The stages that the strip shows.
-StageRow shown_stages(const Ui& ui, const Form& form) {
-    StageRow stages = usable_stages(ui);
-    if (!form.has_few_stages) return stages;
-    const StripStep here = step_of(ui.session.a.settings);
-    const auto shown = std::find_if(stages.begin(), stages.end(),
-                                    [&](const StageInfo* info) { return info->step == here; });
-    const auto chosen = static_cast<std::size_t>(shown - stages.begin());
-    const std::size_t last_first = std::max(stages.size(), few_count) - few_count;
+/// The entries that the strip shows.
+StripRow shown_entries(const Ui& ui, const Form& form) {
+    StripRow entries = usable_entries(ui.session);
+    if (!form.has_few_stages) return entries;
+    const auto shown = std::find(entries.begin(), entries.end(), &chosen_entry(ui.session));
+    const auto chosen = static_cast<std::size_t>(shown - entries.begin());
+    const std::size_t last_first = std::max(entries.size(), few_count) - few_count;
     const std::size_t first = std::min(chosen > 0 ? chosen - 1 : 0, last_first);
-    StageRow few;
-    for (std::size_t i = 0; i < stages.size(); ++i) {
+    StripRow few;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
         const bool is_near = i >= first && i < first + few_count;
-        const bool is_meant = ui.lesson.pointed_at == std::string("stage.").append(stages[i]->name);
-        if (is_near || is_meant) few.push_back(stages[i]);
+        const bool is_meant = ui.lesson.pointed_at == action_of(*entries[i]);
+        if (is_near || is_meant) few.push_back(entries[i]);
     }
     return few;
 }
 
-/// Between a stage and the previous one, screen pixels.
-float gap_before(const Ui& ui, const StageInfo& info) {
+/// Between two entries, screen pixels.
+float gap_of(const Ui& ui, StripJoin join) {
     const float u = ui.options.text_scale;
-    switch (info.join) {
+    switch (join) {
     case StripJoin::begins_group:
         return bar_gap * u;
     case StripJoin::follows:
@@ -134,9 +124,9 @@ std::string depth_help(const Frame& frame) {
     return "\nThe depth buffer holds " + name + ": " + std::string(words.ends);
 }
 
-/// Do the switches change anything at a step of the strip?
-bool needs_switches(const StripStep& step) {
-    return step.stage >= Stage::depth;
+/// Do the switches change anything where this entry is the last one computed?
+bool needs_switches(const StripEntry& entry) {
+    return entry.group >= StripGroup::visibility;
 }
 
 /// The switches, and what begins a comparison. In a lecture only those that it points at.
@@ -203,27 +193,28 @@ StripWord stages_word() {
     return {.name = "stages", .quiet = "", .loud = "▾", .help = "All stages.", .widest = ""};
 }
 
-float segment_width(const Ui& ui, const Form& form, const StageInfo& info) {
-    return text_width(info.title) + 2.0f * form.padding * ui.options.text_scale;
+float segment_width(const Ui& ui, const Form& form, const StripEntry& entry) {
+    return text_width(title_of(entry, ui.session)) + 2.0f * form.padding * ui.options.text_scale;
 }
 
-float stages_width(const Ui& ui, const Form& form, const StageRow& stages) {
+float entries_width(const Ui& ui, const Form& form, const StripRow& entries) {
     float width = 0.0f;
-    for (const StageInfo* info : stages)
-        width += (width > 0.0f ? gap_before(ui, *info) : 0.0f) + segment_width(ui, form, *info);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (i > 0) width += gap_of(ui, join_between(*entries[i - 1], *entries[i]));
+        width += segment_width(ui, form, *entries[i]);
+    }
     return width;
 }
 
-/// The widest set of stages that a form shows side by side, whichever is chosen, with the list of
+/// The widest set of entries that a form shows side by side, whichever is chosen, with the list of
 /// the others.
-float widest_few(const Ui& ui, const Form& form) {
-    const StageRow all = usable_stages(ui);
-    float widest = stages_width(ui, form, shown_stages(ui, form));
+float widest_few(const Ui& ui, const Form& form, const StripRow& all) {
+    float widest = entries_width(ui, form, shown_entries(ui, form));
     for (std::size_t i = 0; i + few_count <= std::max(all.size(), few_count); ++i) {
         const std::size_t end = std::min(i + few_count, all.size());
-        const StageRow few(all.begin() + static_cast<std::ptrdiff_t>(i),
+        const StripRow few(all.begin() + static_cast<std::ptrdiff_t>(i),
                            all.begin() + static_cast<std::ptrdiff_t>(end));
-        widest = std::max(widest, stages_width(ui, form, few));
+        widest = std::max(widest, entries_width(ui, form, few));
     }
     return widest + word_width(ui, stages_word());
 }
@@ -232,10 +223,10 @@ float widest_few(const Ui& ui, const Form& form) {
 /// is room for all that any stage needs.
 float form_width(const Ui& ui, const Form& form) {
     const float u = ui.options.text_scale;
-    const StageRow all = usable_stages(ui);
-    float width = form.has_few_stages ? widest_few(ui, form) : stages_width(ui, form, all);
+    const StripRow all = entries_of_all_steps(ui.session);
+    float width = form.has_few_stages ? widest_few(ui, form, all) : entries_width(ui, form, all);
     const bool has_switches = std::any_of(
-        all.begin(), all.end(), [](const StageInfo* info) { return needs_switches(info->step); });
+        all.begin(), all.end(), [](const StripEntry* entry) { return needs_switches(*entry); });
     for (const StripWord& word : strip_words(ui, form, has_switches))
         width += word_width(ui, word);
     if (form.scene_width > 0.0f) width += bar_gap * u + word_width(ui, scene_word(ui, form));
@@ -266,7 +257,7 @@ void draw_chevron(const Ui& ui, ImVec2 middle) {
                                             1.3f * ui.options.text_scale);
 }
 
-/// Draws how a stage is joined to the previous one.
+/// Draws how an entry is joined to the previous one.
 void draw_join(const Ui& ui, StripJoin join, float middle, const Band& band) {
     const float y = band.top + 0.5f * band.height;
     if (join == StripJoin::follows) draw_chevron(ui, {middle, y});
@@ -278,27 +269,26 @@ void draw_join(const Ui& ui, StripJoin join, float middle, const Band& band) {
     }
 }
 
-void draw_stage(Ui& ui, const StageInfo& info, float x, float width, const Band& band) {
+void draw_entry(Ui& ui, const StripEntry& entry, float x, float width, const Band& band) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
-    const std::string name = std::string("stage.").append(info.name);
-    const StripStep here = step_of(ui.session.a.settings);
-    const bool chosen = info.step == here;
-    const bool computed = is_computed_in(strip_place(info.step), here);
+    const std::string name = action_of(entry);
+    const std::string title(title_of(entry, ui.session));
+    const bool chosen = &entry == &chosen_entry(ui.session);
+    const bool computed = is_computed(entry, ui.session);
     ImGui::SetCursorScreenPos({x, band.top});
     const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, band.height});
     const bool hovered = ImGui::IsItemHovered();
-    register_widget(ui, name, tooltip_of(name));
+    register_widget(ui, name, tooltip_of(ui, name));
     ImDrawList* const list = ImGui::GetWindowDrawList();
     if (chosen || hovered) {
         list->AddRectFilled({x, band.top}, {x + width, band.top + band.height},
                             packed(chosen ? p.chosen : p.button_hovered), 4.0f * u);
     }
-    const float text = text_width(info.title);
+    const float text = text_width(title);
     list->AddText(
         {x + 0.5f * (width - text), band.top + 0.5f * (band.height - ImGui::GetFontSize())},
-        packed(computed || hovered ? p.text : p.dim), info.title.data(),
-        info.title.data() + info.title.size());
+        packed(computed || hovered ? p.text : p.dim), title.c_str());
     if (computed) {
         const float inset = 2.0f * u;
         list->AddRectFilled({x + inset, band.bottom - 3.0f * u}, {x + width - inset, band.bottom},
@@ -307,7 +297,7 @@ void draw_stage(Ui& ui, const StageInfo& info, float x, float width, const Band&
     if (pressed) find_action(name).run(ui);
 }
 
-/// A thin line around stages that replace each other.
+/// A thin line around entries that replace each other.
 void draw_box(const Ui& ui, float left, float right, const Band& band) {
     ImGui::GetWindowDrawList()->AddRect(
         {left - 0.5f, band.top - 0.5f}, {right + 0.5f, band.top + band.height + 0.5f},
@@ -315,21 +305,25 @@ void draw_box(const Ui& ui, float left, float right, const Band& band) {
 }
 
 /// Returns where the last one ends.
-float draw_stages(Ui& ui, const Form& form, float left, const Band& band) {
-    const StageRow stages = shown_stages(ui, form);
+float draw_entries(Ui& ui, const Form& form, float left, const Band& band) {
+    const StripRow entries = shown_entries(ui, form);
+    const auto join_of = [&](std::size_t i) {
+        return i > 0 && i < entries.size() ? join_between(*entries[i - 1], *entries[i])
+                                           : StripJoin::begins_group;
+    };
     float x = left, box = left;
-    for (std::size_t i = 0; i < stages.size(); ++i) {
-        const float width = segment_width(ui, form, *stages[i]);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const float width = segment_width(ui, form, *entries[i]);
+        const bool is_alternative = join_of(i) == StripJoin::alternative;
         if (i > 0) {
-            const float gap = gap_before(ui, *stages[i]);
-            draw_join(ui, stages[i]->join, x + 0.5f * gap, band);
+            const float gap = gap_of(ui, join_of(i));
+            draw_join(ui, join_of(i), x + 0.5f * gap, band);
             x += gap;
         }
-        const bool is_alternative = i > 0 && stages[i]->join == StripJoin::alternative;
         if (!is_alternative) box = x;
-        draw_stage(ui, *stages[i], x, width, band);
+        draw_entry(ui, *entries[i], x, width, band);
         x += width;
-        const bool goes_on = i + 1 < stages.size() && stages[i + 1]->join == StripJoin::alternative;
+        const bool goes_on = join_of(i + 1) == StripJoin::alternative;
         if (is_alternative && !goes_on) draw_box(ui, box, x, band);
     }
     return x;
@@ -366,17 +360,16 @@ void open_below(const Ui& ui, bool at_right) {
                             {at_right ? 1.0f : 0.0f, 0.0f});
 }
 
-/// All stages that the scene can use, for when the strip shows only a few.
+/// All entries, for when the strip shows only a few.
 void draw_stage_list(Ui& ui) {
     open_below(ui, false);
     if (!ImGui::BeginPopup("all stages")) return;
-    for (const StageInfo* info : usable_stages(ui)) {
-        const std::string action = std::string("stage.").append(info->name);
-        const bool chosen = info->step == step_of(ui.session.a.settings);
-        if (ImGui::MenuItem(std::string(info->title).c_str(), nullptr, chosen)) {
-            find_action(action).run(ui);
-        }
-        register_widget(ui, "stages." + std::string(info->name), tooltip_of(action));
+    for (const StripEntry* entry : usable_entries(ui.session)) {
+        const std::string action = action_of(*entry);
+        const std::string title(title_of(*entry, ui.session));
+        const bool chosen = entry == &chosen_entry(ui.session);
+        if (ImGui::MenuItem(title.c_str(), nullptr, chosen)) find_action(action).run(ui);
+        register_widget(ui, "stages." + std::string(entry->name), tooltip_of(ui, action));
     }
     ImGui::EndPopup();
 }
@@ -400,8 +393,7 @@ void draw_right_end(Ui& ui, const Form& form, float right, const Band& band) {
         x -= bar_gap * ui.options.text_scale;
         draw_join(ui, StripJoin::begins_group, x + 0.5f * bar_gap * ui.options.text_scale, band);
     }
-    std::vector<StripWord> words =
-        strip_words(ui, form, needs_switches(step_of(ui.session.a.settings)));
+    std::vector<StripWord> words = strip_words(ui, form, needs_switches(chosen_entry(ui.session)));
     std::reverse(words.begin(), words.end());
     for (const StripWord& word : words) {
         const float width = word_width(ui, word);
@@ -437,7 +429,7 @@ void draw_stage_strip(Ui& ui, const Layout& layout) {
         ImGui::GetWindowDrawList()->AddLine({area.position.x, line},
                                             {area.position.x + area.size.x, line}, packed(p.line));
     }
-    const float end = draw_stages(ui, form, left, band);
+    const float end = draw_entries(ui, form, left, band);
     if (form.has_few_stages) {
         const StripWord word = stages_word();
         if (draw_word(ui, word, end, word_width(ui, word), band)) ImGui::OpenPopup("all stages");
