@@ -22,7 +22,8 @@ void draw_scene_list(Ui& ui);
 /// the right end the switches that matter and the scene. As much as fits on one line.
 void draw_stage_strip(Ui& ui, const Layout& layout);
 
-/// The width of the stages in their narrowest form, whichever is shown, screen pixels.
+/// The width of three stages and the list of the others, whichever are shown, screen pixels. If the
+/// window is too narrow for that, the strip shows fewer.
 float least_strip_width(const Ui& ui);
 
 /// Time: first, back, play, step, last; size of a step; speed; the time lines; the current moment.

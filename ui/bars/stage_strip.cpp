@@ -21,18 +21,23 @@ namespace {
 /// How much the strip says; each form needs less room than the previous one. The last is the
 /// narrowest and fits wherever the layout has a strip.
 struct Form {
-    float padding;       ///< around the name of a stage, design pixels
-    bool has_few_stages; ///< only the current one and its neighbours, and a list of all
-    bool is_short;       ///< the switches are abbreviated
+    float padding; ///< around the name of an entry, design pixels
+    int few;       ///< entries shown at most, the chosen one and neighbours, with a list of all;
+                   ///< 0: all are shown
+    bool is_short; ///< the switches are abbreviated
     bool has_scene_word; ///< "scene" before its name
     float scene_width;   ///< of the name at most, design pixels; 0: only the menu has the scenes
 };
 
 constexpr Form forms[] = {
-    {12.0f, false, false, true, 340.0f}, {10.0f, false, false, false, 190.0f},
-    {8.0f, false, true, false, 130.0f},  {7.0f, false, true, false, 0.0f},
-    {8.0f, true, true, false, 130.0f},   {8.0f, true, true, false, 0.0f},
+    {12.0f, 0, false, true, 340.0f}, {10.0f, 0, false, false, 190.0f},
+    {8.0f, 0, true, false, 130.0f},  {7.0f, 0, true, false, 0.0f},
+    {8.0f, 3, true, false, 130.0f},  {8.0f, 3, true, false, 0.0f},
+    {8.0f, 2, true, false, 0.0f},    {8.0f, 1, true, false, 0.0f},
 };
+
+/// What the layout keeps room for, if the window has it, and what a lecture begins with.
+constexpr const Form* form_of_three = &forms[5];
 
 /// Gap between two stages, design pixels.
 constexpr float chevron_gap = 16.0f;
@@ -53,19 +58,18 @@ std::string action_of(const StripEntry& entry) {
     return std::string("stage.").append(entry.name);
 }
 
-constexpr std::size_t few_count = 3;
-
 /// The entries that the strip shows.
 StripRow shown_entries(const Ui& ui, const Form& form) {
     StripRow entries = usable_entries(ui.session);
-    if (!form.has_few_stages) return entries;
+    if (form.few == 0) return entries;
     const auto shown = std::find(entries.begin(), entries.end(), &chosen_entry(ui.session));
     const auto chosen = static_cast<std::size_t>(shown - entries.begin());
-    const std::size_t last_first = std::max(entries.size(), few_count) - few_count;
-    const std::size_t first = std::min(chosen > 0 ? chosen - 1 : 0, last_first);
+    const auto most = static_cast<std::size_t>(form.few);
+    const std::size_t last_first = std::max(entries.size(), most) - most;
+    const std::size_t first = std::min(std::max(chosen, most / 2) - most / 2, last_first);
     StripRow few;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        const bool is_near = i >= first && i < first + few_count;
+        const bool is_near = i >= first && i < first + most;
         const bool is_meant = ui.lesson.pointed_at == action_of(*entries[i]);
         if (is_near || is_meant) few.push_back(entries[i]);
     }
@@ -210,8 +214,9 @@ float entries_width(const Ui& ui, const Form& form, const StripRow& entries) {
 /// the others.
 float widest_few(const Ui& ui, const Form& form, const StripRow& all) {
     float widest = entries_width(ui, form, shown_entries(ui, form));
-    for (std::size_t i = 0; i + few_count <= std::max(all.size(), few_count); ++i) {
-        const std::size_t end = std::min(i + few_count, all.size());
+    const auto most = static_cast<std::size_t>(form.few);
+    for (std::size_t i = 0; i + most <= std::max(all.size(), most); ++i) {
+        const std::size_t end = std::min(i + most, all.size());
         const StripRow few(all.begin() + static_cast<std::ptrdiff_t>(i),
                            all.begin() + static_cast<std::ptrdiff_t>(end));
         widest = std::max(widest, entries_width(ui, form, few));
@@ -224,7 +229,7 @@ float widest_few(const Ui& ui, const Form& form, const StripRow& all) {
 float form_width(const Ui& ui, const Form& form) {
     const float u = ui.options.text_scale;
     const StripRow all = entries_of_all_steps(ui.session);
-    float width = form.has_few_stages ? widest_few(ui, form, all) : entries_width(ui, form, all);
+    float width = form.few > 0 ? widest_few(ui, form, all) : entries_width(ui, form, all);
     const bool has_switches = std::any_of(
         all.begin(), all.end(), [](const StripEntry* entry) { return needs_switches(*entry); });
     for (const StripWord& word : strip_words(ui, form, has_switches))
@@ -234,10 +239,9 @@ float form_width(const Ui& ui, const Form& form) {
 }
 
 const Form& fitting_form(const Ui& ui, float room) {
-    if (ui.options.is_lecture) return *std::prev(std::end(forms));
-    const auto* const found =
-        std::find_if(std::begin(forms), std::end(forms),
-                     [&](const Form& form) { return form_width(ui, form) <= room; });
+    const Form* const first = ui.options.is_lecture ? form_of_three : std::begin(forms);
+    const Form* const found = std::find_if(
+        first, std::end(forms), [&](const Form& form) { return form_width(ui, form) <= room; });
     return found == std::end(forms) ? *std::prev(std::end(forms)) : *found;
 }
 
@@ -405,7 +409,7 @@ void draw_right_end(Ui& ui, const Form& form, float right, const Band& band) {
 } // namespace
 
 float least_strip_width(const Ui& ui) {
-    return form_width(ui, *std::prev(std::end(forms))) + bar_margin(ui);
+    return form_width(ui, *form_of_three) + bar_margin(ui);
 }
 
 void draw_stage_strip(Ui& ui, const Layout& layout) {
@@ -430,7 +434,7 @@ void draw_stage_strip(Ui& ui, const Layout& layout) {
                                             {area.position.x + area.size.x, line}, packed(p.line));
     }
     const float end = draw_entries(ui, form, left, band);
-    if (form.has_few_stages) {
+    if (form.few > 0) {
         const StripWord word = stages_word();
         if (draw_word(ui, word, end, word_width(ui, word), band)) ImGui::OpenPopup("all stages");
         draw_stage_list(ui);
