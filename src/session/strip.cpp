@@ -1,7 +1,6 @@
 #include "session/strip.h"
 
 #include <algorithm>
-#include <array>
 
 #include "session/session.h"
 

@@ -142,6 +142,18 @@ TEST_CASE("A mesh knows whether the corners of a triangle differ in normal or co
     CHECK(mesh.differences(last - 2) == CornerDifferences{});
 }
 
+TEST_CASE("A mesh knows whether a vertex has a highlight") {
+    Mesh mesh;
+    Vertex vertex;
+    vertex.shine.exponent = 20.0f;
+    mesh.add_vertex(vertex);
+    CHECK_FALSE(mesh.is_shiny());
+    vertex.shine.specular = {0.0f, 0.5f, 0.0f};
+    mesh.add_vertex(vertex);
+    mesh.add_vertex(Vertex());
+    CHECK(mesh.is_shiny());
+}
+
 TEST_CASE("Moving a corner leaves the other triangles where they are") {
     const Mesh before = square();
     Mesh mesh = before;
