@@ -240,8 +240,13 @@ float form_width(const Ui& ui, const Form& form) {
 
 const Form& fitting_form(const Ui& ui, float room) {
     const Form* const first = ui.options.is_lecture ? form_of_three : std::begin(forms);
-    const Form* const found = std::find_if(
-        first, std::end(forms), [&](const Form& form) { return form_width(ui, form) <= room; });
+    const auto fits = [&](const Form& form) {
+        // Both ends come closer before entries are left out.
+        const bool may_be_close = &form >= form_of_three;
+        const float spare = may_be_close ? 2.0f * bar_gap * ui.options.text_scale : 0.0f;
+        return form_width(ui, form) - spare <= room;
+    };
+    const Form* const found = std::find_if(first, std::end(forms), fits);
     return found == std::end(forms) ? *std::prev(std::end(forms)) : *found;
 }
 
