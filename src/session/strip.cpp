@@ -174,8 +174,10 @@ std::vector<StripEntry> make_strip_list() {
     const StripEntry shadow{
         .name = "shadow",
         .group = Group::surface,
-        .words = {"Shadow", "Goes to the picked pixel's fragment in the finished picture, where "
-                            "the light asks what is in its way; changes no setting."},
+        .words = {"Shadow",
+                  "Goes to where shadows are made: with a shadow map to its first picture, "
+                  "otherwise to the picked pixel's fragment, where the light asks what "
+                  "is in its way. Changes no setting."},
         .is_usable = has_shadows,
         .is_computed = has_shadows,
         .tab = "fragment"};

@@ -1,5 +1,6 @@
 #include "ui/actions/strip_doors.h"
 
+#include "pipeline/shadow_pass.h"
 #include "session/walk.h"
 #include "ui/actions/open_tab.h"
 #include "ui/actions/outside.h"
@@ -29,7 +30,7 @@ int triangle_to_show(const Ui& ui) {
 
 /// The one that was drawn last is an earlier one, so this one has to be selected.
 void go_to_triangle(Ui& ui, int triangle, const Cursor& moment) {
-    go_to(ui.session, moment);
+    go_to(ui.session, Timeline(ui.results.a.frame), moment);
     ui.session.selection.triangle = triangle;
 }
 
@@ -55,9 +56,10 @@ void go_to_clipping(Ui& ui) {
     show_outside(ui);
 }
 
-/// Where the light asks what is in its way.
+/// Where the lamp draws its map; without one, where the light asks what is in its way.
 void go_to_shadows(Ui& ui) {
-    go_to(ui.session, cursor_end);
+    const int first = first_pass(ui.session.a.settings, ui.session.scene->space);
+    go_to(ui.session, first < 0 ? in_pass(cursor_begin, first) : cursor_end);
     show_tab(ui, "fragment");
 }
 

@@ -1,4 +1,3 @@
-#include "pipeline/shadow_pass.h"
 #include "session/walk.h"
 #include "ui/actions/action_menus.h"
 #include "ui/ui.h"
@@ -10,14 +9,6 @@ namespace {
 
 Timeline timeline_of(const Ui& ui) {
     return Timeline(ui.results.a.frame);
-}
-
-void go_to_shadow_map(Ui& ui) {
-    const int first = first_pass(ui.session.a.settings, ui.session.scene->space);
-    if (first < 0)
-        go_to(ui.session, in_pass(cursor_begin, first));
-    else
-        ui.session.notice = "The picture has no shadow map. Choose shadows=map to draw one.";
 }
 
 void walk_to_change(Ui& ui, bool (*walk)(Session&, const Timeline&, const PixelHistory&),
@@ -74,13 +65,6 @@ std::vector<Action> walk_actions() {
          "Draws everything. While a face of the shadow map is shown, goes to its end first.",
          {key::end},
          [](Ui& ui) { go_to_end(ui.session, timeline_of(ui)); }},
-        {"walk.shadow_map",
-         "Walk",
-         "To the shadow map",
-         "Goes to the beginning of the six pictures that the lamp draws before yours; only with "
-         "shadows=map.",
-         {},
-         go_to_shadow_map},
         {"walk.previous_triangle",
          "Walk",
          "Previous triangle",

@@ -180,7 +180,7 @@ TEST_CASE("In a lesson a door's tab is the student's choice, and the lesson's is
     CHECK(session.tab == "rows");
 }
 
-TEST_CASE("Shadow leads to the fragment at the picture's end, where light is computed") {
+TEST_CASE("Shadow leads to the shadow map, or without one to the fragment at the end") {
     Driver driver;
     set(driver, "shadows=rays");
     for (const char* const rule : {"shadows=rays", "shadows=map"}) {
@@ -191,9 +191,12 @@ TEST_CASE("Shadow leads to the fragment at the picture's end, where light is com
         const Settings before = driver.ui.session.a.settings;
         driver.hand.click("stage.shadow");
         CHECK(driver.ui.session.a.settings == before);
-        CHECK(driver.ui.session.cursor == cursor_end);
+        const bool has_map = driver.ui.session.a.settings.shadows == Shadows::map;
+        CHECK(to_text(driver.ui.session.cursor) == (has_map ? "p1:t0/v0" : "end"));
         CHECK(driver.ui.session.tab == "fragment");
         CHECK(chosen(driver) == "pixel_light");
+        driver.hand.press(key::end);
+        driver.hand.press(key::end);
     }
     driver.hand.click("stage.depth");
     driver.hand.leave();
