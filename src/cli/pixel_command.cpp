@@ -69,6 +69,19 @@ Json to_json(const TextureReport& texture) {
             {"v", texture.place.texcoord.y}};
 }
 
+Json to_json(const ParallaxReport& parallax) {
+    const ParallaxTerms& terms = parallax.terms;
+    return {{"height", terms.height},
+            {"shift_u", terms.shift.x},
+            {"shift_v", terms.shift.y},
+            {"step_b", terms.step.y},
+            {"step_t", terms.step.x},
+            {"stored", terms.stored},
+            {"unshifted_u", parallax.carried.texcoord.x},
+            {"unshifted_v", parallax.carried.texcoord.y},
+            {"view", vector_to_json(terms.view)}};
+}
+
 /// The shadow test at a fragment; none if nothing casts shadows, or if this is not a fragment.
 std::optional<ShadowTerms> shadow_of(const Frame& frame, const Cursor& cursor) {
     if (occluders_of(frame) == nullptr) return std::nullopt;
@@ -116,6 +129,10 @@ Json to_json(const Frame& frame, const PixelEntry& entry, bool stays, const Curs
     object["margin"] = entry.margin;
     object["margin_to_winner"] = entry.margin_to_winner;
     object["name"] = part_name(scene, entry.cursor.triangle);
+    if (frame.shifts) {
+        const std::optional<FragmentReport> report = fragment_report(frame, entry.cursor);
+        if (report && report->parallax) object["parallax"] = to_json(*report->parallax);
+    }
     if (is_in_a_row) object["row"] = entry.row;
     if (!scene.sources.empty())
         object["scene_triangle"] = scene_triangle(scene, entry.cursor.triangle);

@@ -8,31 +8,19 @@ namespace rasterwalk {
 
 namespace {
 
-/// Makes the formulas of one fragment's bent normal, in order.
-class BumpFormulas {
+/// Makes the formulas of a surface's axes, in order.
+class AxesFormulas {
   public:
-    BumpFormulas(const BumpReport& report, const Frame& frame, int triangle,
+    AxesFormulas(const AxesReport& report, const Frame& frame, int triangle,
                  const SourcedVector& normal, std::vector<Formula>& formulas)
         : report_(report), frame_(frame), triangle_(triangle), normal_(normal),
           write_(formulas, "bump.") {}
 
     void append() {
-        if (report_.sign == 0.0f) {
-            write_.add_vector("normal", "n",
-                              "The normal of the surface, not bent, because the triangle has no "
-                              "area in the texture and so u has no direction on it.",
-                              "n.{}", report_.normal, [&](int i) {
-                                  return FormulaInputs{normal_.part("n." + axis_name(i), i)};
-                              });
-            return;
-        }
         add_sides();
         add_directions();
         add_tangent();
         add_bitangent();
-        add_arrow();
-        add_sum();
-        if (report_.space) add_square();
     }
 
   private:
@@ -145,6 +133,36 @@ class BumpFormulas {
                           });
     }
 
+    const AxesReport& report_;
+    const Frame& frame_;
+    int triangle_;
+    const SourcedVector& normal_;
+    FormulaWriter write_;
+};
+
+/// Makes the formulas of one fragment's bent normal, in order.
+class BumpFormulas {
+  public:
+    BumpFormulas(const BumpReport& report, const Frame& frame, const SourcedVector& normal,
+                 std::vector<Formula>& formulas)
+        : report_(report), frame_(frame), normal_(normal), write_(formulas, "bump.") {}
+
+    void append() {
+        if (report_.sign == 0.0f) {
+            write_.add_vector("normal", "n",
+                              "The normal of the surface, not bent, because the triangle has no "
+                              "area in the texture and so u has no direction on it.",
+                              "n.{}", report_.normal, [&](int i) {
+                                  return FormulaInputs{normal_.part("n." + axis_name(i), i)};
+                              });
+            return;
+        }
+        add_arrow();
+        add_sum();
+        if (report_.space) add_square();
+    }
+
+  private:
     void add_arrow() {
         for (int i = 0; i < 3; ++i) {
             const std::string channel = channel_name(i);
@@ -272,7 +290,6 @@ class BumpFormulas {
 
     const BumpReport& report_;
     const Frame& frame_;
-    int triangle_;
     const SourcedVector& normal_;
     FormulaWriter write_;
 };
@@ -285,25 +302,38 @@ double BumpReport::tilt() const {
     return degrees * std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to));
 }
 
-BumpReport bump_report(const Fragment& fragment, const Surface& surface, const glm::vec3& normal,
-                       const Frame& frame) {
-    BumpReport report;
-    report.uv = surface.uv_directions;
-    report.axes = frame.stages.tangent_frame(surface.uv_directions, normal);
+AxesReport axes_report(const Surface& surface, const glm::vec3& normal, const Frame& frame) {
+    AxesReport report{surface.uv_directions,
+                      frame.stages.tangent_frame(surface.uv_directions, normal)};
     const float side =
         glm::dot(glm::cross(report.axes.normal, report.axes.tangent), report.axes.bitangent);
     report.sign = side > 0.0f ? 1.0f : side < 0.0f ? -1.0f : 0.0f;
-    report.colour = normal_map_colour(fragment, surface, frame.stages, &report.taken);
+    return report;
+}
+
+BumpReport bump_report(const Fragment& fragment, const Surface& surface, const glm::vec3& normal,
+                       const Frame& frame) {
+    BumpReport report{axes_report(surface, normal, frame)};
+    report.colour =
+        normal_map_colour(fragment, surface, pixel_rules(frame), frame.stages, &report.taken);
     report.arrow = frame.stages.arrow_of_texel(report.colour);
     report.normal = bent_normal(report.arrow, report.axes);
     report.space = frame.stages.light_space(report.arrow, report.axes);
     return report;
 }
 
+void append_axes_formulas(const AxesReport& report, const Frame& frame, int triangle,
+                          const SourcedVector& normal, std::vector<Formula>& formulas) {
+    if (report.sign == 0.0f) return;
+    AxesFormulas(report, frame, triangle, normal, formulas).append();
+}
+
 void append_bump_formulas(const BumpReport& report, const Frame& frame, int triangle,
                           LitPoint& point, std::vector<Formula>& formulas) {
     const SourcedVector normal = point.normal;
-    BumpFormulas(report, frame, triangle, normal, formulas).append();
+    if (find_formula(formulas, "bump.handedness") == nullptr)
+        append_axes_formulas(report, frame, triangle, normal, formulas);
+    BumpFormulas(report, frame, normal, formulas).append();
     if (report.space) point.space = {report.space->axes, report.normal};
     point.normal =
         FormulaWriter(formulas, "bump.").vector(report.space ? "square.normal" : "normal");

@@ -7,12 +7,16 @@
 
 namespace rasterwalk {
 
-/// The bent normal of one fragment.
-struct BumpReport {
+/// The axes of a surface at one fragment.
+struct AxesReport {
     UvDirections uv;
     TangentFrame axes;
-    float sign = 0.0f;                   ///< gives the bitangent its side; 0: there are no axes
-    SampledTexels taken;                 ///< of the normal map
+    float sign = 0.0f; ///< gives the bitangent its side; 0: there are no axes
+};
+
+/// The bent normal of one fragment.
+struct BumpReport : AxesReport {
+    SampledTexels taken{};               ///< of the normal map
     glm::vec3 colour{0.0f};              ///< their weighted mean, red green blue
     glm::vec3 arrow{0.0f};               ///< that the colour stands for, in the surface's own axes
     glm::vec3 normal{0.0f};              ///< bent, in the world, unit length
@@ -22,17 +26,27 @@ struct BumpReport {
     double tilt() const;
 };
 
+/// The axes of a surface with this normal.
+/// @param normal as the light would use it
+AxesReport axes_report(const Surface& surface, const glm::vec3& normal, const Frame& frame);
+
 /// The bent normal of a fragment whose surface has a normal map.
 /// @param normal of the surface, as the light would use it
 BumpReport bump_report(const Fragment& fragment, const Surface& surface, const glm::vec3& normal,
                        const Frame& frame);
 
-/// Appends, with i 1 and 2 and a one of x y z:
+/// Appends the formulas of the axes, with i 1 and 2 and a one of x y z:
 ///     bump.side_i.a                   sides of the triangle, and
 ///     bump.u_i bump.v_i bump.area     the same in the texture
 ///     bump.along_u.a bump.along_v.a   where u and v grow in the world
 ///     bump.lean bump.flat.a bump.flat_length bump.tangent.a
 ///     bump.across.a bump.v_across bump.handedness bump.bitangent.a
+/// If there are no axes nothing is appended.
+/// @param normal of the surface
+void append_axes_formulas(const AxesReport& report, const Frame& frame, int triangle,
+                          const SourcedVector& normal, std::vector<Formula>& formulas);
+
+/// Appends the formulas of the axes, unless they are there already, and:
 ///     bump.colour.red ...             the mean of the texels
 ///     bump.arrow.a                    the arrow it stands for
 ///     bump.sum.a bump.sum_length bump.normal.a

@@ -51,7 +51,19 @@ void add_texture(const Frame& frame, FragmentReport& report) {
                             report.formulas);
 }
 
-/// The light at the fragment's own position.
+/// How a height map shifts the fragment's place in its maps.
+void add_parallax(const Frame& frame, const Surface& surface, const LitPoint& point,
+                  FragmentReport& report) {
+    report.parallax = parallax_report(report.fragment, surface, frame);
+    if (!report.parallax) return;
+    append_parallax_formulas(*report.parallax, frame, report.cursor.triangle, point.normal,
+                             point.position,
+                             formula_id(quantity_of(&Varyings::texcoord, 0), report.interpolation),
+                             formula_id(quantity_of(&Varyings::texcoord, 1), report.interpolation),
+                             report.formulas);
+}
+
+/// The light at the fragment's own position, and before it what the fragment takes from its maps.
 /// @return the reflectance there, interpolated if the corners' differ
 SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     const int triangle = report.cursor.triangle;
@@ -59,16 +71,25 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
     const PixelRules rules = pixel_rules(frame);
     const glm::vec3 unbent =
         surface_point(report.fragment, surface, rules.camera, frame.stages).normal;
+    LitPoint point;
+    point.prefix = "pixel_light.";
+    point.position = interpolated(report, &Varyings::position_world, "");
+    point.normal = of_first_vertex(triangle, unbent, light_normal_id(frame.settings), axis_names);
+    if (surface.differences.normals) {
+        append_normal_formulas(
+            point,
+            interpolated(report, &Varyings::normal, "the normals of the vertices, interpolated"),
+            frame, report.formulas);
+    }
+    add_parallax(frame, surface, point, report);
+    add_texture(frame, report);
     const SurfacePoint place = lit_point(report.fragment, surface, rules, frame.stages);
     if (surface.normal_map != nullptr)
         report.bump = bump_report(report.fragment, surface, unbent, frame);
     report.normal = place.normal;
-    LitPoint point;
-    point.prefix = "pixel_light.";
     point.shine = place.shine;
     point.light = report.light =
         surface_light(place, rules.light, rules.rays, rules.occluders, frame.stages);
-    point.position = interpolated(report, &Varyings::position_world, "");
     point.reflectance = of_first_vertex(triangle, place.reflectance, "reflectance", channel_names);
     if (surface.differences.colours)
         point.reflectance =
@@ -78,16 +99,9 @@ SourcedVector add_pixel_light(const Frame& frame, FragmentReport& report) {
         for (std::size_t i = 0; i < 3; ++i)
             point.reflectance.sources[i] = from_formula(std::string("surface.") + channel_names[i]);
     }
-    point.normal = of_first_vertex(triangle, unbent, light_normal_id(frame.settings), axis_names);
-    if (surface.differences.normals) {
-        append_normal_formulas(
-            point,
-            interpolated(report, &Varyings::normal, "the normals of the vertices, interpolated"),
-            frame, report.formulas);
-    }
-    const SourcedVector surface_normal = point.normal;
+    const SourcedVector flat_normal = point.normal;
     if (report.bump) append_bump_formulas(*report.bump, frame, triangle, point, report.formulas);
-    append_side_formulas(point, surface_normal, frame, report.formulas);
+    append_side_formulas(point, flat_normal, frame, report.formulas);
     append_light_formulas(point, frame, report.formulas);
     return point.reflectance;
 }
@@ -204,7 +218,7 @@ bool is_fragment_formula(std::string_view id) {
     static const std::vector<std::string_view> first_parts = [] {
         std::vector<std::string_view> parts{"weight",         "depth",       "blend", "texture",
                                             "surface",        "bump",        "flat",  "pixel_light",
-                                            "triangle_light", "vertex_light"};
+                                            "triangle_light", "vertex_light", "parallax"};
         for (const QuantityInfo& info : quantity_list())
             parts.push_back(info.words.id);
         return parts;
@@ -262,7 +276,6 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.texture_alpha = surface.texture_alpha;
 
     add_values(report, frame);
-    add_texture(frame, report);
     add_light(frame, report);
     add_depth_test(report, frame);
     add_blend(report, frame);

@@ -14,6 +14,7 @@
 
 #include "explain/bump_formulas.h"
 #include "explain/formula.h"
+#include "explain/parallax_formulas.h"
 #include "explain/texture_report.h"
 #include "inspect/carried_row.h"
 #include "pipeline/observer.h"
@@ -37,6 +38,7 @@ namespace rasterwalk {
 ///     pixel_light.n_length pixel_light.n.x ...      if normals vary, see highlight_formulas.h
 ///     pixel_light.away .side .lit_n.x ...           if both sides are lit, see light_formulas.h
 ///     bump.*              if a normal map bends the normal, see bump_formulas.h
+///     parallax.*          if a height map shifts the texture, see parallax_formulas.h
 ///     triangle_light.*    under flat shading: the light in the middle of the triangle, whose place
 ///                         is triangle_light.p.x ...
 ///     vertex_light.colour.red ...   the light interpolated from the vertices, as shown
@@ -66,6 +68,7 @@ struct FragmentReport {
     std::array<SurfaceLight, triangle_corners> at_vertex; ///< light at the vertices of the scene
     glm::vec3 normal{0.0f};                               ///< used by the light at its own position
     std::optional<BumpReport> bump;                       ///< of that normal; none: no map bends it
+    std::optional<ParallaxReport> parallax;               ///< of its maps; none: nothing shifts them
     glm::vec3 light_per_vertex{0.0f};     ///< carried from the vertices by the interpolation in use
     std::optional<TextureReport> texture; ///< of the surface; none: it has none
 

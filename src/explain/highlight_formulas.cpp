@@ -40,27 +40,8 @@ class HighlightFormulas {
     }
     float eye_distance2() const { return glm::dot(eye_ray(), eye_ray()); }
 
-    /// From the point to the eye in the world, by the sight rays.
-    /// @param id, symbol of the vector
     SourcedVector add_to_eye(const std::string& id, const std::string& symbol) {
-        const bool is_mixed = rays_.mix > 0.0f;
-        // In this order, as in the shader: C − p would be 0 where this is −0.
-        return write_.add_vector(
-            id, symbol, "From the point to the eye.",
-            is_mixed ? "−((1 − mix) · (p.{} − C.{}) + mix · forward.{})" : "−(p.{} − C.{})",
-            eye_ray_in_world(), [&](int i) {
-                const std::string axis = axis_name(i);
-                FormulaInputs inputs{
-                    {"C." + axis, {rays_.camera[i]}, from_setting("camera.position")},
-                    point_.position.part("p." + axis, i)};
-                if (!is_mixed) return inputs;
-                inputs.push_back({"forward." + axis,
-                                  {rays_.forward[i]},
-                                  from_words("the direction in which the camera looks, of unit "
-                                             "length")});
-                inputs.push_back({"mix", {rays_.mix}, from_setting("projection_mix")});
-                return inputs;
-            });
+        return append_to_eye(write_, id, symbol, point_.position, rays_);
     }
 
     void add_directions() {
@@ -174,6 +155,27 @@ class HighlightFormulas {
 };
 
 } // namespace
+
+SourcedVector append_to_eye(FormulaWriter& write, const std::string& id, const std::string& symbol,
+                            const SourcedVector& position, const SightRays& rays) {
+    const bool is_mixed = rays.mix > 0.0f;
+    // In this order, as in the shader: C − p would be 0 where this is −0.
+    return write.add_vector(
+        id, symbol, "From the point to the eye.",
+        is_mixed ? "−((1 − mix) · (p.{} − C.{}) + mix · forward.{})" : "−(p.{} − C.{})",
+        -sight_ray(position.value, rays), [&](int i) {
+            const std::string axis = axis_name(i);
+            FormulaInputs inputs{{"C." + axis, {rays.camera[i]}, from_setting("camera.position")},
+                                 position.part("p." + axis, i)};
+            if (!is_mixed) return inputs;
+            inputs.push_back({"forward." + axis,
+                              {rays.forward[i]},
+                              from_words("the direction in which the camera looks, of unit "
+                                         "length")});
+            inputs.push_back({"mix", {rays.mix}, from_setting("projection_mix")});
+            return inputs;
+        });
+}
 
 void append_highlight_formulas(const LitPoint& point, const Frame& frame,
                                std::vector<Formula>& formulas) {

@@ -18,4 +18,9 @@ void append_highlight_formulas(const LitPoint& point, const Frame& frame,
 void append_normal_formulas(LitPoint& point, const SourcedVector& interpolated, const Frame& frame,
                             std::vector<Formula>& formulas);
 
+/// Appends the vector from a point to the eye in the world, by the sight rays: not of unit length.
+/// @param id, symbol of the vector
+SourcedVector append_to_eye(FormulaWriter& write, const std::string& id, const std::string& symbol,
+                            const SourcedVector& position, const SightRays& rays);
+
 } // namespace rasterwalk

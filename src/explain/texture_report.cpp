@@ -78,9 +78,19 @@ class TextureFormulas {
   private:
     bool is_nearest() const { return frame_.settings.texture_filter == TextureFilter::nearest; }
 
+    /// Where the texture is read.
     FormulaInput coordinate(const TextureAxis& axis) const {
+        const std::string shifted = std::string("parallax.") + axis.coordinate;
+        if (find_formula(formulas_, shifted) == nullptr) return carried(axis);
         return {axis.coordinate,
                 {report_.place.texcoord[axis.index]},
+                from_formula(shifted)};
+    }
+
+    /// The same before a height map shifts it.
+    FormulaInput carried(const TextureAxis& axis) const {
+        return {axis.coordinate,
+                {report_.carried[axis.index]},
                 from_formula(coordinate_ids_[static_cast<std::size_t>(axis.index)])};
     }
 
@@ -142,7 +152,7 @@ class TextureFormulas {
                   from_words(
                       fmt::format("how much {} grows by to {}, the same over the whole triangle",
                                   is_divided ? carried_name_in(frame_, quantity) : u, next))},
-                 coordinate(axis),
+                 carried(axis),
                  {"e",
                   {weight_slope},
                   from_words(is_squared ? "how much " + weight + " times " + weight +
@@ -345,7 +355,8 @@ std::optional<TextureReport> texture_report(const Frame& frame, int triangle,
     if (report.surface.texture == nullptr) return std::nullopt;
     const Texture& texture = *report.surface.texture;
     report.weight = weight_of(fragment, frame.stages);
-    report.place = place_in_texture(fragment, report.surface, frame.stages);
+    report.place = place_in_texture(fragment, report.surface, pixel_rules(frame), frame.stages);
+    report.carried = carried_place(fragment, report.surface, frame.stages).texcoord;
     report.reflectance = reflectance_at(fragment, report.surface, frame.stages);
     report.right = side_in_texels(report.place.footprint.right, texture.base());
     report.down = side_in_texels(report.place.footprint.down, texture.base());

@@ -16,6 +16,7 @@ struct TextureReport {
     Surface surface;     ///< with its texture, which belongs to the frame's scene
     float weight = 0.0f; ///< that varyings are carried with: 1/z, or 1
     TexturePlace place;
+    glm::vec2 carried{0.0f}; ///< u, v before a height map shifts them; the footprint's
     float right = 0.0f, down = 0.0f; ///< how far a pixel reaches, texels of the texture itself
     float level = 0.0f;              ///< the one that suits it, whether the filter uses it or not
     SampledTexels taken;
@@ -44,6 +45,7 @@ std::optional<TextureReport> texture_report(const Frame& frame, const Cursor& cu
 ///     texture.texel.k.column .row .weight
 ///     texture.red .green .blue              the mean of the texels by their weights
 ///     surface.red .green .blue              times the reflectance
+/// If there is a formula parallax.u, the position is made of it and of parallax.v.
 /// @param u_id, v_id ids of the formulas of u and v
 void append_texture_formulas(const TextureReport& report, const Frame& frame, int triangle,
                              const std::string& u_id, const std::string& v_id,

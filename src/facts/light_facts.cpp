@@ -2,6 +2,8 @@
 #include <cmath>
 #include <string>
 
+#include <glm/geometric.hpp>
+
 #include "facts/fact_groups.h"
 
 namespace rasterwalk {
@@ -26,6 +28,32 @@ const Formula* normal_length(const Facts& facts) {
 const BumpReport* bump_there(const Facts& facts) {
     const FragmentReport* const report = facts.light();
     return report != nullptr && report->bump ? &*report->bump : nullptr;
+}
+
+/// How a height map shifts the place in the texture there.
+const ParallaxReport* parallax_there(const Facts& facts) {
+    const FragmentReport* const report = facts.light();
+    return report != nullptr && report->parallax ? &*report->parallax : nullptr;
+}
+
+void add_parallax_facts(std::vector<Fact>& table) {
+    const FactAdder<parallax_there> add(table);
+    using Shift = const ParallaxReport&;
+    add("pixel.height",
+        "How high above the surface the height map says that it is at the picked pixel, in world "
+        "units; none if no height map acts on the surface.",
+        real(), [](Shift shift) { return shift.terms.height; });
+    add("pixel.view_z",
+        "The part along the normal of the unit direction from there to the eye: 1 straight ahead, "
+        "0 at a grazing angle. Only where a height map acts.",
+        real(-1), [](Shift shift) { return shift.terms.view.z; });
+    add("pixel.step",
+        "How far the height map shifts the place on the surface there, in world units.", real(0),
+        [](Shift shift) { return glm::length(shift.terms.step); });
+    add("pixel.shift_u", "How far the height map shifts u there.", real(),
+        [](Shift shift) { return shift.terms.shift.x; });
+    add("pixel.shift_v", "How far the height map shifts v there.", real(),
+        [](Shift shift) { return shift.terms.shift.y; });
 }
 
 /// The normals of the picked pixel, and how a normal map bends them.
@@ -87,6 +115,7 @@ void add_light_facts(std::vector<Fact>& table) {
             [](Lit light, int channel) { return light.highlight.reflected[channel]; }, i);
     }
     add_normal_facts(table);
+    add_parallax_facts(table);
 }
 
 } // namespace rasterwalk

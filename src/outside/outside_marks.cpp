@@ -274,6 +274,16 @@ void add_lamp_ray(const LampRay& lamp_ray, const glm::dvec3& lamp, Collector& co
     collector.point(OutsidePointKind::shaded, 0, lamp_ray.from);
 }
 
+void add_shift(const SightShift& shift, const OutsideScene& outside_scene, Collector& collector) {
+    const PicturePlane& plane = outside_scene.plane;
+    const glm::dvec3 from = begin_of_ray(plane, plane.in_camera(shift.seen));
+    collector.line(OutsideLineKind::sight_ray, 0, from, shift.seen);
+    collector.line(OutsideLineKind::imagined, 0, shift.texel, shift.top);
+    collector.line(OutsideLineKind::shift, 0, shift.seen, shift.texel);
+    collector.point(OutsidePointKind::seen, 0, shift.seen);
+    collector.point(OutsidePointKind::texel, 0, shift.texel);
+}
+
 bool meet(const OutsideBox& a, const OutsideBox& b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
@@ -355,7 +365,8 @@ std::optional<OutsideDivider> divider_of(const Frame& frame, std::optional<int> 
 OutsideMarks outside_marks(const Scene& scene, const OutsideScene& outside_scene,
                            const OutsideEye& eye, const MarkedTriangle& marked,
                            std::optional<glm::ivec2> pixel, glm::ivec2 size,
-                           std::span<const Basis> bases, const std::optional<LampRay>& lamp_ray) {
+                           std::span<const Basis> bases, const std::optional<LampRay>& lamp_ray,
+                           const std::optional<SightShift>& shift) {
     Collector collector{eye, glm::dvec2(size)};
     add_camera(outside_scene, collector);
     if (marked.clipping.ends) add_ends(outside_scene, *marked.clipping.ends, collector);
@@ -365,6 +376,7 @@ OutsideMarks outside_marks(const Scene& scene, const OutsideScene& outside_scene
     for (const Basis& basis : bases)
         add_basis(basis, collector);
     if (lamp_ray) add_lamp_ray(*lamp_ray, outside_scene.lamp, collector);
+    if (shift) add_shift(*shift, outside_scene, collector);
     const PicturePlane& plane = outside_scene.plane;
     if (pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x < plane.size.width &&
         pixel->y < plane.size.height) {

@@ -34,6 +34,9 @@ enum class OutsideLineKind : std::uint8_t {
     mirrored,    ///< from there to where the division puts such a vertex; number: which vertex
     lamp_ray,    ///< from a point on a surface toward the lamp, as far as light comes from there
     blocked_ray, ///< from what is in between to the lamp
+    sight_ray,   ///< from the camera to a point of a surface whose texture is shifted
+    imagined,    ///< from the surface straight to the height that it is thought to have
+    shift,       ///< an arrow on the surface, from that point to the one whose texel is shown
     axis,        ///< an arrow from the origin of a space; number: see axis_number()
 };
 
@@ -58,6 +61,8 @@ enum class OutsidePointKind : std::uint8_t {
     divider,  ///< a place for the name of a plane of the BSP tree; number: whose, of the scene
     mirrored, ///< where the division puts a vertex behind the camera; number: which vertex
     shaded,   ///< a point on a surface that the lamp lights, or would
+    seen,     ///< a point of a surface whose texture is shifted
+    texel,    ///< the point whose texel is shown there
     occluder, ///< where the ray meets what is in between
     axis,     ///< the tip of such an arrow, a place for its name; number: see axis_number()
     origin,   ///< where the arrows of a space begin; number: which BasisOf
@@ -103,16 +108,25 @@ struct LampRay {
     std::optional<glm::dvec3> met; ///< where something is in between, or seems to be by mistake
 };
 
+/// How a height map shifts what is seen at a point of a surface.
+struct SightShift {
+    glm::dvec3 seen{0.0};  ///< where the ray of sight meets the flat surface
+    glm::dvec3 texel{0.0}; ///< whose texel is shown, on the surface
+    glm::dvec3 top{0.0};   ///< the height above that point; with `divided`, the ray meets it
+};
+
 /// All visible marks; lines end where the picture of the eye ends, or a little beyond.
 /// @param pixel the picked pixel of the scene's picture
 /// @param size  of the picture of the eye, pixels
 /// @param bases whose axes are drawn
 /// @param lamp_ray the way to the lamp, if it is shown
+/// @param shift    what parallax mapping does at the picked pixel, if it does
 OutsideMarks outside_marks(const Scene& scene, const OutsideScene& outside_scene,
                            const OutsideEye& eye, const MarkedTriangle& marked,
                            std::optional<glm::ivec2> pixel, glm::ivec2 size,
                            std::span<const Basis> bases = {},
-                           const std::optional<LampRay>& lamp_ray = {});
+                           const std::optional<LampRay>& lamp_ray = {},
+                           const std::optional<SightShift>& shift = {});
 
 /// A part of the picture of the eye, pixels.
 struct OutsideBox {

@@ -57,7 +57,7 @@ void draw_fragment(Drawing& d, const Cursor& cursor, const Fragment& fragment, s
                    const Surface& surface) {
     if (is_culled(d, fragment))
         return leave_out<is_watched>(d, cursor, fragment, pixel, Fate::back_facing, surface.alpha);
-    const FragmentAlpha alpha = fragment_alpha(fragment, surface, d.stages);
+    const FragmentAlpha alpha = fragment_alpha(fragment, surface, d.pixels, d.stages);
     if (alpha.is_cut)
         return leave_out<is_watched>(d, cursor, fragment, pixel, Fate::cut_out, alpha.alpha);
     const float stored = d.target.depth[pixel];

@@ -50,6 +50,7 @@ struct Frame {
     bool blends = false;                    ///< something is half transparent, and drawn that way
     Occluders occluders;                    ///< what casts shadows; empty if nothing does
     bool bends = false;                     ///< normal maps bend normals somewhere
+    bool shifts = false;                    ///< height maps shift textures somewhere
     std::vector<Polygon> polygons;          ///< what reject, clip and cull left of each triangle
                                             ///< of `scene`, in order
     std::shared_ptr<const WarnockSquares> squares; ///< the moments, if the picture is divided into

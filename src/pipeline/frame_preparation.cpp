@@ -166,6 +166,7 @@ FramePreparation begin_frame(const Scene& scene, const Settings& settings,
     frame.blends =
         frame.stages.blend != blend_nothing && (has_alpha(*frame.scene) || blends_textures);
     frame.bends = bends_normals(settings) && has_normal_map(*frame.scene);
+    frame.shifts = shifts_textures(settings) && has_height_map(*frame.scene);
     take_occluders(frame);
     return {mesh, vertex_rules(frame), frame};
 }

@@ -26,9 +26,16 @@ Surface surface_of(const Frame& frame, int triangle) {
     if (surface.texture != nullptr && surface.texture->has_alpha())
         surface.texture_alpha = texture_alpha_rule(frame);
     if (frame.bends) surface.normal_map = normal_map_of(*frame.scene, triangle);
-    if (surface.normal_map != nullptr)
+    const bool has_map = surface.texture != nullptr || surface.normal_map != nullptr;
+    const HeightMap* const heights =
+        frame.shifts && has_map ? height_map_of(*frame.scene, triangle) : nullptr;
+    if (heights != nullptr) {
+        const auto index = static_cast<std::size_t>(heights->texture);
+        surface.heights = {&*frame.scene->textures[index], heights->scale, heights->bias};
+    }
+    if (surface.normal_map != nullptr || heights != nullptr)
         surface.uv_directions = uv_directions(corners_of(*frame.scene, triangle));
-    if (surface.texture != nullptr || surface.normal_map != nullptr)
+    if (has_map)
         surface.texture_slope = texture_slope(frame.triangle_vertices(triangle), frame.stages);
     if (frame.stages.pixel_shader == pixel_shader) return surface;
     surface.shine = corner.shine;

@@ -99,8 +99,17 @@ Scene scene_of_model(const ObjModel& model) {
     for (const ObjPart& part : model.parts) {
         Part placed{part.name, part.first_triangle, part.triangle_count, {steps, {}}, part.texture};
         placed.normal_map = part.normal_map;
-        if (part.material >= 0)
-            placed.alpha = model.materials[static_cast<std::size_t>(part.material)].alpha;
+        placed.height_map.texture = part.height_map;
+        if (part.material >= 0) {
+            const ObjMaterial& of = model.materials[static_cast<std::size_t>(part.material)];
+            placed.alpha = of.alpha;
+            // Without -mm the file does not say how high white is: then as in a scene.
+            if (of.has_height_range) {
+                const float scale = std::abs(steps.back().amount.x);
+                placed.height_map.scale = of.height_gain * scale;
+                placed.height_map.bias = of.height_base * scale;
+            }
+        }
         placed.model.positions.reserve(3 * static_cast<std::size_t>(part.triangle_count));
         for (int i = 0; i < part.triangle_count; ++i) {
             for (const int corner : {0, 2, 1}) {

@@ -286,7 +286,7 @@ class ModelBuilder {
     /// The images that a face shows.
     ObjMaps maps_of_face(const ObjFace& face, int material) {
         const ObjMaps maps = images_.of_material(material);
-        if ((maps.texture < 0 && maps.normal_map < 0) || has_texcoords(face)) return maps;
+        if (!maps.has_any() || has_texcoords(face)) return maps;
         if (bare_.insert(material).second) {
             reporter_.fault(model_.path, face.line, [&] {
                 return fmt::format(
@@ -298,18 +298,18 @@ class ModelBuilder {
         return {};
     }
 
-    /// Begins another part if the face needs one. A part has at most one texture and one normal
-    /// map.
+    /// Begins another part if the face needs one. A part has at most one picture of each kind.
     void begin_drawn_part(const ObjFace& face, int material, const ObjMaps& maps) {
         const auto part = static_cast<std::size_t>(face.part);
         const bool is_other = drawn_part_ != face.part;
         drawn_part_ = face.part;
-        if (!is_other && ((model_.parts.back().texture == maps.texture &&
-                           model_.parts.back().normal_map == maps.normal_map) ||
-                          model_.parts.size() >= most_model_parts))
-            return;
+        if (!is_other) {
+            const ObjPart& last = model_.parts.back();
+            const ObjMaps shown{last.texture, last.normal_map, last.height_map};
+            if (shown == maps || model_.parts.size() >= most_model_parts) return;
+        }
         model_.parts.push_back({file_.parts[part].name, model_.mesh.triangle_count(), 0, material,
-                                maps.texture, maps.normal_map});
+                                maps.texture, maps.normal_map, maps.height_map});
     }
 
     /// The position in the texture that a corner has.

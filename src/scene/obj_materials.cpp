@@ -93,7 +93,9 @@ int ObjImages::texture_of(const ObjMaterial& of) {
 ObjMaps ObjImages::of_material(int material) {
     if (material < 0) return {};
     const ObjMaterial& of = materials_[static_cast<std::size_t>(material)];
-    if (of.diffuse_map.empty() && of.alpha_map.empty() && of.bump_map.empty()) return {};
+    if (of.diffuse_map.empty() && of.alpha_map.empty() && of.bump_map.empty() &&
+        of.height_map.empty())
+        return {};
     const auto [known, is_new] = known_.try_emplace(material);
     if (!is_new) return known->second;
     ObjMaps maps;
@@ -104,6 +106,10 @@ ObjMaps ObjImages::of_material(int material) {
             index_of(of.bump_is_normal ? files_.read(of.bump_map, name)
                                        : files_.read_heights(of.bump_map, name, of.bump_strength),
                      of, of.bump_is_normal ? "norm" : "bump", of.bump_map_line);
+    }
+    if (!of.height_map.empty()) {
+        maps.height_map = index_of(files_.read(of.height_map, image_name(of.height_map)), of,
+                                   "disp", of.height_map_line);
     }
     return known->second = maps;
 }

@@ -53,7 +53,10 @@ class ObjLibraries {
 
 /// The pictures of a surface, as indices of textures; -1: none.
 struct ObjMaps {
-    int texture = -1, normal_map = -1;
+    int texture = -1, normal_map = -1, height_map = -1;
+
+    bool has_any() const { return texture >= 0 || normal_map >= 0 || height_map >= 0; }
+    bool operator==(const ObjMaps&) const = default;
 };
 
 /// The images of materials, each read when the first face of its material is drawn.

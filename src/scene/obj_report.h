@@ -27,7 +27,7 @@ struct ObjCounts {
     std::int64_t computed_normals = 0; ///< corners whose normal the file does not give
     std::int64_t parts = 0;            ///< runs of faces of one object, group and material
     std::int64_t materials = 0;        ///< statements newmtl
-    std::int64_t textures = 0;         ///< images that are drawn: map_Kd, norm, bump
+    std::int64_t textures = 0;         ///< images that are drawn: map_Kd, norm, bump, disp
     std::int64_t faults = 0;           ///< statements with something wrong
 
     friend bool operator==(const ObjCounts&, const ObjCounts&) = default;
@@ -55,7 +55,7 @@ inline constexpr std::array obj_count_list{
     ObjCountInfo{"parts", "runs of faces of one object, group and material", &ObjCounts::parts},
     ObjCountInfo{"materials", "materials: newmtl, in the files that mtllib names",
                  &ObjCounts::materials},
-    ObjCountInfo{"textures", "images that are drawn: map_Kd, norm, bump", &ObjCounts::textures},
+    ObjCountInfo{"textures", "images that are drawn: map_Kd, norm, bump, disp", &ObjCounts::textures},
     ObjCountInfo{"faults", "statements with something wrong in them, which is left out",
                  &ObjCounts::faults},
 };

@@ -35,11 +35,13 @@ constexpr MapOption map_options[] = {
 /// The options of an image.
 struct MapOptions {
     float strength = 1.0f;               ///< -bm
+    std::optional<float> base, gain;     ///< -mm
     glm::vec2 scale{1.0f}, offset{0.0f}; ///< -s and -o; their third number is for solid textures
 
     /// @param i which number of the option, from 0
     void set(std::string_view option, int i, float number) {
         if (option == "-bm") strength = number;
+        if (option == "-mm") (i == 0 ? base : gain) = number;
         if (option == "-s" && i < 2) scale[i] = number;
         if (option == "-o" && i < 2) offset[i] = number;
     }
@@ -51,7 +53,7 @@ using UsedOptions = std::initializer_list<std::string_view>;
 constexpr std::size_t most_lookups = 2 * most_materials;
 
 constexpr std::string_view skipped_option =
-    "the only options of an image that are used are -bm, and -s and -o of map_Kd";
+    "the only options of an image that are used are -bm, -mm of disp, and -s and -o of map_Kd";
 constexpr std::string_view skipped_halo = "alpha is the same from every direction";
 constexpr std::string_view skipped_material = "this property of a material is not used";
 
@@ -111,7 +113,7 @@ class MtlReader {
         if (word == "newmtl") return begin_material(rest);
         const std::string key = in_small_letters(word.substr(0, 16));
         const bool is_bump = key == "bump" || key == "map_bump" || key == "norm";
-        const bool is_used = is_bump || key == "map_kd" || key == "map_d" || key == "kd" ||
+        const bool is_used = is_bump || key == "disp" || key == "map_kd" || key == "map_d" || key == "kd" ||
                              key == "ks" || key == "ns" || key == "d" || key == "tr";
         if (!is_used) return skip(word, skipped_material);
         if (is_left_out_) return;
@@ -122,7 +124,8 @@ class MtlReader {
             });
         }
         ObjMaterial& material = materials_.back();
-        const bool has_numbers = !is_bump && key != "map_kd" && key != "map_d";
+        const bool has_numbers =
+            !is_bump && key != "disp" && key != "map_kd" && key != "map_d";
         if (has_numbers && reports_comma(word, rest)) return;
         if (key == "kd") {
             material.diffuse_line = lines_.line();
@@ -143,6 +146,14 @@ class MtlReader {
         if (key == "map_d") {
             material.alpha_map_line = lines_.line();
             return read_map(word, rest, material.alpha_map, {}, options);
+        }
+        if (key == "disp") {
+            material.height_map_line = lines_.line();
+            read_map(word, rest, material.height_map, {"-mm"}, options);
+            material.has_height_range = options.base || options.gain;
+            material.height_base = options.base.value_or(0.0f);
+            material.height_gain = options.gain.value_or(1.0f);
+            return;
         }
         material.bump_map_line = lines_.line();
         read_map(word, rest, material.bump_map, {"-bm"}, options);

@@ -36,6 +36,7 @@ struct ObjPart {
     int material = -1;      ///< index in ObjModel::materials; -1: none
     int texture = -1;       ///< index in ObjModel::textures; -1: none
     int normal_map = -1;    ///< also there
+    int height_map = -1;    ///< also there
 
     friend bool operator==(const ObjPart&, const ObjPart&) = default;
 };

@@ -381,7 +381,7 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
                VertexJoin& vertices, TextureReader& textures, WatchedSteps& watched, Scene& scene) {
     input.allow_only({"name", "points", "reflectance", "material", "colours", "normals",
                       "triangles", "polygons", "model", "texture", "texcoords", "alpha",
-                      "normal_map"});
+                      "normal_map", "height_map", "height_scale", "height_bias"});
     const std::string set_name = input.text("points");
     const auto set = sets.find(set_name);
     if (set == sets.end()) {
@@ -394,6 +394,9 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
     const int normal_map = textures.read(input, "normal_map");
     if (normal_map >= 0 && scene.space == SceneSpace::pixels)
         input.fail(*input.find("normal_map"), "points in pixels cannot have a normal map.");
+    const HeightMap height_map = read_height_map(input, textures);
+    if (height_map.texture >= 0 && scene.space == SceneSpace::pixels)
+        input.fail(*input.find("height_map"), "points in pixels cannot have a height map.");
     Model model{read_model(input, scene.space), {}};
     const glm::dmat4 matrix = model_matrix(model.steps);
     const bool is_turned_round = is_mirrored(matrix);
@@ -427,7 +430,7 @@ void read_part(const TomlInput& input, const PointSets& sets, SurfaceSections& s
         scene.mesh.add_triangle(indices);
     }
     scene.parts.push_back({name, first, scene.triangle_count() - first, std::move(model), texture,
-                           surface.material.alpha, normal_map});
+                           surface.material.alpha, normal_map, height_map});
 }
 
 void read_example(const TomlInput& input, Scene& scene) {

@@ -187,8 +187,10 @@ int TextureReader::read(const TomlInput& part, std::string_view key) {
     if (node == nullptr) return -1;
     const std::string name = part.text(key);
     const auto refuse = [&](const std::string& why) {
-        part.fail(*node, fmt::format("the {} '{}' cannot be used: {}",
-                                     key == "texture" ? "texture" : "normal map", name, why));
+        const std::string_view what = key == "texture"      ? "texture"
+                                      : key == "normal_map" ? "normal map"
+                                                            : "height map";
+        part.fail(*node, fmt::format("the {} '{}' cannot be used: {}", what, name, why));
     };
     const CompanionFile file = companions_.find_exactly(name);
     if (!file.problem.empty()) refuse(file.problem + ".");
@@ -197,20 +199,41 @@ int TextureReader::read(const TomlInput& part, std::string_view key) {
     return texture.index;
 }
 
+HeightMap read_height_map(const TomlInput& part, TextureReader& textures) {
+    HeightMap map;
+    map.texture = textures.read(part, "height_map");
+    for (const std::string_view key : {"height_scale", "height_bias"}) {
+        if (map.texture < 0 && part.find(key) != nullptr) {
+            part.fail(*part.find(key), fmt::format("'{}' is only allowed in a part with a "
+                                                   "'height_map'.",
+                                                   key));
+        }
+    }
+    part.read("height_scale", map.scale, -largest_coordinate, largest_coordinate);
+    if (part.find("height_scale") != nullptr) map.bias = -0.5f * map.scale;
+    part.read("height_bias", map.bias, -largest_coordinate, largest_coordinate);
+    return map;
+}
+
 std::vector<CornerTexcoords> read_texcoords(const TomlInput& part, std::size_t triangle_count,
                                             WatchedSteps& watched) {
-    const bool is_texture = part.find("texture") != nullptr;
-    const toml::node* const texture = part.find(is_texture ? "texture" : "normal_map");
+    const toml::node* texture = nullptr;
+    std::string_view key;
+    for (const std::string_view word : {"texture", "normal_map", "height_map"}) {
+        if (texture != nullptr) break;
+        texture = part.find(word);
+        key = word;
+    }
     const toml::node* const texcoords = part.find("texcoords");
     if (texture == nullptr && texcoords == nullptr) return {};
     if (texture == nullptr)
-        part.fail(*texcoords, "'texcoords' are only allowed in a part with a 'texture' or a "
-                              "'normal_map'.");
+        part.fail(*texcoords, "'texcoords' are only allowed in a part with a 'texture', a "
+                              "'normal_map' or a 'height_map'.");
     if (texcoords == nullptr) {
         part.fail(*texture,
                   fmt::format("a part with a '{}' needs 'texcoords', which say where the corners "
                               "of each triangle lie in it.",
-                              is_texture ? "texture" : "normal_map"));
+                              key));
     }
     const toml::array& list = part.list("texcoords");
     if (list.size() != triangle_count) {

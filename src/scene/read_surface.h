@@ -89,8 +89,8 @@ class TextureReader {
                   const WatchedSteps& watched)
         : companions_({scene_path}), files_(textures, watched) {}
 
-    /// The index of the picture that a part names under a key, `texture` or `normal_map`; -1 if it
-    /// names none. Throws InputError at the line of the name for a file that is not found (see
+    /// The index of the picture that a part names under a key, `texture`, `normal_map` or `height_map`;
+    /// -1 if it names none. Throws InputError at the line of the name for a file that is not found (see
     /// CompanionFiles::find_exactly) or cannot be used, and ReadingStopped.
     int read(const TomlInput& part, std::string_view key);
 
@@ -99,8 +99,12 @@ class TextureReader {
     TextureFiles files_;
 };
 
+/// Reads `height_map`, `height_scale` and `height_bias` of a part. Throws InputError, also if there
+/// is a scale or a bias without a map, and ReadingStopped.
+HeightMap read_height_map(const TomlInput& part, TextureReader& textures);
+
 /// The `texcoords` list of a part: for each of its triangles u and v of every corner,
-/// [[0, 0], [1, 0], [1, 1]]. Empty if the part has no texture and no normal map. Throws InputError
+/// [[0, 0], [1, 0], [1, 1]]. Empty if the part has no texture and no map. Throws InputError
 /// if a part has one of these without texcoords, or texcoords without either, or for a different
 /// number of triangles; ReadingStopped.
 std::vector<CornerTexcoords> read_texcoords(const TomlInput& part, std::size_t triangle_count,

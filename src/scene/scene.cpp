@@ -59,6 +59,18 @@ bool has_normal_map(const Scene& scene) {
                        [](const Part& part) { return part.normal_map >= 0; });
 }
 
+const HeightMap* height_map_of(const Scene& scene, int triangle) {
+    const int part = part_of(scene, triangle);
+    if (part < 0) return nullptr;
+    const HeightMap& map = scene.parts[static_cast<std::size_t>(part)].height_map;
+    return map.texture < 0 ? nullptr : &map;
+}
+
+bool has_height_map(const Scene& scene) {
+    return std::any_of(scene.parts.begin(), scene.parts.end(),
+                       [](const Part& part) { return part.height_map.texture >= 0; });
+}
+
 float alpha_of(const Scene& scene, int triangle) {
     const int part = part_of(scene, triangle);
     return part < 0 ? 1.0f : scene.parts[static_cast<std::size_t>(part)].alpha;

@@ -25,6 +25,15 @@ struct Material {
     friend bool operator==(const Material&, const Material&) = default;
 };
 
+/// A map of heights, and what its numbers mean.
+struct HeightMap {
+    int texture = -1; ///< index in Scene::textures; -1: none
+    /// A texel h, 0 (black) to 1 (white), is h * scale + bias above the surface, world units.
+    float scale = 0.05f, bias = -0.025f;
+
+    friend bool operator==(const HeightMap&, const HeightMap&) = default;
+};
+
 /// A named group of consecutive triangles of the mesh ("tall block").
 struct Part {
     std::string name;
@@ -34,6 +43,7 @@ struct Part {
     int texture = -1;    ///< index in Scene::textures; -1: none
     float alpha = 1.0f;  ///< of all its triangles, 0 (clear) to 1 (opaque)
     int normal_map = -1; ///< index in Scene::textures; -1: none
+    HeightMap height_map{};
 
     friend bool operator==(const Part&, const Part&) = default;
 };
@@ -179,6 +189,12 @@ bool has_texture(const Scene& scene);
 
 /// Has any part of the scene a normal map?
 bool has_normal_map(const Scene& scene);
+
+/// The height map that shifts the texture of a triangle; null if it has none.
+const HeightMap* height_map_of(const Scene& scene, int triangle);
+
+/// Has any part of the scene a height map?
+bool has_height_map(const Scene& scene);
 
 /// The alpha of a triangle, 0 (clear) to 1 (opaque).
 float alpha_of(const Scene& scene, int triangle);

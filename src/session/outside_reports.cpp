@@ -86,4 +86,13 @@ std::optional<LampRay> lamp_ray_outside(const Frame& frame,
     return lamp_ray;
 }
 
+std::optional<SightShift> sight_shift_outside(const std::optional<FragmentReport>& fragment) {
+    if (!fragment || !fragment->parallax || fragment->parallax->sign == 0.0f) return std::nullopt;
+    const ParallaxTerms& terms = fragment->parallax->terms;
+    const glm::dvec3 seen(fragment->under(fragment->interpolation).position_world);
+    const glm::dvec3 texel = seen + double{terms.step.x} * glm::dvec3(terms.axes.tangent) +
+                             double{terms.step.y} * glm::dvec3(terms.axes.bitangent);
+    return SightShift{seen, texel, texel + double{terms.height} * glm::dvec3(terms.axes.normal)};
+}
+
 } // namespace rasterwalk

@@ -21,4 +21,7 @@ WorldClipping clipping_outside(const Frame& frame, const ClipHistory& history,
 std::optional<LampRay> lamp_ray_outside(const Frame& frame,
                                         const std::optional<FragmentReport>& fragment);
 
+/// What a height map does at the fragment shown; none if none acts there.
+std::optional<SightShift> sight_shift_outside(const std::optional<FragmentReport>& fragment);
+
 } // namespace rasterwalk

@@ -276,6 +276,12 @@ enum class NormalMapSpace : std::uint8_t {
     tangent, ///< the lamp and the eye are taken to tangent space
 };
 
+/// Which way a height map shifts the place in the texture.
+enum class ParallaxRule : std::uint8_t {
+    right,      ///< toward the eye where the surface is high
+    subtracted, ///< away from it: mistake B99
+};
+
 /// Which comes first, the depth test or the colour of a fragment. The picture is the same, the work
 /// is not.
 enum class DepthOrder : std::uint8_t {

@@ -82,6 +82,9 @@ bool has_textures(const Scene& scene) {
 bool has_bumps(const Scene& scene) {
     return has_textures(scene) && has_normal_map(scene);
 }
+bool has_heights(const Scene& scene) {
+    return has_textures(scene) && has_height_map(scene);
+}
 bool has_any_alpha(const Scene& scene) {
     return has_alpha(scene) || has_texture_alpha(scene);
 }
@@ -302,6 +305,18 @@ std::vector<Setting> make_table() {
          "transformed. The picture is the same except for rounding.",
          "Beyond the lab", "", choice<&Settings::normal_map_space>(),
          SettingTies{.needs_scene = has_bumps}},
+        {"parallax", "Parallax mapping", "Texture",
+         "Whether height maps shift the texture toward the eye where a surface is high, and away "
+         "from it where it is low: by h V.xy / V.z, which has no end at grazing angles, or "
+         "limited, by h V.xy. This needs light per pixel, because only then does a pixel know "
+         "where the eye is.",
+         "Beyond the lab", "", choice<&Settings::parallax>(),
+         SettingTies{.needs_scene = has_heights}},
+        {"parallax_rule", "Parallax goes", "Texture",
+         "Which way a height shifts the texture: correctly, toward the eye where the surface is "
+         "high; or, by mistake, away from it.",
+         "Beyond the lab", "", choice<&Settings::parallax_rule>(),
+         SettingTies{.needs_scene = has_heights}},
         {"blend", "Half-transparent", "Depth and interpolation",
          "How a half-transparent surface is drawn: blended by its alpha over what the pixel shows "
          "(Porter-Duff's over); as if it were opaque; or, by mistake, with the two weights "

@@ -187,6 +187,10 @@ bool bends_normals(const Settings& settings) {
     return settings.normal_map == NormalMapUse::on && shading_rule(settings) == Shading::phong;
 }
 
+bool shifts_textures(const Settings& settings) {
+    return settings.parallax != Parallax::off && shading_rule(settings) == Shading::phong;
+}
+
 Hidden hidden_rule(const Settings& settings) {
     return settings.stage >= Stage::depth ? settings.hidden : Hidden::depth_buffer;
 }

@@ -6,6 +6,7 @@
 #include "settings/choices.h"
 #include "stages/depth_test.h"
 #include "stages/normal_map.h"
+#include "stages/parallax.h"
 #include "stages/pixel_shader.h"
 #include "stages/polygon_rows.h"
 #include "stages/shadow.h"
@@ -55,6 +56,8 @@ struct Settings {
     NormalMapUse normal_map = NormalMapUse::on; ///< only where the scene has normal maps
     NormalMapRule normal_map_rule = NormalMapRule::right;
     NormalMapSpace normal_map_space = NormalMapSpace::world;
+    Parallax parallax = Parallax::limited; ///< only where the scene has height maps
+    ParallaxRule parallax_rule = ParallaxRule::right;
     Blend blend = Blend::over; ///< only where the scene has something half transparent
     Camera camera;
     Rotation rotation = Rotation::row_vector;
@@ -155,6 +158,10 @@ Shadows shadow_rule(const Settings& settings, SceneSpace space);
 /// Do normal maps have an effect? Only if light is computed at each pixel, which needs normals
 /// there.
 bool bends_normals(const Settings& settings);
+
+/// Do height maps shift textures? Only if light is computed at each pixel, because only then does a
+/// fragment know where it is in the world, and so in which direction the eye is.
+bool shifts_textures(const Settings& settings);
 
 /// How hidden surfaces are removed: not at all before stage `depth`, where the scene's order counts
 /// as it does with a depth buffer.

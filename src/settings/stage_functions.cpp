@@ -18,6 +18,7 @@
 #include "mistakes/light.h"
 #include "mistakes/lines.h"
 #include "mistakes/normal_map.h"
+#include "mistakes/parallax.h"
 #include "mistakes/project.h"
 #include "mistakes/put_pixel.h"
 #include "mistakes/shadow.h"
@@ -111,6 +112,15 @@ void put_corner_snap(Stages& stages, const Settings& s, const Scene*) {
         stages.snap = snap_for_corners<snap_to_subpixel>;
         break;
     }
+}
+
+void put_parallax_step(Stages& stages, const Settings& s, const Scene*) {
+    const bool is_divided = s.parallax == Parallax::divided;
+    if (s.parallax_rule == ParallaxRule::subtracted)
+        stages.parallax_step =
+            is_divided ? step_subtracted<step_divided> : step_subtracted<step_limited>;
+    else
+        stages.parallax_step = is_divided ? step_divided : step_limited;
 }
 
 // The parts of the light, in the order of the words of LightDirection, LightFalloff and LightSum.
@@ -411,6 +421,11 @@ const RegistryRow registry_rows[] = {
     {"normal_map_rule=undecoded", put<&Stages::arrow_of_texel, arrow_undecoded>,
      "mistakes/normal_map.h"},
     {"normal_map_space=tangent", put<&Stages::light_space, tangent_space>, "stages/normal_map.h"},
+    {"parallax=divided", part<&Stages::parallax_step, step_divided, put_parallax_step>,
+     "stages/parallax.h"},
+    {"parallax_rule=subtracted",
+     part<&Stages::parallax_step, step_subtracted<step_limited>, put_parallax_step>,
+     "mistakes/parallax.h"},
 
     // Light and shadow.
     {"light.highlight=unasked", put<&Stages::highlight, highlight_unasked>, "mistakes/highlight.h"},

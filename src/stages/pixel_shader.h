@@ -22,6 +22,7 @@
 #include "stages/fragment.h"
 #include "stages/light.h"
 #include "stages/normal_map.h"
+#include "stages/parallax.h"
 #include "stages/shadow.h"
 #include "stages/texture_lookup.h"
 #include "stages/vertex_shader.h"
@@ -42,7 +43,8 @@ struct Surface {
     CornerDifferences differences{};     ///< whether normals and colours come from the vertices
     glm::vec3 flat_light{0.0f};          ///< of the whole triangle, under flat shading
     const Texture* normal_map = nullptr; ///< the one that bends its normals, or none
-    UvDirections uv_directions{};        ///< only where there is a normal map
+    UvDirections uv_directions{};        ///< only where there is a normal map or a height map
+    SurfaceHeights heights{};            ///< that shift the place in its maps
     /// What the alpha of its texture does; also off if that is opaque.
     TextureAlpha texture_alpha = TextureAlpha::off;
 };
@@ -52,7 +54,7 @@ struct PixelRules {
     Light light;
     Shading shading = Shading::unlit;
     Camera camera{};  ///< for the slot light_normal
-    SightRays rays{}; ///< toward the eye, for highlights and the slot light_side
+    SightRays rays{}; ///< toward the eye, for highlights, parallax and the slot light_side
     const Occluders* occluders = nullptr; ///< what casts shadows; null: nothing does
 };
 
@@ -82,9 +84,34 @@ float weight_of(const Fragment& fragment, const Stages& stages);
 /// The varyings of a fragment as q: divided by their weight.
 Varyings recover_varyings(const Fragment& fragment, const Stages& stages);
 
-/// Where a fragment lies in the texture of its surface.
+/// The normal of the surface where a fragment lies, as the light has it, before a normal map bends
+/// it.
+glm::vec3 surface_normal(const Fragment& fragment, const Surface& surface, const Camera& camera,
+                         const Stages& stages);
+
+/// Where a fragment lies in the texture of its surface, before a height map shifts the place.
+TexturePlace carried_place(const Fragment& fragment, const Surface& surface, const Stages& stages);
+
+/// How a height map shifts the place of a fragment, term by term.
+struct ParallaxTerms {
+    float stored = 0.0f; ///< the red of the map, 0..1
+    float height = 0.0f; ///< above the surface, world units
+    TangentFrame axes;
+    glm::vec3 to_eye{0.0f}; ///< unit direction, in the world
+    glm::vec3 view{0.0f};   ///< the same along the axes
+    glm::vec2 step{0.0f};   ///< on the surface, along tangent and bitangent, world units
+    glm::vec2 shift{0.0f};  ///< of u and v
+};
+
+/// The shift of a fragment whose surface has a height map.
+/// @param taken receives the texels of the map, or null
+ParallaxTerms parallax_terms(const Fragment& fragment, const Surface& surface,
+                             const PixelRules& rules, const Stages& stages, SampledTexels* taken);
+
+/// Where the maps of its surface are read for a fragment: where it lies, shifted by the height map
+/// if there is one. The footprint stays that of the place where it lies.
 TexturePlace place_in_texture(const Fragment& fragment, const Surface& surface,
-                              const Stages& stages);
+                              const PixelRules& rules, const Stages& stages);
 
 /// How opaque a fragment is, and whether it is drawn at all.
 struct FragmentAlpha {
@@ -94,17 +121,17 @@ struct FragmentAlpha {
 
 /// The alpha of a fragment: its surface's, and the texture's where that is used.
 FragmentAlpha fragment_alpha(const Fragment& fragment, const Surface& surface,
-                             const Stages& stages);
+                             const PixelRules& rules, const Stages& stages);
 
 /// A colour of the surface times its texture's: the texture paints a white surface. As Kd and
 /// map_Kd are combined: Alias/Wavefront, Object Files and MTL material format, 1995.
 glm::vec3 painted(const glm::vec3& colour, const Fragment& fragment, const Surface& surface,
-                  const Stages& stages);
+                  const PixelRules& rules, const Stages& stages);
 
 /// The same colour where the surface has no texture.
 inline glm::vec3 textured(const glm::vec3& colour, const Fragment& fragment, const Surface& surface,
-                          const Stages& stages) {
-    return surface.texture == nullptr ? colour : painted(colour, fragment, surface, stages);
+                          const PixelRules& rules, const Stages& stages) {
+    return surface.texture == nullptr ? colour : painted(colour, fragment, surface, rules, stages);
 }
 
 /// The lab's PixelShader, without the depth test.

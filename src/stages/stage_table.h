@@ -21,6 +21,7 @@
 #include "stages/matrices.h"
 #include "stages/normal_map.h"
 #include "stages/painter.h"
+#include "stages/parallax.h"
 #include "stages/pixel_shader.h"
 #include "stages/polygon_rows.h"
 #include "stages/project.h"
@@ -62,7 +63,7 @@ struct Stages {
     decltype(&rasterwalk::reflected_light) reflected_light = rasterwalk::reflected_light;
     // Called at vertices, and at pixels by surface_shader() alone.
     decltype(&side_of_normal) light_side = side_of_normal;
-    // Called by surface_shader() alone.
+    // Called for surfaces whose normals differ between corners.
     decltype(&rasterwalk::unit_normal) unit_normal = rasterwalk::unit_normal;
     decltype(&rasterwalk::highlight) highlight = rasterwalk::highlight;
     decltype(&rasterwalk::arrow_of_texel) arrow_of_texel = rasterwalk::arrow_of_texel;
@@ -119,6 +120,9 @@ struct Stages {
     // With a pixel shader that reads different varyings, varyings_read must be replaced too.
     decltype(&rasterwalk::pixel_shader) pixel_shader = rasterwalk::pixel_shader;
     VaryingSet (*varyings_read)(Shading shading) = rasterwalk::varyings_read;
+
+    // How far a height map moves the place in the texture, called only where there is one.
+    decltype(&step_limited) parallax_step = step_limited;
 
     // Texture lookup: which level suits a footprint, where a position lies among the texels, which
     // texel is used beyond the border, how it is read, and which texels are mixed.

@@ -49,36 +49,33 @@ SurfacePoint surface_point(const Fragment& fragment, const Surface& surface, con
                            const Stages& stages) {
     // Only the varyings that are read are divided.
     const float weight = weight_of(fragment, stages);
-    SurfacePoint point{fragment.varyings.position_world / weight, surface.normal,
-                       reflectance_at(fragment, surface, stages), surface.shine};
-    if (surface.differences.normals)
-        point.normal =
-            stages.light_normal(stages.unit_normal(fragment.varyings.normal / weight), camera);
-    return point;
+    return {fragment.varyings.position_world / weight,
+            surface_normal(fragment, surface, camera, stages),
+            reflectance_at(fragment, surface, stages), surface.shine};
 }
 
 SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const PixelRules& rules,
                        const Stages& stages) {
     SurfacePoint point = surface_point(fragment, surface, rules.camera, stages);
-    point.reflectance = textured(point.reflectance, fragment, surface, stages);
+    point.reflectance = textured(point.reflectance, fragment, surface, rules, stages);
     // The surface decides which side it is, not its bumps: from behind, a bump is a dent.
     const float side = stages.light_side(point.position_world, point.normal, rules.rays);
-    if (surface.normal_map != nullptr) point = mapped_point(point, fragment, surface, stages);
+    if (surface.normal_map != nullptr) point = mapped_point(point, fragment, surface, rules, stages);
     point.normal = side * point.normal;
     if (point.space) point.space->normal = side * point.space->normal;
     return point;
 }
 
-glm::vec3 normal_map_colour(const Fragment& fragment, const Surface& surface, const Stages& stages,
-                            SampledTexels* taken) {
-    return stages.sample_texture(*surface.normal_map, place_in_texture(fragment, surface, stages),
-                                 stages, taken);
+glm::vec3 normal_map_colour(const Fragment& fragment, const Surface& surface,
+                            const PixelRules& rules, const Stages& stages, SampledTexels* taken) {
+    return stages.sample_texture(*surface.normal_map,
+                                 place_in_texture(fragment, surface, rules, stages), stages, taken);
 }
 
 SurfacePoint mapped_point(SurfacePoint point, const Fragment& fragment, const Surface& surface,
-                          const Stages& stages) {
+                          const PixelRules& rules, const Stages& stages) {
     const glm::vec3 arrow =
-        stages.arrow_of_texel(normal_map_colour(fragment, surface, stages, nullptr));
+        stages.arrow_of_texel(normal_map_colour(fragment, surface, rules, stages, nullptr));
     const TangentFrame axes = stages.tangent_frame(surface.uv_directions, point.normal);
     point.normal = bent_normal(arrow, axes);
     point.space = stages.light_space(arrow, axes);
@@ -98,9 +95,9 @@ glm::vec3 surface_shader(const Fragment& fragment, const Surface& surface, const
                          const Stages& stages) {
     switch (rules.shading) {
     case Shading::unlit:
-        return textured(reflectance_at(fragment, surface, stages), fragment, surface, stages);
+        return textured(reflectance_at(fragment, surface, stages), fragment, surface, rules, stages);
     case Shading::flat:
-        return textured(surface.flat_light, fragment, surface, stages);
+        return textured(surface.flat_light, fragment, surface, rules, stages);
     case Shading::gouraud:
         break;
     case Shading::phong:

@@ -68,13 +68,13 @@ SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const P
 
 /// The colour of the normal map where a fragment lies; the surface must have one.
 /// @param taken receives the texels, or null
-glm::vec3 normal_map_colour(const Fragment& fragment, const Surface& surface, const Stages& stages,
-                            SampledTexels* taken);
+glm::vec3 normal_map_colour(const Fragment& fragment, const Surface& surface,
+                            const PixelRules& rules, const Stages& stages, SampledTexels* taken);
 
 /// The point with its normal bent by the surface's normal map, and the space in which its light is
 /// then worked out; the surface must have a map.
 SurfacePoint mapped_point(SurfacePoint point, const Fragment& fragment, const Surface& surface,
-                          const Stages& stages);
+                          const PixelRules& rules, const Stages& stages);
 
 /// The point at which the light of a flatly shaded triangle is worked out: the mean of its corners
 /// in the scene. Colours that differ count a third each.

@@ -154,7 +154,8 @@ TEST_CASE("The laboratory has the promised mistakes, each with its complete desc
         "B63",  "B65",  "B66",  "B67",  "B55",  "B56",  "B57",  "B58",  "B59",  "B60",
         "B70",  "B71",  "B72",  "B73",  "B74",  "B75",  "B76",  "B77a", "B77b", "B78",
         "B79",  "B80",  "B81",  "B82",  "B86",  "B87",  "B88a", "B88b", "B89",  "B90",
-        "B91",  "B92",  "B93",  "B94",  "B95",  "B97",  "B17e", "B98a", "B98b", "B98c"};
+        "B91",  "B92",  "B93",  "B94",  "B95",  "B97",  "B17e", "B98a", "B98b", "B98c",
+        "B99"};
     std::set<std::string> ids, names;
     std::vector<std::string> sections;
     for (const Bug& bug : bugs()) {

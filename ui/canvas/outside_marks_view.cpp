@@ -141,6 +141,16 @@ void draw_line(const Pen& pen, const OutsideLine& line) {
     case OutsideLineKind::blocked_ray:
         draw_dashed(pen, from, to, pen.meaning(Meaning::fail), 1.8f * u);
         break;
+    case OutsideLineKind::sight_ray:
+        pen.list->AddLine(from, to, pen.ground(0.6f), 3.2f * u);
+        pen.list->AddLine(from, to, pen.meaning(Meaning::current), 1.3f * u);
+        break;
+    case OutsideLineKind::imagined:
+        draw_dashed(pen, from, to, pen.text(0.9f), 1.5f * u);
+        break;
+    case OutsideLineKind::shift:
+        draw_arrow(pen, from, to, pen.meaning(Meaning::current));
+        break;
     case OutsideLineKind::axis:
         draw_arrow(pen, from, to, pen.meaning(axis_meaning(line.number)));
         break;
@@ -195,6 +205,12 @@ void draw_point(const Pen& pen, const OutsidePoint& point) {
     case OutsidePointKind::shaded:
         draw_dot(pen, at, 3.5f * u, pen.meaning(Meaning::left_end));
         break;
+    case OutsidePointKind::seen:
+        draw_dot(pen, at, 3.0f * u, pen.text());
+        break;
+    case OutsidePointKind::texel:
+        draw_dot(pen, at, 3.5f * u, pen.meaning(Meaning::current));
+        break;
     case OutsidePointKind::occluder:
         draw_dot(pen, at, 4.5f * u, pen.meaning(Meaning::fail));
         break;
@@ -232,8 +248,10 @@ float reach_of(OutsidePointKind kind) {
     case OutsidePointKind::mirrored:
     case OutsidePointKind::shaded:
     case OutsidePointKind::occluder:
+    case OutsidePointKind::texel:
         return 6.0f;
     case OutsidePointKind::crossing:
+    case OutsidePointKind::seen:
         return 4.5f;
     case OutsidePointKind::picture:
     case OutsidePointKind::plane:
@@ -320,6 +338,9 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
     case OutsidePointKind::occluder:
         return {point, pen.is_narrow ? "blocks" : "blocks the light", pen.meaning(Meaning::fail),
                 1};
+    case OutsidePointKind::texel:
+        return {point, pen.is_narrow ? "texel" : "its texel is shown",
+                pen.meaning(Meaning::current), 1};
     case OutsidePointKind::axis:
         // Before the vertices: an arrow without a name says nothing, while the panel has the
         // vertices' numbers.
@@ -330,6 +351,7 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
     case OutsidePointKind::crossing:
     case OutsidePointKind::pixel:
     case OutsidePointKind::shaded:
+    case OutsidePointKind::seen:
         break;
     }
     return {point, {}, 0, 4};

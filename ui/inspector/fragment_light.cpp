@@ -123,6 +123,7 @@ void draw_reflected(Ui& ui, const std::string& prefix, const glm::vec3& light) {
 /// The light at one point, term by term.
 void draw_light_terms(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
     draw_fragment_section(ui, prefix + "normal");
+    if (prefix == "pixel_light.") draw_fragment_section(ui, "parallax");
     if (prefix == "pixel_light.") draw_bump(ui);
     draw_fragment_section(ui, prefix + "lamp");
     draw_shadow(ui, prefix, light);

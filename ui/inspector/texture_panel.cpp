@@ -86,6 +86,20 @@ InTexture in_texture(float coordinate, TextureWrap wrap) {
     return {part, 1.0f};
 }
 
+/// From where the pixel lies to where the texture is read.
+void draw_shift(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 colour, float u) {
+    const float x = to.x - from.x, y = to.y - from.y, length = std::hypot(x, y);
+    list->AddCircleFilled(from, 3.0f * u, colour);
+    if (!(length > 0.0f)) return;
+    list->AddLine(from, to, IM_COL32(0, 0, 0, 160), 4.0f * u);
+    list->AddLine(from, to, colour, 2.0f * u);
+    const float head = std::min(7.0f * u, 0.5f * length) / length;
+    const ImVec2 base{to.x - head * x, to.y - head * y};
+    const ImVec2 across{-0.5f * head * y, 0.5f * head * x};
+    list->AddTriangleFilled(to, {base.x + across.x, base.y + across.y},
+                            {base.x - across.x, base.y - across.y}, colour);
+}
+
 /// The texture, and the footprint of the pixel on it.
 void draw_texture_map(Ui& ui) {
     const TextureReport& report = shown_texture(ui);
@@ -132,13 +146,23 @@ void draw_texture_map(Ui& ui) {
     list->PushClipRect(low, {low.x + size.x, low.y + size.y}, true);
     list->AddQuad(at(place - right - down), at(place + right - down), at(place + right + down),
                   at(place - right + down), mark, 2.0f * ui.options.text_scale);
+    if (report_of(ui).parallax) {
+        // Backward from the ring, so that both ends are on the map's side of a border.
+        const glm::vec2 way = report.place.texcoord - report.carried,
+                        shift{way.x * u.sign, way.y * v.sign * v_sign};
+        draw_shift(list, at(place - shift), at(place),
+                   packed(colour_of(Meaning::current, ui.options.theme)), ui.options.text_scale);
+    }
     list->PopClipRect();
     list->AddCircle(at(place), ring * ui.options.text_scale, mark, 0, 2.0f * ui.options.text_scale);
     ImGui::Dummy(size);
     register_widget(
         ui, "texture.map",
-        "The whole texture. The ring is where the pixel is, and the box around it is what the "
-        "pixel covers.");
+        report_of(ui).parallax
+            ? "The whole texture. The arrow goes from where the pixel lies on the flat surface to "
+              "where the height map shifts it: the ring. The box is what the pixel covers."
+            : "The whole texture. The ring is where the pixel is, and the box around it is what "
+              "the pixel covers.");
 }
 
 /// What is in the texels that were taken, and which level they belong to, to their right: next to
@@ -252,6 +276,7 @@ void draw_texture_page(Ui& ui) {
     draw_mixed_colour(ui);
     ImGui::Spacing();
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x);
+    follow_texture_source(ui, draw_section(ui, report_of(ui).formulas, "parallax", "texture."));
     follow_texture_source(ui, draw_section(ui, report_of(ui).formulas, "texture", ""));
     ImGui::PopItemWidth();
 }

@@ -44,6 +44,8 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
         return unknown("textures with alpha (texture_alpha=off draws them opaque)");
     if (bends_normals(settings) && has_normal_map(scene))
         return unknown("normal maps (normal_map=off does without them)");
+    if (shifts_textures(settings) && has_height_map(scene))
+        return unknown("height maps (parallax=off does without them)");
     if (shadow_rule(settings, scene.space) != Shadows::off) return unknown("shadows");
     if (!scene.textures.empty() && settings.texture == TextureUse::on &&
         settings.texture_filter > TextureFilter::bilinear)
