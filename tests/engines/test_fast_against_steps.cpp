@@ -58,6 +58,7 @@ std::vector<Scene> project_scenes() {
 /// Features that scenes of the project use and the fast engine does not have.
 Settings without_what_it_lacks(Settings settings) {
     settings.normal_map = NormalMapUse::off;
+    settings.parallax = Parallax::off;
     settings.blend = Blend::off;
     return settings;
 }

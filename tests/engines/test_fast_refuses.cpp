@@ -102,6 +102,7 @@ std::vector<Ground> grounds() {
             {lesson_scene("z-fighting"), {}},
             {lesson_scene("brick-relief"),
              {"normal_map=off", "camera.yaw=0.03", "camera.target=0.0137,0.0071,1"}},
+            {lesson_scene("brick-heights"), {"parallax=off"}},
             {half_clear, {"blend=off"}}};
 }
 
@@ -161,7 +162,8 @@ TEST_CASE("Each word of each setting is drawn as by the steps, refused, or a rep
     for (const char* assignment :
          {"stage=fill", "shading=flat", "projection=orthographic", "texture_filter=mipmap",
           "cull=face_normal", "shadows=rays", "shadows=map", "depth_test=reversed",
-          "light.falloff=cubed", "normal_map=on", "blend=over", "tessellation=3",
+          "light.falloff=cubed", "normal_map=on", "parallax=divided",
+          "parallax=limited", "blend=over", "tessellation=3",
           "depth_format=inv_z_16", "depth_index=transposed", "bounds=excludes_zero",
           "encoding=srgb", "view_box=-0.1,0.1,0,0.2"}) // by matrices
         CHECK(refused.contains(assignment));

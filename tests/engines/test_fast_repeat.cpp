@@ -34,6 +34,7 @@ Settings settings_at(const Scene& scene, const char* shading, Viewport size) {
     Settings settings = default_settings(scene);
     settings.stage = Stage::shade;
     settings.normal_map = NormalMapUse::off;
+    settings.parallax = Parallax::off;
     set_from_text(settings, shading);
     settings.camera.focal_length *=
         static_cast<float>(size.width) / static_cast<float>(settings.viewport.width);

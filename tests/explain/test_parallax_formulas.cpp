@@ -3,10 +3,12 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "explain/fragment_report.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
+#include "session/outside_reports.h"
 #include "settings/setting_table.h"
 #include "support/bits.h"
 #include "support/random.h"
@@ -85,6 +87,34 @@ TEST_CASE("Every number of a shifted place follows from its formula to the bit")
     }
     CHECK(reports > 60);
     CHECK(behind > 20);
+}
+
+TEST_CASE("Seen from outside, a divided step ends below where the ray is at the height") {
+    const Scene scene = read_scene(lessons_folder() + "/scenes/brick-heights.toml");
+    Settings settings = default_settings(scene);
+    set_from_text(settings, "parallax=divided");
+    int steps = 0;
+    const glm::dvec3 eye(settings.camera.position);
+    const Frame frame = prepare_frame(scene, settings);
+    for (int row = 60; row < 160; row += 3) {
+        const auto fragment =
+            fragment_on_pixel(frame, {200, row}, cursor_end);
+        REQUIRE(fragment);
+        const auto shift = sight_shift_outside(fragment_report(frame, *fragment));
+        REQUIRE(shift);
+        // The wall is at z = 2 and faces the camera.
+        CHECK(shift->seen.z == Approx(2.0));
+        CHECK(shift->texel.z == Approx(2.0));
+        const glm::dvec3 on_ray =
+            eye + (shift->top.z - eye.z) / (shift->seen.z - eye.z) * (shift->seen - eye);
+        CHECK(glm::distance(on_ray, shift->top) < 1e-5);
+        steps += glm::distance(shift->seen, shift->texel) > 0.05 ? 1 : 0;
+    }
+    CHECK(steps > 3);
+    set_from_text(settings, "parallax=off");
+    const Frame flat = prepare_frame(scene, settings);
+    CHECK_FALSE(
+        sight_shift_outside(fragment_report(flat, *fragment_on_pixel(flat, {200, 90}, cursor_end))));
 }
 
 TEST_CASE("Without a height map in force no shift is reported") {

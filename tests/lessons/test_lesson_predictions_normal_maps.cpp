@@ -116,6 +116,49 @@ PREDICTIONS_TEST("Lesson 29: the upper half of a stud, with green up and down", 
     CHECK(said.because.find(fmt::format("{:.2f}", stud.cosine(turned))) != std::string::npos);
 }
 
+/// A pixel of scenes/brick-heights.toml: the wall is at z = 2, from x = -1 and y = -0.75 on.
+struct OnTallWall {
+    glm::dvec3 place, view; ///< the direction to the eye along right, up and out
+    double height;          ///< of the map made by tests/scene/test_made_textures.cpp
+
+    OnTallWall(const glm::dvec3& eye, double yaw, int column, int row) {
+        const double x = (column + 0.5 - 160.0) / 300.0, y = (row + 0.5 - 120.0) / 300.0;
+        const glm::dvec3 ray{x * std::cos(yaw) + std::sin(yaw), y,
+                             std::cos(yaw) - x * std::sin(yaw)};
+        place = eye + (2.0 - eye.z) / ray.z * ray;
+        const glm::dvec3 to_eye = glm::normalize(eye - place);
+        view = {to_eye.x, -to_eye.y, -to_eye.z};
+        const int texel_x = static_cast<int>(std::floor((place.x + 1.0) * 32.0)) % 32,
+                  texel_y = static_cast<int>(std::floor((place.y + 0.75) * 32.0)) % 32;
+        const int along = (texel_x + texel_y / 8 % 2 * 8) % 16;
+        const bool is_mortar = texel_y % 8 == 7 || along == 15;
+        height = is_mortar ? -0.06 : 0.0; // if it is not at the rim of a brick
+    }
+    double sideways() const { return std::hypot(view.x, view.y); }
+};
+
+PREDICTIONS_TEST("Lesson 29: how far a height shifts the texture", "29-normal-maps", "mortar-step",
+                 "step-ahead") {
+    const OnTallWall mortar({-1.35, -0.1, 0.95}, 0.85, 200, 136);
+    CHECK(mortar.height == -0.06);
+    CHECK(mortar.view.z == Approx(0.55).margin(0.005));
+    CHECK(mortar.sideways() == Approx(0.83).margin(0.005));
+    CHECK(std::sqrt(1.0 - 0.55 * 0.55) == Approx(0.83).margin(0.01));
+    const double divided = 0.06 * mortar.sideways() / mortar.view.z;
+    CHECK(divided == Approx(0.09).margin(0.001));
+    CHECK(0.06 * mortar.sideways() == Approx(0.05).margin(0.0005));
+    CHECK(0.06 * mortar.view.z == Approx(0.033).margin(0.0005));
+    CHECK(mortar.view.x < 0.0); // the eye is on the left; minus times minus goes right, away
+    for (const char* figure : {"V.z is 0.55", "−0.06 for the mortar", "0.83 / 0.55 is 0.09"})
+        require_text(file, figure);
+    const Questions lesson("29-normal-maps");
+    lesson.require_number("mortar-step", divided, 1e-4, 0.06);
+    const OnTallWall ahead({0.0, 0.0, 0.9}, 0.0, 160, 118);
+    CHECK(ahead.height == -0.06);
+    CHECK(0.06 * ahead.sideways() < 0.003);
+    lesson.require_choice("step-ahead", 2);
+}
+
 TEST_CASE("Lesson 29: the map of the bricks bends by 37 degrees, and only where a brick ends") {
     // White is 1.5 texels above black, and a slope is taken over two texels: 0.75 to 1.
     const Scene wall = read_scene(lessons_folder() + "/scenes/brick-relief.toml");

@@ -308,6 +308,31 @@ TEST_CASE("A line is cut at the near plane and at the border") {
     CHECK(part.inv_z_from == Approx(0.5));
 }
 
+TEST_CASE("A shifted texture shows the ray of sight, the texel and its height") {
+    const Scene scene = test::lab_room();
+    const Seen seen(scene, {});
+    const SightShift shift{{0.4, 0.9, 0.3}, {0.3, 0.8, 0.3}, {0.3, 0.8, 0.1}};
+    const OutsideMarks marks = outside_marks(scene, seen.outside_scene, seen.eye, {}, {}, seen.size,
+                                             {}, {}, shift);
+    const auto is_at = [&](const glm::vec2& place, const glm::dvec3& world) {
+        return glm::distance(glm::dvec2(place), *seen.eye.pixel_of(world)) < 0.01;
+    };
+    const std::array<std::pair<glm::dvec3, glm::dvec3>, 3> wanted{
+        {{seen.outside_scene.plane.eye, shift.seen},
+         {shift.texel, shift.top},
+         {shift.seen, shift.texel}}};
+    const std::array kinds{OutsideLineKind::sight_ray, OutsideLineKind::imagined,
+                           OutsideLineKind::shift};
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const auto lines = lines_of(marks, kinds[i]);
+        REQUIRE(lines.size() == 1);
+        CHECK(is_at(lines.front().from, wanted[i].first));
+        CHECK(is_at(lines.front().to, wanted[i].second));
+    }
+    REQUIRE(points_of(marks, OutsidePointKind::texel).size() == 1);
+    CHECK(is_at(points_of(marks, OutsidePointKind::texel).front().at, shift.texel));
+}
+
 TEST_CASE("The way to the lamp is light up to the blocker, and dashed beyond it") {
     const Scene scene = test::lab_room();
     const Seen seen(scene, {});

@@ -245,6 +245,41 @@ TEST_CASE("norm is a map of normals; bump is one of heights, or of normals if it
     CHECK(has_normal_map(scene));
 }
 
+TEST_CASE("disp is a map of heights; -mm says how high, in the units of the model") {
+    const test::TemporaryFolder folder;
+    const Image heights{2, 1, {0, 0, 0, 255, 255, 255, 255, 255}};
+    write_png(heights, folder.file("heights.png"));
+    folder.write("broken.png", "no image");
+    folder.write("m.mtl", "newmtl a\nmap_Kd heights.png\ndisp heights.png\n"
+                          "newmtl b\ndisp -mm -0.25 0.5 heights.png\n"
+                          "newmtl c\nDisp broken.png\n"
+                          "newmtl d\ndisp -bm 3 heights.png\n");
+    std::string text = "mtllib m.mtl\nv 0 0 0\nv 8 0 0\nv 0 4 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
+    for (const char* const name : {"a", "b", "c", "d"})
+        text += fmt::format("usemtl {}\nf 1/1 2/2 3/3\n", name);
+    const ObjModel model = read_obj(folder.write("m.obj", text));
+    std::vector<std::string> reported;
+    for (const ObjFault& fault : model.report.faults)
+        reported.push_back(fault.sentence);
+    REQUIRE(reported.size() == 1);
+    CHECK_THAT(reported[0], Catch::Matchers::StartsWith("'disp': "));
+    CHECK(model.report.faults[0].line == 6);
+    const Scene scene = scene_of_model(model);
+    REQUIRE(scene.parts.size() == 4);
+    CHECK(has_height_map(scene));
+    // Without a height of its own, that of a scene; otherwise scaled as the model is, by 1/4.
+    REQUIRE(height_map_of(scene, 0) != nullptr);
+    const HeightMap usual;
+    CHECK(height_map_of(scene, 0)->scale == usual.scale);
+    CHECK(height_map_of(scene, 0)->bias == usual.bias);
+    CHECK(height_map_of(scene, 1)->scale == 0.125f);
+    CHECK(height_map_of(scene, 1)->bias == -0.0625f);
+    CHECK(height_map_of(scene, 2) == nullptr);
+    CHECK(height_map_of(scene, 3)->scale == usual.scale);
+    // The same file is read once, whatever it is for.
+    CHECK(height_map_of(scene, 0)->texture == scene.parts[0].texture);
+}
+
 TEST_CASE("map_d gives a texture the alpha or the grey of another image") {
     const test::TemporaryFolder folder;
     write_png(many_colours(4, 2), folder.file("colours.png"));

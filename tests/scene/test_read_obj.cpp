@@ -384,7 +384,7 @@ TEST_CASE("Materials are next to the model, and give its faces their colour") {
     CHECK(skipped_lines(model.report) ==
           std::vector<std::string>{
               mtl + ":6: 1 statement '-clamp' is skipped: the only options of an image that are "
-                    "used are -bm, and -s and -o of map_Kd.",
+                    "used are -bm, -mm of disp, and -s and -o of map_Kd.",
               mtl + ":8: 1 statement 'illum' is skipped: this property of a material is not "
                     "used."});
 }

@@ -126,8 +126,8 @@ TEST_CASE("Texcoords that do not fit the triangles are refused with file and lin
     const std::string named = "texture = \"p.png\"\n";
     const std::vector<std::array<std::string, 2>> cases{
         {named, "s.toml:10: a part with a 'texture' needs 'texcoords'"},
-        {two_texcoords, "s.toml:10: 'texcoords' are only allowed in a part with a 'texture' or a "
-                        "'normal_map'."},
+        {two_texcoords, "s.toml:10: 'texcoords' are only allowed in a part with a 'texture', a "
+                        "'normal_map' or a 'height_map'."},
         {named + "texcoords = []\n",
          "s.toml:11: there must be as many 'texcoords' as triangles, 2, but there are 0."},
         {named + "texcoords = [[[0, 0], [1, 0], [1, 1]]]\n",
@@ -145,6 +145,29 @@ TEST_CASE("Texcoords that do not fit the triangles are refused with file and lin
          "s.toml:12: the texcoords of a triangle must be between"},
         {named + "texcoords = [[[0, 0], [1, 0], [1, 1]],\n[[1, \"x\"], [1, 0], [0, 0]]]\n",
          "s.toml:12: the texcoords of a triangle must be a number."},
+    };
+    for (const auto& [lines, begins] : cases) {
+        INFO(lines);
+        CHECK_THAT(refusal_in(folder, lines), Catch::Matchers::StartsWith(begins));
+    }
+}
+
+TEST_CASE("A height map that cannot be used is refused with file and line") {
+    const test::TemporaryFolder folder;
+    write_png(many_colours(2, 2), folder.file("p.png"));
+    const std::string map = "height_map = \"p.png\"\n";
+    const std::vector<std::array<std::string, 2>> cases{
+        {map, "s.toml:10: a part with a 'height_map' needs 'texcoords'"},
+        {"height_map = \"q.png\"\n" + two_texcoords,
+         "s.toml:10: the height map 'q.png' cannot be used: "},
+        {"height_scale = 0.1\n",
+         "s.toml:10: 'height_scale' is only allowed in a part with a 'height_map'."},
+        {"height_bias = 0.1\n",
+         "s.toml:10: 'height_bias' is only allowed in a part with a 'height_map'."},
+        {map + "height_scale = \"high\"\n" + two_texcoords,
+         "s.toml:11: 'height_scale' must be a number"},
+        {map + "height_scale = nan\n" + two_texcoords, "s.toml:11: 'height_scale' must be"},
+        {map + "height_bias = 1e30\n" + two_texcoords, "s.toml:11: 'height_bias' must be"},
     };
     for (const auto& [lines, begins] : cases) {
         INFO(lines);

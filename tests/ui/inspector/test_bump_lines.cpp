@@ -32,12 +32,33 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("Texture tab and Fragment tab show how a height shifts the texture") {
+    Driver driver("brick-heights.toml");
+    follow_link(driver.ui, "tab:texture");
+    follow_link(driver.ui, "pixel:200,136");
+    driver.hand.rest();
+    REQUIRE(driver.ui.results.a.inspected.fragment);
+    REQUIRE(driver.ui.results.a.inspected.fragment->parallax);
+    driver.hand.click("texture.parallax.height");
+    CHECK(driver.ui.inspector.chosen.texture_number == "parallax.height");
+    driver.hand.click("texture.parallax.shift.u");
+    CHECK(driver.ui.inspector.chosen.texture_number == "parallax.shift.u");
+    follow_link(driver.ui, "tab:fragment");
+    driver.hand.rest();
+    driver.hand.click("fragment.parallax.view.z");
+    CHECK(driver.ui.inspector.chosen.fragment_number == "parallax.view.z");
+    follow_link(driver.ui, "set:parallax=off");
+    driver.hand.rest();
+    CHECK(driver.ui.widgets.count("fragment.parallax.view.z") == 0);
+}
+
 TEST_CASE("A scene without normal maps has no settings for them") {
     Driver room;
     follow_link(room.ui, "tab:settings");
     room.hand.rest();
     CHECK(room.ui.widgets.count("setting.normal_map") == 0);
     CHECK(room.ui.widgets.count("setting.normal_map_rule") == 0);
+    CHECK(room.ui.widgets.count("setting.parallax") == 0);
 }
 
 } // namespace rasterwalk
