@@ -56,11 +56,10 @@ void add_parallax(const Frame& frame, const Surface& surface, const LitPoint& po
                   FragmentReport& report) {
     report.parallax = parallax_report(report.fragment, surface, frame);
     if (!report.parallax) return;
-    append_parallax_formulas(*report.parallax, frame, report.cursor.triangle, point.normal,
-                             point.position,
-                             formula_id(quantity_of(&Varyings::texcoord, 0), report.interpolation),
-                             formula_id(quantity_of(&Varyings::texcoord, 1), report.interpolation),
-                             report.formulas);
+    append_parallax_formulas(
+        *report.parallax, frame, report.cursor.triangle, point.normal, point.position,
+        formula_id(quantity_of(&Varyings::texcoord, 0), report.interpolation),
+        formula_id(quantity_of(&Varyings::texcoord, 1), report.interpolation), report.formulas);
 }
 
 /// The light at the fragment's own position, and before it what the fragment takes from its maps.
@@ -216,9 +215,9 @@ std::string_view light_in_use(Shading shading) {
 bool is_fragment_formula(std::string_view id) {
     constexpr std::array<std::string_view, 4> whole{"column", "zinv", "depth", "margin"};
     static const std::vector<std::string_view> first_parts = [] {
-        std::vector<std::string_view> parts{"weight",         "depth",       "blend", "texture",
-                                            "surface",        "bump",        "flat",  "pixel_light",
-                                            "triangle_light", "vertex_light", "parallax"};
+        std::vector<std::string_view> parts{
+            "weight", "depth",       "blend",          "texture",      "surface", "bump",
+            "flat",   "pixel_light", "triangle_light", "vertex_light", "parallax"};
         for (const QuantityInfo& info : quantity_list())
             parts.push_back(info.words.id);
         return parts;

@@ -68,7 +68,7 @@ struct FragmentReport {
     std::array<SurfaceLight, triangle_corners> at_vertex; ///< light at the vertices of the scene
     glm::vec3 normal{0.0f};                               ///< used by the light at its own position
     std::optional<BumpReport> bump;                       ///< of that normal; none: no map bends it
-    std::optional<ParallaxReport> parallax;               ///< of its maps; none: nothing shifts them
+    std::optional<ParallaxReport> parallax; ///< of its maps; none: nothing shifts them
     glm::vec3 light_per_vertex{0.0f};     ///< carried from the vertices by the interpolation in use
     std::optional<TextureReport> texture; ///< of the surface; none: it has none
 

@@ -101,9 +101,10 @@ class ParallaxFormulas {
         const bool is_divided = frame_.settings.parallax == Parallax::divided;
         const bool is_back = !is_divided && terms_.view.z < 0.0f;
         const bool is_subtracted = frame_.settings.parallax_rule == ParallaxRule::subtracted;
-        std::string help = is_divided ? "How far the ray of sight goes along the surface until it "
-                                        "is h above it: the step along "
-                                      : "The step on the surface, limited to the length of h: along ";
+        std::string help = is_divided
+                               ? "How far the ray of sight goes along the surface until it "
+                                 "is h above it: the step along "
+                               : "The step on the surface, limited to the length of h: along ";
         for (int i = 0; i < 2; ++i) {
             const std::string axis = tangent_names[static_cast<std::size_t>(i)],
                               part = "V." + axis_name(i);
@@ -114,8 +115,7 @@ class ParallaxFormulas {
             if (is_divided) inputs.push_back(write_.part("V.z", "view", 2));
             if (is_subtracted) expression = "(0 − 1) · (" + expression + ")";
             write_.add("step." + axis, "step." + axis,
-                       help + axis + "." +
-                           (is_back ? " From behind, a bump is a dent." : "") +
+                       help + axis + "." + (is_back ? " From behind, a bump is a dent." : "") +
                            (is_subtracted ? " By mistake it goes the other way." : ""),
                        expression, inputs, {terms_.step[i]});
         }
@@ -127,7 +127,8 @@ class ParallaxFormulas {
         const SourcedVector along_u = bump.vector("along_u"), along_v = bump.vector("along_v"),
                             tangent = bump.vector("tangent"), bitangent = bump.vector("bitangent");
         write_.add_dot("v_b", "W · b", "How far the surface runs along b while v grows by 1.", "W",
-                       along_v, "b", bitangent, glm::dot(report_.uv.along_v, report_.axes.bitangent));
+                       along_v, "b", bitangent,
+                       glm::dot(report_.uv.along_v, report_.axes.bitangent));
         write_.add_dot("v_t", "W · t", "How far the surface runs along t while v grows by 1.", "W",
                        along_v, "t", tangent, glm::dot(report_.uv.along_v, report_.axes.tangent));
         write_.add_dot("u_t", "U · t", "How far the surface runs along t while u grows by 1.", "U",
@@ -160,8 +161,7 @@ class ParallaxFormulas {
             return;
         }
         list(write_.add(name, name, "Where the texture is read, after the shift.",
-                        name + "0 + d" + name,
-                        {carried, write_.input("d" + name, "shift." + name)},
+                        name + "0 + d" + name, {carried, write_.input("d" + name, "shift." + name)},
                         {report_.texcoord[i]}),
              name + " in the texture");
     }

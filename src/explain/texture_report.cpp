@@ -82,9 +82,7 @@ class TextureFormulas {
     FormulaInput coordinate(const TextureAxis& axis) const {
         const std::string shifted = std::string("parallax.") + axis.coordinate;
         if (find_formula(formulas_, shifted) == nullptr) return carried(axis);
-        return {axis.coordinate,
-                {report_.place.texcoord[axis.index]},
-                from_formula(shifted)};
+        return {axis.coordinate, {report_.place.texcoord[axis.index]}, from_formula(shifted)};
     }
 
     /// The same before a height map shifts it.

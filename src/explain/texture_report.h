@@ -16,7 +16,7 @@ struct TextureReport {
     Surface surface;     ///< with its texture, which belongs to the frame's scene
     float weight = 0.0f; ///< that varyings are carried with: 1/z, or 1
     TexturePlace place;
-    glm::vec2 carried{0.0f}; ///< u, v before a height map shifts them; the footprint's
+    glm::vec2 carried{0.0f};         ///< u, v before a height map shifts them; the footprint's
     float right = 0.0f, down = 0.0f; ///< how far a pixel reaches, texels of the texture itself
     float level = 0.0f;              ///< the one that suits it, whether the filter uses it or not
     SampledTexels taken;

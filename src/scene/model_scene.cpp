@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/limits.h"
 #include "base/quoted.h"
 #include "scene/look_at.h"
 
@@ -106,8 +107,11 @@ Scene scene_of_model(const ObjModel& model) {
             // Without -mm the file does not say how high white is: then as in a scene.
             if (of.has_height_range) {
                 const float scale = std::abs(steps.back().amount.x);
-                placed.height_map.scale = of.height_gain * scale;
-                placed.height_map.bias = of.height_base * scale;
+                const auto in_world = [&](float length) {
+                    return std::clamp(length * scale, -largest_coordinate, largest_coordinate);
+                };
+                placed.height_map.scale = in_world(of.height_gain);
+                placed.height_map.bias = in_world(of.height_base);
             }
         }
         placed.model.positions.reserve(3 * static_cast<std::size_t>(part.triangle_count));

@@ -55,7 +55,8 @@ inline constexpr std::array obj_count_list{
     ObjCountInfo{"parts", "runs of faces of one object, group and material", &ObjCounts::parts},
     ObjCountInfo{"materials", "materials: newmtl, in the files that mtllib names",
                  &ObjCounts::materials},
-    ObjCountInfo{"textures", "images that are drawn: map_Kd, norm, bump, disp", &ObjCounts::textures},
+    ObjCountInfo{"textures", "images that are drawn: map_Kd, norm, bump, disp",
+                 &ObjCounts::textures},
     ObjCountInfo{"faults", "statements with something wrong in them, which is left out",
                  &ObjCounts::faults},
 };

@@ -113,8 +113,8 @@ class MtlReader {
         if (word == "newmtl") return begin_material(rest);
         const std::string key = in_small_letters(word.substr(0, 16));
         const bool is_bump = key == "bump" || key == "map_bump" || key == "norm";
-        const bool is_used = is_bump || key == "disp" || key == "map_kd" || key == "map_d" || key == "kd" ||
-                             key == "ks" || key == "ns" || key == "d" || key == "tr";
+        const bool is_used = is_bump || key == "disp" || key == "map_kd" || key == "map_d" ||
+                             key == "kd" || key == "ks" || key == "ns" || key == "d" || key == "tr";
         if (!is_used) return skip(word, skipped_material);
         if (is_left_out_) return;
         if (!is_begun_) {
@@ -124,8 +124,7 @@ class MtlReader {
             });
         }
         ObjMaterial& material = materials_.back();
-        const bool has_numbers =
-            !is_bump && key != "disp" && key != "map_kd" && key != "map_d";
+        const bool has_numbers = !is_bump && key != "disp" && key != "map_kd" && key != "map_d";
         if (has_numbers && reports_comma(word, rest)) return;
         if (key == "kd") {
             material.diffuse_line = lines_.line();

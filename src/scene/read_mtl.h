@@ -38,8 +38,8 @@ struct ObjMaterial {
     float bump_strength = 1.0f;  ///< -bm of that map
     bool bump_is_normal = false; ///< given by norm: a map of normals, not of heights
 
-    std::string height_map;      ///< disp: the same
-    int height_map_line = 0;     ///< its line
+    std::string height_map;        ///< disp: the same
+    int height_map_line = 0;       ///< its line
     bool has_height_range = false; ///< the two numbers below are given, by -mm of that map
     /// A texel h is h * gain + base above the surface, units of the model.
     float height_base = 0.0f, height_gain = 1.0f;

@@ -89,9 +89,9 @@ class TextureReader {
                   const WatchedSteps& watched)
         : companions_({scene_path}), files_(textures, watched) {}
 
-    /// The index of the picture that a part names under a key, `texture`, `normal_map` or `height_map`;
-    /// -1 if it names none. Throws InputError at the line of the name for a file that is not found (see
-    /// CompanionFiles::find_exactly) or cannot be used, and ReadingStopped.
+    /// The index of the picture that a part names under a key, `texture`, `normal_map` or
+    /// `height_map`; -1 if it names none. Throws InputError at the line of the name for a file that
+    /// is not found (see CompanionFiles::find_exactly) or cannot be used, and ReadingStopped.
     int read(const TomlInput& part, std::string_view key);
 
   private:

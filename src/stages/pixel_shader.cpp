@@ -28,10 +28,9 @@ ParallaxTerms parallax_terms(const Fragment& fragment, const Surface& surface,
                              const PixelRules& rules, const Stages& stages, SampledTexels* taken) {
     ParallaxTerms terms;
     const SurfaceHeights& heights = surface.heights;
-    terms.stored = stages
-                       .sample_texture(*heights.map, carried_place(fragment, surface, stages),
-                                       stages, taken)
-                       .r;
+    terms.stored =
+        stages.sample_texture(*heights.map, carried_place(fragment, surface, stages), stages, taken)
+            .r;
     terms.height = terms.stored * heights.scale + heights.bias;
     terms.axes = stages.tangent_frame(surface.uv_directions,
                                       surface_normal(fragment, surface, rules.camera, stages));

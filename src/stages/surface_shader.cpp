@@ -60,7 +60,8 @@ SurfacePoint lit_point(const Fragment& fragment, const Surface& surface, const P
     point.reflectance = textured(point.reflectance, fragment, surface, rules, stages);
     // The surface decides which side it is, not its bumps: from behind, a bump is a dent.
     const float side = stages.light_side(point.position_world, point.normal, rules.rays);
-    if (surface.normal_map != nullptr) point = mapped_point(point, fragment, surface, rules, stages);
+    if (surface.normal_map != nullptr)
+        point = mapped_point(point, fragment, surface, rules, stages);
     point.normal = side * point.normal;
     if (point.space) point.space->normal = side * point.space->normal;
     return point;
@@ -95,7 +96,8 @@ glm::vec3 surface_shader(const Fragment& fragment, const Surface& surface, const
                          const Stages& stages) {
     switch (rules.shading) {
     case Shading::unlit:
-        return textured(reflectance_at(fragment, surface, stages), fragment, surface, rules, stages);
+        return textured(reflectance_at(fragment, surface, stages), fragment, surface, rules,
+                        stages);
     case Shading::flat:
         return textured(surface.flat_light, fragment, surface, rules, stages);
     case Shading::gouraud:

@@ -162,10 +162,9 @@ TEST_CASE("Each word of each setting is drawn as by the steps, refused, or a rep
     for (const char* assignment :
          {"stage=fill", "shading=flat", "projection=orthographic", "texture_filter=mipmap",
           "cull=face_normal", "shadows=rays", "shadows=map", "depth_test=reversed",
-          "light.falloff=cubed", "normal_map=on", "parallax=divided",
-          "parallax=limited", "blend=over", "tessellation=3",
-          "depth_format=inv_z_16", "depth_index=transposed", "bounds=excludes_zero",
-          "encoding=srgb", "view_box=-0.1,0.1,0,0.2"}) // by matrices
+          "light.falloff=cubed", "normal_map=on", "parallax=divided", "parallax=limited",
+          "blend=over", "tessellation=3", "depth_format=inv_z_16", "depth_index=transposed",
+          "bounds=excludes_zero", "encoding=srgb", "view_box=-0.1,0.1,0,0.2"}) // by matrices
         CHECK(refused.contains(assignment));
     for (const char* mistake :
          {"camera_move=added", "camera_move=rotated_first", "image_axes=exchanged",

@@ -97,8 +97,7 @@ TEST_CASE("Seen from outside, a divided step ends below where the ray is at the 
     const glm::dvec3 eye(settings.camera.position);
     const Frame frame = prepare_frame(scene, settings);
     for (int row = 60; row < 160; row += 3) {
-        const auto fragment =
-            fragment_on_pixel(frame, {200, row}, cursor_end);
+        const auto fragment = fragment_on_pixel(frame, {200, row}, cursor_end);
         REQUIRE(fragment);
         const auto shift = sight_shift_outside(fragment_report(frame, *fragment));
         REQUIRE(shift);
@@ -113,8 +112,8 @@ TEST_CASE("Seen from outside, a divided step ends below where the ray is at the 
     CHECK(steps > 3);
     set_from_text(settings, "parallax=off");
     const Frame flat = prepare_frame(scene, settings);
-    CHECK_FALSE(
-        sight_shift_outside(fragment_report(flat, *fragment_on_pixel(flat, {200, 90}, cursor_end))));
+    CHECK_FALSE(sight_shift_outside(
+        fragment_report(flat, *fragment_on_pixel(flat, {200, 90}, cursor_end))));
 }
 
 TEST_CASE("Without a height map in force no shift is reported") {

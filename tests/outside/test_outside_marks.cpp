@@ -312,8 +312,8 @@ TEST_CASE("A shifted texture shows the ray of sight, the texel and its height") 
     const Scene scene = test::lab_room();
     const Seen seen(scene, {});
     const SightShift shift{{0.4, 0.9, 0.3}, {0.3, 0.8, 0.3}, {0.3, 0.8, 0.1}};
-    const OutsideMarks marks = outside_marks(scene, seen.outside_scene, seen.eye, {}, {}, seen.size,
-                                             {}, {}, shift);
+    const OutsideMarks marks =
+        outside_marks(scene, seen.outside_scene, seen.eye, {}, {}, seen.size, {}, {}, shift);
     const auto is_at = [&](const glm::vec2& place, const glm::dvec3& world) {
         return glm::distance(glm::dvec2(place), *seen.eye.pixel_of(world)) < 0.01;
     };

@@ -45,8 +45,7 @@ Scene random_slope(Random& random, bool is_seen_from_behind) {
         corners[v].texcoord = {random.number(-1.5, 1.5), random.number(-1.5, 1.5)};
         corners[v].reflectance = {0.9f, 0.8f, 0.7f};
     }
-    glm::vec3 normal =
-        face_normal(corners[0].position, corners[1].position, corners[2].position);
+    glm::vec3 normal = face_normal(corners[0].position, corners[1].position, corners[2].position);
     const bool is_away = glm::dot(normal, corners[0].position - scene.camera.position) > 0.0f;
     if (is_away != is_seen_from_behind) normal = -normal;
     for (Vertex& corner : corners)
@@ -66,8 +65,7 @@ glm::dvec2 uv_on_triangle(const Scene& scene, int triangle, const glm::dvec3& pl
     const glm::dvec3 whole = glm::cross(p[1] - p[0], p[2] - p[0]);
     glm::dvec2 uv(0.0);
     for (int v = 0; v < 3; ++v) {
-        const glm::dvec3 part =
-            glm::cross(p[(v + 1) % 3] - place, p[(v + 2) % 3] - place);
+        const glm::dvec3 part = glm::cross(p[(v + 1) % 3] - place, p[(v + 2) % 3] - place);
         uv += glm::dot(part, whole) / glm::dot(whole, whole) *
               glm::dvec2(scene.corner(triangle, v).texcoord);
     }
@@ -79,8 +77,7 @@ glm::dvec2 uv_on_triangle(const Scene& scene, int triangle, const glm::dvec3& pl
 glm::dvec2 shifted_uv(const Scene& scene, const Settings& settings, int triangle,
                       const glm::dvec3& place, double height, double sign) {
     const glm::dvec3 eye(settings.camera.position);
-    const glm::dvec3 normal =
-        glm::normalize(glm::dvec3(scene.corner(triangle, 0).normal));
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(scene.corner(triangle, 0).normal));
     glm::dvec3 below = place;
     if (settings.parallax == Parallax::divided) {
         // The ray meets the plane of all points that are h above the surface.
@@ -118,16 +115,14 @@ ParallaxCounts check_slope(const Scene& scene, const Settings& settings) {
         const glm::dvec3 place = mean_at(scene, 0, weights, &Vertex::position);
         const glm::dvec2 carried = mean_at(scene, 0, weights, &Vertex::texcoord);
         const auto read = [&](const std::vector<OracleLevel>& chain, const glm::dvec2& uv) {
-            return oracle_sample(chain, uv, {}, {}, TextureFilter::bilinear,
-                                 settings.texture_wrap)
+            return oracle_sample(chain, uv, {}, {}, TextureFilter::bilinear, settings.texture_wrap)
                 .colour;
         };
         const double height = read(heights, carried).r * double{map.scale} + double{map.bias};
         const glm::dvec2 wanted = shifted_uv(scene, settings, 0, place, height, sign);
         const TexturePlace found = place_in_texture(event.fragment, surface_of(frame, 0),
                                                     pixel_rules(frame), frame.stages);
-        const glm::dvec3 to_eye =
-            glm::normalize(glm::dvec3(settings.camera.position) - place);
+        const glm::dvec3 to_eye = glm::normalize(glm::dvec3(settings.camera.position) - place);
         const double slant = std::abs(glm::dot(to_eye, glm::dvec3(scene.corner(0, 0).normal)));
         if (slant < 0.1) continue;
         ++counts.compared;
@@ -212,8 +207,10 @@ TEST_CASE("A height map changes colours alone, and parallax off keeps every bit"
             part.height_map = {};
         INFO(name);
         const Framebuffer without = picture_of(flat, slope_settings(flat, "parallax=off"));
-        CHECK(colours_off(without, picture_of(flat, slope_settings(flat, "parallax=divided"))) == 0);
-        CHECK(colours_off(without, picture_of(flat, slope_settings(flat, "parallax=limited"))) == 0);
+        CHECK(colours_off(without, picture_of(flat, slope_settings(flat, "parallax=divided"))) ==
+              0);
+        CHECK(colours_off(without, picture_of(flat, slope_settings(flat, "parallax=limited"))) ==
+              0);
         CHECK(colours_off(without, picture_of(scene, slope_settings(scene, "parallax=off"))) == 0);
         for (const char* const words : {"parallax=divided", "parallax=limited"})
             CHECK(colours_off(without, picture_of(scene, slope_settings(scene, words))) > 500);

@@ -136,7 +136,9 @@ TEST_CASE("Halfway across a wall that recedes from depth 2 to 4 u is 1/3, and af
                 ++found;
                 INFO(coverage << " " << interpolation << " row " << event.fragment.row);
                 const Surface surface = surface_of(frame, event.cursor.triangle);
-                const float u = place_in_texture(event.fragment, surface, pixel_rules(frame), frame.stages).texcoord.x;
+                const float u =
+                    place_in_texture(event.fragment, surface, pixel_rules(frame), frame.stages)
+                        .texcoord.x;
                 // The lab's rows end on whole pixels of slanted edges.
                 const float margin = coverage == "rows" ? 0.02f : 2e-6f;
                 CHECK(u == Approx(is_right ? 1.0f / 3.0f : 0.5f).margin(margin));
@@ -159,9 +161,8 @@ TEST_CASE("A footprint is the difference between neighbours, even where the near
     std::map<std::array<int, 3>, TexturePlace> places;
     for (const FragmentEvent& event : fragments_of(frame)) {
         const int triangle = event.cursor.triangle;
-        places[{triangle, event.fragment.column, event.fragment.row}] =
-            place_in_texture(event.fragment, surface_of(frame, triangle), pixel_rules(frame),
-                             frame.stages);
+        places[{triangle, event.fragment.column, event.fragment.row}] = place_in_texture(
+            event.fragment, surface_of(frame, triangle), pixel_rules(frame), frame.stages);
     }
     int compared = 0;
     for (const auto& [where, place] : places) {
@@ -197,7 +198,8 @@ TEST_CASE("A texture paints a white surface in every shading, and tints one that
             if (painted[i].fate != Fate::written) continue;
             const Surface surface = surface_of(frame, painted[i].cursor.triangle);
             const glm::vec3 texel = sample_nearest(
-                *surface.texture, place_in_texture(painted[i].fragment, surface, pixel_rules(frame), frame.stages),
+                *surface.texture,
+                place_in_texture(painted[i].fragment, surface, pixel_rules(frame), frame.stages),
                 frame.stages, nullptr);
             INFO(shading << " fragment " << i);
             CHECK(glm::distance(painted[i].after, bare[i].after * texel) <=

@@ -77,8 +77,7 @@ inline Image cobbles() {
         const Cobble stone = cobble_at(x, y);
         const int shade = hashed(stone.column, stone.row, 4) % 60,
                   warm = hashed(stone.column, stone.row, 5) % 26;
-        return Rgb{126 + shade + warm + grain, 124 + shade + warm / 3 + grain,
-                   122 + shade + grain};
+        return Rgb{126 + shade + warm + grain, 124 + shade + warm / 3 + grain, 122 + shade + grain};
     });
 }
 

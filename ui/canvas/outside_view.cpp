@@ -236,8 +236,7 @@ void draw_outside(Ui& ui, const Pane& pane) {
         *a.frame.scene, drawing.outside_scene(), drawing.eye(),
         {a.triangle, subject.clipping, is_mirrored_visible(a), divider_of(a.frame, a.triangle)},
         ui.session.selection.pixel, size_of(pane), bases_of(a.frame, a.triangle),
-        lamp_ray_outside(a.frame, a.inspected.fragment),
-        sight_shift_outside(a.inspected.fragment));
+        lamp_ray_outside(a.frame, a.inspected.fragment), sight_shift_outside(a.inspected.fragment));
     const std::string coming = fitting_coming_words(ui, pane);
     const float below =
         coming.empty() ? 0.0f : ui.fonts.small->FontSize + (coming_border + coming_gap) * u;
