@@ -11,12 +11,13 @@ namespace rasterwalk {
 
 namespace {
 
-/// The axes in the middle of the triangle; none if no normal map bends its normals.
+/// The axes in the middle of the triangle; none if neither a normal map nor a height map acts.
 std::vector<Basis> surface_basis(const Frame& frame, std::optional<int> triangle) {
     const Scene& scene = *frame.scene;
-    if (!frame.bends || !triangle || *triangle < 0 || *triangle >= scene.triangle_count() ||
-        normal_map_of(scene, *triangle) == nullptr)
-        return {};
+    if (!triangle || *triangle < 0 || *triangle >= scene.triangle_count()) return {};
+    const bool is_bent = frame.bends && normal_map_of(scene, *triangle) != nullptr;
+    const bool is_shifted = frame.shifts && height_map_of(scene, *triangle) != nullptr;
+    if (!is_bent && !is_shifted) return {};
     const std::array<Vertex, triangle_corners> corners = corners_of(scene, *triangle);
     const glm::vec3 sum = corners[0].normal + corners[1].normal + corners[2].normal;
     if (!(glm::length(sum) > 0.0f)) return {};

@@ -32,7 +32,7 @@ struct Basis {
     std::array<glm::dvec3, axis_count> axes{};
 };
 
-/// The axes by which the triangle's normal map is read, if one bends its normals. With matrices,
+/// The axes by which the triangle's normal map or height map is read, if one acts. With matrices,
 /// also the world's, the camera's and, if its part is moved, turned or scaled, those of that part.
 /// None in a scene in pixels.
 std::vector<Basis> bases_of(const Frame& frame, std::optional<int> triangle);

@@ -51,9 +51,9 @@ namespace rasterwalk {
 
 /// Does a height map shift the place in the texture, and how far?
 enum class Parallax : std::uint8_t {
-    off,     ///< it does not
-    divided, ///< by h V.xy / V.z: Kaneko
     limited, ///< by h V.xy: Welsh
+    divided, ///< by h V.xy / V.z: Kaneko
+    off,     ///< it does not
 };
 
 /// The height map of a surface.

@@ -45,7 +45,7 @@ TEST_CASE("Every number of a shifted place follows from its formula to the bit")
                 for (const std::string& word : words)
                     set_from_text(settings, word);
                 const Frame frame = prepare_frame(seen, settings);
-                for (int i = 0; i < 5; ++i) {
+                for (int i = 0; i < 8; ++i) {
                     const Cursor at{random.integer(0, seen.triangle_count() - 1), Phase::rows,
                                     random.integer(2, 100), random.integer(0, 20)};
                     const auto report = fragment_report(frame, at);
@@ -121,8 +121,9 @@ TEST_CASE("Without a height map in force no shift is reported") {
     for (const char* const text : {"parallax=off", "shading=gouraud", "shading=flat"}) {
         Settings settings = default_settings(scene);
         set_from_text(settings, text);
+        const Frame frame = prepare_frame(scene, settings);
         const auto report =
-            fragment_report(prepare_frame(scene, settings), {0, Phase::rows, 40, 10});
+            fragment_report(frame, *fragment_on_pixel(frame, {100, 100}, cursor_end));
         INFO(text);
         REQUIRE(report);
         CHECK_FALSE(report->parallax);

@@ -263,7 +263,7 @@ TEST_CASE("disp is a map of heights; -mm says how high, in the units of the mode
         reported.push_back(fault.sentence);
     REQUIRE(reported.size() == 1);
     CHECK_THAT(reported[0], Catch::Matchers::StartsWith("'disp': "));
-    CHECK(model.report.faults[0].line == 6);
+    CHECK(model.report.faults[0].line == 7);
     const Scene scene = scene_of_model(model);
     REQUIRE(scene.parts.size() == 4);
     CHECK(has_height_map(scene));

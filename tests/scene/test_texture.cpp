@@ -165,9 +165,11 @@ TEST_CASE("A height map that cannot be used is refused with file and line") {
         {"height_bias = 0.1\n",
          "s.toml:10: 'height_bias' is only allowed in a part with a 'height_map'."},
         {map + "height_scale = \"high\"\n" + two_texcoords,
-         "s.toml:11: 'height_scale' must be a number"},
-        {map + "height_scale = nan\n" + two_texcoords, "s.toml:11: 'height_scale' must be"},
-        {map + "height_bias = 1e30\n" + two_texcoords, "s.toml:11: 'height_bias' must be"},
+         "s.toml:11: 'height_scale' of part 1 must be a number"},
+        {map + "height_scale = nan\n" + two_texcoords,
+         "s.toml:11: 'height_scale' of part 1 must be"},
+        {map + "height_bias = 1e30\n" + two_texcoords,
+         "s.toml:11: 'height_bias' of part 1 must be"},
     };
     for (const auto& [lines, begins] : cases) {
         INFO(lines);

@@ -124,10 +124,11 @@ FileOutcome picture_outcome(const std::string& bytes, const TemporaryFolder&) {
 
 // Models, materials and scenes
 
-const std::string materials = "newmtl a\nKd 0.5 1 0.25\nKs 0.5\nNs 10\nd -halo 0.5\nTr 0.25\n"
-                              "map_Kd -s 2 2 -o .5 p.png\nbump -bm 2 p.png\nnewmtl b c\nKd .2\n"
-                              "map_d \"p.png\" # a\nmap_Kd C:\\\\p.png\nnorm p.png\nillum 2\n"
-                              "newmtl c\nKd 0\n";
+const std::string materials =
+    "newmtl a\nKd 0.5 1 0.25\nKs 0.5\nNs 10\nd -halo 0.5\nTr 0.25\n"
+    "map_Kd -s 2 2 -o .5 p.png\nbump -bm 2 p.png\ndisp -mm 0 .5 p.png\nnewmtl b c\nKd .2\n"
+    "map_d \"p.png\" # a\nmap_Kd C:\\\\p.png\nnorm p.png\nillum 2\n"
+    "newmtl c\nKd 0\n";
 const std::string painted_model =
     "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nusemtl a\n"
     "f 1/1/1 2/2/1 3/3/1\nusemtl b c\nf 1/1 3/3 2/2\n";
@@ -204,9 +205,10 @@ const std::vector<std::string> model_words{
     "1e-50",   "#MRGB 7", "+",     "-",    "1e9", " ",          "\t"};
 
 const std::vector<std::string> material_words{
-    "newmtl ", "usemtl ", "Kd ",  "Ks ",     "d ",  "Tr ", "Ns ", "map_Kd ", "map_d ", "bump ",
-    "norm ",   "p.png",   "-bm ", "-o 1 2 ", "-s ", "\"",  "'",   "#",       "..",     "/",
-    "\\",      "\n",      "\r",   "1e99",    "nan", "-1",  "2",   "\x80",    "m.obj",  "m.mtl\n"};
+    "newmtl ", "usemtl ", "Kd ",   "Ks ",   "d ",    "Tr ",   "Ns ",     "map_Kd ",
+    "map_d ",  "bump ",   "disp ", "norm ", "p.png", "-bm ",  "-o 1 2 ", "-s ",
+    "\"",      "'",       "#",     "..",    "/",     "\\",    "\n",      "\r",
+    "1e99",    "nan",     "-1",    "2",     "\x80",  "m.obj", "m.mtl\n"};
 
 const std::vector<std::string> scene_words{
     "[", "]",          "[[",  "{",     "}",       "\"",   "\"\"\"", "=",          "\n",
