@@ -177,6 +177,24 @@ TEST_CASE("pixel lists the texels that a pixel took, with weights, footprint and
     CHECK(count_of("\"texture\":", without_blanks(run({"pixel", "240,300", "--json"}).out)) == 0);
 }
 
+TEST_CASE("pixel gives the shift of a height map as JSON and with its formulas") {
+    const std::vector<std::string> asked{"pixel",   "200,136",
+                                         "--scene", lessons_folder() + "/scenes/brick-heights.toml",
+                                         "--set",   "coverage=edge_functions"};
+    const auto with = [&](const std::string& word, const char* option) {
+        std::vector<std::string> all = asked;
+        all.insert(all.end(), {"--set", word, option});
+        return run(all).out;
+    };
+    const std::string json = without_blanks(with("parallax=divided", "--json"));
+    CHECK_THAT(json, ContainsSubstring("\"parallax\":{\"height\":-0.0"));
+    for (const char* const key : {"shift_u", "shift_v", "step_t", "unshifted_u", "view"})
+        CHECK(count_of(std::string("\"") + key + "\":", json) == 1);
+    CHECK_THAT(with("parallax=divided", "--formulas"),
+               ContainsSubstring("height h = texel · scale + bias = 0 · 0.06 + (−0.06) = −0.06\n"));
+    CHECK(count_of("\"parallax\":", without_blanks(with("parallax=off", "--json"))) == 0);
+}
+
 TEST_CASE("A scene whose texture is missing ends with 3, file and line") {
     const test::TemporaryFolder folder;
     const std::string path = folder.write(
