@@ -432,6 +432,8 @@ std::string divergence_text(const Frame& a, const Frame& b, const PairMoment& mo
     case Phase::rows:
         if (one_is_idle && first < Stage::rows) return stage_sentence(a, b, "rows");
         return row_text(a, b, moment);
+    case Phase::resolve:
+        break; // such runs are not compared moment by moment
     }
     return "";
 }

@@ -61,11 +61,12 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
                   "(1/z)",
                   {{"(1/z)", {report.fragment.depth}, from_formula("zinv")}},
                   {report.depth}};
+    const bool is_elsewhere = report.covered != 0 && frame.settings.sample_rule == SampleRule::right;
     // Culled and cut-out fragments never reached the test.
     const bool is_tested = is_depth_tested(report.fate);
     if (is_tested && report.depth_test == DepthTest::linear_z) {
-        add_linear_depth(depth, report.fragment.z, vertex_rules(frame));
-        depth.result = {depth_at(report.fragment.z, rules)};
+        add_linear_depth(depth, report.tested.z, vertex_rules(frame));
+        depth.result = {depth_at(report.tested.z, rules)};
     } else if (kind != ClipDepth::inv_z) {
         report.formulas.push_back(along_row(
             report, "depth.carried", name,
@@ -73,6 +74,13 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
             [](const RowEnd& end) { return end.depth; }, report.fragment.depth));
         depth.expression = "depth";
         depth.inputs = {{"depth", {report.fragment.depth}, from_formula("depth.carried")}};
+    }
+    if (is_tested && is_elsewhere && report.depth_test != DepthTest::linear_z) {
+        // The weights of the corners are others there than at the centre.
+        depth.inputs[0].number = {report.tested.depth};
+        depth.inputs[0].source = from_words(fmt::format(
+            "interpolated as at the pixel's centre, but at sample {}", report.sample()));
+        depth.result = {report.tested.depth};
     }
     if (is_tested && rules.bits > 0) round_depth(depth, depth.result.value, rules);
     depth.result = {report.depth};
@@ -99,6 +107,33 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
     if (report.depth_test == DepthTest::off) return;
     margin.section = "depth";
     margin.label = "margin: " + margin.expression;
+}
+
+void add_resolve(FragmentReport& report, const Frame& frame) {
+    if (!report.resolve) return;
+    const bool is_late = frame.settings.sample_rule == SampleRule::late_clamp;
+    FormulaWriter write(report.formulas, "resolve.");
+    for (int i = 0; i < 3; ++i) {
+        const std::string name = channel_name(i);
+        FormulaInputs samples;
+        for (int s = 0; s < sample_count; ++s) {
+            const auto sample = static_cast<std::size_t>(s);
+            samples.push_back({std::string(1, static_cast<char>('a' + s)),
+                               {report.resolve->samples[sample][i]},
+                               from_words(fmt::format("sample {} when everything is drawn", s))});
+        }
+        Formula& resolved = write.add(
+            name, "resolved " + name,
+            is_late ? "The mean of the pixel's samples. By mistake only the mean is clamped, so a "
+                      "sample far above 1 outweighs all others."
+                    : "The mean of the pixel's samples, each clamped to 0..1 first, so that none "
+                      "counts for more than the screen can show.",
+            is_late ? "clamp((a + b + c + d) / 4, 0, 1)"
+                    : "(clamp(a, 0, 1) + clamp(b, 0, 1) + clamp(c, 0, 1) + clamp(d, 0, 1)) / 4",
+            samples, {report.resolve->colour[i]});
+        resolved.section = "resolve";
+        resolved.label = name;
+    }
 }
 
 void add_blend(FragmentReport& report, const Frame& frame) {

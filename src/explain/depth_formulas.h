@@ -22,4 +22,7 @@ void add_depth_test(FragmentReport& report, const Frame& frame);
 /// the colour of the fragment is known.
 void add_blend(FragmentReport& report, const Frame& frame);
 
+/// How the colours of the samples become the pixel's, if it has several.
+void add_resolve(FragmentReport& report, const Frame& frame);
+
 } // namespace rasterwalk

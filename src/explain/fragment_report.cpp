@@ -189,6 +189,21 @@ void add_light(const Frame& frame, FragmentReport& report) {
                         report.formulas);
 }
 
+/// What was tested at one of the samples, and what becomes of all of them.
+void add_samples(const Frame& frame, FragmentReport& report) {
+    const TestedPolygon& polygon = report.row.tested[static_cast<std::size_t>(
+        frame.settings.interpolation == Interpolation::perspective ? Interpolation::perspective
+                                                                   : Interpolation::affine)];
+    const GridPoint& place = polygon.samples[static_cast<std::size_t>(report.sample())];
+    const int column = report.pixel.x, row = report.pixel.y;
+    const Fragment at_sample =
+        weighted_fragment(polygon, triangle_of_point(polygon, column, row, place), column, row,
+                          place, frame.stages, {});
+    report.tested = frame.stages.fragment_at_sample(report.fragment, at_sample);
+    const Observer keep{.resolve = [&](const ResolveEvent& event) { report.resolve = event; }};
+    EventSource(frame).play({moment_of_resolve(0, 0), cursor_end, only_pixel(report.pixel)}, keep);
+}
+
 } // namespace
 
 std::string formula_id(Quantity quantity, Interpolation mode) {
@@ -215,9 +230,9 @@ std::string_view light_in_use(Shading shading) {
 bool is_fragment_formula(std::string_view id) {
     constexpr std::array<std::string_view, 4> whole{"column", "zinv", "depth", "margin"};
     static const std::vector<std::string_view> first_parts = [] {
-        std::vector<std::string_view> parts{
-            "weight", "depth",       "blend",          "texture",      "surface", "bump",
-            "flat",   "pixel_light", "triangle_light", "vertex_light", "parallax"};
+        std::vector<std::string_view> parts{"weight",         "depth",       "blend", "texture",
+                                            "surface",        "bump",        "flat",  "pixel_light",
+                                            "triangle_light", "vertex_light", "parallax", "resolve"};
         for (const QuantityInfo& info : quantity_list())
             parts.push_back(info.words.id);
         return parts;
@@ -243,12 +258,15 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
         return std::nullopt;
     }
     std::optional<FragmentEvent> found;
-    std::optional<Cursor> written_by; // the earlier writer of its pixel
+    OfSamples<std::optional<Cursor>> written_by; // the earlier writers of its pixel
     const Observer watch{.fragment = [&](const FragmentEvent& now) {
         if (now.cursor == cursor) {
             found = now;
         } else if (now.fate == Fate::written && !found) {
-            written_by = now.cursor;
+            for (int sample = 0; sample < sample_count; ++sample) {
+                const bool is_written = now.covered == 0 || has_sample(now.passed, sample);
+                if (is_written) written_by[static_cast<std::size_t>(sample)] = now.cursor;
+            }
         }
     }};
     Cursor after = cursor;
@@ -260,7 +278,9 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.depth = event.depth;
     report.stored = event.stored;
     report.has_cell = has_depth_cell(frame.stages, report.pixel.x, report.pixel.y, size);
-    if (report.has_cell) report.stored_by = written_by;
+    report.covered = event.covered;
+    report.passed = event.passed;
+    if (report.has_cell) report.stored_by = written_by[static_cast<std::size_t>(report.sample())];
     report.fate = event.fate;
     report.before = event.before;
     report.after = event.after;
@@ -274,10 +294,15 @@ std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& 
     report.alpha = event.alpha;
     report.texture_alpha = surface.texture_alpha;
 
+    report.tested = report.fragment;
+    if (frame.has_samples()) add_samples(frame, report);
+
     add_values(report, frame);
     add_light(frame, report);
     add_depth_test(report, frame);
-    add_blend(report, frame);
+    // With supersampling the colour is not that of the pixel's centre.
+    if (sampling_rule(frame.settings) != Sampling::supersample) add_blend(report, frame);
+    add_resolve(report, frame);
     return report;
 }
 

@@ -48,6 +48,7 @@ namespace rasterwalk {
 ///     vertex_light.painted.red ...  also then: the light of the vertices, times the texture; and
 ///                         triangle_light.painted.red ... under flat shading
 ///     blend.red ...       if the surface is half transparent: its share and the pixel's
+///     resolve.red ...     if the pixel has several samples: what becomes of them in the end
 ///     depth.carried       the same along the row, if the buffer does not hold 1/z
 ///     depth margin        value for the depth buffer, and how much nearer it is than the stored
 ///     one
@@ -80,6 +81,16 @@ struct FragmentReport {
     float alpha = 1.0f; ///< that it is blended with; if it is cut out, its texture's
     TextureAlpha texture_alpha = TextureAlpha::off; ///< what the alpha of its texture does
     glm::vec3 colour{0.0f};                         ///< from the pixel shader, drawn or not
+
+    // Of a pixel with several samples: which it covers and passes, the values tested at the one that
+    // depth, stored, before and after belong to, and what becomes of all of them. The fragment is
+    // that of the pixel's centre.
+    SampleMask covered = 0, passed = 0;
+    Fragment tested;
+    std::optional<ResolveEvent> resolve;
+
+    /// That one sample.
+    int sample() const { return first_sample(passed != 0 ? passed : covered); }
 
     std::vector<Formula> formulas;
 

@@ -25,6 +25,8 @@ PixelEntry entry_of(const FragmentEvent& event, const Projection& projection) {
     entry.alpha = event.alpha;
     entry.colour_before = event.before;
     entry.colour_after = event.after;
+    entry.covered = event.covered;
+    entry.passed = event.passed;
     return entry;
 }
 
@@ -46,18 +48,47 @@ void find_columns_of_row_ends(const Frame& frame, PixelHistory& history) {
 }
 
 /// From the last to the first: how much of each is seen through those that came later.
-void find_shares(const Frame& frame, std::vector<PixelEntry>& entries) {
-    float seen = 1.0f;
+/// @param seen      1; of several samples, the part of one of them
+/// @param is_put_on which entries count
+template <class IsPutOn>
+void add_shares(const Frame& frame, float seen, IsPutOn is_put_on,
+                std::vector<PixelEntry>& entries) {
     for (std::size_t i = entries.size(); i-- > 0;) {
         PixelEntry& entry = entries[i];
-        if (entry.fate != Fate::written) continue;
+        if (!is_put_on(entry)) continue;
         if (!(entry.alpha < 1.0f)) {
-            entry.share = seen;
+            entry.share += seen;
             return;
         }
-        entry.share = seen * frame.stages.blend(glm::vec3(1.0f), entry.alpha, glm::vec3(0.0f)).r;
+        entry.share += seen * frame.stages.blend(glm::vec3(1.0f), entry.alpha, glm::vec3(0.0f)).r;
         seen *= frame.stages.blend(glm::vec3(0.0f), entry.alpha, glm::vec3(1.0f)).r;
     }
+}
+
+void find_shares(const Frame& frame, std::vector<PixelEntry>& entries) {
+    if (!frame.has_samples()) {
+        const auto is_written = [](const PixelEntry& entry) { return entry.fate == Fate::written; };
+        add_shares(frame, 1.0f, is_written, entries);
+        return;
+    }
+    for (int sample = 0; sample < sample_count; ++sample) {
+        const auto is_put_on = [sample](const PixelEntry& entry) {
+            return has_sample(entry.passed, sample);
+        };
+        add_shares(frame, 1.0f / static_cast<float>(sample_count), is_put_on, entries);
+    }
+}
+
+/// Of several samples: the entry with the largest share, the last one if there are more.
+int largest_share(const std::vector<PixelEntry>& entries) {
+    int largest = -1;
+    float share = 0.0f;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (entries[i].share <= 0.0f || entries[i].share < share) continue;
+        share = entries[i].share;
+        largest = static_cast<int>(i);
+    }
+    return largest;
 }
 
 /// Triangles this much farther away than the nearest, in pixels, explain nothing.
@@ -121,7 +152,8 @@ void HistoryWork::draw_part(int triangles) {
         .fragment =
             [this, projection = projection_of(*frame_)](const FragmentEvent& event) {
                 history_.entries.push_back(entry_of(event, projection));
-            }};
+            },
+        .resolve = [this](const ResolveEvent& event) { history_.resolve = event; }};
     const Cursor from = beginning_of(drawn_);
     drawn_ += triangles;
     // Squares come after what would be the moments of triangles.
@@ -132,16 +164,17 @@ void HistoryWork::draw_part(int triangles) {
 /// Completes what is known only when everything has been drawn.
 void HistoryWork::find_winner() {
     if (frame_->settings.stage == Stage::rows) find_columns_of_row_ends(*frame_, history_);
+    find_shares(*frame_, history_.entries);
     for (std::size_t i = 0; i < history_.entries.size(); ++i) {
         if (history_.entries[i].fate == Fate::written) history_.winner = static_cast<int>(i);
     }
+    if (frame_->has_samples()) history_.winner = largest_share(history_.entries);
     const float winning = history_.winner >= 0
                               ? history_.entries[static_cast<std::size_t>(history_.winner)].depth
                               : depth_clear_rule(frame_->settings, frame_->scene->space);
     const Projection projection = projection_of(*frame_);
     for (PixelEntry& entry : history_.entries)
         entry.margin_to_winner = depth_ahead(entry.depth, winning, projection.clip_depth);
-    find_shares(*frame_, history_.entries);
 }
 
 } // namespace rasterwalk

@@ -34,15 +34,21 @@ struct PixelEntry {
                         ///< half-transparent, or something half-transparent is over it
     glm::vec3 colour_before{0.0f};
     glm::vec3 colour_after{0.0f};
+    // Of a pixel with several samples, as in FragmentEvent; else both are 0. Depths and colours are
+    // those of one sample.
+    SampleMask covered = 0;
+    SampleMask passed = 0;
 };
 
 /// The history of a pixel over the whole frame.
 struct PixelHistory {
     glm::ivec2 pixel{0, 0};            ///< column and row of the picture
     std::vector<PixelEntry> entries;   ///< in the order of drawing
-    int winner = -1;                   ///< the entry whose colour stays; -1: nothing was written
+    int winner = -1;                   ///< the entry whose colour stays; -1: nothing was written. Of
+                                       ///< several samples, the one that stays on most of them
     bool depth_tested = false;         ///< whether margins decided anything
     std::vector<TestEvent> tests;      ///< if edge functions test pixels: each test of this one
+    std::optional<ResolveEvent> resolve; ///< if the pixel has several samples: what becomes of them
     std::vector<NearTriangle> nearest; ///< if nothing fell here: what came nearest, or nearly
                                        ///< as near; see uncovered.h
 };

@@ -7,19 +7,6 @@
 
 namespace rasterwalk {
 
-namespace {
-
-/// Calls this with each plane and its value where nothing was drawn.
-template <class Visitor>
-void for_each_plane(Framebuffer& framebuffer, const Visitor& visit) {
-    visit(framebuffer.colour, glm::vec3(0.0f));
-    visit(framebuffer.depth, framebuffer.rules.depth_clear);
-    visit(framebuffer.owner, -1);
-    visit(framebuffer.overdraw, 0u);
-}
-
-} // namespace
-
 PictureRules picture_rules(const Frame& frame) {
     Framebuffer empty;
     clear(empty, frame, {0, 0}, {0, 0});
@@ -42,6 +29,8 @@ void begin_clearing(Framebuffer& framebuffer, const Frame& frame) {
     framebuffer.rules = picture_rules(frame);
     const std::size_t count = static_cast<std::size_t>(framebuffer.size.width) *
                               static_cast<std::size_t>(framebuffer.size.height);
+    framebuffer.sample_colour.clear();
+    framebuffer.sample_depth.clear();
     for_each_plane(framebuffer, [&](auto& plane, auto) {
         plane.clear();
         plane.reserve(count);

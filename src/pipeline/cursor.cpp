@@ -44,7 +44,7 @@ std::string to_text(const Cursor& cursor) {
     if (cursor.square >= 0) text += numbered('w', cursor.square);
     if (is_square(cursor)) return text;
     if (cursor.square >= 0) text += "/";
-    text.append(numbered('t', cursor.triangle)).append("/");
+    if (!is_resolve(cursor)) text.append(numbered('t', cursor.triangle)).append("/");
     if (!phase.is_numbered) return text + phase.letter;
     text += numbered(phase.letter, cursor.index);
     if (phase.step_letter != 0) text.append("/").append(numbered(phase.step_letter, cursor.step));
@@ -59,6 +59,30 @@ std::string short_place(const Cursor& cursor) {
     if (phase.step_letter != 0) text.append(" [").append(std::to_string(cursor.step)).append("]");
     return text;
 }
+
+namespace {
+
+/// Reads a phase with its piece and its step, to the end of the text.
+bool read_piece(std::string_view text, Cursor& cursor) {
+    const PhaseInfo* const phase = text.empty() ? nullptr : find_phase(text.front());
+    if (phase == nullptr) return false;
+    cursor.phase = phase->phase;
+    if (phase->is_numbered) {
+        const auto index = take_numbered(text, phase->letter);
+        if (!index) return false;
+        cursor.index = *index;
+    } else {
+        take(text, phase->letter);
+    }
+    if (text.empty()) return true;
+    if (phase->step_letter == 0 || !take(text, '/')) return false;
+    const auto step = take_numbered(text, phase->step_letter);
+    if (!step || !text.empty()) return false;
+    cursor.step = *step;
+    return true;
+}
+
+} // namespace
 
 std::optional<Cursor> parse_cursor(std::string_view text) {
     if (text == "end") return cursor_end;
@@ -77,27 +101,15 @@ std::optional<Cursor> parse_cursor(std::string_view text) {
         if (text.empty()) return cursor;
         if (!take(text, '/')) return std::nullopt;
     }
+    if (cursor.square < 0 && text.starts_with(phase_info(Phase::resolve).letter)) {
+        cursor.triangle = resolve_triangle;
+        return read_piece(text, cursor) ? std::optional(cursor) : std::nullopt;
+    }
     const auto triangle = take_numbered(text, 't');
     if (!triangle) return std::nullopt;
     cursor.triangle = *triangle;
     if (text.empty()) return cursor;
-    if (!take(text, '/') || text.empty()) return std::nullopt;
-    const PhaseInfo* const phase = find_phase(text.front());
-    if (phase == nullptr) return std::nullopt;
-    cursor.phase = phase->phase;
-    if (phase->is_numbered) {
-        const auto index = take_numbered(text, phase->letter);
-        if (!index) return std::nullopt;
-        cursor.index = *index;
-    } else {
-        take(text, phase->letter);
-    }
-    if (text.empty()) return cursor;
-    if (phase->step_letter == 0 || !take(text, '/')) return std::nullopt;
-    const auto step = take_numbered(text, phase->step_letter);
-    if (!step || !text.empty()) return std::nullopt;
-    cursor.step = *step;
-    return cursor;
+    return take(text, '/') && read_piece(text, cursor) ? std::optional(cursor) : std::nullopt;
 }
 
 } // namespace rasterwalk

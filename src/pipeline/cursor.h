@@ -14,8 +14,9 @@
 
 namespace rasterwalk {
 
-/// The kinds of work a moment can be, in the order a triangle goes through them.
-enum class Phase : std::uint8_t { vertices, clip, cull, edges, tests, rows };
+/// The kinds of work a moment can be, in the order a triangle goes through them; then the one that
+/// comes after all triangles.
+enum class Phase : std::uint8_t { vertices, clip, cull, edges, tests, rows, resolve };
 
 /// The words for a phase, and how its moments are written. A phase has pieces and a piece has
 /// steps; the moments are the steps, or the pieces if they have none.
@@ -37,6 +38,7 @@ inline constexpr std::array phase_list{
     PhaseInfo{Phase::edges, "edges", 'e', true, edge_form, 's', sample_form},
     PhaseInfo{Phase::tests, "tests", 'b', true, box_row_form, 'c', box_pixel_form},
     PhaseInfo{Phase::rows, "rows", 'r', true, entry_form, 'c', fragment_form},
+    PhaseInfo{Phase::resolve, "resolve", 's', true, picture_row_form, 'c', picture_column_form},
 };
 inline constexpr int phase_count = static_cast<int>(phase_list.size());
 
@@ -68,9 +70,11 @@ inline constexpr int early_pass_count = 6;
 struct Cursor {
     int pass = 0;     ///< 0: the picture; -6 to -1, in texts p1 to p6: a pass before it
     int square = -1;  ///< of the picture, see Frame::squares; -1: the frame is not made of squares
-    int triangle = 0; ///< -1: a square itself, which comes before the fragments in it
+    int triangle = 0; ///< -1: a square itself, which comes before the fragments in it;
+                      ///< resolve_triangle: none, after all triangles
     Phase phase = Phase::vertices;
-    int index = 0; ///< the piece: which vertex, plane, edge, row of the box or of the row table
+    int index = 0; ///< the piece: which vertex, plane, edge, row of the box or of the row table, or
+                   ///< of the picture
     int step = 0;  ///< of the piece: which sample, or which column from the row's left end
 
     constexpr Cursor() = default;
@@ -115,6 +119,19 @@ constexpr Cursor beginning_of(int triangle) {
     return {triangle, Phase::vertices, 0, 0};
 }
 
+/// In place of a triangle, for the moments that come after all of them and belong to none.
+inline constexpr int resolve_triangle = INT_MAX - 1;
+
+/// The moment at which a pixel of the picture is resolved: its samples become one colour.
+constexpr Cursor moment_of_resolve(int row, int column) {
+    return {resolve_triangle, Phase::resolve, row, column};
+}
+
+/// Is it such a moment?
+constexpr bool is_resolve(const Cursor& cursor) {
+    return cursor.triangle == resolve_triangle && cursor.phase == Phase::resolve;
+}
+
 /// The moment of a square of the picture.
 constexpr Cursor moment_of_square(int square) {
     return {-1, Phase::vertices, 0, 0, 0, square};
@@ -126,12 +143,14 @@ constexpr bool is_square(const Cursor& cursor) {
 }
 
 /// The text form: `t12/v1`, `t12/p0/s2`, `t12/k`, `t12/e2/s14`, `t12/b4/c7`, `t12/r37/c5`, `end`;
-/// of a square of the picture `w12`, and of a fragment in it `w12/t3/r37/c5`; of a pass before the
-/// picture, with its number in front, `p1:t12/v1` and `p1:end`.
+/// of a square of the picture `w12`, and of a fragment in it `w12/t3/r37/c5`; of a pixel of the
+/// picture that is resolved `s37/c5`; of a pass before the picture, with its number in front,
+/// `p1:t12/v1` and `p1:end`.
 std::string to_text(const Cursor& cursor);
 
 /// The piece and the step alone, for tight spaces: "v1", "e2 [14]" for edge 2, line[14], "r37 [5]"
-/// for entry [37], fragments[5]; "k" for a phase whose piece has no number; "w12" for a square.
+/// for entry [37], fragments[5]; "k" for a phase whose piece has no number; "w12" for a square; "s37
+/// [5]" for row 37, column 5 of the picture.
 std::string short_place(const Cursor& cursor);
 
 /// Reads the text form; parts left out are 0: `t12` is `t12/v0`, `t12/r37` is `t12/r37/c0`.

@@ -15,6 +15,9 @@
 //     shade              the pixel shader: its colour
 //     put_pixel          into the planes; half-transparent colours over what is there
 //
+// Where pixels have several samples, fill_sample_rows comes in place of fill_rows (fill_samples.cpp),
+// and when all polygons are drawn, resolve_pixels makes one colour of the samples of each pixel.
+//
 // If the picture is divided into squares, fill_rows is called for each of them instead, with the
 // row table of the one polygon that is drawn in it.
 
@@ -25,6 +28,7 @@
 #include "pipeline/draw_marks.h"
 #include "pipeline/drawing.h"
 #include "pipeline/fill_rows.h"
+#include "pipeline/fill_samples.h"
 #include "pipeline/observe_clipping.h"
 #include "pipeline/observe_tests.h"
 #include "pipeline/square_steps.h"
@@ -91,8 +95,9 @@ void draw_polygon(Drawing& d, int triangle) {
     if (stage == Stage::points || !d.frame.is_drawn(triangle)) return;
     cover(d, triangle);
     if (stage == Stage::rows) show_row_ends(d, triangle);
-    if (has_fragments(stage))
-        fill_rows(d, d.rows, surface_of(d.frame, triangle), {triangle, Phase::rows, 0, 0});
+    if (!has_fragments(stage)) return;
+    const auto fill = d.frame.has_samples() ? fill_sample_rows : fill_rows;
+    fill(d, d.rows, surface_of(d.frame, triangle), {triangle, Phase::rows, 0, 0});
 }
 
 /// Counts the row tables of a frame that is divided into squares, at the first of them.
@@ -133,7 +138,7 @@ void clear(Framebuffer& framebuffer, const Frame& frame, Viewport size, glm::ive
     clear(framebuffer, size, origin,
           {depth_clear_rule(frame.settings, frame.scene->space),
            clip_depth_rule(frame.settings, frame.scene->space), frame.stages.depth_cell,
-           frame.stages.screen});
+           frame.stages.screen, frame.has_samples()});
 }
 
 DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& framebuffer,
@@ -178,6 +183,7 @@ DrawTally draw(const Frame& frame, const DrawWindow& window, Framebuffer& frameb
     for (int t = std::max(window.from.triangle, 0); begins_in_time(t); ++t) {
         if (frame.has_moments(t) && (!draws_part || can_reach(d, t))) draw_polygon(d, t);
     }
+    if (frame.has_samples()) resolve_pixels(d);
     return d.tally;
 }
 

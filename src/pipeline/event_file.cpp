@@ -204,10 +204,11 @@ bool read_value(std::string_view text, Value& value) {
 
 // Lines.
 
-/// The kinds of events in the order of Event, which is that of the phases they happen in.
+/// The kinds of events in the order of Event, which is that of the phases they happen in; that of
+/// resolving has none.
 constexpr std::array<std::string_view, std::variant_size_v<Event>> kinds{
     "vertex", "clip", "cull", "sample", "test", "fragment"};
-static_assert(kinds.size() == phase_count);
+static_assert(kinds.size() == static_cast<std::size_t>(Phase::resolve));
 
 template <std::size_t... kind>
 Event event_of_kind(std::size_t wanted, std::index_sequence<kind...> /*of Event*/) {

@@ -17,7 +17,7 @@ DrawnEvents::DrawnEvents(const Frame& frame, Framebuffer cleared)
     : frame_(&frame), picture_(std::move(cleared)) {}
 
 void DrawnEvents::play(const DrawWindow& window, const Observer& observer) {
-    if (!observer.fragment && !observer.pixel_test) {
+    if (!observer.fragment && !observer.pixel_test && !observer.resolve) {
         Framebuffer without_pixels;
         draw(*frame_, window, without_pixels, &observer);
         return;
@@ -171,6 +171,9 @@ EventSource::EventSource(const Frame& of, DrawnEvents& drawing) : EventSource(of
 }
 
 EventSource::EventSource(const Frame& of, std::vector<Event> recorded) : frame(&of) {
+    if (of.has_samples())
+        throw InputError("a recording has one sample for each pixel, and the frame several; set "
+                         "samples=1 and supersample=1");
     check_recording(recorded, of);
     const Recording events = std::make_shared<const std::vector<Event>>(std::move(recorded));
     play = [events](const DrawWindow& window, const Observer& observer) {

@@ -64,7 +64,28 @@ bool have_same_triangles(const Frame& a, const Frame& b) {
 }
 
 bool have_same_moments(const Frame& a, const Frame& b) {
-    return a.squares == nullptr && b.squares == nullptr && have_same_triangles(a, b);
+    return a.squares == nullptr && b.squares == nullptr && !a.has_samples() && !b.has_samples() &&
+           have_same_triangles(a, b);
+}
+
+int next_with_moments(const Frame& frame, int triangle) {
+    for (int t = std::max(triangle, 0); t < frame.triangle_count(); ++t) {
+        if (frame.has_moments(t)) return t;
+    }
+    return frame.has_samples() && triangle <= resolve_triangle ? resolve_triangle : no_triangle;
+}
+
+int last_with_moments(const Frame& frame, int triangle) {
+    if (frame.has_samples() && triangle > resolve_triangle) return resolve_triangle;
+    int t = std::min(triangle, frame.triangle_count()) - 1;
+    while (t >= 0 && !frame.has_moments(t))
+        --t;
+    return t;
+}
+
+int time_units(const Frame& frame) {
+    if (frame.squares != nullptr) return frame.squares->count();
+    return frame.triangle_count() + (frame.has_samples() ? 1 : 0);
 }
 
 std::string moment_text(const Frame& frame, const Cursor& cursor) {

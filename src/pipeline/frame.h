@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <climits>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -64,6 +66,8 @@ struct Frame {
     Rejection rejection(int triangle) const {
         return polygons[static_cast<std::size_t>(triangle)].rejection;
     }
+    /// Do pixels have several samples, and are they resolved once all triangles are drawn?
+    bool has_samples() const { return rasterwalk::has_samples(stages); }
     bool is_drawn(int triangle) const { return rejection(triangle) == Rejection::none; }
     /// Are its corners no longer those of the scene's triangle?
     bool is_cut(int triangle) const { return polygons[static_cast<std::size_t>(triangle)].is_cut; }
@@ -113,6 +117,28 @@ struct Frame {
 
 /// The text of a moment of the frame, with the pass that it is drawn in.
 std::string moment_text(const Frame& frame, const Cursor& cursor);
+
+/// What comes after the last triangle with moments, see next_with_moments().
+inline constexpr int no_triangle = INT_MAX;
+
+/// The first triangle with moments from this one on; then resolve_triangle, in place of one, if the
+/// frame's pixels are resolved; then no_triangle.
+int next_with_moments(const Frame& frame, int triangle);
+
+/// The last one before this triangle, or before resolve_triangle or no_triangle; -1: there is none.
+int last_with_moments(const Frame& frame, int triangle);
+
+/// How many units time is divided into, all equally long: the triangles, drawn or not, and one more
+/// if pixels are resolved; or the squares.
+int time_units(const Frame& frame);
+
+/// The unit of a triangle, or of resolve_triangle; and back.
+inline int unit_of(const Frame& frame, int triangle) {
+    return std::min(triangle, frame.triangle_count());
+}
+inline int triangle_of_unit(const Frame& frame, int unit) {
+    return unit < frame.triangle_count() ? unit : resolve_triangle;
+}
 
 /// The triangle that a piece of work is about: of a square, the one that is drawn in it, if any.
 std::optional<int> triangle_at(const Frame& frame, const Cursor& cursor);
@@ -180,7 +206,8 @@ int triangle_in(const Frame& frame, const Frame& other, int triangle_of_other);
 /// Do both frames of a scene draw the same triangles, with the same numbers?
 bool have_same_triangles(const Frame& a, const Frame& b);
 
-/// Do they draw them one after another, too, so that their moments correspond?
+/// Do they draw them one after another, too, so that their moments correspond? Those of pixels with
+/// several samples are not compared.
 bool have_same_moments(const Frame& a, const Frame& b);
 
 /// Clips a triangle again, by the function that clipped it.

@@ -4,7 +4,9 @@ namespace rasterwalk {
 
 std::size_t Framebuffer::bytes() const {
     return colour.size() * sizeof(glm::vec3) + depth.size() * sizeof(float) +
-           owner.size() * sizeof(std::int32_t) + overdraw.size() * sizeof(std::uint32_t);
+           owner.size() * sizeof(std::int32_t) + overdraw.size() * sizeof(std::uint32_t) +
+           sample_colour.size() * sizeof(SampleColours) +
+           sample_depth.size() * sizeof(SampleDepths);
 }
 
 void clear(Framebuffer& framebuffer, Viewport size, glm::ivec2 origin, const PictureRules& rules) {
@@ -12,11 +14,10 @@ void clear(Framebuffer& framebuffer, Viewport size, glm::ivec2 origin, const Pic
         static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     framebuffer.size = size;
     framebuffer.origin = origin;
-    framebuffer.colour.assign(count, glm::vec3(0.0f));
     framebuffer.rules = rules;
-    framebuffer.depth.assign(count, rules.depth_clear);
-    framebuffer.owner.assign(count, -1);
-    framebuffer.overdraw.assign(count, 0);
+    framebuffer.sample_colour.clear();
+    framebuffer.sample_depth.clear();
+    for_each_plane(framebuffer, [&](auto& plane, auto empty) { plane.assign(count, empty); });
 }
 
 float stored_depth(const Framebuffer& framebuffer, int column, int row) {

@@ -18,13 +18,18 @@ struct PictureRules {
     float depth_clear = 0.0f;                ///< of the depth buffer where nothing was drawn
     ClipDepth depth_kind = ClipDepth::inv_z; ///< what it holds
     decltype(Stages::depth_cell) depth_cell = rasterwalk::depth_cell;
-    ScreenRules screen; ///< from a colour to its bytes
+    ScreenRules screen;       ///< from a colour to its bytes
+    bool has_samples = false; ///< each pixel has planes for sample_count samples, too
 
     friend bool operator==(const PictureRules&, const PictureRules&) = default;
 };
 
 /// What has been drawn so far: four planes of width x height pixels, row by row from the top. They
 /// hold the whole picture, or a window of it.
+///
+/// Where pixels have several samples, two more planes hold what belongs to each sample. The four
+/// planes then show sample 0, its colour, depth and owner, until the pixel is resolved; that changes
+/// only the colour. The overdraw counts fragments, whichever samples they cover.
 struct Framebuffer {
     Viewport size{0, 0};
     glm::ivec2 origin{0, 0};       ///< column and row of the picture where the planes begin
@@ -32,6 +37,8 @@ struct Framebuffer {
     std::vector<float> depth; ///< of rules.depth_kind; rules.depth_clear where nothing was drawn
     std::vector<std::int32_t> owner;     ///< triangle that wrote the colour; -1: none
     std::vector<std::uint32_t> overdraw; ///< fragments that fell on the pixel, drawn or not
+    std::vector<SampleColours> sample_colour; ///< of each sample; empty if pixels have only one
+    std::vector<SampleDepths> sample_depth;   ///< the same
     PictureRules rules;
 
     /// Is this pixel of the picture in the planes?
@@ -49,6 +56,31 @@ struct Framebuffer {
 
     friend bool operator==(const Framebuffer&, const Framebuffer&) = default;
 };
+
+/// Calls this with each plane and its value where nothing was drawn; not with those of samples if
+/// pixels have only one.
+template <class Visitor>
+void for_each_plane(Framebuffer& framebuffer, const Visitor& visit) {
+    visit(framebuffer.colour, glm::vec3(0.0f));
+    visit(framebuffer.depth, framebuffer.rules.depth_clear);
+    visit(framebuffer.owner, -1);
+    visit(framebuffer.overdraw, 0u);
+    if (!framebuffer.rules.has_samples) return;
+    visit(framebuffer.sample_colour, for_all_samples(glm::vec3(0.0f)));
+    visit(framebuffer.sample_depth, for_all_samples(framebuffer.rules.depth_clear));
+}
+
+/// Calls this with each plane of one framebuffer and the same plane of another with the same rules.
+template <class Visitor>
+void for_each_plane_pair(Framebuffer& one, const Framebuffer& other, const Visitor& visit) {
+    visit(one.colour, other.colour);
+    visit(one.depth, other.depth);
+    visit(one.owner, other.owner);
+    visit(one.overdraw, other.overdraw);
+    if (!one.rules.has_samples) return;
+    visit(one.sample_colour, other.sample_colour);
+    visit(one.sample_depth, other.sample_depth);
+}
 
 /// Makes the framebuffer black, empty and of this size, for the pixels of the picture from
 /// `origin`. To draw a frame into it, see clear() with a frame.

@@ -5,7 +5,7 @@
 namespace rasterwalk {
 
 void notify_pixel_tests(const Drawing& d, int triangle) {
-    if (d.observer == nullptr || !d.observer->pixel_test) return;
+    if (d.observer == nullptr || !d.observer->pixel_test || !tests_pixels(d.stages)) return;
     const TestedPolygon& tested = d.rows.tested;
     const PieceRange rows = clamp_to_window(d.window, {triangle, Phase::tests, 0, 0},
                                             &Cursor::index, tested_row_count(tested));
@@ -35,7 +35,7 @@ void notify_pixel_tests(const Drawing& d, int triangle) {
 }
 
 std::int64_t count_pixel_tests(const Frame& frame, const TestedPolygon& tested) {
-    if (tested.triangles.empty()) return 0;
+    if (!tests_pixels(frame.stages)) return 0;
     const Rectangle area = drawn_area(frame);
     std::int64_t count = 0;
     for (const TestedTriangle& triangle : tested.triangles) {

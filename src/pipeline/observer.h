@@ -14,6 +14,7 @@
 #include "stages/fragment.h"
 #include "stages/polygon_rows.h"
 #include "stages/project.h"
+#include "stages/sample_list.h"
 
 namespace rasterwalk {
 
@@ -52,6 +53,10 @@ struct FragmentEvent {
     glm::vec3 before{0.0f};
     glm::vec3 after{0.0f};
     float alpha = 1.0f; ///< how opaque it is, see FragmentAlpha
+    // Of a pixel with several samples. Depth, stored, before and after are then those of the first
+    // sample that passed; if none did, of the first that is covered.
+    SampleMask covered = 0; ///< the samples that the triangle covers; never 0 then
+    SampleMask passed = 0;  ///< those of them to which it is written
 };
 
 /// Did a fragment get as far as the depth test?
@@ -83,6 +88,17 @@ struct CullEvent {
     CullTest test;
 };
 
+/// One pixel with several samples, at the moment it is resolved. Not among the events of other
+/// sources: recordings have none.
+struct ResolveEvent {
+    Cursor cursor;
+    int column = 0, row = 0;
+    SampleColours samples{}; ///< not clamped
+    glm::vec3 colour{0.0f};  ///< that the pixel gets
+
+    friend bool operator==(const ResolveEvent&, const ResolveEvent&) = default;
+};
+
 /// What draw() and other sources of events tell, see EventSource.
 using Event =
     std::variant<VertexEvent, ClipEvent, CullEvent, SampleEvent, TestEvent, FragmentEvent>;
@@ -100,12 +116,13 @@ struct Observer {
     std::function<void(const SampleEvent&)> edge_sample = nullptr;
     std::function<void(const TestEvent&)> pixel_test = nullptr;
     std::function<void(const FragmentEvent&)> fragment = nullptr;
+    std::function<void(const ResolveEvent&)> resolve = nullptr;
 };
 
-/// Calls a function with events of every kind.
+/// Calls a function with events of every kind in Event.
 template <class Hear>
 Observer observe_all(const Hear& hear) {
-    return {hear, hear, hear, hear, hear, hear};
+    return {hear, hear, hear, hear, hear, hear, nullptr};
 }
 
 } // namespace rasterwalk

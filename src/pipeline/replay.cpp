@@ -30,6 +30,18 @@ Rectangle whole_picture(const Frame& frame) {
     return {0, 0, frame.settings.viewport.width, frame.settings.viewport.height};
 }
 
+/// A rectangle around the pixels that are resolved from one moment up to another.
+Rectangle resolved_between(const Frame& frame, const Cursor& from, const Cursor& to) {
+    const Rectangle whole = whole_picture(frame);
+    const Cursor first = moment_of_resolve(0, 0);
+    if (!frame.has_samples() || to <= first) return {};
+    const Cursor begin = std::max(from, first);
+    const Cursor end = std::min(to, moment_of_resolve(whole.bottom, 0));
+    if (end.index > begin.index)
+        return {0, begin.index, whole.right, std::min(end.index + 1, whole.bottom)};
+    return {begin.step, begin.index, std::min(end.step, whole.right), begin.index + 1};
+}
+
 /// A rectangle around what is drawn in the squares from one moment up to another.
 Rectangle squares_between(const WarnockSquares& squares, const Cursor& from, const Cursor& to) {
     Rectangle around_all;
@@ -170,8 +182,9 @@ Cursor Replay::part_end(const Cursor& cursor, const WorkLimit& limit) const {
         const int square = square_at(*frame_->squares, cursor_);
         end = cursor_at_square(*frame_->squares, square + 1);
     } else if (end <= cursor_) {
-        const Cursor row{cursor_.triangle, Phase::rows, cursor_.index + 1, 0};
-        const bool is_divided = cursor_.phase == Phase::rows && work_.before(row) > begun;
+        const Cursor row{cursor_.triangle, cursor_.phase, cursor_.index + 1, 0};
+        const bool has_rows = cursor_.phase == Phase::rows || cursor_.phase == Phase::resolve;
+        const bool is_divided = has_rows && work_.before(row) > begun;
         end = is_divided ? row : Cursor{cursor_.triangle + 1, Phase::vertices, 0, 0};
     }
     return std::min(cursor, end);
@@ -199,6 +212,7 @@ Rectangle Replay::changed_between(const Cursor& from, const Cursor& to) const {
     const int last_triangle = std::min(to.triangle, frame_->triangle_count() - 1);
     if (frame_->settings.stage < Stage::rows) return whole;
     if (last_triangle - first_triangle >= most_triangles_checked) return whole;
+    const Rectangle resolved = resolved_between(*frame_, from, to);
     Rectangle box{whole.right, whole.bottom, 0, 0};
     PolygonRows rows;
     for (int t = first_triangle; t <= last_triangle; ++t) {
@@ -223,32 +237,26 @@ Rectangle Replay::changed_between(const Cursor& from, const Cursor& to) const {
             box.bottom = std::max(box.bottom, rows.first_row + r + 1);
         }
     }
-    const Rectangle changed{
+    const Rectangle drawn{
         std::clamp(box.left, 0, whole.right), std::clamp(box.top, 0, whole.bottom),
         std::clamp(box.right, 0, whole.right), std::clamp(box.bottom, 0, whole.bottom)};
+    const Rectangle changed = around(drawn, resolved);
     return 2 * area(changed) > area(whole) ? whole : changed;
 }
 
 /// Gives the pixels the values of a mark's copy; if it is null, those of the beginning.
 void Replay::restore(const Rectangle& pixels, const Mark* mark) {
     if (pixels.left >= pixels.right) return;
+    if (mark == nullptr) {
+        clear_part(framebuffer_, pixels);
+        return;
+    }
     const auto count = static_cast<std::size_t>(pixels.right - pixels.left);
     for (int row = pixels.top; row < pixels.bottom; ++row) {
-        const std::size_t first = framebuffer_.at(pixels.left, row);
-        const auto put_back = [&](auto& plane, const auto& from, auto empty) {
-            if (mark != nullptr) {
-                std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(first), count,
-                            plane.begin() + static_cast<std::ptrdiff_t>(first));
-            } else {
-                std::fill_n(plane.begin() + static_cast<std::ptrdiff_t>(first), count, empty);
-            }
-        };
-        static const Framebuffer none;
-        const Framebuffer& copy = mark != nullptr ? mark->copy : none;
-        put_back(framebuffer_.colour, copy.colour, glm::vec3(0.0f));
-        put_back(framebuffer_.depth, copy.depth, framebuffer_.rules.depth_clear);
-        put_back(framebuffer_.owner, copy.owner, -1);
-        put_back(framebuffer_.overdraw, copy.overdraw, 0u);
+        const auto first = static_cast<std::ptrdiff_t>(framebuffer_.at(pixels.left, row));
+        for_each_plane_pair(framebuffer_, mark->copy, [&](auto& plane, const auto& from) {
+            std::copy_n(from.begin() + first, count, plane.begin() + first);
+        });
     }
 }
 

@@ -10,13 +10,6 @@ namespace rasterwalk {
 
 namespace {
 
-/// The first triangle with moments from this one on; the count of triangles if there is none.
-int walked_from(const Frame& frame, int triangle) {
-    while (triangle < frame.triangle_count() && !frame.has_moments(triangle))
-        ++triangle;
-    return triangle;
-}
-
 /// The step of a moment within its phase.
 StepRange step_in_phase(const PhaseInfo& info, const PhaseMoments& phase, int ordinal,
                         Granularity step) {
@@ -42,9 +35,10 @@ int advance_within(const TriangleMoments& moments, int ordinal, std::int64_t& st
 
 Cursor advance_triangles(const Frame& frame, const Cursor& from, std::int64_t triangles) {
     int t = from.triangle;
-    for (; triangles > 0 && t < frame.triangle_count(); --triangles)
-        t = walked_from(frame, t + 1);
-    return t < frame.triangle_count() ? Cursor{t, Phase::vertices, 0, 0} : cursor_end;
+    for (; triangles > 0 && t != no_triangle; --triangles)
+        t = next_with_moments(frame, t + 1);
+    if (t == resolve_triangle) return moment_of_resolve(0, 0);
+    return t != no_triangle ? beginning_of(t) : cursor_end;
 }
 
 /// The step that time has reached, if it has come this far in a triangle.
@@ -61,7 +55,7 @@ Instant instant_at(const Timeline& timeline, int triangle, double at, int least,
 
 std::vector<int> walked_triangles(const Frame& frame) {
     std::vector<int> walked;
-    for (int t = walked_from(frame, 0); t < frame.triangle_count(); t = walked_from(frame, t + 1))
+    for (int t = next_with_moments(frame, 0); t != no_triangle; t = next_with_moments(frame, t + 1))
         walked.push_back(t);
     return walked;
 }
@@ -134,7 +128,7 @@ Cursor advance(const Timeline& timeline, const Cursor& cursor, std::int64_t step
     if (frame.squares != nullptr) return advance_squares(*frame.squares, here, steps, step);
     if (step == Granularity::triangle) return advance_triangles(frame, here, steps);
     int ordinal = timeline.ordinal(here);
-    for (int t = here.triangle; t < frame.triangle_count(); t = walked_from(frame, t + 1)) {
+    for (int t = here.triangle; t != no_triangle; t = next_with_moments(frame, t + 1)) {
         const TriangleMoments& moments = timeline.moments(t);
         ordinal = advance_within(moments, ordinal, steps, step);
         if (ordinal < moments.count) return timeline.at_ordinal(t, ordinal);
@@ -157,10 +151,10 @@ Instant run_on(const Timeline& timeline, const Instant& from, double triangles, 
     triangles -= (moments.count - at) / moments.count;
 
     const Frame& frame = timeline.frame();
-    int t = walked_from(frame, here.triangle + 1);
-    for (; triangles >= 1.0 && t < frame.triangle_count(); --triangles)
-        t = walked_from(frame, t + 1);
-    if (t >= frame.triangle_count()) return {cursor_end, 0.0};
+    int t = next_with_moments(frame, here.triangle + 1);
+    for (; triangles >= 1.0 && t != no_triangle; --triangles)
+        t = next_with_moments(frame, t + 1);
+    if (t == no_triangle) return {cursor_end, 0.0};
     return instant_at(timeline, t, std::max(triangles, 0.0) * timeline.moments(t).count, 0, step);
 }
 

@@ -17,6 +17,16 @@ SurfacePoint flat_point(const Frame& frame, int triangle) {
         pixel_rules(frame).rays, frame.stages);
 }
 
+namespace {
+
+/// From a sample to the next: half as far as from a pixel to the next.
+TextureSlope half_slope(const TextureSlope& slope) {
+    return {slope.texcoord_right / 2.0f, slope.texcoord_down / 2.0f, slope.weight_right / 2.0f,
+            slope.weight_down / 2.0f};
+}
+
+} // namespace
+
 Surface surface_of(const Frame& frame, int triangle) {
     const Vertex& corner = frame.scene->corner(triangle, 0);
     Surface surface{frame.stages.light_normal(corner.normal, frame.settings.camera),
@@ -37,6 +47,8 @@ Surface surface_of(const Frame& frame, int triangle) {
         surface.uv_directions = uv_directions(corners_of(*frame.scene, triangle));
     if (has_map)
         surface.texture_slope = texture_slope(frame.triangle_vertices(triangle), frame.stages);
+    if (frame.has_samples() && sampling_rule(frame.settings) == Sampling::supersample)
+        surface.texture_slope = half_slope(surface.texture_slope);
     if (frame.stages.pixel_shader == pixel_shader) return surface;
     surface.shine = corner.shine;
     surface.differences = frame.scene->mesh.differences(triangle);

@@ -64,6 +64,7 @@ void find_rows(const Frame& frame, const PolygonRows& rows, PhaseMoments& moment
 }
 
 void find_tests(const Frame& frame, const TestedPolygon& tested, PhaseMoments& moments) {
+    if (!tests_pixels(frame.stages)) return;
     const Rectangle area = drawn_area(frame);
     for (const TestedTriangle& triangle : tested.triangles) {
         const Rectangle& box = triangle.box;
@@ -76,6 +77,12 @@ void find_tests(const Frame& frame, const TestedPolygon& tested, PhaseMoments& m
             moments.add(steps);
         }
     }
+}
+
+void find_resolved(const Frame& frame, PhaseMoments& moments) {
+    const Viewport& picture = frame.settings.viewport;
+    for (int row = 0; row < picture.height; ++row)
+        moments.add({0, picture.width});
 }
 
 bool has_steps(Phase phase) {
@@ -182,6 +189,11 @@ const TriangleMoments& Timeline::moments(int triangle) const {
     cache_.count = 0;
     const Frame& frame = *frame_;
     if (squares() != nullptr) return cache_;
+    if (triangle == resolve_triangle) {
+        if (frame.has_samples()) find_resolved(frame, cache_.of(Phase::resolve));
+        cache_.count = cache_.of(Phase::resolve).count();
+        return cache_;
+    }
     if (frame.has_moments(triangle)) {
         for (int v = 0; v < triangle_corners; ++v)
             cache_.of(Phase::vertices).add({0, 1});
@@ -204,13 +216,12 @@ Cursor Timeline::at_or_after(const Cursor& cursor) const {
     if (squares() != nullptr) return cursor_at_square(*squares(), square_at(*squares(), cursor));
     if (cursor.pass > 0 || cursor.square >= 0) return cursor_end;
     Cursor wanted = cursor;
-    for (int t = std::max(cursor.triangle, 0); t < frame_->triangle_count(); ++t) {
-        if (frame_->has_moments(t)) {
-            if (t != cursor.triangle) wanted = beginning_of(t);
-            const TriangleMoments& m = moments(t);
-            const int ordinal = ordinal_at_or_after(wanted, m);
-            if (ordinal < m.count) return cursor_at(ordinal, m);
-        }
+    for (int t = next_with_moments(*frame_, cursor.triangle); t != no_triangle;
+         t = next_with_moments(*frame_, t + 1)) {
+        if (t != cursor.triangle) wanted = beginning_of(t);
+        const TriangleMoments& m = moments(t);
+        const int ordinal = ordinal_at_or_after(wanted, m);
+        if (ordinal < m.count) return cursor_at(ordinal, m);
     }
     return cursor_end;
 }
@@ -237,9 +248,7 @@ Cursor Timeline::previous(const Cursor& cursor, Granularity step) const {
     if (here != cursor_end && ordinal(here) > 0) {
         before = at_ordinal(here.triangle, ordinal(here) - 1);
     } else {
-        int t = std::min(here.triangle, frame_->triangle_count()) - 1;
-        while (t >= 0 && !frame_->has_moments(t))
-            --t;
+        const int t = last_with_moments(*frame_, here.triangle);
         if (t < 0) return first();
         before = at_ordinal(t, moments(t).count - 1);
     }
@@ -256,12 +265,12 @@ Cursor Timeline::at_ordinal(int triangle, int ordinal) const {
 }
 
 double Timeline::place(const Cursor& cursor) const {
-    const int triangles = frame_->triangle_count();
+    const int units = time_units(*frame_);
     const Cursor here = at_or_after(cursor);
-    if (here == cursor_end || triangles == 0) return 1.0;
+    if (here == cursor_end || units == 0) return 1.0;
     if (squares() != nullptr) return static_cast<double>(here.square) / squares()->count();
     const double within = static_cast<double>(ordinal(here)) / moments(here.triangle).count;
-    return (here.triangle + within) / triangles;
+    return (unit_of(*frame_, here.triangle) + within) / units;
 }
 
 Cursor Timeline::at_place(double place) const {
@@ -271,13 +280,15 @@ Cursor Timeline::at_place(double place) const {
         const double at = std::clamp(place, 0.0, 1.0) * squares()->count();
         return cursor_at_square(*squares(), static_cast<int>(at + slack));
     }
-    const int triangles = frame_->triangle_count();
-    const double at = std::clamp(place, 0.0, 1.0) * triangles;
-    if (!(at < triangles)) return cursor_end;
-    const int triangle = static_cast<int>(at);
-    if (!frame_->has_moments(triangle)) return at_or_after(beginning_of(triangle));
+    const int units = time_units(*frame_);
+    const double at = std::clamp(place, 0.0, 1.0) * units;
+    if (!(at < units)) return cursor_end;
+    const int unit = static_cast<int>(at);
+    const int triangle = triangle_of_unit(*frame_, unit);
+    if (next_with_moments(*frame_, triangle) != triangle)
+        return at_or_after(beginning_of(triangle));
     const int count = moments(triangle).count;
-    const int ordinal = static_cast<int>((at - triangle) * count + slack);
+    const int ordinal = static_cast<int>((at - unit) * count + slack);
     return ordinal < count ? at_ordinal(triangle, ordinal)
                            : at_or_after(beginning_of(triangle + 1));
 }

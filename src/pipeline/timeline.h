@@ -10,6 +10,9 @@
 // question costs at most a triangle or two: the samples of their edges and their rows, or the rows
 // of their boxes.
 //
+// Where pixels have several samples, the moments after those of all triangles resolve the pixels of
+// the picture, row by row. They belong to resolve_triangle, which is treated like one more triangle.
+//
 // Where the picture is divided into squares, they are the moments, see square_steps.h: triangles
 // have none.
 
@@ -82,7 +85,8 @@ class Timeline {
     double place(const Cursor& cursor) const;
     Cursor at_place(double place) const;
 
-    /// The moments of a triangle; none if it is left out. Valid until the next question.
+    /// The moments of a triangle, or of resolve_triangle; none if it is left out. Valid until the
+    /// next question.
     const TriangleMoments& moments(int triangle) const;
 
     /// Number of a moment within its triangle, from 0, and back. Not of a square.

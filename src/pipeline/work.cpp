@@ -23,6 +23,12 @@ constexpr double shadow_ray_work = 15;
 constexpr double square_work = 2;
 constexpr double skipped_work = 0.3;
 
+/// The cost of a fragment of a pixel with several samples, of which the shader runs once or for each,
+/// and of resolving a pixel.
+constexpr double multisampled_work = 10;
+constexpr double supersampled_work = 16;
+constexpr double resolve_work = 0.5;
+
 /// The cost of estimating a triangle.
 constexpr double estimate_work = 10;
 
@@ -82,6 +88,17 @@ FragmentEstimate fragments_of(const Frame& frame, int triangle) {
             whole * (in_picture(box, picture).area() / box.area())};
 }
 
+double sampled_work(const Frame& frame) {
+    if (!frame.has_samples()) return 1.0;
+    return sampling_rule(frame.settings) == Sampling::supersample ? supersampled_work
+                                                                  : multisampled_work;
+}
+
+double resolve_work_of(const Frame& frame) {
+    const Viewport& picture = frame.settings.viewport;
+    return resolve_work * picture.width * picture.height;
+}
+
 /// The work of a drawn triangle.
 double work_of(const Frame& frame, int triangle, const FragmentEstimate& fragments) {
     const Box box = box_of(frame, triangle);
@@ -89,7 +106,8 @@ double work_of(const Frame& frame, int triangle, const FragmentEstimate& fragmen
                                    shading_rule(frame.settings) == Shading::phong
                                ? 1.0 + shadow_ray_work
                                : 1.0;
-    return triangle_work + sample_work * samples_of(box) + of_each * fragments.in_picture;
+    return triangle_work + sample_work * samples_of(box) +
+           of_each * sampled_work(frame) * fragments.in_picture;
 }
 
 /// The fragments of a square that one triangle is drawn in.
@@ -137,9 +155,9 @@ void FrameWork::start(const Frame& frame) {
     fragments_ = {};
 }
 
-/// The triangles, or the squares.
+/// The triangles and what comes after them, or the squares.
 int FrameWork::count() const {
-    return frame_->squares != nullptr ? frame_->squares->count() : frame_->triangle_count();
+    return time_units(*frame_);
 }
 
 bool FrameWork::is_done() const {
@@ -154,6 +172,7 @@ double FrameWork::add(int number) {
         fragments_.in_picture += fragments_of(square);
         return work_of(*frame_, square);
     }
+    if (number == frame_->triangle_count()) return resolve_work_of(*frame_);
     if (!frame_->is_drawn(number)) return 0.0;
     const FragmentEstimate fragments = fragments_of(*frame_, number);
     fragments_.all += fragments.all;
@@ -174,11 +193,16 @@ void FrameWork::advance(const WorkLimit& limit) {
 double FrameWork::before(const Cursor& cursor) const {
     if (frame_->squares != nullptr)
         return before_[static_cast<std::size_t>(square_at(*frame_->squares, cursor))];
-    const int triangles = frame_->triangle_count();
     if (cursor.triangle < 0) return 0.0;
-    if (cursor.triangle >= triangles || cursor.pass > 0) return total();
-    const auto triangle = static_cast<std::size_t>(cursor.triangle);
-    const double begin = before_[triangle], work = before_[triangle + 1] - begin;
+    const int unit = unit_of(*frame_, cursor.triangle);
+    if (unit >= count() || cursor.pass > 0 || cursor.triangle > resolve_triangle) return total();
+    const double begin = before_[static_cast<std::size_t>(unit)];
+    const double work = before_[static_cast<std::size_t>(unit) + 1] - begin;
+    if (is_resolve(cursor)) {
+        const int height = frame_->settings.viewport.height;
+        return begin + work * std::clamp(cursor.index, 0, height) / height;
+    }
+    if (unit == frame_->triangle_count()) return begin;
     if (cursor.phase != Phase::rows || !is_divided(*frame_, work)) return begin;
     const Box box = box_of(*frame_, cursor.triangle);
     const Box shown = in_picture(box, frame_->settings.viewport);
@@ -193,6 +217,10 @@ Cursor FrameWork::at(double work) const {
     const auto triangle = static_cast<int>(end - before_.begin()) - 1;
     if (frame_->squares != nullptr) return moment_of_square(triangle);
     const double begin = before_[static_cast<std::size_t>(triangle)], of_triangle = *end - begin;
+    if (triangle == frame_->triangle_count()) {
+        const double row = (work - begin) / of_triangle * frame_->settings.viewport.height;
+        return moment_of_resolve(static_cast<int>(row), 0);
+    }
     if (!is_divided(*frame_, of_triangle)) return {triangle, Phase::vertices, 0, 0};
     const Box box = box_of(*frame_, triangle);
     const Box shown = in_picture(box, frame_->settings.viewport);

@@ -74,8 +74,8 @@ class FrameWork {
 
     const Frame* frame_ = nullptr;
     FragmentEstimate fragments_;
-    std::vector<double> before_; ///< work of all earlier triangles, or squares; one entry more than
-                                 ///< there are
+    std::vector<double> before_; ///< work of all earlier units of time, see time_units(); one entry
+                                 ///< more than there are
 };
 
 } // namespace rasterwalk

@@ -90,6 +90,13 @@ std::string cull_sentence(const Frame& frame, const Cursor& cursor, const std::s
                : "no triangle is culled";
 }
 
+std::string resolve_sentence(const Frame& frame) {
+    if (!frame.has_samples()) return "pixels have one sample each, and are not resolved";
+    const Viewport& picture = frame.settings.viewport;
+    return fmt::format("the picture has the rows s0 to s{}, with the columns c0 to c{}",
+                       picture.height - 1, picture.width - 1);
+}
+
 /// What would be possible in place of a cursor that does not exist.
 std::string possible(const Frame& frame, const Cursor& cursor) {
     if (cursor.pass < 0)
@@ -99,6 +106,7 @@ std::string possible(const Frame& frame, const Cursor& cursor) {
                            std::max(frame.squares->count() - 1, 0)) +
                "triangles have no moments of their own";
     if (cursor.square >= 0) return "the picture is not divided into squares";
+    if (is_resolve(cursor)) return resolve_sentence(frame);
     if (cursor.triangle >= frame.triangle_count()) {
         return "the scene has " + pieces("triangle", 0, frame.triangle_count() - 1);
     }
@@ -121,6 +129,8 @@ std::string possible(const Frame& frame, const Cursor& cursor) {
         return test_sentence(frame, cursor, triangle);
     case Phase::rows:
         return row_sentence(frame, cursor, triangle);
+    case Phase::resolve:
+        break;
     }
     return {};
 }
@@ -210,12 +220,15 @@ Cursor read_moment(const std::string& text) {
     if (cursor) return *cursor;
     throw UsageError(in_quotes(text) +
                      " is not a moment; moments are written t12, t12/v1, t12/p2/s1, t12/k, "
-                     "t12/e2/s14, t12/b4/c7, t12/r37/c5, w12, p1:t12 or end.");
+                     "t12/e2/s14, t12/b4/c7, t12/r37/c5, s37/c5, w12, p1:t12 or end.");
 }
 
 std::string describe_in_frame(const Frame& frame, const Cursor& cursor) {
     if (is_square(cursor)) return describe_square(frame, cursor.square);
     if (cursor.square >= 0) return describe_in_square(frame, cursor);
+    if (is_resolve(cursor))
+        return fmt::format("all triangles are drawn · samples become pixels · row {}, column {}",
+                           cursor.index, cursor.step);
     const Timeline timeline(frame);
     const TriangleMoments& moments = timeline.moments(cursor.triangle);
     const PhaseInfo& phase = phase_info(cursor.phase);
@@ -277,6 +290,9 @@ std::string moment_name(const Cursor& cursor) {
     if (cursor == cursor_end) return "end of the frame";
     if (is_square(cursor)) return square_name(cursor.square);
     const PhaseInfo& phase = phase_info(cursor.phase);
+    if (is_resolve(cursor))
+        return "samples of " + element_name(phase.piece, cursor.index) + ", " +
+               element_name(phase.step, cursor.step);
     const std::string piece = cursor.phase == Phase::clip ? plane_name(cursor.index)
                                                           : element_name(phase.piece, cursor.index);
     const std::string square = cursor.square >= 0 ? square_name(cursor.square) + ", " : "";

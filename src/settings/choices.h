@@ -402,6 +402,20 @@ enum class Blend : std::uint8_t {
     swapped, ///< the shares the wrong way round: mistake B63
 };
 
+/// How the samples of a pixel are tested, and become its colour.
+enum class SampleRule : std::uint8_t {
+    right,        ///< each by its own depth; the mean of the clamped colours
+    late_clamp,   ///< the mean first, and only that is clamped: mistake B99
+    centre_depth, ///< all of them by the depth at the pixel's centre: mistake B100
+};
+
+/// How many points of a pixel are tested for coverage and depth, and how many are shaded.
+enum class Sampling : std::uint8_t {
+    centre,       ///< one, at its centre
+    multisample,  ///< four are tested; one is shaded, at the centre
+    supersample,  ///< four are tested and shaded
+};
+
 /// Which cell of the depth buffer belongs to the pixel (x, y).
 enum class DepthIndex : std::uint8_t {
     row_major,  ///< [y][x]: row y, column x

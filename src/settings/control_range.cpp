@@ -51,7 +51,7 @@ void set_slider_value(const Setting& setting, const ControlRange& range, float v
         return;
     }
     if (const auto* const whole = std::get_if<WholeSetting>(&setting.kind)) {
-        whole->value(settings) = static_cast<int>(std::lround(value));
+        whole->value(settings) = allowed_value(*whole, static_cast<int>(std::lround(value)));
         return;
     }
     glm::vec3& vector = std::get<VectorSetting>(setting.kind).value(settings);

@@ -17,8 +17,8 @@ struct SettingFault {
     friend bool operator==(const SettingFault&, const SettingFault&) = default;
 };
 
-/// A far plane that is not behind the near one, a camera without a direction, and a tessellation
-/// that makes too many triangles. A scene in pixel space has no camera; its planes matter if the
+/// A far plane that is not behind the near one, a camera without a direction, a tessellation that
+/// makes too many triangles, and samples of a pixel where there are none. A scene in pixel space has no camera; its planes matter if the
 /// depth is measured between them, see ClipDepth.
 std::vector<SettingFault> setting_faults(const Settings& settings, const Scene& scene);
 

@@ -157,6 +157,25 @@ std::vector<Setting> make_table() {
          "The point at which a pixel is tested for coverage: its centre, or by mistake its upper "
          "left corner. Used only if coverage is not rows.",
          "Filled triangles", "", choice<&Settings::pixel_sample>()},
+        {"samples", "Samples of a pixel", "Rows and edges",
+         "At how many points of a pixel coverage and depth are tested: at its centre, or at four "
+         "places, each with a colour and a depth of its own. The pixel shader runs once per "
+         "fragment, at the centre, and when everything is drawn each pixel gets the mean of its "
+         "samples (multisampling). Used from the Fill stage on, only if coverage is not rows: the "
+         "row table holds whole columns, and there is nothing between them. Not used with "
+         "hidden=warnock.",
+         "Beyond the lab", "samples",
+         WholeSetting{at<&Settings::samples>, 1, sample_count, sample_count - 1}},
+        {"supersample", "Supersampling", "Rows and edges",
+         "How many samples a pixel has along each of its sides, with the pixel shader run at each "
+         "of them: with 2 the picture is drawn at twice its size and made smaller again. It goes "
+         "before samples=4. Used in the same cases.",
+         "Beyond the lab", "samples", WholeSetting{at<&Settings::supersample>, 1, 2}},
+        {"sample_rule", "Samples tested and averaged", "Rows and edges",
+         "How samples are tested and averaged: each by its own depth, with its colour clamped "
+         "before the mean; or, by mistake, with only the mean clamped, or with the depth of the "
+         "pixel's centre for all of them. Used only if pixels have several samples.",
+         "Beyond the lab", "", choice<&Settings::sample_rule>()},
         {"box_walk", "Box pixels tested", "Rows and edges",
          "Which pixels of a triangle's bounding box the edge functions test: all of them, or in "
          "each row only the interval between the places where the edges cross it. The picture is "

@@ -38,7 +38,11 @@ struct NumberSetting {
 struct WholeSetting {
     int& (*value)(Settings&);
     int smallest, largest;
+    int step = 1; ///< the values are smallest, smallest + step, ... largest
 };
+
+/// The largest value of the setting that is not above a number; the smallest if all are.
+int allowed_value(const WholeSetting& kind, int number);
 
 /// Three real numbers: `0,-0.5,-0.7`.
 struct VectorSetting {

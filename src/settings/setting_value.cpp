@@ -75,7 +75,7 @@ struct Writer {
     }
     void operator()(const WholeSetting& kind) const {
         const std::optional<int> value = parse_int(trimmed(text));
-        if (!value || *value < kind.smallest || *value > kind.largest) refuse(setting, text);
+        if (!value || allowed_value(kind, *value) != *value) refuse(setting, text);
         kind.value(settings) = *value;
     }
     void operator()(const VectorSetting& kind) const {
@@ -185,6 +185,8 @@ struct AllowedText {
         return "a number from " + range_text(kind.smallest, kind.largest);
     }
     std::string operator()(const WholeSetting& kind) const {
+        if (kind.largest - kind.smallest == kind.step)
+            return std::to_string(kind.smallest) + " or " + std::to_string(kind.largest);
         return "a whole number from " + std::to_string(kind.smallest) + " to " +
                std::to_string(kind.largest);
     }
@@ -218,7 +220,7 @@ struct RangeClamp {
         if (box && !is_allowed(*box, kind)) box.reset();
     }
     void operator()(const WholeSetting& kind) const {
-        kind.value(settings) = std::clamp(kind.value(settings), kind.smallest, kind.largest);
+        kind.value(settings) = allowed_value(kind, kind.value(settings));
     }
     void operator()(const NumberSetting& kind) const {
         clamp(kind.value(settings), kind.smallest, kind.largest);
@@ -230,6 +232,11 @@ struct RangeClamp {
 };
 
 } // namespace
+
+int allowed_value(const WholeSetting& kind, int number) {
+    const int inside = std::clamp(number, kind.smallest, kind.largest);
+    return inside - (inside - kind.smallest) % kind.step;
+}
 
 bool is_allowed(const ViewBox& box, const BoxSetting& kind) {
     for (const float side : {box.left, box.right, box.bottom, box.top}) {

@@ -174,6 +174,15 @@ Coverage coverage_rule(const Settings& settings) {
     return settings.stage >= Stage::rows ? settings.coverage : Coverage::rows;
 }
 
+Sampling sampling_rule(const Settings& settings) {
+    const bool has_places = coverage_rule(settings) != Coverage::rows &&
+                            has_fragments(settings.stage) &&
+                            hidden_rule(settings) != Hidden::warnock;
+    if (!has_places) return Sampling::centre;
+    if (settings.supersample > 1) return Sampling::supersample;
+    return settings.samples > 1 ? Sampling::multisample : Sampling::centre;
+}
+
 Shading shading_rule(const Settings& settings) {
     return settings.stage >= Stage::shade ? settings.shading : Shading::unlit;
 }

@@ -26,6 +26,9 @@ struct Settings {
     FillRule fill_rule = FillRule::inclusive;       ///< where coverage tests the centres of pixels
     Snap snap = Snap::pixel;                        ///< in the same case
     PixelSample pixel_sample = PixelSample::centre; ///< in the same case
+    int samples = 1;     ///< of a pixel, 1 or 4, in the same case; see sampling_rule()
+    int supersample = 1; ///< shaded samples along each side of a pixel, 1 or 2, in the same case
+    SampleRule sample_rule = SampleRule::right;     ///< with several samples
     BoxWalk box_walk = BoxWalk::all;                ///< of edge functions
     WeightEdge weight_edge = WeightEdge::opposite;  ///< of edge functions
     LineAlgorithm line = LineAlgorithm::interpolate;
@@ -148,6 +151,10 @@ PixelRules pixel_rules(const Settings& settings, SceneSpace space);
 /// The coverage in force: before stage `rows` only the samples of edges are drawn, whatever the
 /// setting says.
 Coverage coverage_rule(const Settings& settings);
+
+/// The sampling in force: only the centres with coverage=rows, before stage `fill`, and where the
+/// picture is divided into squares. Supersampling includes the samples of multisampling.
+Sampling sampling_rule(const Settings& settings);
 
 /// The shading in force: none before stage `shade`, whatever the setting says.
 Shading shading_rule(const Settings& settings);

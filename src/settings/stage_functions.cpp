@@ -21,6 +21,7 @@
 #include "mistakes/parallax.h"
 #include "mistakes/project.h"
 #include "mistakes/put_pixel.h"
+#include "mistakes/samples.h"
 #include "mistakes/shadow.h"
 #include "mistakes/texture.h"
 #include "mistakes/vertex_shader.h"
@@ -177,6 +178,25 @@ void put_surface_shader(Stages& stages, const Settings&, const Scene* scene) {
 }
 constexpr SlotFunction surfaces = part<&Stages::pixel_shader, surface_shader, put_surface_shader>;
 
+/// The chosen coverage, once for each sample.
+void put_sample_rows(Stages& stages, const Settings& s, const Scene*) {
+    switch (s.coverage) {
+    case Coverage::rows:
+        break;
+    case Coverage::edge_functions:
+        stages.compute_polygon_rows = rows_of_samples<rows_by_edge_functions>;
+        break;
+    case Coverage::scan_conversion:
+        stages.compute_polygon_rows = rows_of_samples<rows_by_scan_conversion>;
+        break;
+    case Coverage::active_edges:
+        stages.compute_polygon_rows = rows_of_samples<rows_by_active_edges>;
+        break;
+    }
+}
+constexpr SlotFunction sample_rows =
+    part<&Stages::compute_polygon_rows, rows_of_samples<rows_by_edge_functions>, put_sample_rows>;
+
 // What lets a word act.
 
 bool always(const Settings&, const Scene*) {
@@ -208,6 +228,19 @@ bool at_centres(const Settings& s, const Scene*) {
 }
 bool by_edge_functions(const Settings& s, const Scene*) {
     return coverage_rule(s) == Coverage::edge_functions;
+}
+bool with_samples(const Settings& s, const Scene*) {
+    return sampling_rule(s) != Sampling::centre;
+}
+bool if_multisampled(const Settings& s, const Scene*) {
+    return sampling_rule(s) == Sampling::multisample;
+}
+bool if_supersampled(const Settings& s, const Scene*) {
+    return sampling_rule(s) == Sampling::supersample;
+}
+/// The interval between the edges is that of the pixels' centres.
+bool by_intervals(const Settings& s, const Scene* scene) {
+    return by_edge_functions(s, scene) && !with_samples(s, scene);
 }
 bool if_repeated(const Settings& s, const Scene*) {
     return s.texture_wrap == TextureWrap::repeat;
@@ -381,9 +414,23 @@ const RegistryRow registry_rows[] = {
     {"pixel_sample=corner", part<&Stages::snap, snap_for_corners<snap_to_centre>, put_corner_snap>,
      "mistakes/coverage.h", at_centres},
     {"box_walk=interval", put<&Stages::tested_columns, columns_between_crossings>,
-     "stages/edge_functions.h", by_edge_functions},
+     "stages/edge_functions.h", by_intervals},
     {"weight_edge=own", put<&Stages::weights, weights_of_own_edges>, "mistakes/coverage.h",
      by_edge_functions},
+
+    // Pixels with several samples: the coverage above for each of them, and corners that are weighed
+    // wherever a value is wanted.
+    {"samples", sample_rows, "stages/samples.h", if_multisampled},
+    {"samples", put<&Stages::row_fragments, fragments_by_weights>, "stages/edge_functions.h",
+     if_multisampled},
+    {"supersample", sample_rows, "stages/samples.h", if_supersampled},
+    {"supersample", put<&Stages::row_fragments, fragments_by_weights>, "stages/edge_functions.h",
+     if_supersampled},
+    {"supersample", put<&Stages::sample_place, square_grid>, "stages/samples.h", if_supersampled},
+    {"sample_rule=late_clamp", put<&Stages::resolve, mean_clamped_late>, "mistakes/samples.h",
+     with_samples},
+    {"sample_rule=centre_depth", put<&Stages::fragment_at_sample, fragment_of_centre>,
+     "mistakes/samples.h", with_samples},
 
     // Between the vertices.
     {"interpolation=affine", put<&Stages::varying_weight, varying_weight_one>,

@@ -142,7 +142,7 @@ std::vector<InsideSpan> active_edge_spans(PolygonCorners vertices, const EdgeRul
 
 void rows_by_active_edges(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
                           PolygonRows& rows, SampleSink* sink) {
-    snap_corners(vertices, stages, rows.points);
+    snap_corners(vertices, stages, rows.points, rules.sample);
     const Rectangle box = touched_pixels(rows.points);
     empty_table(box.top, box.bottom - box.top, rows);
     ActiveEdges edges(vertices, rows.points, rules, stages);

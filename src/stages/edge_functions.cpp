@@ -23,6 +23,11 @@ GridPoint centre_of(int column, int row) {
     return {pixel_centre(column), pixel_centre(row)};
 }
 
+/// @param point from the pixel's centre
+GridPoint point_of(int column, int row, const GridPoint& point) {
+    return {pixel_centre(column) + point.x, pixel_centre(row) + point.y};
+}
+
 /// The polygon's edge that an edge of a triangle of the fan lies on. If several lie on one line,
 /// the one that meets the fan's corner.
 int polygon_edge(const FanTriangle& fan, std::size_t i, int corner_count) {
@@ -32,14 +37,16 @@ int polygon_edge(const FanTriangle& fan, std::size_t i, int corner_count) {
 
 /// The columns of a row of the box in which each E is at least this large, by solving E for the
 /// column.
-/// @param least the smallest E that an edge lets pass
+/// @param sample where the pixels are tested, from their centres
+/// @param least  the smallest E that an edge lets pass
 template <class Least>
-ColumnRange solved_columns(const TestedTriangle& triangle, int row, Least least) {
+ColumnRange solved_columns(const TestedTriangle& triangle, int row, const GridPoint& sample,
+                           Least least) {
     const Rectangle& box = triangle.box;
     // Counted from the left of the box.
     std::int64_t first = 0, last = box.right - box.left - 1;
     for (const EdgeFunction& edge : triangle.edges) {
-        const std::int64_t over = edge.at(centre_of(box.left, row)) - least(edge);
+        const std::int64_t over = edge.at(point_of(box.left, row, sample)) - least(edge);
         const std::int64_t growth = edge.one_right();
         if (growth > 0) first = std::max(first, ceil_divided(-over, growth));
         if (growth < 0) last = std::min(last, floor_divided(over, -growth));
@@ -126,6 +133,13 @@ PixelTest test_pixel(const TestedPolygon& polygon, int triangle, int column, int
     test.weights = stages.weights(test.e, of.area);
     test.is_given_corner = of.gives_away_corner(test.e);
     test.is_inside = of.contains(test.e);
+    if (polygon.samples.empty()) return test;
+    test.has_samples = true;
+    for (int sample = 0; sample < sample_count; ++sample) {
+        const GridPoint& place = polygon.samples[static_cast<std::size_t>(sample)];
+        if (of.contains(of.values_at(point_of(column, row, place)))) test.samples |= mask_of(sample);
+    }
+    test.is_inside = test.samples != 0;
     return test;
 }
 
@@ -143,31 +157,69 @@ ColumnRange columns_of_box(const TestedTriangle& triangle, int) {
 
 ColumnRange columns_between_crossings(const TestedTriangle& triangle, int row) {
     if (triangle.area == 0) return {};
-    return solved_columns(triangle, row, [](const EdgeFunction&) { return std::int64_t{0}; });
+    return solved_columns(triangle, row, {}, [](const EdgeFunction&) { return std::int64_t{0}; });
 }
 
-ColumnRange covered_columns(const TestedTriangle& triangle, int row) {
+ColumnRange covered_columns(const TestedTriangle& triangle, int row, const GridPoint& sample) {
     if (triangle.area == 0) return {};
-    ColumnRange covered = solved_columns(triangle, row, [](const EdgeFunction& edge) {
+    ColumnRange covered = solved_columns(triangle, row, sample, [](const EdgeFunction& edge) {
         return std::int64_t{edge.owns_points ? 0 : 1};
     });
     // Solved without regard to the fan's corner, which never lies between two pixels inside.
     const auto takes_corner = [&](int column) {
-        return triangle.gives_away_corner(triangle.values_at(centre_of(column, row)));
+        return triangle.gives_away_corner(triangle.values_at(point_of(column, row, sample)));
     };
     if (covered.count() > 0 && takes_corner(covered.first)) ++covered.first;
     if (covered.count() > 0 && takes_corner(covered.last)) --covered.last;
     return covered.count() > 0 ? covered : ColumnRange{};
 }
 
-const TestedTriangle& triangle_of_pixel(const TestedPolygon& polygon, int column, int row) {
-    const GridPoint centre = centre_of(column, row);
-    const TestedTriangle* with_area = &polygon.triangles.front();
+namespace {
+
+/// The first triangle of the fan that holds a point; null: none does.
+const TestedTriangle* find_triangle(const TestedPolygon& polygon, const GridPoint& point) {
     for (const TestedTriangle& triangle : polygon.triangles) {
-        if (triangle.contains(triangle.values_at(centre))) return triangle;
-        if (with_area->area == 0) with_area = &triangle;
+        if (triangle.contains(triangle.values_at(point))) return &triangle;
     }
-    return *with_area;
+    return nullptr;
+}
+
+const TestedTriangle& first_with_area(const TestedPolygon& polygon) {
+    for (const TestedTriangle& triangle : polygon.triangles) {
+        if (triangle.area != 0) return triangle;
+    }
+    return polygon.triangles.back();
+}
+
+} // namespace
+
+const TestedTriangle& triangle_of_point(const TestedPolygon& polygon, int column, int row,
+                                        const GridPoint& point) {
+    const TestedTriangle* const found = find_triangle(polygon, point_of(column, row, point));
+    return found != nullptr ? *found : first_with_area(polygon);
+}
+
+const TestedTriangle& triangle_of_pixel(const TestedPolygon& polygon, int column, int row) {
+    for (const GridPoint& sample : polygon.samples) {
+        const TestedTriangle* const found = find_triangle(polygon, point_of(column, row, sample));
+        if (found != nullptr) return *found;
+    }
+    return triangle_of_point(polygon, column, row, {});
+}
+
+Fragment weighted_fragment(const TestedPolygon& polygon, const TestedTriangle& triangle, int column,
+                           int row, const GridPoint& point, const Stages& stages,
+                           VaryingSet carried) {
+    std::array<RowEnd, edge_function_count> corners = corner_values(polygon, triangle);
+    for (RowEnd& corner : corners)
+        corner = call<span_end>(stages.span_end, corner);
+    const EdgeValues e = triangle.values_at(point_of(column, row, point));
+    Fragment fragment;
+    mix_corners(corners, call<barycentric_weights>(stages.weights, e, triangle.area), carried,
+                fragment);
+    fragment.column = column;
+    fragment.row = row;
+    return fragment;
 }
 
 RowEnd weighted_end(const TestedPolygon& polygon, const TestedTriangle& triangle, int column,
@@ -183,6 +235,9 @@ void set_up_tests(PolygonCorners vertices, const Stages& stages, TestedPolygon& 
     polygon.corners.clear();
     polygon.triangles.clear();
     polygon.tested_columns = stages.tested_columns;
+    polygon.samples.clear();
+    for (int sample = 0; has_samples(stages) && sample < sample_count; ++sample)
+        polygon.samples.push_back(stages.sample_place(sample));
     for (const ScreenVertex& v : vertices)
         polygon.corners.push_back({v.column, v.depth, v.inv_w, v.z, v.varyings});
     std::vector<GridPoint> points;
@@ -200,7 +255,7 @@ void rows_by_edge_functions(PolygonCorners vertices, const EdgeRules& rules, con
     set_up_tests(vertices, stages, rows.tested);
     for (const TestedTriangle& triangle : rows.tested.triangles) {
         for (int row = triangle.box.top; row < triangle.box.bottom; ++row) {
-            const ColumnRange covered = covered_columns(triangle, row);
+            const ColumnRange covered = covered_columns(triangle, row, rules.sample);
             if (covered.first > covered.last) continue;
             const auto i = static_cast<std::size_t>(row - rows.first_row);
             const auto end = [&](int column) {

@@ -39,9 +39,11 @@
 #include <vector>
 
 #include "stages/fill_rule.h"
+#include "stages/fragment.h"
 #include "stages/polygon_corners.h"
 #include "stages/rectangle.h"
 #include "stages/row_end.h"
+#include "stages/sample_list.h"
 #include "stages/snap.h"
 
 namespace rasterwalk {
@@ -127,6 +129,7 @@ ColumnRange columns_between_crossings(const TestedTriangle& triangle, int row);
 struct TestedPolygon {
     std::vector<RowEnd> corners; ///< their values; the columns are not used
     std::vector<TestedTriangle> triangles;
+    std::vector<GridPoint> samples; ///< where a pixel is tested, from its centre; empty: only there
     /// Which pixels of a row of a triangle's box are tested: the slot of the table.
     decltype(&columns_of_box) tested_columns = columns_of_box;
 };
@@ -156,7 +159,9 @@ struct PixelTest {
     Weights weights{};                              ///< of the corners; below 0 beyond an edge
     bool is_given_corner = false; ///< it lies on the fan's corner, which the fill rule gives away
     bool is_inside = false;       ///< it passes all three, in a triangle with an area, and is not
-                                  ///< such a corner
+                                  ///< such a corner; of a pixel with samples, any of them
+    SampleMask samples = 0;       ///< of a pixel that has samples: those inside
+    bool has_samples = false;     ///< it has
 
     friend bool operator==(const PixelTest&, const PixelTest&) = default;
 };
@@ -172,12 +177,24 @@ Weights barycentric_weights(const EdgeValues& e, std::int64_t area);
 
 /// The columns of a row whose pixels lie inside a triangle of the fan, by solving E for the column:
 /// the same pixels that test_pixel() finds one by one.
-ColumnRange covered_columns(const TestedTriangle& triangle, int row);
+/// @param sample where the pixels are tested, from their centres
+ColumnRange covered_columns(const TestedTriangle& triangle, int row, const GridPoint& sample = {});
 
 /// The triangle of the fan that a pixel of the polygon's rows belongs to: the first one that it
 /// lies inside. Where the snap has bent the polygon inward a row can have an extra pixel, which
-/// goes with the first triangle that has an area.
+/// goes with the first triangle that has an area. Of a pixel with samples the first one inside
+/// decides: the centre may lie outside the polygon.
 const TestedTriangle& triangle_of_pixel(const TestedPolygon& polygon, int column, int row);
+
+/// The same for a single point of the pixel, given from its centre.
+const TestedTriangle& triangle_of_point(const TestedPolygon& polygon, int column, int row,
+                                        const GridPoint& point);
+
+/// The values of a triangle of the fan at a point of a pixel, as a fragment of that pixel.
+/// @param point from the pixel's centre
+Fragment weighted_fragment(const TestedPolygon& polygon, const TestedTriangle& triangle, int column,
+                           int row, const GridPoint& point, const Stages& stages,
+                           VaryingSet carried);
 
 /// The values of a triangle of the fan at a pixel, as the end of a row.
 RowEnd weighted_end(const TestedPolygon& polygon, const TestedTriangle& triangle, int column,

@@ -86,6 +86,7 @@ void empty_table(int first_row, int count, PolygonRows& rows) {
     rows.outside = 0;
     rows.lookups = 0;
     rows.tested.triangles.clear();
+    rows.samples.clear();
     rows.left.resize(static_cast<std::size_t>(count));
     rows.right.resize(static_cast<std::size_t>(count));
     for (RowEnd& end : rows.left)

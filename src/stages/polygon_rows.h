@@ -48,7 +48,10 @@ struct PolygonRows {
     std::vector<LineSample> line; ///< room for the samples of an edge; kept to save allocations
     std::vector<LineDecision> decisions; ///< room too, used only if there is a sink
     std::vector<GridPoint> points;       ///< room for the snapped corners
-    TestedPolygon tested; ///< what edge functions made the rows from; else without triangles
+    TestedPolygon tested; ///< what edge functions made the rows from, or what weighs the corners of
+                          ///< pixels with samples; else without triangles
+    std::vector<OfSamples<ColumnRange>> samples; ///< of pixels that have samples: the columns that
+                                                 ///< each row covers; else empty
 
     int size() const { return static_cast<int>(left.size()); }
     bool is_empty_row(int index) const { return left[index].column > right[index].column; }
@@ -89,6 +92,7 @@ struct EdgeRules {
     Rounding rounding = Rounding::truncate; ///< of Interpolate's results
     int picture_width = 0;                  ///< pixels
     VaryingSet carried = VaryingSet::all(); ///< the varyings that are wanted
+    GridPoint sample{}; ///< where pixels are tested, from their centres; only off the row table
 
     friend bool operator==(const EdgeRules&, const EdgeRules&) = default;
 };

@@ -133,7 +133,7 @@ void convert_triangle(const FanTriangle& triangle, PolygonCorners vertices,
 
 void rows_by_scan_conversion(PolygonCorners vertices, const EdgeRules& rules, const Stages& stages,
                              PolygonRows& rows, SampleSink* sink) {
-    snap_corners(vertices, stages, rows.points);
+    snap_corners(vertices, stages, rows.points, rules.sample);
     const Rectangle box = touched_pixels(rows.points);
     empty_table(box.top, box.bottom - box.top, rows);
     const auto owns = [&](const EdgeDirection& side) { return stages.edge_owns_points(side); };

@@ -40,10 +40,13 @@ GridPoint snap_to_subpixel(const ScreenVertex& vertex) {
     return {nearest_part(vertex.position.x, parts), nearest_part(vertex.position.y, parts)};
 }
 
-void snap_corners(PolygonCorners vertices, const Stages& stages, std::vector<GridPoint>& points) {
+void snap_corners(PolygonCorners vertices, const Stages& stages, std::vector<GridPoint>& points,
+                  const GridPoint& sample) {
     points.clear();
-    for (const ScreenVertex& vertex : vertices)
-        points.push_back(stages.snap(vertex));
+    for (const ScreenVertex& vertex : vertices) {
+        const GridPoint point = stages.snap(vertex);
+        points.push_back({point.x - sample.x, point.y - sample.y});
+    }
 }
 
 Rectangle touched_pixels(std::span<const GridPoint> points) {

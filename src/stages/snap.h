@@ -64,7 +64,10 @@ GridPoint snap_to_subpixel(const ScreenVertex& vertex);
 
 /// Where the corners of a polygon are, by the slot `snap`.
 /// @param points receives them, replacing its contents
-void snap_corners(PolygonCorners vertices, const Stages& stages, std::vector<GridPoint>& points);
+/// @param sample where pixels are tested, from their centres: the corners are moved the other way,
+///               so that those who test centres find the pixels whose samples lie inside
+void snap_corners(PolygonCorners vertices, const Stages& stages, std::vector<GridPoint>& points,
+                  const GridPoint& sample = {});
 
 /// All pixels that the box of these points touches.
 /// @param points at least one

@@ -26,7 +26,7 @@ void row_fragments(const Stages& stages, const Row& row, int first, VaryingSet c
 bool walks_edges(const Stages& stages) {
     const auto slot = stages.compute_polygon_rows;
     return slot != rows_by_edge_functions && slot != rows_by_scan_conversion &&
-           slot != rows_by_active_edges;
+           slot != rows_by_active_edges && !has_samples(stages);
 }
 
 Stages walking_edges(const Stages& stages) {
@@ -40,7 +40,8 @@ Stages walking_edges(const Stages& stages) {
 }
 
 bool tests_pixels(const Stages& stages) {
-    return stages.compute_polygon_rows == rows_by_edge_functions;
+    return stages.compute_polygon_rows == rows_by_edge_functions ||
+           stages.compute_polygon_rows == rows_of_samples<rows_by_edge_functions>;
 }
 
 } // namespace rasterwalk

@@ -27,6 +27,7 @@
 #include "stages/project.h"
 #include "stages/put_pixel.h"
 #include "stages/reject.h"
+#include "stages/samples.h"
 #include "stages/shadow.h"
 #include "stages/snap.h"
 #include "stages/spans.h"
@@ -98,6 +99,12 @@ struct Stages {
     // Which pixels of a box edge functions test. The picture is the same, the work is not: a
     // function here may leave out only pixels that lie outside.
     decltype(&columns_of_box) tested_columns = columns_of_box;
+
+    // For pixels with more than one sample: where they are, what is tested for depth there, and
+    // what becomes of their colours in the end.
+    decltype(&rotated_grid) sample_place = rotated_grid;
+    decltype(&own_fragment) fragment_at_sample = own_fragment;
+    decltype(&mean_of_clamped) resolve = mean_of_clamped;
 
     // The samples of an edge; the lab's function calls the two slots of Interpolate.
     decltype(&line_by_interpolate) line = line_by_interpolate;

@@ -63,6 +63,16 @@ inline std::string first_difference(const Framebuffer& a, const Framebuffer& b) 
             }
         }
     }
+    if (a.sample_colour.size() != b.sample_colour.size()) return "only one has samples";
+    for (std::size_t i = 0; i < a.sample_colour.size(); ++i) {
+        for (std::size_t s = 0; s < a.sample_colour[i].size(); ++s) {
+            const float in_a = a.sample_depth[i][s], in_b = b.sample_depth[i][s];
+            if (!same_bits(in_a, in_b)) return report(i, "depth of a sample", in_a, in_b);
+            if (!same_bits(a.sample_colour[i][s], b.sample_colour[i][s]))
+                return report(i, "red of a sample", a.sample_colour[i][s].r,
+                              b.sample_colour[i][s].r);
+        }
+    }
     return {};
 }
 

@@ -227,6 +227,9 @@ void draw_current(const Marks& m) {
         }
         break;
     }
+    case Phase::resolve:
+        frame_current(m, done.step, done.index);
+        break;
     case Phase::clip:
     case Phase::cull:
         break; // none of it lies in the picture

@@ -121,10 +121,10 @@ void edit_whole(Ui& ui, Settings& settings, const std::string& name, const std::
                                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     register_widget(ui, name, help);
     if (const int more = take_arrows(ui, name).more(); more != 0) {
-        value += more;
+        value += more * whole.step;
         is_changed = true;
     }
-    if (is_changed) whole.value(settings) = std::clamp(value, whole.smallest, whole.largest);
+    if (is_changed) whole.value(settings) = allowed_value(whole, value);
 }
 
 void edit_vector(Ui& ui, Settings& settings, const std::string& name, const std::string& help,
