@@ -20,7 +20,8 @@ inline constexpr std::string_view box_row_form = "box row #"; ///< of pixels tha
 inline constexpr std::string_view box_pixel_form = "pixel #"; ///< of such a row, from its left end
 inline constexpr std::string_view entry_form = "entry [#]";   ///< of leftPixels and rightPixels
 inline constexpr std::string_view fragment_form = "fragments[#]"; ///< of a row, from its left end
-inline constexpr std::string_view picture_row_form = "row #"; ///< of the picture, when it is resolved
+inline constexpr std::string_view picture_row_form =
+    "row #"; ///< of the picture, when it is resolved
 inline constexpr std::string_view picture_column_form = "column #"; ///< of such a row
 
 /// The name with its number; a form without a '#' unchanged.

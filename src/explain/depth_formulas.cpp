@@ -61,7 +61,8 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
                   "(1/z)",
                   {{"(1/z)", {report.fragment.depth}, from_formula("zinv")}},
                   {report.depth}};
-    const bool is_elsewhere = report.covered != 0 && frame.settings.sample_rule == SampleRule::right;
+    const bool is_elsewhere =
+        report.covered != 0 && frame.settings.sample_rule == SampleRule::right;
     // Culled and cut-out fragments never reached the test.
     const bool is_tested = is_depth_tested(report.fate);
     if (is_tested && report.depth_test == DepthTest::linear_z) {

@@ -82,9 +82,9 @@ struct FragmentReport {
     TextureAlpha texture_alpha = TextureAlpha::off; ///< what the alpha of its texture does
     glm::vec3 colour{0.0f};                         ///< from the pixel shader, drawn or not
 
-    // Of a pixel with several samples: which it covers and passes, the values tested at the one that
-    // depth, stored, before and after belong to, and what becomes of all of them. The fragment is
-    // that of the pixel's centre.
+    // Of a pixel with several samples: which it covers and passes, the values tested at the one
+    // that depth, stored, before and after belong to, and what becomes of all of them. The fragment
+    // is that of the pixel's centre.
     SampleMask covered = 0, passed = 0;
     Fragment tested;
     std::optional<ResolveEvent> resolve;

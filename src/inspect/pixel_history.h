@@ -42,15 +42,15 @@ struct PixelEntry {
 
 /// The history of a pixel over the whole frame.
 struct PixelHistory {
-    glm::ivec2 pixel{0, 0};            ///< column and row of the picture
-    std::vector<PixelEntry> entries;   ///< in the order of drawing
-    int winner = -1;                   ///< the entry whose colour stays; -1: nothing was written. Of
-                                       ///< several samples, the one that stays on most of them
-    bool depth_tested = false;         ///< whether margins decided anything
-    std::vector<TestEvent> tests;      ///< if edge functions test pixels: each test of this one
+    glm::ivec2 pixel{0, 0};          ///< column and row of the picture
+    std::vector<PixelEntry> entries; ///< in the order of drawing
+    int winner = -1;                 ///< the entry whose colour stays; -1: nothing was written. Of
+                                     ///< several samples, the one that stays on most of them
+    bool depth_tested = false;       ///< whether margins decided anything
+    std::vector<TestEvent> tests;    ///< if edge functions test pixels: each test of this one
     std::optional<ResolveEvent> resolve; ///< if the pixel has several samples: what becomes of them
-    std::vector<NearTriangle> nearest; ///< if nothing fell here: what came nearest, or nearly
-                                       ///< as near; see uncovered.h
+    std::vector<NearTriangle> nearest;   ///< if nothing fell here: what came nearest, or nearly
+                                         ///< as near; see uncovered.h
 };
 
 /// The history of a pixel of the picture. Costs drawing the triangles whose box it lies in, and a

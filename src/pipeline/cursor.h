@@ -149,8 +149,8 @@ constexpr bool is_square(const Cursor& cursor) {
 std::string to_text(const Cursor& cursor);
 
 /// The piece and the step alone, for tight spaces: "v1", "e2 [14]" for edge 2, line[14], "r37 [5]"
-/// for entry [37], fragments[5]; "k" for a phase whose piece has no number; "w12" for a square; "s37
-/// [5]" for row 37, column 5 of the picture.
+/// for entry [37], fragments[5]; "k" for a phase whose piece has no number; "w12" for a square;
+/// "s37 [5]" for row 37, column 5 of the picture.
 std::string short_place(const Cursor& cursor);
 
 /// Reads the text form; parts left out are 0: `t12` is `t12/v0`, `t12/r37` is `t12/r37/c0`.

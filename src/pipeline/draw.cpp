@@ -15,8 +15,9 @@
 //     shade              the pixel shader: its colour
 //     put_pixel          into the planes; half-transparent colours over what is there
 //
-// Where pixels have several samples, fill_sample_rows comes in place of fill_rows (fill_samples.cpp),
-// and when all polygons are drawn, resolve_pixels makes one colour of the samples of each pixel.
+// Where pixels have several samples, fill_sample_rows comes in place of fill_rows
+// (fill_samples.cpp), and when all polygons are drawn, resolve_pixels makes one colour of the
+// samples of each pixel.
 //
 // If the picture is divided into squares, fill_rows is called for each of them instead, with the
 // row table of the one polygon that is drawn in it.

@@ -40,9 +40,8 @@ glm::vec3 shade_fragment(Drawing& d, const Fragment& fragment, const Surface& su
 }
 
 DepthResult test_sample(const Drawing& d, const SampledFragment& of, std::size_t sample) {
-    return d.stages.depth_test(
-        d.stages.fragment_at_sample(of.at_centre, of.at_samples[sample]),
-        d.target.sample_depth[of.pixel][sample], d.depth);
+    return d.stages.depth_test(d.stages.fragment_at_sample(of.at_centre, of.at_samples[sample]),
+                               d.target.sample_depth[of.pixel][sample], d.depth);
 }
 
 /// Lays a colour over a sample, and shows sample 0.
@@ -143,11 +142,10 @@ void draw_sampled(Drawing& d, const SampledFragment& of, const Surface& surface,
     const SampleMask shown = became.passed != 0 ? became.passed : of.covered;
     const auto sample = static_cast<std::size_t>(first_sample(shown));
     const Fate fate = became.passed != 0 ? Fate::written : became.fate;
-    d.observer->fragment(
-        {of.cursor, of.at_centre, fate,
-         is_depth_tested(fate) ? became.depths[sample] : of.at_centre.depth, stored[sample],
-         before[sample], d.target.sample_colour[of.pixel][sample], became.alpha, of.covered,
-         became.passed});
+    d.observer->fragment({of.cursor, of.at_centre, fate,
+                          is_depth_tested(fate) ? became.depths[sample] : of.at_centre.depth,
+                          stored[sample], before[sample], d.target.sample_colour[of.pixel][sample],
+                          became.alpha, of.covered, became.passed});
 }
 
 /// The values of a fragment at each sample that it covers.

@@ -92,6 +92,10 @@ std::string moment_text(const Frame& frame, const Cursor& cursor) {
     return to_text(in_pass(cursor, frame.pass));
 }
 
+bool has_moments_in_unit(const Frame& frame, int unit) {
+    return unit < frame.triangle_count() ? frame.has_moments(unit) : frame.has_samples();
+}
+
 std::optional<int> triangle_at(const Frame& frame, const Cursor& cursor) {
     int triangle = cursor.triangle;
     if (is_square(cursor) && frame.squares != nullptr && cursor.square < frame.squares->count())

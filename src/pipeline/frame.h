@@ -140,6 +140,9 @@ inline int triangle_of_unit(const Frame& frame, int unit) {
     return unit < frame.triangle_count() ? unit : resolve_triangle;
 }
 
+/// Does a unit have moments? Not of squares.
+bool has_moments_in_unit(const Frame& frame, int unit);
+
 /// The triangle that a piece of work is about: of a square, the one that is drawn in it, if any.
 std::optional<int> triangle_at(const Frame& frame, const Cursor& cursor);
 

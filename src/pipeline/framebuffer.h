@@ -28,15 +28,15 @@ struct PictureRules {
 /// hold the whole picture, or a window of it.
 ///
 /// Where pixels have several samples, two more planes hold what belongs to each sample. The four
-/// planes then show sample 0, its colour, depth and owner, until the pixel is resolved; that changes
-/// only the colour. The overdraw counts fragments, whichever samples they cover.
+/// planes then show sample 0, its colour, depth and owner, until the pixel is resolved; that
+/// changes only the colour. The overdraw counts fragments, whichever samples they cover.
 struct Framebuffer {
     Viewport size{0, 0};
     glm::ivec2 origin{0, 0};       ///< column and row of the picture where the planes begin
     std::vector<glm::vec3> colour; ///< red green blue, not clamped; black where nothing was drawn
     std::vector<float> depth; ///< of rules.depth_kind; rules.depth_clear where nothing was drawn
-    std::vector<std::int32_t> owner;     ///< triangle that wrote the colour; -1: none
-    std::vector<std::uint32_t> overdraw; ///< fragments that fell on the pixel, drawn or not
+    std::vector<std::int32_t> owner;          ///< triangle that wrote the colour; -1: none
+    std::vector<std::uint32_t> overdraw;      ///< fragments that fell on the pixel, drawn or not
     std::vector<SampleColours> sample_colour; ///< of each sample; empty if pixels have only one
     std::vector<SampleDepths> sample_depth;   ///< the same
     PictureRules rules;

@@ -285,8 +285,7 @@ Cursor Timeline::at_place(double place) const {
     if (!(at < units)) return cursor_end;
     const int unit = static_cast<int>(at);
     const int triangle = triangle_of_unit(*frame_, unit);
-    if (next_with_moments(*frame_, triangle) != triangle)
-        return at_or_after(beginning_of(triangle));
+    if (!has_moments_in_unit(*frame_, unit)) return at_or_after(beginning_of(triangle));
     const int count = moments(triangle).count;
     const int ordinal = static_cast<int>((at - unit) * count + slack);
     return ordinal < count ? at_ordinal(triangle, ordinal)

@@ -11,7 +11,8 @@
 // of their boxes.
 //
 // Where pixels have several samples, the moments after those of all triangles resolve the pixels of
-// the picture, row by row. They belong to resolve_triangle, which is treated like one more triangle.
+// the picture, row by row. They belong to resolve_triangle, which is treated like one more
+// triangle.
 //
 // Where the picture is divided into squares, they are the moments, see square_steps.h: triangles
 // have none.

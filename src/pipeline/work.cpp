@@ -23,8 +23,8 @@ constexpr double shadow_ray_work = 15;
 constexpr double square_work = 2;
 constexpr double skipped_work = 0.3;
 
-/// The cost of a fragment of a pixel with several samples, of which the shader runs once or for each,
-/// and of resolving a pixel.
+/// The cost of a fragment of a pixel with several samples, of which the shader runs once or for
+/// each, and of resolving a pixel.
 constexpr double multisampled_work = 10;
 constexpr double supersampled_work = 16;
 constexpr double resolve_work = 0.5;

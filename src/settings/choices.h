@@ -411,9 +411,9 @@ enum class SampleRule : std::uint8_t {
 
 /// How many points of a pixel are tested for coverage and depth, and how many are shaded.
 enum class Sampling : std::uint8_t {
-    centre,       ///< one, at its centre
-    multisample,  ///< four are tested; one is shaded, at the centre
-    supersample,  ///< four are tested and shaded
+    centre,      ///< one, at its centre
+    multisample, ///< four are tested; one is shaded, at the centre
+    supersample, ///< four are tested and shaded
 };
 
 /// Which cell of the depth buffer belongs to the pixel (x, y).

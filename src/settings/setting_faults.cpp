@@ -47,9 +47,10 @@ std::vector<SettingFault> setting_faults(const Settings& settings, const Scene& 
                           "coverage=edge_functions",
                           "samples need another coverage"});
     } else if (asks_samples && settings.hidden == Hidden::warnock) {
-        faults.push_back({"several samples of a pixel do nothing with hidden=warnock, whose squares "
-                          "are made of whole pixels",
-                          "no samples in squares"});
+        faults.push_back(
+            {"several samples of a pixel do nothing with hidden=warnock, whose squares "
+             "are made of whole pixels",
+             "no samples in squares"});
     } else if (settings.samples > 1 && settings.supersample > 1) {
         faults.push_back({"samples=4 does nothing with supersample=2, which shades all of its four "
                           "samples",

@@ -18,8 +18,8 @@ struct SettingFault {
 };
 
 /// A far plane that is not behind the near one, a camera without a direction, a tessellation that
-/// makes too many triangles, and samples of a pixel where there are none. A scene in pixel space has no camera; its planes matter if the
-/// depth is measured between them, see ClipDepth.
+/// makes too many triangles, and samples of a pixel where there are none. A scene in pixel space
+/// has no camera; its planes matter if the depth is measured between them, see ClipDepth.
 std::vector<SettingFault> setting_faults(const Settings& settings, const Scene& scene);
 
 } // namespace rasterwalk

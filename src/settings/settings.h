@@ -28,9 +28,9 @@ struct Settings {
     PixelSample pixel_sample = PixelSample::centre; ///< in the same case
     int samples = 1;     ///< of a pixel, 1 or 4, in the same case; see sampling_rule()
     int supersample = 1; ///< shaded samples along each side of a pixel, 1 or 2, in the same case
-    SampleRule sample_rule = SampleRule::right;     ///< with several samples
-    BoxWalk box_walk = BoxWalk::all;                ///< of edge functions
-    WeightEdge weight_edge = WeightEdge::opposite;  ///< of edge functions
+    SampleRule sample_rule = SampleRule::right;    ///< with several samples
+    BoxWalk box_walk = BoxWalk::all;               ///< of edge functions
+    WeightEdge weight_edge = WeightEdge::opposite; ///< of edge functions
     LineAlgorithm line = LineAlgorithm::interpolate;
     BresenhamRule bresenham_rule = BresenhamRule::right;
     Rounding line_rounding = Rounding::truncate; ///< of the samples of Interpolate along edges

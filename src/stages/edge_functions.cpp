@@ -137,7 +137,8 @@ PixelTest test_pixel(const TestedPolygon& polygon, int triangle, int column, int
     test.has_samples = true;
     for (int sample = 0; sample < sample_count; ++sample) {
         const GridPoint& place = polygon.samples[static_cast<std::size_t>(sample)];
-        if (of.contains(of.values_at(point_of(column, row, place)))) test.samples |= mask_of(sample);
+        if (of.contains(of.values_at(point_of(column, row, place))))
+            test.samples |= mask_of(sample);
     }
     test.is_inside = test.samples != 0;
     return test;

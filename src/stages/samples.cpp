@@ -13,14 +13,12 @@ namespace {
 constexpr std::int64_t eighth = grid_parts / 8;
 constexpr std::int64_t quarter = grid_parts / 4;
 
-constexpr OfSamples<GridPoint> rotated_places{GridPoint{-1 * eighth, -3 * eighth},
-                                              GridPoint{3 * eighth, -1 * eighth},
-                                              GridPoint{-3 * eighth, 1 * eighth},
-                                              GridPoint{1 * eighth, 3 * eighth}};
-constexpr OfSamples<GridPoint> square_places{GridPoint{-quarter, -quarter},
-                                             GridPoint{quarter, -quarter},
-                                             GridPoint{-quarter, quarter},
-                                             GridPoint{quarter, quarter}};
+constexpr OfSamples<GridPoint> rotated_places{
+    GridPoint{-1 * eighth, -3 * eighth}, GridPoint{3 * eighth, -1 * eighth},
+    GridPoint{-3 * eighth, 1 * eighth}, GridPoint{1 * eighth, 3 * eighth}};
+constexpr OfSamples<GridPoint> square_places{
+    GridPoint{-quarter, -quarter}, GridPoint{quarter, -quarter}, GridPoint{-quarter, quarter},
+    GridPoint{quarter, quarter}};
 
 /// Enters the rows of one sample in the table of all.
 void enter_rows(const PolygonRows& of_sample, std::size_t sample, PolygonRows& rows) {

@@ -18,21 +18,18 @@ constexpr double fewest_moments = 8.0;
 
 } // namespace
 
-int time_units(const Frame& frame) {
-    return frame.squares != nullptr ? frame.squares->count() : frame.triangle_count();
-}
-
 double place_in_triangles(const Timeline& timeline, const Cursor& cursor) {
     if (cursor == cursor_end) return std::max(time_units(timeline.frame()), 1);
     if (timeline.frame().squares != nullptr) return cursor.square;
     const int count = std::max(timeline.moments(cursor.triangle).count, 1);
-    return cursor.triangle + static_cast<double>(timeline.ordinal(cursor)) / count;
+    return unit_of(timeline.frame(), cursor.triangle) +
+           static_cast<double>(timeline.ordinal(cursor)) / count;
 }
 
 double place_in_scale(const Timeline& timeline, const Cursor& cursor) {
     if (cursor == cursor_end || is_square(cursor)) return place_in_triangles(timeline, cursor);
     const TriangleScale scale = triangle_scale(timeline.moments(cursor.triangle));
-    return cursor.triangle + scale.share_of(timeline.ordinal(cursor));
+    return unit_of(timeline.frame(), cursor.triangle) + scale.share_of(timeline.ordinal(cursor));
 }
 
 void step_by_arrows(const TimeLines& s, std::string_view name) {
@@ -52,8 +49,8 @@ void zoom_by_wheel(const TimeLines& s, double about) {
     const double turns = std::clamp(io.MouseWheel, -10.0f, 10.0f);
     const int triangle = static_cast<int>(std::clamp(about, 0.0, s.triangles() - 1.0));
     const Frame& frame = s.timeline.frame();
-    const bool is_walked = triangle < frame.triangle_count() && frame.has_moments(triangle);
-    const int moments = is_walked ? s.timeline.moments(triangle).count : 1;
+    const bool is_walked = frame.squares == nullptr && has_moments_in_unit(frame, triangle);
+    const int moments = is_walked ? s.timeline.moments(triangle_of_unit(frame, triangle)).count : 1;
     const double least = frame.squares != nullptr
                              ? fewest_moments
                              : std::min(1.0, fewest_moments / std::max(moments, 1));

@@ -19,9 +19,6 @@ inline constexpr float lone_time_line_height = 34.0f;
 /// The least distance between two ticks, design pixels.
 inline constexpr float time_tick_distance = 5.0f;
 
-/// What is equally long on the lines: the triangles of a frame, or the squares of its picture.
-int time_units(const Frame& frame);
-
 /// Where both time lines are in this frame of the window, screen pixels.
 struct TimeLines {
     Ui& ui;
@@ -35,7 +32,7 @@ struct TimeLines {
 
     const Palette& colours() const { return palette(ui.options.theme); }
     float unit() const { return ui.options.text_scale; }
-    /// What the lines count: triangles, or squares.
+    /// What the lines count: triangles, with one more if pixels are resolved, or squares.
     double triangles() const { return std::max(time_units(timeline.frame()), 1); }
     TimeWindow& window() const { return ui.transport.window; }
 

@@ -25,15 +25,16 @@ Cursor moment_in_scale(const Timeline& timeline, double place) {
     const Frame& frame = timeline.frame();
     if (frame.squares != nullptr)
         return timeline.at_or_after(moment_of_square(static_cast<int>(std::max(place, 0.0))));
-    if (place >= frame.triangle_count()) return cursor_end;
-    const int triangle = static_cast<int>(std::max(place, 0.0));
-    if (frame.has_moments(triangle)) {
+    if (place >= time_units(frame)) return cursor_end;
+    const int unit = static_cast<int>(std::max(place, 0.0));
+    const int triangle = triangle_of_unit(frame, unit);
+    const bool has_moments = has_moments_in_unit(frame, unit);
+    if (has_moments) {
         const TriangleMoments& moments = timeline.moments(triangle);
-        const int ordinal = triangle_scale(moments).ordinal_at(place - triangle);
+        const int ordinal = triangle_scale(moments).ordinal_at(place - unit);
         if (ordinal < moments.count) return timeline.at_ordinal(triangle, ordinal);
     }
-    const int next = frame.has_moments(triangle) ? triangle + 1 : triangle;
-    return timeline.at_or_after({next, Phase::vertices, 0, 0});
+    return timeline.at_or_after(beginning_of(has_moments ? triangle + 1 : triangle));
 }
 
 void draw_bracket(const TimeLines& s) {
@@ -93,13 +94,14 @@ std::vector<int> begins_of_rows(const PhaseMoments& phase) {
     return {phase.before.begin() + 1, phase.before.end() - 1};
 }
 
-void add_pieces(const TimeLines& s, int triangle, std::vector<Piece>& pieces) {
-    const TriangleMoments& moments = s.timeline.moments(triangle);
+/// @param unit of a triangle, or the one in which pixels are resolved
+void add_pieces(const TimeLines& s, int unit, std::vector<Piece>& pieces) {
+    const TriangleMoments& moments = s.timeline.moments(triangle_of_unit(s.timeline.frame(), unit));
     const TriangleScale scale = triangle_scale(moments);
     const auto add = [&](int first, int last) -> Piece& {
         Piece& piece = pieces.emplace_back();
-        piece.begin = triangle + scale.share_of(first);
-        piece.end = last < moments.count ? triangle + scale.share_of(last) : triangle + 1.0;
+        piece.begin = unit + scale.share_of(first);
+        piece.end = last < moments.count ? unit + scale.share_of(last) : unit + 1.0;
         piece.moments = last - first;
         return piece;
     };
@@ -125,7 +127,8 @@ void add_pieces(const TimeLines& s, int triangle, std::vector<Piece>& pieces) {
         piece.count =
             static_cast<int>(std::count_if(phase.pieces.begin(), phase.pieces.end(),
                                            [](const auto& part) { return part.count > 0; }));
-        const bool is_rows = info.phase == Phase::rows, is_tests = info.phase == Phase::tests;
+        const bool is_rows = info.phase == Phase::rows || info.phase == Phase::resolve,
+                   is_tests = info.phase == Phase::tests;
         piece.colour = is_rows ? s.colours().accent : s.colours().dim;
         if (is_rows || is_tests) piece.between = begins_of_rows(phase);
         if (is_tests) piece.unit = " rows"; // of the box; each test is a pixel of one of them
@@ -164,7 +167,12 @@ std::vector<Piece> pieces_in_window(const TimeLines& s) {
         const double first = t;
         const std::string index = fmt::format("[{}]", t);
         const bool is_divided = each >= divided_triangle * s.unit();
-        if (!frame.has_moments(t) || (!is_divided && !frame.is_drawn(t))) {
+        if (t == frame.triangle_count()) {
+            if (is_divided)
+                add_pieces(s, t, pieces);
+            else
+                pieces.push_back({first, first + 1.0, p.accent, "resolve", "", 0, {}, {}, 1});
+        } else if (!frame.has_moments(t) || (!is_divided && !frame.is_drawn(t))) {
             pieces.push_back({first, first + 1.0, p.line, "left out", index, 0, {}, {}, 1});
         } else if (!is_divided) {
             pieces.push_back(

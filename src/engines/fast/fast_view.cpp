@@ -34,8 +34,7 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
     if (settings.tessellation != 1) return unknown("tessellation");
     if (hidden_rule(settings) != Hidden::depth_buffer)
         return unknown("any removal of hidden surfaces except the depth buffer");
-    if (sampling_rule(settings) != Sampling::centre)
-        return unknown("several samples of a pixel");
+    if (sampling_rule(settings) != Sampling::centre) return unknown("several samples of a pixel");
     if (settings.projection_mix != 0.0f) return unknown("any projection except perspective");
     if (view_box_rule(settings, scene.space)) return unknown("view_box other than auto");
     if (shading_rule(settings) == Shading::flat) return unknown("shading=flat");
