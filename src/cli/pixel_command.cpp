@@ -116,6 +116,25 @@ Json to_json(const ShadowTerms& shadow, const Frame& frame) {
     return object;
 }
 
+/// The numbers of some of the samples of a pixel.
+Json samples_of(SampleMask mask) {
+    Json numbers = Json::array();
+    for (int sample = 0; sample < sample_count; ++sample) {
+        if (has_sample(mask, sample)) numbers.push_back(sample);
+    }
+    return numbers;
+}
+
+Json to_json(const ResolveEvent& event, const Cursor& to) {
+    Json samples = Json::array();
+    for (const glm::vec3& sample : event.samples)
+        samples.push_back(vector_to_json(sample));
+    return {{"colour", vector_to_json(event.colour)},
+            {"cursor", to_text(event.cursor)},
+            {"drawn", event.cursor < to},
+            {"samples", std::move(samples)}};
+}
+
 Json to_json(const Frame& frame, const PixelEntry& entry, bool stays, const Cursor& to) {
     const Scene& scene = *frame.scene;
     const bool is_in_a_row = entry.row >= 0;
@@ -134,6 +153,9 @@ Json to_json(const Frame& frame, const PixelEntry& entry, bool stays, const Curs
         if (report && report->parallax) object["parallax"] = to_json(*report->parallax);
     }
     if (is_in_a_row) object["row"] = entry.row;
+    if (entry.covered != 0)
+        object["samples"] = {{"covered", samples_of(entry.covered)},
+                             {"passed", samples_of(entry.passed)}};
     if (!scene.sources.empty())
         object["scene_triangle"] = scene_triangle(scene, entry.cursor.triangle);
     if (const auto shadow = shadow_of(frame, entry.cursor))
@@ -193,11 +215,14 @@ std::size_t moment_width(const Frame& frame) {
     return frame.squares == nullptr && frame.pass == 0 ? 15 : 20;
 }
 
-/// The pixel's colour when everything before `to` is drawn.
+/// The pixel's colour when everything before `to` is drawn; of several samples, that of sample 0
+/// until they are resolved.
 glm::vec3 colour_at(const PixelHistory& history, const Cursor& to) {
     glm::vec3 colour(0.0f);
+    if (history.resolve && history.resolve->cursor < to) return history.resolve->colour;
     for (const PixelEntry& entry : history.entries) {
-        if (entry.cursor < to) colour = entry.colour_after;
+        const bool is_shown = entry.covered == 0 || has_sample(entry.passed, 0);
+        if (entry.cursor < to && is_shown) colour = entry.colour_after;
     }
     return colour;
 }
@@ -219,6 +244,7 @@ Json to_json(const Frame& frame, const PixelHistory& history, const Cursor& to) 
                 {"history", std::move(entries)},
                 {"row", history.pixel.y},
                 {"uncovered", std::move(nearest)}};
+    if (history.resolve) object["resolve"] = to_json(*history.resolve, to);
     if (!history.tests.empty()) {
         Json tests = Json::array();
         for (const TestEvent& event : history.tests)
@@ -298,6 +324,9 @@ std::string entry_line(const Frame& frame, const PixelHistory& history, std::siz
                     depth_kind(frame) == ClipDepth::inv_z ? entry.zinv : entry.depth, entry.stored,
                     entry.margin, entry.margin_to_winner, word_in_table(entry.fate), colour.r,
                     colour.g, colour.b);
+    if (entry.covered != 0)
+        line +=
+            "  covers " + sample_signs(entry.covered) + ", passes " + sample_signs(entry.passed);
     if (static_cast<int>(i) == history.winner) line += "  stays";
     if (entry.cursor >= to) line += "  not drawn yet";
     return line + "\n";
@@ -327,6 +356,12 @@ void print_text(const Frame& frame, const PixelHistory& history, const Cursor& t
                        depth_words(frame).short_name);
     for (std::size_t i = 0; i < history.entries.size(); ++i)
         out << entry_line(frame, history, i, to);
+    if (!history.resolve) return;
+    const glm::vec3& colour = history.resolve->colour;
+    out << fmt::format(
+        "     {:<{}}  the mean of four samples, each clamped: {:.4f} {:.4f} {:.4f}{}\n",
+        to_text(history.resolve->cursor), moment_width(frame), colour.r, colour.g, colour.b,
+        history.resolve->cursor < to ? "" : "  not resolved yet");
 }
 
 /// The numbers of the fragment that stays, section by section.

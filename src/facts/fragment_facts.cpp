@@ -164,6 +164,7 @@ void add_pixel_facts(std::vector<Fact>& table) {
             real(),
             [](History history, int channel) {
                 const auto winner = static_cast<std::size_t>(history.winner);
+                if (history.resolve) return history.resolve->colour[channel];
                 return history.winner < 0 ? 0.0f : history.entries[winner].colour_after[channel];
             },
             i);

@@ -106,6 +106,13 @@ void keep_the_near(std::vector<NearTriangle>& nearest) {
 
 } // namespace
 
+std::string sample_signs(SampleMask mask) {
+    std::string signs;
+    for (int sample = 0; sample < sample_count; ++sample)
+        signs += has_sample(mask, sample) ? "●" : "○";
+    return signs;
+}
+
 PixelHistory pixel_history(const EventSource& source, const glm::ivec2& pixel) {
     HistoryWork work(source, pixel);
     work.advance();

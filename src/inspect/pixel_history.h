@@ -3,6 +3,7 @@
 // Everything that fell on one pixel: found by playing the frame again for just that pixel.
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,9 @@ struct PixelEntry {
     SampleMask covered = 0;
     SampleMask passed = 0;
 };
+
+/// Some of the samples of a pixel as signs, in order: "●●○○" for the first two.
+std::string sample_signs(SampleMask mask);
 
 /// The history of a pixel over the whole frame.
 struct PixelHistory {

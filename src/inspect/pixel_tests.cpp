@@ -31,6 +31,19 @@ struct RowTests {
     ColumnRange inside; ///< of them; may be none
 };
 
+/// From the first to the last pixel of a row with a sample inside.
+ColumnRange sampled_columns(const TestedPolygon& polygon, const TestedTriangle& of, int row) {
+    ColumnRange all;
+    for (const GridPoint& sample : polygon.samples) {
+        const ColumnRange covered = covered_columns(of, row, sample);
+        if (covered.count() == 0) continue;
+        all = all.count() == 0 ? covered
+                               : ColumnRange{std::min(all.first, covered.first),
+                                             std::max(all.last, covered.last)};
+    }
+    return all;
+}
+
 /// As far as they are done at a moment; only for triangles that have any.
 std::vector<RowTests> tests_of_row(const TestedPolygon& polygon, int triangle, int row,
                                    const Cursor& to) {
@@ -43,7 +56,8 @@ std::vector<RowTests> tests_of_row(const TestedPolygon& polygon, int triangle, i
         if (row < of.box.top || row >= of.box.bottom) continue;
         const ColumnRange done = tests_done(tested_row(polygon, index), triangle, index, to);
         if (done.count() == 0) continue;
-        ColumnRange inside = covered_columns(of, row);
+        ColumnRange inside =
+            polygon.samples.empty() ? covered_columns(of, row) : sampled_columns(polygon, of, row);
         inside.last = std::min(inside.last, done.last);
         if (inside.count() == 0) inside = {done.first, done.first - 1};
         all.push_back({t, done, inside});
@@ -141,7 +155,12 @@ std::string pixel_test_text(const PixelTest& test) {
     std::string values;
     for (const std::int64_t e : test.e)
         values.append(values.empty() ? "" : ", ").append(significant(in_square_pixels(e), 7));
-    return fmt::format("{}E = {}: {}", fan, values, test.is_inside ? "inside" : outside_text(test));
+    const std::string answer =
+        test.has_samples
+            ? fmt::format("{} of {} samples inside", count_samples(test.samples), sample_count)
+        : test.is_inside ? "inside"
+                         : outside_text(test);
+    return fmt::format("{}E = {}: {}", fan, values, answer);
 }
 
 } // namespace rasterwalk

@@ -418,9 +418,8 @@ const RegistryRow registry_rows[] = {
     {"weight_edge=own", put<&Stages::weights, weights_of_own_edges>, "mistakes/coverage.h",
      by_edge_functions},
 
-    // Pixels with several samples: the coverage above for each of them, and corners that are
-    // weighed
-    // wherever a value is wanted.
+    // Pixels with several samples: the coverage above for each of them, and values that are mixed
+    // from the corners wherever they are wanted.
     {"samples", sample_rows, "stages/samples.h", if_multisampled},
     {"samples", put<&Stages::row_fragments, fragments_by_weights>, "stages/edge_functions.h",
      if_multisampled},

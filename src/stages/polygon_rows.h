@@ -48,7 +48,7 @@ struct PolygonRows {
     std::vector<LineSample> line; ///< room for the samples of an edge; kept to save allocations
     std::vector<LineDecision> decisions; ///< room too, used only if there is a sink
     std::vector<GridPoint> points;       ///< room for the snapped corners
-    TestedPolygon tested; ///< what edge functions made the rows from, or what weighs the corners of
+    TestedPolygon tested; ///< what edge functions made the rows from, or what mixes the values of
                           ///< pixels with samples; else without triangles
     std::vector<OfSamples<ColumnRange>> samples; ///< of pixels that have samples: the columns that
                                                  ///< each row covers; else empty

@@ -44,7 +44,7 @@ struct Row {
     const RowEnd& right;
     int row = 0;                           ///< of the picture
     int count = 0;                         ///< pixels from end to end
-    const TestedPolygon* tested = nullptr; ///< whose row it is, if its corners are weighed
+    const TestedPolygon* tested = nullptr; ///< whose row it is, if it mixes corners
 };
 
 /// The fragments `first`, `first` + 1, ... of a row, counted from its left end: as many as `result`

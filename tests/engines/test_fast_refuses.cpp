@@ -51,6 +51,8 @@ const std::map<std::string_view, std::string_view> own_rules{
 /// Values of each setting that is not a choice of words, different from the default.
 const std::map<std::string_view, std::vector<std::string>> other_values{
     {"tessellation", {"1", "3"}},
+    {"samples", {"1", "4"}},
+    {"supersample", {"1", "2"}},
     {"depth_clear", {"0", "0.34"}},
     {"depth_epsilon", {"0", "0.02"}},
     {"camera.position", {"0.2,0.1,-3.4"}},
@@ -161,6 +163,15 @@ TEST_CASE("Each word of each setting is drawn as by the steps, refused, or a rep
           "light.place=camera", "camera.aim=look_at", "transform=matrices", "near=2.5",
           "view_box=-0.1,0.1,0,0.2"}) // in the lab's way it is idle
         CHECK(drawn.contains(assignment));
+    // Not where the row table finds the pixels, which has no samples.
+    for (const char* const samples : {"samples=4", "supersample=2"}) {
+        Settings settings;
+        set_from_text(settings, samples);
+        CHECK(fast_engine_refuses(lab_room(), settings).empty());
+        set_from_text(settings, "coverage=edge_functions");
+        CHECK(fast_engine_refuses(lab_room(), settings) ==
+              "the fast engine does not support several samples of a pixel");
+    }
     for (const char* assignment :
          {"stage=fill", "shading=flat", "projection=orthographic", "texture_filter=mipmap",
           "cull=face_normal", "shadows=rays", "shadows=map", "depth_test=reversed",

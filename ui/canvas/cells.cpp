@@ -12,6 +12,7 @@
 #include "ui/actions/compare.h"
 #include "ui/canvas/marks.h"
 #include "ui/canvas/test_marks.h"
+#include "ui/widgets/swatch.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -229,6 +230,51 @@ void draw_fate(const Cells& cells, const CellFate& of) {
     m.list->AddText(font, size, {low.x, low.y - 0.1f * size}, colour, sign);
 }
 
+/// Which samples the fragment covers that has just been drawn, and in which pixel; none if the last
+/// moment was something else.
+struct FragmentAtWork {
+    glm::ivec2 pixel;
+    SampleMask covered;
+};
+
+std::optional<FragmentAtWork> fragment_at_work(const RunResults& run) {
+    if (!run.done || run.done->phase != Phase::rows) return std::nullopt;
+    const Timeline timeline(run.frame);
+    const PolygonRows& rows = timeline.moments(run.done->triangle).rows;
+    const int index = run.done->index;
+    const int column = rows.left[static_cast<std::size_t>(index)].column + run.done->step;
+    return FragmentAtWork{{column, rows.first_row + index}, covered_samples(rows, index, column)};
+}
+
+/// The samples of a pixel where they are, in their colours. Of the pixel at work, those that the
+/// fragment covers have a ring, and the others are hollow.
+void draw_samples(const Cells& cells, glm::ivec2 pixel,
+                  const std::optional<FragmentAtWork>& at_work) {
+    const Marks& m = cells.marks;
+    const ImVec2 low = cells.corner(pixel.x, pixel.y);
+    const ImVec2 high{low.x + m.scale, low.y + m.scale};
+    if (cells.is_cut(low, high) || cells.is_under_label(low, high)) return;
+    const RunResults& a = cells.ui.results.a;
+    const SampleColours& colours =
+        a.framebuffer->sample_colour[a.framebuffer->at(pixel.x, pixel.y)];
+    const ImU32 ink = has_dark_ink(shade_of(cells.ui, pixel).bytes()) ? dark_ink : light_ink;
+    const float radius = std::clamp(0.08f * m.scale, 2.0f * m.u, 7.0f * m.u);
+    for (int sample = 0; sample < sample_count; ++sample) {
+        const GridPoint place = a.frame.stages.sample_place(sample);
+        const auto part = [&](std::int64_t of) {
+            return (0.5f + static_cast<float>(of) / static_cast<float>(grid_parts)) * m.scale;
+        };
+        const ImVec2 centre{low.x + part(place.x), low.y + part(place.y)};
+        const bool is_here = at_work && at_work->pixel == pixel;
+        const bool is_covered = is_here && has_sample(at_work->covered, sample);
+        const glm::vec3& colour = colours[static_cast<std::size_t>(sample)];
+        if (!is_here || is_covered)
+            m.list->AddCircleFilled(centre, radius, screen_colour(cells.ui, colour));
+        m.list->AddCircle(centre, radius, is_covered ? m.colour(Meaning::current) : ink, 0,
+                          (is_covered ? 2.0f : 1.0f) * m.u);
+    }
+}
+
 /// The edges that lie on the cells.
 void find_lines(Cells& cells) {
     const Marks& m = cells.marks;
@@ -347,12 +393,15 @@ void draw_cells(Ui& ui, const Pane& visible_part, const std::vector<VertexLabel>
     const Rectangle part{columns.first, rows.first, columns.last, rows.last};
     std::vector<CellFate> fates;
     if (shows_fates(ui)) fates = shown_fates(ui, part);
-    if (fates.empty() && canvas.numbers == CellNumbers::none) return;
+    const bool has_samples = !framebuffer.sample_colour.empty() && !is_comparing(ui);
+    if (fates.empty() && canvas.numbers == CellNumbers::none && !has_samples) return;
+    const std::optional<FragmentAtWork> at_work =
+        has_samples ? fragment_at_work(ui.results.a) : std::nullopt;
     find_lines(cells);
 
     // As many rows together as fit in a draw list with their corners, whatever is in the cells.
     const bool has_tests = shows_test_numbers(ui);
-    const int most_cells = has_tests ? 400 : 1200;
+    const int most_cells = has_tests || has_samples ? 400 : 1200;
     const int step = std::max(most_cells / (columns.last - columns.first), 1);
     auto next_fate = fates.begin();
     int band = 0;
@@ -369,6 +418,10 @@ void draw_cells(Ui& ui, const Pane& visible_part, const std::vector<VertexLabel>
         cells.marks.list = ImGui::GetWindowDrawList();
         for (; next_fate != fates.end() && next_fate->pixel.y < last; ++next_fate)
             draw_fate(cells, *next_fate);
+        for (int row = first; row < last && has_samples; ++row) {
+            for (int column = columns.first; column < columns.last; ++column)
+                draw_samples(cells, {column, row}, at_work);
+        }
         for (int row = first; row < last && canvas.numbers != CellNumbers::none; ++row) {
             for (int column = columns.first; column < columns.last; ++column) {
                 if (has_tests)

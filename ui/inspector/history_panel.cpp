@@ -53,6 +53,19 @@ std::string number_words(float share) {
     return significant(static_cast<double>(share), 3);
 }
 
+/// The same for a pixel with several samples.
+std::array<std::string, 2> sample_verdict(const Ui& ui, const PixelHistory& history) {
+    const PixelEntry& winner = history.entries[history.winner];
+    const glm::vec3& colour = history.resolve->colour;
+    return {
+        fmt::format("{} of the pixel is {}.", number_words(winner.share),
+                    triangle_words(ui, winner.cursor.triangle)),
+        fmt::format("When everything is drawn, {}, the pixel gets the mean of its four samples, "
+                    "each clamped to 0..1: {} {} {}.",
+                    to_text(history.resolve->cursor), number_words(colour.r),
+                    number_words(colour.g), number_words(colour.b))};
+}
+
 /// Why the final colour stays, in two lines.
 std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
     const float sign = winning_sign(ui);
@@ -66,6 +79,7 @@ std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
                 ""};
     }
     const PixelEntry& winner = history.entries[history.winner];
+    if (history.resolve) return sample_verdict(ui, history);
     std::string text = triangle_words(ui, winner.cursor.triangle) + " stays";
     if (winner.share < 1.0f) {
         return {triangle_words(ui, winner.cursor.triangle) +

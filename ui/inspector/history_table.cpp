@@ -172,6 +172,9 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
         text += fmt::format("\n{} {}; no depth test uses it", depth_value_words(ui),
                             nine_digits_shown(entry.depth));
     }
+    if (entry.covered != 0)
+        text += fmt::format("\nCovers {} of the pixel's four samples, and passes at {}.",
+                            count_samples(entry.covered), count_samples(entry.passed));
     if (entry.fate == Fate::depth_failed) {
         const bool is_reversed = depth_rule(ui.results.a.frame.settings) == DepthTest::reversed;
         const bool has_epsilon = depth_epsilon_rule(ui.results.a.frame.settings) > 0.0f;
@@ -184,6 +187,9 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
         text += fmt::format("\nCut out before the depth test: the alpha of its texture is {}, "
                             "below 1/2.",
                             nine_digits_shown(entry.alpha));
+    } else if (entry.covered != 0) {
+        text += fmt::format("\nIts colour has the share {} of the resolved pixel.",
+                            nine_digits_shown(entry.share));
     } else if (stays(history, index)) {
         text += "\nWritten, and nothing was written after it, so its colour stays.";
     } else if (entry.share > 0.0f) {
@@ -230,6 +236,28 @@ void draw_cursor_line(const Ui& ui, float y) {
         packed(colour_of(Meaning::current, ui.options.theme)));
 }
 
+/// The samples of the pixel in a row: a disc if the fragment has passed there, a ring if it only
+/// covers the sample, a point if it does not.
+/// @return the width that they take
+float draw_sample_dots(const Ui& ui, const PixelEntry& entry, const ImVec4& colour) {
+    const float u = ui.options.text_scale, step = 9.0f * u;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float middle = at.y + 0.5f * ImGui::GetTextLineHeight();
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    for (int sample = 0; sample < sample_count; ++sample) {
+        const ImVec2 centre{at.x + step * (static_cast<float>(sample) + 0.5f), middle};
+        if (has_sample(entry.passed, sample))
+            list->AddCircleFilled(centre, 3.5f * u, packed(colour));
+        else if (has_sample(entry.covered, sample))
+            list->AddCircle(centre, 3.5f * u, packed(colour), 0, 1.2f * u);
+        else
+            list->AddCircleFilled(centre, 1.0f * u, packed(colour));
+    }
+    const float width = sample_count * step + 4.0f * u;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + width);
+    return width;
+}
+
 void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& columns) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
@@ -257,7 +285,8 @@ void draw_entry(Ui& ui, const PixelHistory& history, int index, const Columns& c
     const std::string number = short_triangle_name(entry.cursor.triangle);
     const std::string name =
         number + " " + part_words(*ui.results.a.frame.scene, entry.cursor.triangle);
-    const float room = columns.widths[name_column];
+    float room = columns.widths[name_column];
+    if (entry.covered != 0) room -= draw_sample_dots(ui, entry, colour);
     const bool is_bold = stays(history, index) && text_width(ui.fonts.bold, name) <= room;
     ImGui::PushFont(is_bold ? ui.fonts.bold : ui.fonts.text);
     text_in(colour, first_fitting({name, number}, room));
