@@ -64,6 +64,9 @@ std::string no_moments_text(const Frame& a, const Frame& b, const Cursor& to) {
     if (a.squares != nullptr || b.squares != nullptr) {
         return "A or B divides the picture into squares, so only the pictures are compared.";
     }
+    if (a.has_samples() || b.has_samples()) {
+        return "A or B has several samples for each pixel, so only the pictures are compared.";
+    }
     if (a.list != nullptr || b.list != nullptr) {
         return "A and B do not draw the same triangles in the same order, so only the pictures are "
                "compared.";

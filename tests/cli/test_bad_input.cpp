@@ -208,7 +208,7 @@ TEST_CASE("A moment that does not exist ends with exit code 2 and says which one
         expect({"stats", "--to", text}, 2,
                "'" + text +
                    "' is not a moment; moments are written t12, t12/v1, t12/p2/s1, t12/k, "
-                   "t12/e2/s14, t12/b4/c7, t12/r37/c5, w12, p1:t12 or end.");
+                   "t12/e2/s14, t12/b4/c7, t12/r37/c5, s37/c5, w12, p1:t12 or end.");
     }
 }
 

@@ -51,7 +51,7 @@ TEST_CASE("A setting reported as idle changes no picture, and one that acts is n
     }
     CHECK(idle_somewhere ==
           std::set<std::string>{"line_rounding", "fill_rule", "snap", "pixel_sample", "box_walk",
-                                "weight_edge", "line", "bresenham_rule", "line_walk",
+                                "weight_edge", "line", "bresenham_rule", "line_walk", "sample_rule",
                                 "edge_samples", "row_start", "row_search", "empty_rows", "spans"});
     // Each of the rules visible in the tiny picture acts unless it is reported as idle.
     for (const char* const name : {"fill_rule", "pixel_sample", "line", "edge_samples", "spans"}) {

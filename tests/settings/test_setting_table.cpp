@@ -281,8 +281,8 @@ TEST_CASE("Each setting is compared and copied separately") {
             set_value(from, setting, "3x4");
         } else if (std::holds_alternative<BoxSetting>(setting.kind)) {
             set_value(from, setting, "-1,2,-3,0.5");
-        } else if (std::holds_alternative<WholeSetting>(setting.kind)) {
-            set_value(from, setting, "3");
+        } else if (const auto* const whole = std::get_if<WholeSetting>(&setting.kind)) {
+            set_value(from, setting, std::to_string(whole->smallest + whole->step));
         } else {
             const bool is_number = std::holds_alternative<NumberSetting>(setting.kind);
             set_value(from, setting,
@@ -414,4 +414,16 @@ TEST_CASE("Setting the differences in the order of the table makes one the other
             CHECK(made == to);
         }
     }
+}
+
+TEST_CASE("A pixel has one sample or four, and nothing between") {
+    Settings settings;
+    set_from_text(settings, "samples=4");
+    CHECK(settings.samples == 4);
+    for (const char* const wrong : {"samples=2", "samples=3", "samples=0", "samples=5"})
+        CHECK_THROWS_WITH(set_from_text(settings, wrong), Catch::Contains("1 or 4"));
+    CHECK(settings.samples == 4);
+    settings.samples = 3;
+    clamp_to_ranges(settings);
+    CHECK(settings.samples == 1);
 }

@@ -32,6 +32,7 @@ const std::vector<Settings>& rules_to_start_from() {
                                            lab_with({"line=bresenham"}),
                                            lab_with({"coverage=edge_functions"}),
                                            lab_with({"coverage=scan_conversion"}),
+                                           lab_with({"coverage=edge_functions", "samples=4"}),
                                            lab_with({"depth_test=off"}),
                                            lab_with({"depth_format=ndc_16"})};
     return all;

@@ -37,7 +37,8 @@ struct Changer {
     }
     void operator()(const WholeSetting& kind) const {
         constexpr int largest_tried = 3; // of many triangles a picture takes long
-        kind.value(settings) = random.integer(kind.smallest, std::min(kind.largest, largest_tried));
+        const int most = std::max(std::min(kind.largest, largest_tried), kind.smallest + kind.step);
+        kind.value(settings) = allowed_value(kind, random.integer(kind.smallest, most));
     }
     void operator()(const VectorSetting& kind) const {
         for (int i = 0; i < 3; ++i)
