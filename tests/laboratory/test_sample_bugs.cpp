@@ -70,6 +70,6 @@ TEST_CASE("B100: where surfaces cross, the nearer one takes all samples of a pix
     // Outlines against the background are the same in both.
     REQUIRE(runs.wrong.stats.fragments == runs.right.stats.fragments);
     const int different = different_pixels(runs.wrong.picture, runs.right.picture);
-    CHECK(different > 300);
+    CHECK(different > 200);
     CHECK(different < 10'000);
 }

@@ -111,10 +111,9 @@ TEST_CASE("Each row of the registry is in use under some settings") {
         for (const StageFunction& row : stage_functions()) {
             Settings settings = rules;
             settings.stage = Stage::shade;
-            if (row.word.empty())
-                set_value(settings, *row.setting, "0.5");
-            else
-                set_value(settings, *row.setting, row.word);
+            const auto* const whole = std::get_if<WholeSetting>(&row.setting->kind);
+            const std::string number = whole != nullptr ? std::to_string(whole->largest) : "0.5";
+            set_value(settings, *row.setting, row.word.empty() ? number : std::string(row.word));
             Scene scene = one_triangle(true, true);
             scene.parts.emplace_back().normal_map = 0;
             const auto found = functions_in_use(settings, &scene);
