@@ -255,6 +255,7 @@ void draw_samples(const Cells& cells, glm::ivec2 pixel,
     const ImVec2 high{low.x + m.scale, low.y + m.scale};
     if (cells.is_cut(low, high) || cells.is_under_label(low, high)) return;
     const RunResults& a = cells.ui.results.a;
+    if (a.framebuffer->overdraw[a.framebuffer->at(pixel.x, pixel.y)] == 0) return; // all are black
     const SampleColours& colours =
         a.framebuffer->sample_colour[a.framebuffer->at(pixel.x, pixel.y)];
     const ImU32 ink = has_dark_ink(shade_of(cells.ui, pixel).bytes()) ? dark_ink : light_ink;
