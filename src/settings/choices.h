@@ -405,8 +405,8 @@ enum class Blend : std::uint8_t {
 /// How the samples of a pixel are tested, and become its colour.
 enum class SampleRule : std::uint8_t {
     right,        ///< each by its own depth; the mean of the clamped colours
-    late_clamp,   ///< the mean first, and only that is clamped: mistake B99
-    centre_depth, ///< all of them by the depth at the pixel's centre: mistake B100
+    late_clamp,   ///< the mean first, and only that is clamped: mistake B100
+    centre_depth, ///< all of them by the depth at the pixel's centre: mistake B101
 };
 
 /// How many points of a pixel are tested for coverage and depth, and how many are shaded.

@@ -171,7 +171,7 @@ std::vector<Setting> make_table() {
          "of them: with 2 the picture is drawn at twice its size and made smaller again. It goes "
          "before samples=4. Used in the same cases.",
          "Beyond the lab", "samples", WholeSetting{at<&Settings::supersample>, 1, 2}},
-        {"sample_rule", "Samples tested and averaged", "Rows and edges",
+        {"sample_rule", "Sample rule", "Rows and edges",
          "How samples are tested and averaged: each by its own depth, with its colour clamped "
          "before the mean; or, by mistake, with only the mean clamped, or with the depth of the "
          "pixel's centre for all of them. Used only if pixels have several samples.",

@@ -28,9 +28,9 @@ float mean_of(const SampleColours& samples, int channel, bool is_late) {
 } // namespace sample_bugs
 } // namespace
 
-TEST_CASE("B99: one sample far above 1 makes a whole pixel white") {
+TEST_CASE("B100: one sample far above 1 makes a whole pixel white") {
     using namespace sample_bugs;
-    const BugRuns runs("B99");
+    const BugRuns runs("B100");
     REQUIRE(runs.wrong.picture.sample_colour == runs.right.picture.sample_colour);
     int whitened = 0;
     for (std::size_t i = 0; i < runs.right.picture.colour.size(); ++i) {
@@ -51,8 +51,8 @@ TEST_CASE("B99: one sample far above 1 makes a whole pixel white") {
     CHECK(whitened > 100);
 }
 
-TEST_CASE("B100: where surfaces cross, the nearer one takes all samples of a pixel or none") {
-    const BugRuns runs("B100");
+TEST_CASE("B101: where surfaces cross, the nearer one takes all samples of a pixel or none") {
+    const BugRuns runs("B101");
     // The fragments of each pixel that cover all of its samples, before any that does not.
     const auto split = [](const DrawnRun& run) {
         std::map<std::pair<int, int>, bool> is_whole;

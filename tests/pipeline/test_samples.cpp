@@ -330,8 +330,8 @@ TEST_CASE(
     "The room supersampled is the room at twice the size but for corners between grid points") {
     const Scene room = lab_room();
     for (const char* const filter : {"texture_filter=nearest", "texture_filter=trilinear"}) {
-        Settings settings = settings_of(room, {"coverage=edge_functions", "stage=pixel_light",
-                                               "clip=all", filter});
+        Settings settings =
+            settings_of(room, {"coverage=edge_functions", "stage=pixel_light", "clip=all", filter});
         settings.viewport = {100, 80};
         settings.camera.focal_length = 100.0f;
         Settings large = settings;
