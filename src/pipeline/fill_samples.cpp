@@ -72,7 +72,7 @@ std::optional<Fate> left_out(const Drawing& d, const Fragment& fragment,
 SampledFate draw_multisampled(Drawing& d, const SampledFragment& of, const Surface& surface,
                               bool is_stored) {
     SampledFate result;
-    const FragmentAlpha alpha = fragment_alpha(of.at_centre, surface, d.stages);
+    const FragmentAlpha alpha = fragment_alpha(of.at_centre, surface, d.pixels, d.stages);
     result.alpha = alpha.alpha;
     if (const std::optional<Fate> fate = left_out(d, of.at_centre, alpha)) {
         result.fate = *fate;
@@ -105,7 +105,7 @@ SampledFate draw_supersampled(Drawing& d, const SampledFragment& of, const Surfa
         const auto sample = static_cast<std::size_t>(s);
         if (!has_sample(of.covered, s)) continue;
         const Fragment& fragment = of.at_samples[sample];
-        const FragmentAlpha alpha = fragment_alpha(fragment, surface, d.stages);
+        const FragmentAlpha alpha = fragment_alpha(fragment, surface, d.pixels, d.stages);
         if (const std::optional<Fate> fate = left_out(d, fragment, alpha)) {
             if (!is_tested) result.fate = *fate;
             continue;
