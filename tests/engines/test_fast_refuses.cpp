@@ -105,7 +105,7 @@ std::vector<Ground> grounds() {
             {lesson_scene("brick-relief"),
              {"normal_map=off", "camera.yaw=0.03", "camera.target=0.0137,0.0071,1"}},
             {lesson_scene("brick-heights"),
-             {"parallax=off", "camera.position=0,0,0", "camera.yaw=0.03",
+             {"normal_map=off", "parallax=off", "camera.position=0,0,0", "camera.yaw=0.03",
               "camera.target=0.0137,0.0071,1"}},
             {half_clear, {"blend=off"}}};
 }

@@ -80,7 +80,8 @@ TEST_CASE("Every number of a shifted place follows from its formula to the bit")
                         const Formula* const x = find_formula(report->formulas, "texture.x");
                         CHECK(x->inputs.front().source == from_formula("parallax.u"));
                     }
-                    CHECK(test::same_bits(report->colour, report->after));
+                    if (report->fate == Fate::written)
+                        CHECK(test::same_bits(report->colour, report->after));
                 }
             }
         }
