@@ -44,6 +44,9 @@ bool has_bent_normals(const Scene& scene, const Settings& s) {
     return has_camera(scene, s) && has_normal_map(scene);
 }
 
+bool has_samples_of_pixels(const Scene&, const Settings& s) {
+    return sampling_rule(s) != Sampling::centre;
+}
 bool has_shadows(const Scene& scene, const Settings& s) {
     return shadow_rule(s, scene.space) != Shadows::off;
 }
@@ -181,6 +184,14 @@ std::vector<StripEntry> make_strip_list() {
         .is_usable = has_shadows,
         .is_computed = has_shadows,
         .tab = "fragment"};
+    const StripEntry resolve{
+        .name = "resolve",
+        .group = Group::picture,
+        .words = {"Resolve", "Goes to where the samples of each pixel become one colour, after the "
+                             "last triangle; changes no setting."},
+        .is_usable = has_samples_of_pixels,
+        .is_computed = has_samples_of_pixels,
+        .tab = "history"};
     return {
         space,
         clip,
@@ -198,7 +209,7 @@ std::vector<StripEntry> make_strip_list() {
         texture,
         normal_map,
         shadow,
-        // What is done with the finished picture comes here, in a group of its own.
+        resolve,
     };
 }
 

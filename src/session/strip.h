@@ -20,7 +20,7 @@ struct Session;
 struct Settings;
 
 /// A part of the work; a bar in the strip separates it from the next one.
-enum class StripGroup : std::uint8_t { view, coverage, visibility, light, surface };
+enum class StripGroup : std::uint8_t { view, coverage, visibility, light, surface, picture };
 
 /// How an entry of the strip is joined to the previous one.
 enum class StripJoin : std::uint8_t {

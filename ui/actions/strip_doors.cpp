@@ -63,12 +63,19 @@ void go_to_shadows(Ui& ui) {
     show_tab(ui, "fragment");
 }
 
+/// Where the samples of the first pixel become its colour.
+void go_to_resolve(Ui& ui) {
+    go_to(ui.session, moment_of_resolve(0, 0));
+    show_tab(ui, "history");
+}
+
 } // namespace
 
 void open_door(Ui& ui, std::string_view name) {
     if (name == "space") go_to_spaces(ui);
     if (name == "clip") go_to_clipping(ui);
     if (name == "shadow") go_to_shadows(ui);
+    if (name == "resolve") go_to_resolve(ui);
 }
 
 } // namespace rasterwalk

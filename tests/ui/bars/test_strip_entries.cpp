@@ -203,6 +203,20 @@ TEST_CASE("Shadow leads to the shadow map, or without one to the fragment at the
     CHECK_FALSE(is_there(driver, "stage.shadow"));
 }
 
+TEST_CASE("Resolve leads to the first pixel that is resolved, where pixels have samples") {
+    Driver driver;
+    set(driver, "samples=4");
+    CHECK_FALSE(is_there(driver, "stage.resolve")); // the row table has none
+    set(driver, "coverage=edge_functions");
+    CHECK(strip_of(driver) == "Points Edges Inside Fill Depth Vertex light Pixel light Resolve");
+    driver.hand.click("stage.resolve");
+    CHECK(to_text(driver.ui.results.a.cursor) == "s0/c0");
+    CHECK(driver.ui.session.tab == "history");
+    driver.hand.click("stage.edges");
+    driver.hand.leave();
+    CHECK_FALSE(is_there(driver, "stage.resolve"));
+}
+
 TEST_CASE("Flat, Gouraud and Phong shade a curved surface, and undo takes each step back") {
     Driver driver("cylinder.toml");
     const Settings& settings = driver.ui.session.a.settings;
