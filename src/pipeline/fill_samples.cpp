@@ -49,9 +49,9 @@ void put_sample(Drawing& d, const SampledFragment& of, std::size_t sample, const
                 float alpha) {
     glm::vec3& stored = d.target.sample_colour[of.pixel][sample];
     stored = alpha < 1.0f ? d.stages.blend(colour, alpha, stored) : colour;
-    if (sample != 0) return;
-    d.target.colour[of.pixel] = stored;
-    d.target.owner[of.pixel] = of.cursor.triangle;
+    std::int32_t& owner = d.target.owner[of.pixel];
+    if (sample == 0 || owner < 0) owner = of.cursor.triangle;
+    if (sample == 0) d.target.colour[of.pixel] = stored;
 }
 
 void store_depth(Drawing& d, std::size_t pixel, std::size_t sample, float depth) {

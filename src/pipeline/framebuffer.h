@@ -29,7 +29,8 @@ struct PictureRules {
 ///
 /// Where pixels have several samples, two more planes hold what belongs to each sample. The four
 /// planes then show sample 0, its colour, depth and owner, until the pixel is resolved; that
-/// changes only the colour. The overdraw counts fragments, whichever samples they cover.
+/// changes only the colour. As long as nothing was drawn on sample 0, the owner is the first
+/// triangle that was drawn on another. The overdraw counts fragments, whichever samples they cover.
 struct Framebuffer {
     Viewport size{0, 0};
     glm::ivec2 origin{0, 0};       ///< column and row of the picture where the planes begin

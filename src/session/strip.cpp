@@ -177,10 +177,8 @@ std::vector<StripEntry> make_strip_list() {
     const StripEntry shadow{
         .name = "shadow",
         .group = Group::surface,
-        .words = {"Shadow",
-                  "Goes to where shadows are made: with a shadow map to its first picture, "
-                  "otherwise to the picked pixel's fragment, where the light asks what "
-                  "is in its way. Changes no setting."},
+        .words = {"Shadow", "Goes to where shadows are found: the first picture of the shadow map, "
+                            "or the picked pixel's fragment; changes no setting."},
         .is_usable = has_shadows,
         .is_computed = has_shadows,
         .tab = "fragment"};

@@ -174,10 +174,10 @@ ViewField cursor_field() {
     form.read = [](const TomlBlock& block, const toml::node& node) {
         const std::optional<Cursor> cursor = parse_cursor(block.text(node));
         if (!cursor) {
-            block.input().fail(node,
-                               in_quotes(block.text(node)) +
-                                   " is not a moment; moments are written t12, t12/v1, t12/p2/s1, "
-                                   "t12/k, t12/e2/s14, t12/b4/c7, t12/r37/c5, w12, p1:t12 or end.");
+            block.input().fail(
+                node, in_quotes(block.text(node)) +
+                          " is not a moment; moments are written t12, t12/v1, t12/p2/s1, "
+                          "t12/k, t12/e2/s14, t12/b4/c7, t12/r37/c5, s37/c5, w12, p1:t12 or end.");
         }
         return *cursor;
     };
@@ -195,7 +195,7 @@ ViewField cursor_field() {
     };
     const ViewOption option{"to", "CURSOR",
                             "Draw up to this moment: t12, t12/v1, t12/p2/s1, t12/k, t12/e2/s14, "
-                            "t12/b4/c7, t12/r37/c5, w12, p1:t12 or end"};
+                            "t12/b4/c7, t12/r37/c5, s37/c5, w12, p1:t12 or end"};
     ViewField field = make_field("cursor", ViewPart::selection, option, form);
     field.is_of_scene = true;
     field.link = cursor_link();

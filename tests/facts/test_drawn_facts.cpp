@@ -150,7 +150,12 @@ void check_choice(Asked& asked, const Choice& choice, test::Random& random, Seen
     const test::Recorder recorder = record(asked.frame());
     const FragmentEvent* const event = some_winner(recorder, random);
     if (event == nullptr) return;
-    check_pixel(asked, *event, choice.name + ", " + to_text(event->cursor));
+    FragmentEvent shown = *event;
+    if (asked.frame().has_samples()) { // what the samples make together
+        const Framebuffer picture = draw_frame(asked.frame());
+        shown.after = picture.colour[picture.at(event->fragment.column, event->fragment.row)];
+    }
+    check_pixel(asked, shown, choice.name + ", " + to_text(event->cursor));
     ++seen.pixels;
     if (const std::optional<float> apart = drawn_apart(asked.frame(), event->cursor)) {
         expect(asked, "pixel.light_error", *apart, choice.name + ", " + to_text(event->cursor));

@@ -19,6 +19,8 @@ namespace {
 constexpr float wide_block = 26.0f, slim_block = 11.0f, block_gap = 2.0f, line_gap = 8.0f;
 /// A line keeps at least this much, or the blocks have no names.
 constexpr float least_line = 220.0f;
+/// Without this much there are no blocks.
+constexpr float shortest_line = 60.0f;
 
 constexpr const char* picture_label = "picture";
 
@@ -61,11 +63,11 @@ PassRoom pass_room(const Ui& ui, float width) {
         room.after = text_width(ui.fonts.small, picture_label) + (10.0f + line_gap) * u;
     const bool has_names = width - blocks_width(wide_block) * u - room.after >= least_line * u;
     room.before = blocks_width(has_names ? wide_block : slim_block) * u;
-    return room;
+    return width - room.before - room.after >= shortest_line * u ? room : PassRoom{};
 }
 
 void draw_pass_blocks(Ui& ui, const PassRoom& room, ImVec2 left_top, ImVec2 right_bottom) {
-    if (room.before <= 0.0f) return;
+    if (room.before <= 0.0f) return; // Home and End lead from pass to pass, too
     const float u = ui.options.text_scale;
     const int here = ui.results.a.frame.pass;
     const float step =

@@ -14,7 +14,7 @@ struct PassRoom {
     float after = 0.0f; ///< of the block that leads back to the picture, while a pass is shown
 };
 
-/// None if the picture has no passes before it.
+/// None if the picture has no passes before it, or if too little would be left of the line.
 /// @param width of line and blocks together, screen pixels
 PassRoom pass_room(const Ui& ui, float width);
 
