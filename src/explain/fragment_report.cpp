@@ -230,9 +230,9 @@ std::string_view light_in_use(Shading shading) {
 bool is_fragment_formula(std::string_view id) {
     constexpr std::array<std::string_view, 4> whole{"column", "zinv", "depth", "margin"};
     static const std::vector<std::string_view> first_parts = [] {
-        std::vector<std::string_view> parts{"weight",         "depth",       "blend", "texture",
-                                            "surface",        "bump",        "flat",  "pixel_light",
-                                            "triangle_light", "vertex_light", "parallax", "resolve"};
+        std::vector<std::string_view> parts{
+            "weight", "depth",       "blend",          "texture",      "surface",  "bump",
+            "flat",   "pixel_light", "triangle_light", "vertex_light", "parallax", "resolve"};
         for (const QuantityInfo& info : quantity_list())
             parts.push_back(info.words.id);
         return parts;
