@@ -87,7 +87,7 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
     depth.result = {report.depth};
     report.formulas.push_back(depth);
     Source stored = report.stored_by
-                        ? from_moment(*report.stored_by)
+                        ? from_moment(in_pass(*report.stored_by, frame.pass))
                         : from_words("what the depth buffer starts with; nothing has been drawn "
                                      "here yet");
     if (!report.stored_by && report.stored != farthest_depth(kind))

@@ -18,6 +18,7 @@
 #include "lessons/lesson_list.h"
 #include "lessons/lesson_run.h"
 #include "pipeline/frame.h"
+#include "pipeline/shadow_pass.h"
 #include "pipeline/timeline.h"
 #include "scene/applied_texture.h"
 #include "scene/model_notice.h"
@@ -214,7 +215,9 @@ bool changes_picture(const ViewOptions& o) {
 void fit(const Session& session, ViewState& state) {
     if (state.cursor)
         state.cursor = existing_moment(*session.scene, session.a.settings, *state.cursor);
-    const Viewport& size = session.a.settings.viewport;
+    const Settings& picture = session.a.settings;
+    const int pass = pass_of(state.cursor.value_or(cursor_end), picture, session.scene->space);
+    const Viewport size = settings_of_pass(picture, pass).viewport;
     const std::optional<glm::ivec2>& pixel = state.pixel;
     if (state.line_of("pixel") != set_by_options && pixel &&
         (pixel->x >= size.width || pixel->y >= size.height)) {

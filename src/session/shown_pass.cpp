@@ -14,6 +14,17 @@ Run shown_run(const Session& session, const Run& run) {
     return {settings_of_pass(run.settings, shown_pass(session, run))};
 }
 
+Viewport shown_size(const Session& session) {
+    return shown_run(session, session.a).settings.viewport;
+}
+
+void leave_missing_pass(Session& session) {
+    if (session.cursor.pass >= 0 || shown_pass(session, session.a) < 0) return;
+    session.cursor = cursor_end;
+    session.selection.pixel = std::nullopt;
+    session.selection.row = std::nullopt;
+}
+
 Frame shown_frame(const Session& session) {
     return prepare_pass(*session.scene, session.a.settings, shown_pass(session, session.a));
 }

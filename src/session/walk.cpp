@@ -39,6 +39,18 @@ int first_pass(const Session& session) {
     return first_pass(session.a.settings, session.scene->space);
 }
 
+/// Sets the cursor. Pixels and rows are those of one picture, so another pass has none of them; nor
+/// has it the triangles of a drawn list.
+void move_to(Session& session, const Cursor& cursor) {
+    if (std::min(cursor.pass, 0) != std::min(session.cursor.pass, 0)) {
+        session.selection.pixel = std::nullopt;
+        session.selection.row = std::nullopt;
+        if (hidden_rule(session.a.settings) != Hidden::depth_buffer)
+            session.selection.triangle = std::nullopt;
+    }
+    session.cursor = cursor;
+}
+
 } // namespace
 
 void step_forward(Session& session, const Timeline& timeline, Granularity step) {
@@ -58,10 +70,7 @@ void step_back(Session& session, const Timeline& timeline, Granularity step) {
 }
 
 void scrub_to(Session& session, const Cursor& cursor) {
-    // A pixel is one of the picture in which it was picked.
-    if (std::min(cursor.pass, 0) != std::min(session.cursor.pass, 0))
-        session.selection.pixel = std::nullopt;
-    session.cursor = cursor;
+    move_to(session, cursor);
     session.play.running = false;
 }
 
@@ -147,12 +156,12 @@ void advance_play(Session& session, const Timeline& timeline, const FrameLength&
     const int pass = timeline.frame().pass;
     const Cursor here = moment_in(timeline, session);
     if (here == cursor_end && pass < 0) {
-        session.cursor = in_pass(cursor_begin, pass + 1);
+        move_to(session, in_pass(cursor_begin, pass + 1));
         play.passed = 0.0;
         return;
     }
     const Instant now = after(timeline, length, play, here, time);
-    session.cursor = in_pass(now.cursor, pass);
+    move_to(session, in_pass(now.cursor, pass));
     play.passed = now.passed;
     if (now.cursor == cursor_end && pass == 0) play.running = false;
 }

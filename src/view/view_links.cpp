@@ -10,6 +10,7 @@
 #include "base/quoted.h"
 #include "session/moments.h"
 #include "session/second_run.h"
+#include "session/shown_pass.h"
 #include "session/walk.h"
 #include "settings/setting_table.h"
 #include "view/view_form.h"
@@ -43,7 +44,7 @@ void require(bool is_good, const std::string& argument, const char* what) {
 
 void pick_pixel(Session& session, const std::string& argument) {
     const std::optional<glm::ivec2> pixel = parse_pixel(argument);
-    const Viewport& size = session.a.settings.viewport;
+    const Viewport size = shown_size(session);
     if (pixel &&
         (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.width || pixel->y >= size.height)) {
         throw UsageError(fmt::format("the pixel {} is outside the picture of {} x {} pixels.",

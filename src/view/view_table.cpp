@@ -11,6 +11,7 @@
 #include "scene/tessellation.h"
 #include "session/moments.h"
 #include "session/second_run.h"
+#include "session/shown_pass.h"
 #include "settings/setting_table.h"
 #include "view/look_fields.h"
 #include "view/view_form.h"
@@ -224,10 +225,10 @@ ViewField pixel_field() {
     form.word = [text](const auto& pixel) { return pixel ? text(*pixel) : std::string(no_value); };
     form.read_session = [is_inside](const Session& session) {
         const std::optional<glm::ivec2>& pixel = session.selection.pixel;
-        return pixel && is_inside(*pixel, session.a.settings.viewport) ? pixel : std::nullopt;
+        return pixel && is_inside(*pixel, shown_size(session)) ? pixel : std::nullopt;
     };
     form.show = [text, is_inside](const auto& pixel, Session& session) {
-        const Viewport& size = session.a.settings.viewport;
+        const Viewport size = shown_size(session);
         session.selection.pixel = std::nullopt;
         if (pixel && !is_inside(*pixel, size)) {
             throw UsageError("the pixel " + text(*pixel) + " is outside the picture of " +
@@ -246,14 +247,14 @@ ViewField pixel_field() {
 /// The number of triangles drawn of the scene.
 int triangles_of(const Session& session) {
     // How many pieces planes cut is known only once they have.
-    if (hidden_rule(session.a.settings) == Hidden::bsp)
-        return prepare_frame(*session.scene, session.a.settings).triangle_count();
+    const bool is_cut = hidden_rule(shown_run(session, session.a).settings) == Hidden::bsp;
+    if (is_cut) return prepare_frame(*session.scene, session.a.settings).triangle_count();
     const int parts = tessellation_of(*session.scene, session.a.settings.tessellation);
     return session.scene->triangle_count() * parts * parts;
 }
 
 int rows_of(const Session& session) {
-    return session.a.settings.viewport.height;
+    return shown_size(session).height;
 }
 
 int vertices_of(const Session&) {

@@ -252,3 +252,43 @@ TEST_CASE("Two runs are compared in a pass only if both have it in the same size
     finish(session, results);
     CHECK(results.b);
 }
+
+TEST_CASE("Playing on into the next pass leaves the picked pixel behind") {
+    Session session = room_with_map(8);
+    Results results;
+    session.cursor = in_pass(cursor_end, -1);
+    session.selection.pixel = glm::ivec2(3, 3);
+    session.selection.row = 3;
+    session.selection.triangle = 2;
+    finish(session, results);
+    session.play.running = true;
+    advance_play(session, Timeline(results.a.frame), results.length, 0.05f);
+    CHECK(session.cursor == cursor_begin);
+    CHECK_FALSE(session.selection.pixel);
+    CHECK_FALSE(session.selection.row);
+    CHECK(session.selection.triangle == 2);
+    // Of a drawn list the triangle is another one there.
+    session.a.settings.hidden = Hidden::painter;
+    go_to(session, in_pass(cursor_end, -3));
+    CHECK_FALSE(session.selection.triangle);
+}
+
+TEST_CASE("A pixel of a face is checked against the size of the face") {
+    Session session = room_with_map(200); // the picture has 60 x 60 pixels
+    session.cursor = in_pass(cursor_end, -4);
+    CHECK(shown_size(session) == Viewport{200, 200});
+    session.cursor = cursor_end;
+    CHECK(shown_size(session) == Viewport{60, 60});
+}
+
+TEST_CASE("When the shadow map is turned off, the picture is shown in place of its pass") {
+    Session session = room_with_map(8);
+    session.cursor = in_pass(cursor_begin, -4);
+    session.selection.pixel = glm::ivec2(3, 3);
+    leave_missing_pass(session);
+    CHECK(session.cursor.pass == -4);
+    session.a.settings.stage = Stage::depth;
+    leave_missing_pass(session);
+    CHECK(session.cursor == cursor_end);
+    CHECK_FALSE(session.selection.pixel);
+}

@@ -40,7 +40,8 @@ void go_to_source(Ui& ui, const Source& source) {
         const bool has_squares = ui.results.a.frame.squares != nullptr;
         if (has_squares && source.moment.square < 0) return;
         const Timeline timeline(ui.results.a.frame);
-        go_to(ui.session, timeline, timeline.next(source.moment, Granularity::moment));
+        const Cursor moment = in_frame(source.moment, timeline.frame().pass);
+        go_to(ui.session, timeline, timeline.next(moment, Granularity::moment));
         return;
     }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "picture/view_image.h"
+#include "session/shown_pass.h"
 #include "session/walk.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
@@ -219,6 +220,7 @@ bool build_pass(Ui& ui, float seconds) {
     guarded(ui, [&] {
         advance_play(ui.session, Timeline(ui.results.a.frame), ui.results.length, seconds);
         mirror_changes_to_b(ui.session);
+        leave_missing_pass(ui.session);
         leave_compare_tab(ui.session);
         follow_stage(ui.session);
     });

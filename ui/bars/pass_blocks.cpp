@@ -56,6 +56,7 @@ bool draw_block(Ui& ui, const std::string& name, const std::string& label, const
 
 PassRoom pass_room(const Ui& ui, float width) {
     const Frame& frame = ui.results.a.frame;
+    if (hides_settings(ui.session)) return {};
     if (frame.pass == 0 && first_pass(frame.settings, frame.scene->space) == 0) return {};
     const float u = ui.options.text_scale;
     PassRoom room;

@@ -300,8 +300,10 @@ void draw_group(Ui& ui, const DivergenceGroup& group, int index) {
     ImGui::PopID();
     const std::string part = part_words(*ui.results.a.frame.scene, group.triangle);
     register_widget(ui, "compare.group." + std::to_string(index),
-                    triangle_name(group.triangle) + ", " + part + ": from " + to_text(group.first) +
-                        " to " + to_text(group.last) + ".\nClick to go to the first of them.");
+                    triangle_name(group.triangle) + ", " + part + ": from " +
+                        moment_text(ui.results.a.frame, group.first) + " to " +
+                        moment_text(ui.results.a.frame, group.last) +
+                        ".\nClick to go to the first of them.");
     ImGui::SameLine(0.0f, 0.0f);
     put_text(shortened(short_triangle_name(group.triangle) + " " + part,
                        ImGui::GetContentRegionAvail().x));
