@@ -358,14 +358,16 @@ void print_text(const Frame& frame, const PixelHistory& history, const Cursor& t
         out << entry_line(frame, history, i, to);
     if (!history.resolve) return;
     const glm::vec3& colour = history.resolve->colour;
+    const bool is_late = frame.settings.sample_rule == SampleRule::late_clamp;
     out << fmt::format(
-        "     {:<{}}  the mean of four samples, each clamped: {:.4f} {:.4f} {:.4f}{}\n",
-        to_text(history.resolve->cursor), moment_width(frame), colour.r, colour.g, colour.b,
-        history.resolve->cursor < to ? "" : "  not resolved yet");
+        "     {:<{}}  the mean of four samples, {} clamped: {:.4f} {:.4f} {:.4f}{}\n",
+        to_text(history.resolve->cursor), moment_width(frame), is_late ? "then" : "each", colour.r,
+        colour.g, colour.b, history.resolve->cursor < to ? "" : "  not resolved yet");
 }
 
 /// The numbers of the fragment that stays, section by section.
-void print_fragment(const std::optional<FragmentReport>& report, std::ostream& out) {
+void print_fragment(const Frame& frame, const std::optional<FragmentReport>& report,
+                    std::ostream& out) {
     if (!report) {
         out << "\nNo fragment stays.\n";
         return;
@@ -374,6 +376,9 @@ void print_fragment(const std::optional<FragmentReport>& report, std::ostream& o
                                              "pixel_light"};
     std::erase(not_in_use, light_in_use(report->shading));
     out << '\n';
+    if (frame.has_samples() && sampling_rule(frame.settings) == Sampling::supersample)
+        out << "With supersampling the shader runs at each sample; the numbers of the light are "
+               "those of the pixel's centre.\n\n";
     print_formulas(out, report->formulas, not_in_use);
 }
 
@@ -399,7 +404,7 @@ void pixel_command(const PixelOptions& options, std::ostream& out) {
         print_texture(frame, history, out);
         print_shadow(frame, history, out);
         print_tests(frame, history, to, out);
-        if (options.formulas) print_fragment(report, out);
+        if (options.formulas) print_fragment(frame, report, out);
     }
 }
 

@@ -49,8 +49,10 @@ FrameShadows count_shadows(const Frame& frame) {
     std::vector<Fragment> shown(picture.owner.size()); // finally, by each pixel
     const Observer keep_last{.fragment = [&](const FragmentEvent& event) {
         const Fragment& fragment = event.fragment;
-        if (event.fate == Fate::written)
-            shown[picture.at(fragment.column, fragment.row)] = fragment;
+        const std::size_t pixel = picture.at(fragment.column, fragment.row);
+        // A pixel with several samples may have been written where it does not show it.
+        if (event.fate == Fate::written && picture.owner[pixel] == event.cursor.triangle)
+            shown[pixel] = fragment;
     }};
     draw(frame, {}, picture, &keep_last);
     const PixelRules rules = pixel_rules(frame);

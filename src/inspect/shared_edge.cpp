@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "stages/samples.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -114,6 +116,13 @@ class DrawnPair {
         return centres_on_edge(edge_[from_], edge_[next_corner(from_)], row);
     }
 
+    EdgePixel pixel(int column, int row) const {
+        const SampleMask a = samples(0, column, row), b = samples(1, column, row);
+        if ((a & b) != 0) return EdgePixel::twice;
+        if (a == 0 && b == 0) return on_edge(row).has(column) ? EdgePixel::hole : EdgePixel::nobody;
+        return count_samples(a) >= count_samples(b) ? EdgePixel::triangle : EdgePixel::neighbour;
+    }
+
     EdgeByRule count(FillRule rule) const {
         EdgeByRule result{rule};
         const int top = std::min(rows_[0].first_row, rows_[1].first_row);
@@ -122,6 +131,11 @@ class DrawnPair {
         for (int row = top; row < bottom; ++row) {
             const Columns a = drawn(0, row), b = drawn(1, row), centres = on_edge(row);
             const Columns both = in_both(a, b);
+            if (has_samples(stages_)) {
+                result.twice += count_pixels(both, EdgePixel::twice, row);
+                result.holes += count_pixels(centres, EdgePixel::hole, row);
+                continue;
+            }
             result.twice += both.count();
             result.holes += centres.count() - in_both(centres, a).count() -
                             in_both(centres, b).count() + in_both(centres, both).count();
@@ -130,6 +144,21 @@ class DrawnPair {
     }
 
   private:
+    /// The samples of a pixel that one of the two draws; of a pixel without several, all or none.
+    SampleMask samples(std::size_t which, int column, int row) const {
+        if (!drawn(which, row).has(column)) return 0;
+        if (!has_samples(stages_)) return mask_of(0);
+        return covered_samples(rows_[which], row - rows_[which].first_row, column);
+    }
+
+    /// How many of the columns of a row have such a pixel.
+    std::int64_t count_pixels(const Columns& columns, EdgePixel wanted, int row) const {
+        std::int64_t count = 0;
+        for (std::int64_t column = columns.first; column <= columns.last; ++column)
+            count += pixel(static_cast<int>(column), row) == wanted ? 1 : 0;
+        return count;
+    }
+
     Stages stages_;
     std::array<PolygonRows, 2> rows_;
     SnappedCorners edge_;
@@ -178,13 +207,6 @@ glm::ivec2 middle_of_part(const GridPoint& a, const GridPoint& b,
     const int main = pixel_at(at);
     const int across = pixel_at(across_from + across_length * (at - from) / length);
     return is_wide ? glm::ivec2(main, across) : glm::ivec2(across, main);
-}
-
-EdgePixel drawn_by(const Columns& a, const Columns& b, const Columns& on_edge, int column) {
-    if (a.has(column) && b.has(column)) return EdgePixel::twice;
-    if (a.has(column)) return EdgePixel::triangle;
-    if (b.has(column)) return EdgePixel::neighbour;
-    return on_edge.has(column) ? EdgePixel::hole : EdgePixel::nobody;
 }
 
 } // namespace
@@ -251,10 +273,8 @@ EdgePicture edge_picture(const Frame& frame, const SharedEdge& shared, const Rec
         const DrawnPair drawn(frame, shared, rule);
         picture.rules[i] = drawn.count(rule);
         for (int row = window.top; row < window.bottom; ++row) {
-            const Columns a = drawn.drawn(0, row), b = drawn.drawn(1, row),
-                          on_edge = drawn.on_edge(row);
             for (int column = window.left; column < window.right; ++column)
-                picture.pixels[i].push_back(drawn_by(a, b, on_edge, column));
+                picture.pixels[i].push_back(drawn.pixel(column, row));
         }
     }
     return picture;

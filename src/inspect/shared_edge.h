@@ -1,7 +1,8 @@
 #pragma once
 
 // Two triangles that share an edge, and what each fill rule does with the pixels whose centres lie
-// on that edge: drawn by both, by one, or by none (stages/fill_rule.h).
+// on that edge: drawn by both, by one, or by none (stages/fill_rule.h). A pixel with several
+// samples is drawn by both only where both cover the same sample.
 
 #include <array>
 #include <cstdint>
@@ -40,7 +41,7 @@ struct EdgeByRule {
     FillRule rule = FillRule::inclusive;
     std::int64_t twice = 0; ///< pixels that both triangles draw
     std::int64_t holes = 0; ///< pixels whose centres lie on the edge between its ends, but that
-                            ///< neither draws
+                            ///< neither draws, not even a sample of them
 
     friend bool operator==(const EdgeByRule&, const EdgeByRule&) = default;
 };
@@ -54,7 +55,8 @@ EdgeByRules count_by_rules(const Frame& frame, const SharedEdge& shared);
 std::optional<SharedEdge> shared_edge_at(const Frame& frame, int triangle,
                                          const std::optional<glm::ivec2>& pixel);
 
-/// Who draws a pixel next to a shared edge.
+/// Who draws a pixel next to a shared edge. Of a pixel with samples of both, none of them in
+/// common, the one that covers more.
 enum class EdgePixel : std::uint8_t { nobody, triangle, neighbour, twice, hole };
 
 /// A shared edge and the pixels around it, by each of compared_fill_rules.

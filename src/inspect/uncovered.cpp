@@ -77,6 +77,7 @@ NearTriangle look_at(const Frame& frame, int triangle, const glm::ivec2& pixel, 
     const int drawn = is_row_empty ? 0 : row_span(frame.stages, rows, index).drawn;
     near.is_empty = drawn == 0;
     near.is_by_samples = walks_edges(frame.stages);
+    near.has_samples = frame.has_samples();
     near.is_left_out = drawn == 0 && !is_row_empty;
     if (near.is_empty) {
         near.columns_away = offset_to_box(frame, triangle, pixel).x;
@@ -247,7 +248,8 @@ std::string miss_text(const NearTriangle& near) {
     if (near.is_empty) {
         return near.is_by_samples
                    ? fmt::format("no edge sample reached its row {}", near.row)
-                   : fmt::format("no pixel centre of its row {} lies inside", near.row);
+                   : fmt::format("no {} of its row {} lies inside",
+                                 near.has_samples ? "sample" : "pixel centre", near.row);
     }
     const bool begins = near.columns_away > 0;
     return fmt::format("row {} {} at column {}, {} the pixel", near.row, begins ? "begins" : "ends",

@@ -28,6 +28,7 @@ struct NearTriangle {
     int row = 0;               ///< of the picture: the pixel's own, or the nearest of the table
     bool is_empty = false;     ///< nothing in that row is drawn; it has no ends
     bool is_by_samples = true; ///< its rows are made from edge samples
+    bool has_samples = false;  ///< pixels have several samples
     bool is_left_out = false;  ///< because it is a single pixel, and such rows are left out
     int left = 0, right = 0;   ///< columns where that row begins and ends
     int columns_away = 0; ///< from the pixel to the nearer end, or, if the row is empty, to the box

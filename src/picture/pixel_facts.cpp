@@ -9,6 +9,7 @@
 #include "pipeline/draw.h"
 #include "pipeline/observer.h"
 #include "stages/pixel_shader.h"
+#include "stages/samples.h"
 
 namespace rasterwalk {
 
@@ -117,7 +118,7 @@ class FactsWriter {
     void note(const FragmentEvent& event) {
         const Fragment& f = event.fragment;
         const std::size_t pixel = static_cast<std::size_t>(f.row) * width_ + f.column;
-        if (marks_twice_) record_neighbours(event.cursor.triangle, f, pixel);
+        if (marks_twice_) record_neighbours(event, pixel);
         if (!facts_.depth.empty()) {
             DepthVerdicts& verdicts = facts_.depth[pixel];
             if (is_depth_tested(event.fate))
@@ -131,16 +132,23 @@ class FactsWriter {
     std::vector<glm::vec3> positions; ///< of the visible fragments, if the error is wanted
 
   private:
-    void record_neighbours(int triangle, const Fragment& fragment, std::size_t pixel) {
+    void record_neighbours(const FragmentEvent& event, std::size_t pixel) {
+        const Fragment& fragment = event.fragment;
+        const int triangle = event.cursor.triangle;
         if (triangle != rows_of_) make_rows(triangle);
         for (std::size_t n = 0; n < rows_.size() && n < count_; ++n) {
             const PolygonRows& rows = rows_[n];
             const int row = fragment.row - rows.first_row;
             if (row < 0 || row >= rows.size()) continue;
             if (rows.is_empty_row(row)) continue;
-            const RowSpan span = row_span(frame_.stages, rows, row);
-            const int step = fragment.column - span.left;
-            if (step < 0 || step >= span.drawn) continue;
+            if (frame_.has_samples()) {
+                // Along a shared edge each of the two has its own samples of a pixel.
+                if ((covered_samples(rows, row, fragment.column) & event.covered) == 0) continue;
+            } else {
+                const RowSpan span = row_span(frame_.stages, rows, row);
+                const int step = fragment.column - span.left;
+                if (step < 0 || step >= span.drawn) continue;
+            }
             facts_.drawn_twice[pixel] = {neighbours_.of(triangle)[n], triangle};
         }
     }

@@ -109,7 +109,9 @@ std::optional<Cursor> parse_cursor(std::string_view text) {
     if (!triangle) return std::nullopt;
     cursor.triangle = *triangle;
     if (text.empty()) return cursor;
-    return take(text, '/') && read_piece(text, cursor) ? std::optional(cursor) : std::nullopt;
+    const bool is_read = take(text, '/') && read_piece(text, cursor);
+    // Pixels are resolved after all triangles, by none of them.
+    return is_read && cursor.phase != Phase::resolve ? std::optional(cursor) : std::nullopt;
 }
 
 } // namespace rasterwalk

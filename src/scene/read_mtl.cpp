@@ -253,6 +253,7 @@ class MtlReader {
                                             [&](const MapOption& o) { return o.name == option; });
             if (known == std::end(map_options)) return;
             const bool is_used = std::find(used.begin(), used.end(), option) != used.end();
+            bool is_right = true;
             for (int i = 0; i < known->most; ++i) {
                 std::string_view after = remainder;
                 const std::string_view word = take_word(after);
@@ -263,9 +264,17 @@ class MtlReader {
                     fault([&] { return decimal_comma_sentence(word, option); });
                 else if (i >= known->fewest && !number)
                     break;
+                else if (is_used && !number)
+                    fault([&] {
+                        return fmt::format("{} is not a valid number for {}, which is left out.",
+                                           in_quotes(word), in_quotes(option));
+                    });
+                is_right = is_right && number.has_value();
                 if (number) options.set(option, i, static_cast<float>(*number));
                 remainder = after;
             }
+            // One number of a range means nothing without the other.
+            if (!is_right && option == "-mm") options.base = options.gain = std::nullopt;
             if (!is_used) skip(option, skipped_option);
             rest = remainder;
         }

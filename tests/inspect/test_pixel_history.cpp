@@ -372,6 +372,19 @@ TEST_CASE("The gaps of an edge sampled once a row are explained by the count of 
           "with edge_samples=longest_axis it ends at column 7");
 }
 
+TEST_CASE("A row between the samples of its pixels is explained by the samples") {
+    // A sliver of a tenth of a pixel: the nearest samples are an eighth away.
+    const Scene scene = test::pixel_scene({{{{2, 2, 1}, {10, 2, 1}, {6, 2.1f, 1}}}}, {16, 8});
+    Settings settings = default_settings(scene);
+    settings.stage = Stage::fill;
+    settings.coverage = Coverage::edge_functions;
+    settings.snap = Snap::subpixel;
+    settings.samples = 4;
+    const PixelHistory history = pixel_history(prepare_frame(scene, settings), {5, 2});
+    REQUIRE(history.nearest.size() == 1);
+    CHECK(miss_text(history.nearest[0]) == "no sample of its row 2 lies inside");
+}
+
 TEST_CASE("The nearest triangles are nearer than all others, and in order") {
     test::Random random(5);
     constexpr Viewport size{64, 48};

@@ -150,6 +150,31 @@ TEST_CASE("The diagonal of the square: nine pixels twice, seven holes, or each p
     CHECK(edge_window(frame, shared[0], std::nullopt) == Rectangle{2, 0, 13, 11});
 }
 
+TEST_CASE("A pixel with samples is drawn twice only if both triangles cover one of them") {
+    const Scene scene = read_scene(lessons_folder() + "/scenes/shared-edge.toml");
+    // On the square grid the diagonal runs through two samples of each of its pixels.
+    for (const bool is_square : {false, true}) {
+        Settings settings = default_settings(scene);
+        settings.stage = Stage::fill;
+        settings.coverage = Coverage::edge_functions;
+        (is_square ? settings.supersample : settings.samples) = is_square ? 2 : 4;
+        const Frame frame = prepare_frame(scene, settings);
+        REQUIRE(frame.has_samples());
+        const SharedEdge shared = shared_edges(frame, 1).at(0);
+        const EdgePicture picture =
+            edge_picture(frame, shared, edge_window(frame, shared, std::nullopt));
+        CHECK(picture.rules == count_by_rules(frame, shared));
+        for (std::size_t i = 0; i < compared_fill_rules.size(); ++i) {
+            INFO(std::string(word_of(compared_fill_rules[i])));
+            const bool is_twice = is_square && compared_fill_rules[i] == FillRule::inclusive;
+            CHECK((picture.rules[i].twice > 0) == is_twice);
+            CHECK(picture.rules[i].holes == 0);
+            CHECK(std::count(picture.pixels[i].begin(), picture.pixels[i].end(),
+                             EdgePixel::twice) == picture.rules[i].twice);
+        }
+    }
+}
+
 TEST_CASE("The chosen shared edge is the nearest to the pixel, or the one with most pixels") {
     const Scene scene = read_scene(lessons_folder() + "/scenes/hexagon.toml");
     const Frame frame = frame_covered(scene, Coverage::edge_functions);

@@ -164,6 +164,28 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("Pixels with samples are drawn twice only where a sample is") {
+    const Scene scene = pixel_scene(
+        {{{{2, 2, 1}, {9, 2, 1}, {2, 9, 1}}}, {{{9, 2, 1}, {9, 9, 1}, {2, 9, 1}}}}, {12, 12});
+    Settings settings = default_settings(scene);
+    settings.stage = Stage::fill;
+    settings.coverage = Coverage::edge_functions;
+    const auto twice = [&](FillRule rule, int samples, int supersample) {
+        settings.fill_rule = rule;
+        settings.samples = samples;
+        settings.supersample = supersample;
+        const PixelFacts facts =
+            pixel_facts(prepare_frame(scene, settings), cursor_end, {.drawn_twice = true});
+        return std::count_if(facts.drawn_twice.begin(), facts.drawn_twice.end(),
+                             [](const DrawnTwice& pair) { return pair != DrawnTwice{}; });
+    };
+    CHECK(twice(FillRule::inclusive, 1, 1) == 8);
+    CHECK(twice(FillRule::top_left, 4, 1) == 0);
+    CHECK(twice(FillRule::top_left, 1, 2) == 0);
+    // The diagonal runs through two samples of the square grid.
+    CHECK(twice(FillRule::inclusive, 1, 2) == 8);
+}
+
 TEST_CASE("A triangle folded over its neighbour is not counted as drawing the edge twice") {
     const Scene scene = pixel_scene(
         {{{{2, 2, 1}, {9, 2, 1}, {2, 9, 1}}}, {{{9, 2, 1}, {4, 2, 1}, {2, 9, 1}}}}, {12, 12});

@@ -18,6 +18,7 @@ Cursor random_cursor(Random& random) {
     const PhaseInfo& phase = phase_info(cursor.phase);
     cursor.index = phase.is_numbered ? random.integer(0, 400) : 0;
     cursor.step = phase.step_letter == 0 ? 0 : random.integer(0, 40000);
+    if (cursor.phase == Phase::resolve) cursor.triangle = resolve_triangle;
     return cursor;
 }
 
@@ -118,6 +119,9 @@ TEST_CASE("Text that is not a moment is refused") {
                              "t1/e1/s0/s0",
                              "t1/e1/s-1",
                              "t1/r1/s0",
+                             "t12/s5",
+                             "t12/s5/c6",
+                             "w1/t12/s5/c6",
                              "t1/r1/c",
                              "t1/r1c2",
                              "t1//r1",

@@ -481,6 +481,7 @@ TEST_CASE("Faults in a file of materials are reported with their own lines") {
     const test::TemporaryFolder folder;
     const std::string mtl = folder.file("m.mtl");
     std::filesystem::create_directory(folder.file("images"));
+    write_png({1, 1, {9, 9, 9, 255}}, folder.file("p.png"));
     const std::string path = folder.write("m.obj", "mtllib m.mtl\n" + one_face);
     for (const Case& one : std::vector<Case>{
              {"Kd 0 0 2", "'Kd' takes one or three numbers from 0 to 1; it is left out."},
@@ -494,6 +495,12 @@ TEST_CASE("Faults in a file of materials are reported with their own lines") {
               "'0,5' has a decimal comma, but numbers need a decimal point here; 'd' is left out."},
              {"Ns -1", "'Ns' takes a number from 0 up; it is left out."},
              {"Ns", "'Ns' takes a number from 0 up; it is left out."},
+             {"disp -mm 0 nan p.png", "'nan' is not a valid number for '-mm', which is left out."},
+             {"disp -mm 0 1e38 p.png",
+              "'1e38' is not a valid number for '-mm', which is left out."},
+             {"disp -mm 0.05x 1 p.png",
+              "'0.05x' is not a valid number for '-mm', which is left out."},
+             {"bump -bm inf p.png", "'inf' is not a valid number for '-bm', which is left out."},
              {"newmtl", "'newmtl' has no name; it is left out."},
              {"map_Kd", "'map_Kd': no file is named; the image is left out."},
              {"map_Kd none.png", "'map_Kd': there is no file 'none.png'; the image is left out."},
@@ -505,6 +512,8 @@ TEST_CASE("Faults in a file of materials are reported with their own lines") {
         CHECK(fault_lines(read_obj(path).report) ==
               std::vector<std::string>{mtl + ":2: " + one.fault});
     }
+    folder.write("m.mtl", "newmtl a\ndisp -mm 0.5 nan p.png\n");
+    CHECK_FALSE(read_obj(path).materials.at(0).has_height_range);
     folder.write("m.mtl", "Kd 1 1 1\n");
     CHECK(
         fault_lines(read_obj(path).report) ==

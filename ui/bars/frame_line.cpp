@@ -110,14 +110,17 @@ void use_frame_line(const TimeLines& s, bool has_window) {
         zoom_by_wheel(s, is_inside ? s.in_scale : window.begin + 0.5 * window.width);
     }
     const bool has_squares = s.timeline.frame().squares != nullptr;
+    const char* const extent =
+        has_squares ? "square to its last"
+        : s.timeline.frame().has_samples()
+            ? "vertex to its last pixel, with one tick per triangle and one for the pixels"
+            : "vertex to its last fragment, with one tick per triangle";
     register_widget(
         s.ui, "walk.scrub",
-        has_squares ? "The whole frame from its first square to its last. Drag to go to any moment."
-        : has_window ? "The whole frame from its first vertex to its last fragment, with one tick "
-                       "per triangle. Drag to go to any moment. The bracket marks what the line "
-                       "below enlarges; scroll to make it narrower."
-                     : "The whole frame from its first vertex to its last fragment, with one tick "
-                       "per triangle. Drag to go to any moment.");
+        fmt::format("The whole frame from its first {}. Drag to go to any moment.{}", extent,
+                    has_window && !has_squares ? " The bracket marks what the line below enlarges; "
+                                                 "scroll to make it narrower."
+                                               : ""));
     step_by_arrows(s, "walk.scrub");
 }
 

@@ -197,7 +197,19 @@ void draw_depth(Ui& ui) {
             margin_limit(depth_rules(frame.settings, frame.scene->space)) + ".");
     draw_fragment_section(ui, "blend");
     draw_colours(ui);
+    if (report.resolve) wrapped_text_in(p.dim, "resolved, when everything is drawn");
+    draw_fragment_section(ui, "resolve");
     end_card(ui);
+}
+
+/// What the numbers are not.
+void draw_supersampling(Ui& ui) {
+    const Frame& frame = ui.results.a.frame;
+    if (!frame.has_samples() || sampling_rule(frame.settings) != Sampling::supersample) return;
+    wrapped_text_in(palette(ui.options.theme).dim,
+                    "With supersampling the shader runs at each sample; these numbers and those of "
+                    "the light are those of the pixel's centre.");
+    register_widget(ui, "fragment.supersampled");
 }
 
 /// How the chosen number was computed.
@@ -258,6 +270,7 @@ void draw_fragment_panel(Ui& ui) {
     const std::string chosen = ui.inspector.chosen.fragment_number;
     const auto values = [&] {
         draw_fragment_values(ui);
+        draw_supersampling(ui);
         ImGui::Spacing();
     };
     const auto card = [&] {

@@ -57,13 +57,14 @@ std::string number_words(float share) {
 std::array<std::string, 2> sample_verdict(const Ui& ui, const PixelHistory& history) {
     const PixelEntry& winner = history.entries[history.winner];
     const glm::vec3& colour = history.resolve->colour;
+    const bool is_late = ui.results.a.frame.settings.sample_rule == SampleRule::late_clamp;
     return {
         fmt::format("{} of the pixel is {}.", number_words(winner.share),
                     triangle_words(ui, winner.cursor.triangle)),
         fmt::format("When everything is drawn, {}, the pixel gets the mean of its four samples, "
-                    "each clamped to 0..1: {} {} {}.",
-                    to_text(history.resolve->cursor), number_words(colour.r),
-                    number_words(colour.g), number_words(colour.b))};
+                    "{} clamped to 0..1: {} {} {}.",
+                    to_text(history.resolve->cursor), is_late ? "which is then" : "each",
+                    number_words(colour.r), number_words(colour.g), number_words(colour.b))};
 }
 
 /// Why the final colour stays, in two lines.

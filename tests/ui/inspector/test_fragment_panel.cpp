@@ -1,3 +1,4 @@
+#include "settings/setting_table.h"
 #include "tests/support/catch.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
@@ -46,6 +47,21 @@ TEST_CASE("The values of a clicked pixel are those of the report, right and wron
         }
     }
     CHECK(value_of(report, "z_world.off") > 0.1);
+}
+
+TEST_CASE("The colours of a pixel's samples are found from the resolved colour") {
+    Driver driver;
+    driver.open("fragment");
+    driver.hand.click_picture(398, 121);
+    CHECK_FALSE(driver.hand.is_visible("fragment.resolve.red"));
+    for (const char* assignment : {"coverage=edge_functions", "supersample=2"})
+        set_from_text(driver.ui.session.a.settings, assignment);
+    driver.hand.leave();
+    CHECK(driver.hand.is_visible("fragment.supersampled"));
+    driver.hand.click("fragment.resolve.red");
+    CHECK(driver.ui.inspector.chosen.fragment_number == "resolve.red");
+    CHECK(number_in(shown_text(driver, "fragment.formula.result")) ==
+          Approx(value_of(report_on_picked(driver), "resolve.red")).margin(0.00051));
 }
 
 TEST_CASE("The way in force is marked, and the switch changes it but not the numbers") {
