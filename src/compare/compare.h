@@ -103,9 +103,10 @@ struct Comparison {
 
 /// Two runs being compared, part by part. Draws both in parallel and compares them moment by
 /// moment, which takes a few times as long as drawing both frames, and the memory of two pictures.
-/// If the runs divide the scene into different triangles, or the fast engine draws one of them,
-/// only the pictures are compared, and one divergence says so: no moment of one is a moment of the
-/// other.
+/// If the runs divide the scene into different triangles, have several samples for each pixel, or
+/// the fast engine draws one of them, only the pictures are compared, and one divergence says so:
+/// no moment of one is a moment of the other. Where there are samples or the lists of triangles
+/// differ, it is left out if the pictures are equal.
 class ComparisonWork {
   public:
     /// Starts over. The frames must be of the same scene, have viewports of the same size, and live

@@ -190,13 +190,14 @@ bool ComparisonWork::count_pixels(const WorkLimit& limit) {
     pixels_.count_to(a, b, pixels_.rows() + rows);
     if (pixels_.rows() < a.size.height) return false;
     found_.pixels = pixels_.found();
-    // Two equal pictures of the fast engine, or of other lists, are not a divergence.
-    const auto has_list = [](const Frame& frame) {
-        return frame.list != nullptr || frame.squares != nullptr;
+    // Two equal pictures of the fast engine, of other lists or of samples are not a divergence.
+    const auto has_other_moments = [](const Frame& frame) {
+        return frame.list != nullptr || frame.squares != nullptr || frame.has_samples();
     };
     const bool are_fast = pictures_ != nullptr && pictures_->a.is_fast && pictures_->b.is_fast;
-    const bool have_lists = pictures_ != nullptr && (has_list(*a_) || has_list(*b_));
-    if ((are_fast || have_lists) && found_.pixels.different == 0) found_.divergences = {};
+    const bool have_other_moments =
+        pictures_ != nullptr && (has_other_moments(*a_) || has_other_moments(*b_));
+    if ((are_fast || have_other_moments) && found_.pixels.different == 0) found_.divergences = {};
     return true;
 }
 

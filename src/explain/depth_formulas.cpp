@@ -30,10 +30,16 @@ void round_depth(Formula& depth, float whole, const DepthRules& rules) {
     if (is_scaled) depth.inputs.push_back({"near", {rules.near}, from_setting("near")});
 }
 
+/// Where a number tested at a sample comes from.
+Source from_sample(int sample) {
+    return from_words(
+        fmt::format("interpolated as at the pixel's centre, but at sample {}", sample));
+}
+
 /// The depth of a z that was interpolated as if it changed in equal steps.
-void add_linear_depth(Formula& depth, float z, const VertexRules& rules) {
+void add_linear_depth(Formula& depth, float z, const Source& source, const VertexRules& rules) {
     depth.help += " Computed from a z that was interpolated as if it changed in equal steps.";
-    const FormulaInput input{"z", {z}, from_formula("z.affine")};
+    const FormulaInput input{"z", {z}, source};
     if (rules.projection.clip_depth == ClipDepth::inv_z) {
         depth.expression = "1 / z";
         depth.inputs = {input};
@@ -62,11 +68,13 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
                   {{"(1/z)", {report.fragment.depth}, from_formula("zinv")}},
                   {report.depth}};
     const bool is_elsewhere =
-        report.covered != 0 && frame.settings.sample_rule == SampleRule::right;
+        report.covered != 0 && frame.settings.sample_rule != SampleRule::centre_depth;
     // Culled and cut-out fragments never reached the test.
     const bool is_tested = is_depth_tested(report.fate);
     if (is_tested && report.depth_test == DepthTest::linear_z) {
-        add_linear_depth(depth, report.tested.z, vertex_rules(frame));
+        add_linear_depth(depth, report.tested.z,
+                         is_elsewhere ? from_sample(report.sample()) : from_formula("z.affine"),
+                         vertex_rules(frame));
         depth.result = {depth_at(report.tested.z, rules)};
     } else if (kind != ClipDepth::inv_z) {
         report.formulas.push_back(along_row(
@@ -79,8 +87,7 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
     if (is_tested && is_elsewhere && report.depth_test != DepthTest::linear_z) {
         // The weights of the corners are others there than at the centre.
         depth.inputs[0].number = {report.tested.depth};
-        depth.inputs[0].source = from_words(fmt::format(
-            "interpolated as at the pixel's centre, but at sample {}", report.sample()));
+        depth.inputs[0].source = from_sample(report.sample());
         depth.result = {report.tested.depth};
     }
     if (is_tested && rules.bits > 0) round_depth(depth, depth.result.value, rules);

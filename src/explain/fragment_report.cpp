@@ -11,6 +11,7 @@
 #include "explain/light_formulas.h"
 #include "explain/value_formulas.h"
 #include "explain/vertex_report.h"
+#include "inspect/pixel_history.h"
 #include "pipeline/event_source.h"
 #include "pipeline/surface.h"
 #include "stages/orthographic.h"
@@ -318,8 +319,13 @@ std::optional<Cursor> fragment_on_pixel(const Frame& frame, const glm::ivec2& pi
     }};
     const EventSource source(frame);
     source.play({cursor_begin, moment, only_pixel(pixel)}, keep_written);
+    const bool is_final = !last || moment_of_resolve(pixel.y, pixel.x) < moment;
     if (!last) source.play({moment, cursor_end, only_pixel(pixel)}, keep_written);
-    return last;
+    if (!last || !is_final || !frame.has_samples()) return last;
+    // The last one may have few of the samples.
+    const PixelHistory history = pixel_history(source, pixel);
+    if (history.winner < 0) return last; // nothing there can be seen
+    return history.entries[static_cast<std::size_t>(history.winner)].cursor;
 }
 
 } // namespace rasterwalk

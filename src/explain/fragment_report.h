@@ -108,7 +108,9 @@ std::string_view light_in_use(Shading shading);
 std::optional<FragmentReport> fragment_report(const Frame& frame, const Cursor& cursor);
 
 /// The fragment that a pixel of the picture shows at `moment`; if none is drawn there yet, the one
-/// that it will finally show; none if no fragment is ever drawn there.
+/// that it will finally show; none if no fragment is ever drawn there. Of several samples, a
+/// resolved pixel shows the winner of its history, see PixelHistory; before that, the last fragment
+/// drawn on any of them.
 std::optional<Cursor> fragment_on_pixel(const Frame& frame, const glm::ivec2& pixel,
                                         const Cursor& moment);
 

@@ -175,7 +175,7 @@ class ValueFormulas {
 
     /// The weights of the three corners.
     void add_weights() {
-        const WeightEdge made_of = frame_.settings.weight_edge;
+        const WeightEdge made_of = weight_edge_rule(frame_.settings);
         const WeighedCorners corners(report_, Interpolation::perspective);
         const EdgeValues e = corners.values(report_);
         const Weights weights = report_.row.stages.front().weights(e, corners.triangle.area);

@@ -2,6 +2,20 @@
 
 namespace rasterwalk {
 
+namespace {
+
+/// The settings with light per vertex, which is carried in every stage. The sampling stays that of
+/// the given stage, because ends and samples are those of the frame.
+Settings settings_with_light(const Settings& given) {
+    Settings settings = given;
+    settings.hidden = hidden_rule(given);
+    if (sampling_rule(given) == Sampling::centre) settings.samples = settings.supersample = 1;
+    set_step(settings, StripStep::vertex_light);
+    return settings;
+}
+
+} // namespace
+
 std::span<const QuantityInfo> quantity_list() {
     static const std::vector<QuantityInfo> list = [] {
         std::vector<QuantityInfo> made{
@@ -89,9 +103,8 @@ std::optional<CarriedRow> carried_row(const Frame& frame, int triangle, int inde
     row.walk = frame.settings.line_walk;
     const EdgeRules edges = edge_rules(frame.settings);
     for (const Interpolation mode : all_interpolations) {
-        Settings settings = frame.settings;
+        Settings settings = settings_with_light(frame.settings);
         settings.interpolation = mode;
-        set_step(settings, StripStep::vertex_light);
         PolygonRows rows;
         const Stages stages = stages_for(settings, *frame.scene, frame.replace);
         stages.compute_polygon_rows(polygon_under(frame, triangle, settings), edges, stages, rows,

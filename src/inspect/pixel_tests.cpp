@@ -31,19 +31,6 @@ struct RowTests {
     ColumnRange inside; ///< of them; may be none
 };
 
-/// From the first to the last pixel of a row with a sample inside.
-ColumnRange sampled_columns(const TestedPolygon& polygon, const TestedTriangle& of, int row) {
-    ColumnRange all;
-    for (const GridPoint& sample : polygon.samples) {
-        const ColumnRange covered = covered_columns(of, row, sample);
-        if (covered.count() == 0) continue;
-        all = all.count() == 0 ? covered
-                               : ColumnRange{std::min(all.first, covered.first),
-                                             std::max(all.last, covered.last)};
-    }
-    return all;
-}
-
 /// As far as they are done at a moment; only for triangles that have any.
 std::vector<RowTests> tests_of_row(const TestedPolygon& polygon, int triangle, int row,
                                    const Cursor& to) {
@@ -56,8 +43,7 @@ std::vector<RowTests> tests_of_row(const TestedPolygon& polygon, int triangle, i
         if (row < of.box.top || row >= of.box.bottom) continue;
         const ColumnRange done = tests_done(tested_row(polygon, index), triangle, index, to);
         if (done.count() == 0) continue;
-        ColumnRange inside =
-            polygon.samples.empty() ? covered_columns(of, row) : sampled_columns(polygon, of, row);
+        ColumnRange inside = inside_columns(polygon, of, row);
         inside.last = std::min(inside.last, done.last);
         if (inside.count() == 0) inside = {done.first, done.first - 1};
         all.push_back({t, done, inside});
@@ -66,6 +52,19 @@ std::vector<RowTests> tests_of_row(const TestedPolygon& polygon, int triangle, i
 }
 
 } // namespace
+
+ColumnRange inside_columns(const TestedPolygon& polygon, const TestedTriangle& triangle, int row) {
+    if (polygon.samples.empty()) return covered_columns(triangle, row);
+    ColumnRange all;
+    for (const GridPoint& sample : polygon.samples) {
+        const ColumnRange covered = covered_columns(triangle, row, sample);
+        if (covered.count() == 0) continue;
+        all = all.count() == 0 ? covered
+                               : ColumnRange{std::min(all.first, covered.first),
+                                             std::max(all.last, covered.last)};
+    }
+    return all;
+}
 
 ColumnRange tests_done(const TestedRow& row, int triangle, int index, const Cursor& to) {
     const Cursor begin{triangle, Phase::tests, index, 0};

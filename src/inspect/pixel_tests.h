@@ -19,6 +19,10 @@ PixelTest test_at_step(const TestedPolygon& polygon, int index, int step, const 
 /// The test that is done at a moment; none if there is none.
 std::optional<PixelTest> test_at(const Frame& frame, const Cursor& cursor);
 
+/// The columns of a row from the first to the last pixel inside a triangle of the fan: by their
+/// centres, or if pixels have samples by any of these.
+ColumnRange inside_columns(const TestedPolygon& polygon, const TestedTriangle& triangle, int row);
+
 /// The columns of a row of the box that have been tested at a moment.
 /// @param triangle of the frame, which the row belongs to
 /// @param index    of the row, 0 <= index < tested_row_count()

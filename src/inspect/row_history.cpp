@@ -105,7 +105,7 @@ void keep_tested(const Frame& frame, int triangle, const Cursor& to, PolygonRows
         const TestedTriangle& of = tested.triangles[static_cast<std::size_t>(box.triangle)];
         const ColumnRange tested_columns = tests_done(box, triangle, i, to);
         if (tested_columns.count() == 0) continue;
-        const ColumnRange covered = covered_columns(of, box.row);
+        const ColumnRange covered = inside_columns(tested, of, box.row);
         const int last = std::min(covered.last, tested_columns.last);
         if (covered.first > last) continue;
         const auto row = static_cast<std::size_t>(box.row - rows.first_row);

@@ -46,7 +46,7 @@ std::vector<SettingFault> setting_faults(const Settings& settings, const Scene& 
                           "holds whole columns, and there is nothing between them; set "
                           "coverage=edge_functions",
                           "samples need another coverage"});
-    } else if (asks_samples && settings.hidden == Hidden::warnock) {
+    } else if (asks_samples && hidden_rule(settings) == Hidden::warnock) {
         faults.push_back(
             {"several samples of a pixel do nothing with hidden=warnock, whose squares "
              "are made of whole pixels",

@@ -183,6 +183,11 @@ Sampling sampling_rule(const Settings& settings) {
     return settings.samples > 1 ? Sampling::multisample : Sampling::centre;
 }
 
+WeightEdge weight_edge_rule(const Settings& settings) {
+    const bool has_edge_functions = coverage_rule(settings) == Coverage::edge_functions;
+    return has_edge_functions ? settings.weight_edge : WeightEdge::opposite;
+}
+
 Shading shading_rule(const Settings& settings) {
     return settings.stage >= Stage::shade ? settings.shading : Shading::unlit;
 }

@@ -156,6 +156,10 @@ Coverage coverage_rule(const Settings& settings);
 /// picture is divided into squares. Supersampling includes the samples of multisampling.
 Sampling sampling_rule(const Settings& settings);
 
+/// The edge that a corner's weight is made from: always the opposite one where no edge functions
+/// find the pixels, whatever the setting says.
+WeightEdge weight_edge_rule(const Settings& settings);
+
 /// The shading in force: none before stage `shade`, whatever the setting says.
 Shading shading_rule(const Settings& settings);
 

@@ -228,3 +228,22 @@ TEST_CASE("Runs of the fast engine are compared by their pictures, in parts too"
     CHECK(turned.pixels.different > 0);
     CHECK(turned.divergences.first->text.starts_with("both runs are drawn by the fast engine"));
 }
+
+TEST_CASE("Two runs with samples differ only if their pictures do") {
+    const Scene scene = test::small_scene();
+    Settings settings = default_settings(scene);
+    set_from_text(settings, "stage=pixel_light");
+    set_from_text(settings, "coverage=edge_functions");
+    settings.samples = 4;
+    const Frame a = prepare_frame(scene, settings);
+    REQUIRE(a.has_samples());
+    const Comparison same = compare_runs(a, a);
+    CHECK(same.is_same());
+    CHECK_FALSE(same.divergences.first);
+    settings.samples = 1;
+    const Comparison other = compare_runs(a, prepare_frame(scene, settings));
+    CHECK(other.pixels.different > 0);
+    CHECK(other.divergences.count == 1);
+    REQUIRE(other.divergences.first);
+    CHECK(other.divergences.first->text.ends_with("so only the pictures are compared."));
+}

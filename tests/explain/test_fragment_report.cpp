@@ -7,10 +7,12 @@
 #include <glm/mat3x3.hpp>
 
 #include "explain/vertex_report.h"
+#include "inspect/pixel_history.h"
 #include "pipeline/draw.h"
 #include "settings/setting_table.h"
 #include "support/bits.h"
 #include "support/effort.h"
+#include "support/formula_checks.h"
 #include "support/made_scene.h"
 #include "support/random.h"
 #include "support/samples.h"
@@ -486,4 +488,81 @@ TEST_CASE("A pixel shows the fragment that owns it, and before that the one it w
     }
     CHECK_FALSE(fragment_on_pixel(frame, {-1, 0}, cursor_end));
     CHECK_FALSE(fragment_on_pixel(frame, {0, 500}, cursor_end));
+}
+
+TEST_CASE("With samples a row is that of the frame, and each formula gives its number") {
+    const Scene scene = test::small_scene();
+    const std::vector<std::vector<std::string>> ways{
+        {"stage=fill", "hidden=warnock"},
+        {"stage=pixel_light", "hidden=warnock"},
+        {"stage=depth", "sample_rule=late_clamp"},
+        {"stage=depth", "sample_rule=centre_depth"},
+        {"stage=depth", "depth_test=linear_z"},
+        {"stage=depth", "depth_test=linear_z", "sample_rule=centre_depth"},
+        {"stage=depth", "depth_format=ndc_32", "sample_rule=late_clamp"},
+        {"stage=fill", "weight_edge=own"},
+        {"stage=fill", "weight_edge=own", "coverage=scan_conversion"},
+        {"stage=fill", "weight_edge=own", "coverage=active_edges"},
+        {"stage=rows"}};
+    int checked = 0, rows_checked = 0;
+    for (const std::vector<std::string>& way : ways) {
+        Settings settings = default_settings(scene);
+        set_from_text(settings, "coverage=edge_functions");
+        std::string name;
+        for (const std::string& assignment : way) {
+            set_from_text(settings, assignment);
+            name += assignment + " ";
+        }
+        settings.samples = 4;
+        CAPTURE(name);
+        const Frame frame = prepare_frame(scene, settings);
+        for (int t = 0; t < frame.triangle_count(); ++t) {
+            if (!frame.is_drawn(t)) continue;
+            PolygonRows rows;
+            compute_rows(frame, t, rows);
+            for (int r = 0; r < rows.size(); ++r) {
+                const std::optional<CarriedRow> row = carried_row(frame, t, r);
+                REQUIRE(row.has_value() == !rows.is_empty_row(r));
+                if (!row) continue;
+                const RowEnds& ends = row->under(Interpolation::perspective);
+                CHECK(ends.left.column == rows.left[static_cast<std::size_t>(r)].column);
+                CHECK(ends.right.column == rows.right[static_cast<std::size_t>(r)].column);
+                ++rows_checked;
+            }
+        }
+        if (!frame.has_samples()) continue; // squares and marks have none
+        for (const FragmentEvent& event : some_fragments(frame, 40)) {
+            const std::optional<FragmentReport> report = fragment_report(frame, event.cursor);
+            REQUIRE(report);
+            CHECK(report->covered == event.covered);
+            test::check_formulas(frame, report->formulas, name + to_text(event.cursor));
+            ++checked;
+        }
+    }
+    CHECK(checked > 100);
+    CHECK(rows_checked > 100);
+}
+
+TEST_CASE("A resolved pixel with samples shows the winner of its history") {
+    const Scene room = test::lab_room();
+    Settings settings = default_settings(room);
+    settings.viewport = {60, 60};
+    settings.camera.focal_length = 60.0f;
+    set_from_text(settings, "coverage=edge_functions");
+    settings.samples = 4;
+    const Frame frame = prepare_frame(room, settings);
+    test::Random random(6);
+    int found = 0;
+    for (int i = 0; i < 200; ++i) {
+        const glm::ivec2 pixel{random.integer(0, 59), random.integer(0, 59)};
+        CAPTURE(pixel.x, pixel.y);
+        const PixelHistory history = pixel_history(frame, pixel);
+        const std::optional<Cursor> shown = fragment_on_pixel(frame, pixel, cursor_end);
+        REQUIRE(shown.has_value() == (history.winner >= 0));
+        if (!shown) continue;
+        CHECK(*shown == history.entries[static_cast<std::size_t>(history.winner)].cursor);
+        CHECK(fragment_on_pixel(frame, pixel, cursor_begin) == shown);
+        ++found;
+    }
+    CHECK(found > 50);
 }

@@ -339,6 +339,32 @@ TEST_CASE("While pixels are tested only the tested rows are filled, outside the 
     }
 }
 
+TEST_CASE("While pixels with samples are tested the rows go as far as any sample is inside") {
+    const Scene scene = pixel_scene({{{{3, 1, 1}, {11, 1, 1}, {11, 9, 1}}}}, {16, 12});
+    Settings settings = settings_of(scene, {Stage::fill},
+                                    {Coverage::edge_functions, FillRule::top_left, Snap::pixel});
+    settings.samples = sample_count;
+    const Frame frame = prepare_frame(scene, settings);
+    const PolygonRows whole = row_history(frame, 0, *parse_cursor("t0/r0/c0")).rows;
+    for (int tested = 1; tested <= whole.size(); ++tested) {
+        const PolygonRows rows = row_history(frame, 0, {0, Phase::tests, tested, 0}).rows;
+        REQUIRE(rows.size() == whole.size());
+        for (int r = 0; r < tested; ++r) {
+            const auto i = static_cast<std::size_t>(r);
+            INFO("row " << r << " of " << tested << " that are tested");
+            CHECK(rows.left[i].column == whole.left[i].column);
+            CHECK(rows.right[i].column == whole.right[i].column);
+        }
+    }
+    // By centres row 2 goes from 4 to 10: the right edge is its neighbour's.
+    const std::vector<ColumnRange> expected{{4, 11}, {4, 11}, {5, 11}};
+    for (std::size_t r = 0; r < expected.size(); ++r) {
+        const std::size_t i = r + 1 - static_cast<std::size_t>(whole.first_row);
+        CAPTURE(r);
+        CHECK(ColumnRange{whole.left[i].column, whole.right[i].column} == expected[r]);
+    }
+}
+
 TEST_CASE("A vertex that is moved into the picture is moved under every snap") {
     const Scene scene = pixel_scene({{{{-8, -5, 1}, {30, 2, 1}, {4, 40, 1}}}}, {16, 12});
     for (const Snap snap : {Snap::pixel, Snap::sixteenth, Snap::subpixel}) {

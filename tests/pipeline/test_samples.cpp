@@ -519,6 +519,7 @@ TEST_CASE("Samples do nothing with the row table, with squares and before stage 
     };
     CHECK(faults({"coverage=rows", "samples=4"}) == 1);
     CHECK(faults({"coverage=edge_functions", "hidden=warnock", "samples=4"}) == 1);
+    CHECK(faults({"coverage=edge_functions", "hidden=warnock", "samples=4", "stage=fill"}) == 0);
     CHECK(faults({"coverage=edge_functions", "samples=4"}) == 0);
     CHECK(faults({"coverage=edge_functions", "supersample=2"}) == 0);
     CHECK(faults({"coverage=edge_functions", "supersample=2", "samples=4"}) == 1);

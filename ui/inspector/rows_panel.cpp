@@ -47,7 +47,11 @@ void draw_moment(Ui& ui) {
     const RunResults& a = ui.results.a;
     if (a.triangle && a.frame.is_drawn(*a.triangle) && !walks_edges(a.frame.stages)) {
         ImGui::PushStyleColor(ImGuiCol_Text, p.dim);
-        wrapped_text("There are no samples; a row holds the pixels whose centres are inside.");
+        wrapped_text(a.frame.has_samples()
+                         ? "Edges have no samples; a row holds the pixels of which a sample is "
+                           "inside."
+                         : "There are no samples; a row holds the pixels whose centres are "
+                           "inside.");
         if (tests_pixels(a.frame.stages)) {
             wrapped_text("Step, or pick a pixel that has been tested, to see it explained here.");
         }
