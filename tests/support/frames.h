@@ -37,9 +37,10 @@ void for_each_frame(const Scene& scene, Function function) {
     }
 }
 
-/// A cursor that need not be a moment of any frame.
+/// A cursor in a triangle, which need not be a moment of any frame.
 inline Cursor any_cursor(Random& random, int triangles) {
-    return {random.integer(0, triangles), static_cast<Phase>(random.integer(0, phase_count - 1)),
+    const int phases = static_cast<int>(Phase::resolve); // comes after all triangles
+    return {random.integer(0, triangles), static_cast<Phase>(random.integer(0, phases - 1)),
             random.integer(0, 12), random.integer(0, 16)};
 }
 
