@@ -24,11 +24,11 @@ struct SampledFate {
     SampleDepths depths{}; ///< for the depth buffer
 };
 
-/// The columns of a row that lie in the window and in the scissor, as columns of the picture.
+/// The columns of a row that is not empty which lie in the window and in the scissor, as columns of
+/// the picture.
 ColumnRange sampled_columns(const Drawing& d, const Cursor& row, const PolygonRows& rows) {
     const auto i = static_cast<std::size_t>(row.index);
     const int left = rows.left[i].column;
-    if (rows.is_empty_row(row.index)) return {};
     const PieceRange columns =
         clamp_to_window(d.window, row, &Cursor::step, rows.right[i].column - left + 1);
     return in_columns({left + columns.first, left + columns.last - 1}, d.scissor);
@@ -177,6 +177,7 @@ void fill_sample_rows(Drawing& d, const PolygonRows& rows, const Surface& surfac
     for (int r = first_row; r < last_row; ++r) {
         of.cursor = begin;
         of.cursor.index = r;
+        if (rows.is_empty_row(r)) continue;
         const auto i = static_cast<std::size_t>(r);
         const int left = rows.left[i].column;
         const ColumnRange columns = sampled_columns(d, of.cursor, rows);

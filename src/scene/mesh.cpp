@@ -22,8 +22,8 @@ std::array<std::uint32_t, vertex_floats> bits_of(const Vertex& vertex) {
 } // namespace
 
 int Mesh::add_vertex(const Vertex& vertex) {
-    vertices_.push_back(vertex);
     is_shiny_ = is_shiny_ || vertex.shine.specular != glm::vec3(0.0f);
+    vertices_.push_back(vertex); // which may be one of them
     return static_cast<int>(vertices_.size()) - 1;
 }
 
