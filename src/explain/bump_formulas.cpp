@@ -166,24 +166,10 @@ class BumpFormulas {
     void add_arrow() {
         for (int i = 0; i < 3; ++i) {
             const std::string channel = channel_name(i);
-            std::string expression;
-            FormulaInputs inputs;
-            for (int k = 0; k < report_.taken.count; ++k) {
-                const SampledTexel& texel = report_.taken.list[static_cast<std::size_t>(k)];
-                expression += fmt::format("{}c{} · w{}", k == 0 ? "" : " + ", k, k);
-                inputs.push_back(
-                    {fmt::format("c{}", k),
-                     {texel.colour[i]},
-                     from_words(fmt::format("{} of the normal map, level {}, column "
-                                            "{}, row {}",
-                                            channel, texel.level, texel.column, texel.row))});
-                inputs.push_back({fmt::format("w{}", k),
-                                  {texel.weight},
-                                  from_words("the weight of that texel, from the texture filter")});
-            }
+            const TexelSum mean = texel_sum(report_.taken, i, "normal map");
             write_.add("colour." + channel, channel,
-                       "The colour of the normal map at the fragment's position.", expression,
-                       inputs, {report_.colour[i]});
+                       "The colour of the normal map at the fragment's position.", mean.expression,
+                       mean.inputs, {report_.colour[i]});
             const NormalMapRule rule = frame_.settings.normal_map_rule;
             const bool is_turned = rule == NormalMapRule::green_turned && i == 1;
             const bool is_bare = rule == NormalMapRule::undecoded;
@@ -295,6 +281,23 @@ class BumpFormulas {
 };
 
 } // namespace
+
+TexelSum texel_sum(const SampledTexels& taken, int channel, std::string_view map) {
+    TexelSum sum;
+    for (int k = 0; k < taken.count; ++k) {
+        const SampledTexel& texel = taken.list[static_cast<std::size_t>(k)];
+        sum.expression += fmt::format("{}c{} · w{}", k == 0 ? "" : " + ", k, k);
+        sum.inputs.push_back({fmt::format("c{}", k),
+                              {texel.colour[channel]},
+                              from_words(fmt::format("{} of the {}, level {}, column {}, row {}",
+                                                     channel_name(channel), map, texel.level,
+                                                     texel.column, texel.row))});
+        sum.inputs.push_back({fmt::format("w{}", k),
+                              {texel.weight},
+                              from_words("the weight of that texel, from the texture filter")});
+    }
+    return sum;
+}
 
 double BumpReport::tilt() const {
     const glm::dvec3 from(axes.normal), to(normal);

@@ -35,6 +35,16 @@ AxesReport axes_report(const Surface& surface, const glm::vec3& normal, const Fr
 BumpReport bump_report(const Fragment& fragment, const Surface& surface, const glm::vec3& normal,
                        const Frame& frame);
 
+/// The mean of the texels that a fragment took from a map: each times its weight.
+struct TexelSum {
+    std::string expression; ///< "c0 · w0 + c1 · w1"
+    FormulaInputs inputs;
+};
+
+/// @param channel 0 to 2: red, green, blue
+/// @param map     its name: "normal map"
+TexelSum texel_sum(const SampledTexels& taken, int channel, std::string_view map);
+
 /// Appends the formulas of the axes, with i 1 and 2 and a one of x y z:
 ///     bump.side_i.a                   sides of the triangle, and
 ///     bump.u_i bump.v_i bump.area     the same in the texture

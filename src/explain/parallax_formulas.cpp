@@ -41,22 +41,9 @@ class ParallaxFormulas {
     }
 
     void add_height() {
-        std::string expression;
-        FormulaInputs inputs;
-        for (int k = 0; k < report_.taken.count; ++k) {
-            const SampledTexel& texel = report_.taken.list[static_cast<std::size_t>(k)];
-            expression += fmt::format("{}c{} · w{}", k == 0 ? "" : " + ", k, k);
-            inputs.push_back(
-                {fmt::format("c{}", k),
-                 {texel.colour.r},
-                 from_words(fmt::format("red of the height map, level {}, column {}, row {}",
-                                        texel.level, texel.column, texel.row))});
-            inputs.push_back({fmt::format("w{}", k),
-                              {texel.weight},
-                              from_words("the weight of that texel, from the texture filter")});
-        }
+        const TexelSum mean = texel_sum(report_.taken, 0, "height map");
         write_.add("stored", "texel", "The height map at the fragment's position, from 0 to 1.",
-                   expression, inputs, {terms_.stored});
+                   mean.expression, mean.inputs, {terms_.stored});
         list(write_.add("height", "h",
                         "How high above the surface it is thought to be there, in world units.",
                         "texel · scale + bias",

@@ -34,6 +34,7 @@ glm::vec3 colour_of(const Frame& frame, const Fragment& fragment, Interpolation 
 
 std::optional<InterpolationError> error_of(const Frame& frame, const Cursor& at) {
     if (at.phase != Phase::rows || !has_fragments(frame.settings.stage)) return std::nullopt;
+    if (frame.has_samples()) return std::nullopt; // what a pixel shows is no single fragment
     const std::optional<CarriedRow> row = carried_row(frame, at.triangle, at.index);
     if (!row || at.step >= row->count) return std::nullopt;
     struct Values {

@@ -160,7 +160,8 @@ void add_pixel_facts(std::vector<Fact>& table) {
         add(
             "pixel." + channel_name(i),
             "The picked pixel's final " + channel_name(i) +
-                ", linear, not clamped at 1; 0 where nothing falls.",
+                ", linear, not clamped at 1 unless it is the mean of samples; 0 where nothing "
+                "falls.",
             real(),
             [](History history, int channel) {
                 const auto winner = static_cast<std::size_t>(history.winner);
@@ -174,10 +175,11 @@ void add_pixel_facts(std::vector<Fact>& table) {
                real(0), [](Entry entry) { return entry.alpha; });
     add_error("pixel.light_error",
               "How far off the light is there with affine interpolation, in the channel that is "
-              "off most.",
+              "off most; none for a pixel with several samples.",
               real(0), [](const InterpolationError& error) { return error.light; });
     add_error("pixel.position_error",
-              "How far off the position is there with affine interpolation, in world units.",
+              "How far off the position is there with affine interpolation, in world units; none "
+              "for a pixel with several samples.",
               real(0), [](const InterpolationError& error) { return error.position; });
     add_texture_facts(table);
 }

@@ -119,7 +119,8 @@ class DrawnPair {
     EdgePixel pixel(int column, int row) const {
         const SampleMask a = samples(0, column, row), b = samples(1, column, row);
         if ((a & b) != 0) return EdgePixel::twice;
-        if (a == 0 && b == 0) return on_edge(row).has(column) ? EdgePixel::hole : EdgePixel::nobody;
+        if (a == 0 && b == 0)
+            return on_edge(row).has(column) ? EdgePixel::hole : EdgePixel::neither;
         return count_samples(a) >= count_samples(b) ? EdgePixel::triangle : EdgePixel::neighbour;
     }
 

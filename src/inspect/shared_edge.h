@@ -57,7 +57,7 @@ std::optional<SharedEdge> shared_edge_at(const Frame& frame, int triangle,
 
 /// Who draws a pixel next to a shared edge. Of a pixel with samples of both, none of them in
 /// common, the one that covers more.
-enum class EdgePixel : std::uint8_t { nobody, triangle, neighbour, twice, hole };
+enum class EdgePixel : std::uint8_t { neither, triangle, neighbour, twice, hole };
 
 /// A shared edge and the pixels around it, by each of compared_fill_rules.
 struct EdgePicture {

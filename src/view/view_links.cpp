@@ -94,8 +94,12 @@ ViewLink cursor_link() {
                 throw UsageError("the link names no moment: " + in_quotes(argument) +
                                  " is not of the form t12/e2/s14.");
             },
-            [](Session& session, const Frame&, const std::string& argument) {
-                const Cursor cursor = moment_of(*session.scene, session.a.settings, argument);
+            [](Session& session, const Frame& frame, const std::string& argument) {
+                // Only another pass than the frame's has to be prepared.
+                const int pass = std::min(parse_cursor(argument)->pass, 0);
+                const Cursor cursor = pass == frame.pass
+                                          ? moment_of(frame, argument)
+                                          : moment_of(*session.scene, session.a.settings, argument);
                 session.selection.triangle = std::nullopt;
                 go_to(session, cursor);
             }};

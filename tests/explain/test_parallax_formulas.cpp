@@ -11,6 +11,7 @@
 #include "session/outside_reports.h"
 #include "settings/setting_table.h"
 #include "support/bits.h"
+#include "support/formula_checks.h"
 #include "support/random.h"
 #include "tests/support/catch.h"
 
@@ -53,24 +54,10 @@ TEST_CASE("Every number of a shifted place follows from its formula to the bit")
                     ++reports;
                     REQUIRE(report->parallax);
                     behind += report->parallax->terms.view.z < 0.0f ? 1 : 0;
+                    test::check_formulas(frame, report->formulas, name);
                     std::set<std::string> ids;
-                    for (const Formula& formula : report->formulas) {
+                    for (const Formula& formula : report->formulas)
                         ids.insert(formula.id);
-                        if (!test::same_bits(evaluate(formula), formula.result.value)) {
-                            FAIL(name << " " << formula.id << " = " << with_numbers(formula)
-                                      << " gives " << evaluate(formula) << " and shows "
-                                      << formula.result.value);
-                        }
-                        for (const FormulaInput& input : formula.inputs) {
-                            if (input.source.kind != SourceKind::formula) continue;
-                            const Formula* const from =
-                                find_formula(report->formulas, input.source.name);
-                            if (from == nullptr)
-                                FAIL(formula.id << " asks for " << input.source.name);
-                            if (!test::same_bits(from->result.value, input.number.value))
-                                FAIL(formula.id << " has a different " << input.source.name);
-                        }
-                    }
                     CHECK(ids.size() == report->formulas.size());
                     for (const char* const id :
                          {"parallax.height", "parallax.view.z", "parallax.shift.u", "parallax.v"})

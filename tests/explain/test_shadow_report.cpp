@@ -7,7 +7,7 @@
 #include "session/content.h"
 #include "session/outside_reports.h"
 #include "settings/setting_table.h"
-#include "support/bits.h"
+#include "support/formula_checks.h"
 #include "support/recorder.h"
 #include "tests/support/catch.h"
 
@@ -29,34 +29,6 @@ Frame small_frame(std::initializer_list<const char*> assignments) {
     for (const char* assignment : assignments)
         set_from_text(settings, assignment);
     return prepare_frame(room(), settings);
-}
-
-/// Checks that every formula gives its number, and that inputs that come from formulas or from
-/// texels have theirs.
-/// @param map of the frame, or null
-void check_again(const std::vector<Formula>& formulas, const ShadowMap* map,
-                 const std::string& where) {
-    for (const Formula& formula : formulas) {
-        const float again = evaluate(formula);
-        if (!test::same_bits(again, formula.result.value))
-            FAIL(where << formula.id << " = " << formula.expression << " gives " << again
-                       << " and shows " << formula.result.value);
-        for (const FormulaInput& input : formula.inputs) {
-            const Source& source = input.source;
-            if (source.kind == SourceKind::texel && map != nullptr) {
-                const std::vector<float>& face =
-                    map->faces[static_cast<std::size_t>(source.face)].inv_depth;
-                const int at = source.row * map->resolution + source.column;
-                if (face[static_cast<std::size_t>(at)] != input.number.value)
-                    FAIL(where << formula.id << " is not " << source_text(source));
-            }
-            if (input.source.kind != SourceKind::formula) continue;
-            const Formula* const named = find_formula(formulas, input.source.name);
-            if (named == nullptr || !test::same_bits(named->result.value, input.number.value))
-                FAIL(where << formula.id << ": " << input.symbol << " = " << input.number.value
-                           << " does not come from " << input.source.name);
-        }
-    }
 }
 
 float shown_by(const FragmentReport& report, const std::string& id) {
@@ -92,7 +64,7 @@ TEST_CASE("Every number on the way to a shadow has a formula that gives it") {
                 std::string(*(one.settings.end() - 1)) + ", " + to_text(event.cursor) + ": ";
             const std::optional<FragmentReport> report = fragment_report(frame, event.cursor);
             if (!report) FAIL(where << "has no report");
-            check_again(report->formulas, frame.occluders.map.get(), where);
+            test::check_formulas(frame, report->formulas, where);
             const bool is_flat = report->shading == Shading::flat;
             const SurfaceLight& light = is_flat ? report->light_per_triangle : report->light;
             const std::string said = shadow_text(light.shadow, frame);
@@ -133,8 +105,7 @@ TEST_CASE("The report of a vertex shows its shadow too") {
     int dark = 0;
     for (int t = 0; t < frame.triangle_count(); t += 7) {
         const VertexReport report = vertex_report(frame, t, 1);
-        check_again(report.formulas, frame.occluders.map.get(),
-                    "triangle " + std::to_string(t) + ": ");
+        test::check_formulas(frame, report.formulas, "triangle " + std::to_string(t) + ": ");
         CHECK(report.light.reflected == frame.given_clip_vertex(t, 1).varyings.illumination);
         dark += report.light.shadow.is_dark() ? 1 : 0;
     }

@@ -89,7 +89,7 @@ void expect(Asked& asked, const char* fact, float drawn, const std::string& wher
 /// How far apart the affine and the perspective-correct picture are at a fragment that neither
 /// hides nor blends; none for others.
 std::optional<float> drawn_apart(const Frame& frame, const Cursor& cursor) {
-    if (frame.blends) return std::nullopt;
+    if (frame.blends || frame.has_samples()) return std::nullopt;
     glm::vec3 colours[2];
     for (const Interpolation way : {Interpolation::perspective, Interpolation::affine}) {
         Settings settings = frame.settings;

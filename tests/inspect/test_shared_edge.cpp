@@ -24,7 +24,7 @@ namespace {
 constexpr int pair_field = 10; ///< pixels, along each side
 
 /// What the picture says about a pixel, in a word.
-constexpr std::array edge_pixel_words{"nobody", "triangle", "neighbour", "twice", "hole"};
+constexpr std::array edge_pixel_words{"neither", "triangle", "neighbour", "twice", "hole"};
 
 Frame frame_covered(const Scene& scene, Coverage coverage, FillRule rule = FillRule::inclusive) {
     Settings settings = default_settings(scene);
@@ -62,7 +62,7 @@ EdgePixel found_again(const std::array<glm::ivec2, 3>& first,
     const bool is_on_edge =
         side(a[0], a[1], centre) == 0 && lies_between(centre.x, a[0].x, a[1].x) &&
         lies_between(centre.y, a[0].y, a[1].y) && centre != a[0] && centre != a[1];
-    return is_on_edge ? EdgePixel::hole : EdgePixel::nobody;
+    return is_on_edge ? EdgePixel::hole : EdgePixel::neither;
 }
 
 /// Fails at the first pixel of the window that differs from the second implementation.

@@ -28,6 +28,15 @@ void check_formulas(const Frame& frame, const std::vector<Formula>& formulas,
                        << formula.result.value);
         }
         for (const FormulaInput& input : formula.inputs) {
+            if (input.source.kind == SourceKind::texel) {
+                const Source& texel = input.source;
+                const ShadowMap& map = *frame.occluders.map;
+                const std::vector<float>& face =
+                    map.faces[static_cast<std::size_t>(texel.face)].inv_depth;
+                const int at = texel.row * map.resolution + texel.column;
+                if (!same_bits(face[static_cast<std::size_t>(at)], input.number.value))
+                    FAIL(where << ": " << formula.id << " is not " << source_text(texel));
+            }
             const Formula* named = nullptr;
             VertexReport vertex;
             if (input.source.kind == SourceKind::formula) {

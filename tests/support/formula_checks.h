@@ -9,7 +9,8 @@
 namespace rasterwalk::test {
 
 /// Fails unless every formula gives the number that it shows from the numbers that it shows, and
-/// every input has the number of the formula that it comes from. All NaN count as the same.
+/// every input has the number of the formula or of the shadow map's texel that it comes from. All
+/// NaN count as the same.
 /// @param where begins the message of a failure
 void check_formulas(const Frame& frame, const std::vector<Formula>& formulas,
                     const std::string& where);

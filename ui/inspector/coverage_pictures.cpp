@@ -54,7 +54,7 @@ PixelColour colour_of_pixel(EdgePixel pixel, Theme theme) {
         return overlay_colour(Overlay::drawn_twice);
     case EdgePixel::hole:
         return overlay_colour(Overlay::uncovered);
-    case EdgePixel::nobody:
+    case EdgePixel::neither:
         break;
     }
     return opaque(p.canvas);
