@@ -421,7 +421,8 @@ TEST_CASE("A pixel has one sample or four, and nothing between") {
     set_from_text(settings, "samples=4");
     CHECK(settings.samples == 4);
     for (const char* const wrong : {"samples=2", "samples=3", "samples=0", "samples=5"})
-        CHECK_THROWS_WITH(set_from_text(settings, wrong), Catch::Contains("1 or 4"));
+        CHECK_THROWS_WITH(set_from_text(settings, wrong),
+                          Catch::Matchers::ContainsSubstring("1 or 4"));
     CHECK(settings.samples == 4);
     settings.samples = 3;
     clamp_to_ranges(settings);
