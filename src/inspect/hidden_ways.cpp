@@ -36,8 +36,10 @@ HiddenCounts hidden_counts(const Frame& frame, const DrawTally& tally) {
     if (frame.list == nullptr) {
         if (depth_rule(frame.settings) == DepthTest::off) return {};
         const Viewport& size = frame.settings.viewport;
-        return {tally.fragments - tally.depth_outside, 0, 0,
-                float_bytes * size.width * size.height};
+        const std::int64_t pixels = std::int64_t{size.width} * size.height;
+        if (frame.has_samples())
+            return {tally.samples_compared, 0, 0, float_bytes * sample_count * pixels};
+        return {tally.fragments - tally.depth_outside, 0, 0, float_bytes * pixels};
     }
     const DrawnList& list = *frame.list;
     if (list.divided == nullptr) {

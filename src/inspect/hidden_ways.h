@@ -15,8 +15,9 @@ namespace rasterwalk {
 
 /// What was compared, cut and remembered to find what hides what.
 struct HiddenCounts {
-    /// Depth buffer: fragments with what their pixels hold. Painter: two triangles' depths. BSP:
-    /// the camera with a plane. Warnock: a triangle with a square, and two triangles in one.
+    /// Depth buffer: fragments, or their samples, with what their pixels hold. Painter: two
+    /// triangles' depths. BSP: the camera with a plane. Warnock: a triangle with a square, and two
+    /// triangles in one.
     std::int64_t comparisons = 0;
     int splits = 0;  ///< BSP: triangles and pieces that a plane has cut in two
     int squares = 0; ///< Warnock: of the picture, those that are divided too

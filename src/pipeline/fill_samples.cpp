@@ -39,7 +39,8 @@ glm::vec3 shade_fragment(Drawing& d, const Fragment& fragment, const Surface& su
     return d.stages.pixel_shader(fragment, surface, d.pixels, d.stages);
 }
 
-DepthResult test_sample(const Drawing& d, const SampledFragment& of, std::size_t sample) {
+DepthResult test_sample(Drawing& d, const SampledFragment& of, std::size_t sample, bool is_stored) {
+    d.tally.samples_compared += is_stored ? 1 : 0;
     return d.stages.depth_test(d.stages.fragment_at_sample(of.at_centre, of.at_samples[sample]),
                                d.target.sample_depth[of.pixel][sample], d.depth);
 }
@@ -81,7 +82,7 @@ SampledFate draw_multisampled(Drawing& d, const SampledFragment& of, const Surfa
     for (int s = 0; s < sample_count; ++s) {
         const auto sample = static_cast<std::size_t>(s);
         if (!has_sample(of.covered, s)) continue;
-        const DepthResult test = test_sample(d, of, sample);
+        const DepthResult test = test_sample(d, of, sample, is_stored);
         result.depths[sample] = test.depth;
         if (!test.passed) continue;
         result.passed |= mask_of(s);
@@ -113,7 +114,7 @@ SampledFate draw_supersampled(Drawing& d, const SampledFragment& of, const Surfa
         is_tested = true;
         result.fate = Fate::depth_failed;
         if (result.passed == 0) result.alpha = alpha.alpha;
-        const DepthResult test = test_sample(d, of, sample);
+        const DepthResult test = test_sample(d, of, sample, is_stored);
         result.depths[sample] = test.depth;
         if (!test.passed && !d.shades_first) continue;
         const glm::vec3 colour = shade_fragment(d, fragment, surface);

@@ -45,6 +45,7 @@ DrawTally& operator+=(DrawTally& sum, const DrawTally& part) {
     sum.pixels_tested += part.pixels_tested;
     sum.empty_rows += part.empty_rows;
     sum.depth_outside += part.depth_outside;
+    sum.samples_compared += part.samples_compared;
     return sum;
 }
 

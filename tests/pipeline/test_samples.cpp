@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "inspect/hidden_ways.h"
 #include "pipeline/draw.h"
 #include "pipeline/replay.h"
 #include "pipeline/stepping.h"
@@ -496,6 +497,27 @@ TEST_CASE("The pixel shader runs once per fragment with samples, and at each sam
     // The shaded samples of all triangles are four times the area, as centres are once.
     CHECK(std::abs(static_cast<double>(super.shaded) / static_cast<double>(one.shaded) - 4.0) <
           0.02);
+}
+
+TEST_CASE("Each covered sample is compared with the depth buffer, which holds four of a pixel") {
+    const Scene room = lab_room();
+    for (const char* const way : {"samples=4", "supersample=2"}) {
+        const Frame frame =
+            prepare_frame(room, settings_of(room, {"coverage=edge_functions", "stage=depth", way}));
+        std::int64_t covered = 0;
+        const Observer count{.fragment = [&](const FragmentEvent& event) {
+            for (int sample = 0; sample < 4; ++sample)
+                covered += (event.covered >> sample) & 1;
+        }};
+        Framebuffer picture;
+        clear(picture, frame);
+        const DrawTally tally = draw(frame, {}, picture, &count);
+        const HiddenCounts counts = hidden_counts(frame, tally);
+        CHECK(counts.comparisons == covered);
+        CHECK(covered > 3 * tally.fragments);
+        const Viewport& size = frame.settings.viewport;
+        CHECK(counts.memory == std::int64_t{4} * 4 * size.width * size.height);
+    }
 }
 
 TEST_CASE("Samples do nothing with the row table, with squares and before stage fill") {
