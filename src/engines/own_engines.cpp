@@ -4,47 +4,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "engines/student_loop.h"
-#include "engines/workload.h"
+#include "engines/ladder/rungs.h"
+#include "engines/own_engine.h"
 #include "pipeline/draw.h"
 #include "stages/put_pixel.h"
 
 namespace rasterwalk {
 
 namespace {
-
-/// Places the lamp, and times the engine's work after that.
-class OwnEngine : public TimedEngine {
-  public:
-    explicit OwnEngine(const Settings& settings)
-        : settings_(settings), lamp_(settings.light.position) {}
-
-    Milliseconds time_pictures(int first, int count) final {
-        const Milliseconds begin = milliseconds_now();
-        for (int i = 0; i < count; ++i)
-            draw_number(first + i);
-        return milliseconds_since(begin);
-    }
-
-    EnginePicture picture(int number) final {
-        draw_number(number);
-        return {settings_.viewport, colours()};
-    }
-
-  protected:
-    virtual void draw(const Settings& settings) = 0;
-    /// Of the last picture, 0x00RRGGBB.
-    virtual std::vector<std::uint32_t> colours() const = 0;
-
-  private:
-    void draw_number(int number) {
-        settings_.light.position = lamp_in_picture(lamp_, number);
-        draw(settings_);
-    }
-
-    Settings settings_;
-    glm::vec3 lamp_;
-};
 
 class StepsEngine final : public OwnEngine {
   public:
@@ -78,11 +45,13 @@ class StudentEngine final : public OwnEngine {
         : OwnEngine(settings), scene_(scene) {}
 
   private:
-    void draw(const Settings& settings) override { draw_as_student(scene_, settings, picture_); }
+    void draw(const Settings& settings) override {
+        rungs::lab_loop::draw(scene_, settings, picture_);
+    }
     std::vector<std::uint32_t> colours() const override { return picture_.colour; }
 
     const Scene& scene_;
-    StudentPicture picture_;
+    LadderPicture picture_;
 };
 
 class FastDrawing final : public OwnEngine {

@@ -15,7 +15,7 @@ std::string processor_name() {
         if (colon != std::string::npos && line.starts_with("model name"))
             return std::string(trimmed(std::string_view(line).substr(colon + 1)));
     }
-    return "unknown";
+    return {};
 }
 
 int processor_count() {

@@ -1,15 +1,24 @@
-#include "engines/student_loop.h"
+// The lab's loop as a student writes it: a std::vector for every polygon, edge and row, and one
+// pixel at a time. It is the first rung of the ladder and the baseline for the engines, and it is
+// written to be read, not to be fast.
+//
+// Picture: interpolate() walks the edges of each polygon; they fill the row table, left_pixels and
+//          right_pixels; each row is then walked in the same way, and its pixels are shaded.
+//
+// It is slow because memory is allocated at every edge and row, a pixel carries all of its values
+// through every step, and light, roots and divisions are worked out one pixel at a time.
+//
+// Its edges are those of the lab: vertices and samples are rounded to whole pixels.
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <vector>
 
-#include <glm/geometric.hpp>
+#include "engines/ladder/parts.h"
+#include "engines/ladder/rungs.h"
 
-// Its own namespace: the names are those of the lab, which the stages have too.
-namespace rasterwalk::student {
+namespace rasterwalk::rungs::lab_loop {
 
 namespace {
 
@@ -22,32 +31,8 @@ struct Pixel {
     glm::vec3 illumination{0.0f}; ///< worked out at the vertices; else unused
 };
 
-/// The lab's global variables.
-struct Lab {
-    glm::vec3 camera_position{0.0f};
-    float focal_length = 0.0f; ///< pixels
-    Light light;
-    bool is_light_per_vertex = false;
-    StudentPicture& picture;
-};
-
-/// Values that are the same at all pixels of a triangle.
-struct CurrentTriangle {
-    glm::vec3 normal{0.0f};
-    glm::vec3 reflectance{0.0f};
-    bool is_bent = false; ///< its corners have different normals
-};
-
-glm::vec3 direct_light(const glm::vec3& position, const glm::vec3& normal, const Light& light) {
-    constexpr float pi = 3.14159265f;
-    const glm::vec3 to_light = light.position - position;
-    const float distance2 = glm::dot(to_light, to_light);
-    const float cosine = std::max(0.0f, glm::dot(to_light, normal) / std::sqrt(distance2));
-    return light.power * (cosine / (4.0f * pi * distance2));
-}
-
 Pixel vertex_shader(const Vertex& vertex, const Lab& lab) {
-    const glm::vec3 seen = vertex.position - lab.camera_position;
+    const glm::vec3 seen = vertex.position - lab.eye;
     Pixel pixel;
     pixel.zinv = 1.0f / seen.z;
     pixel.x = static_cast<int>(lab.focal_length * seen.x * pixel.zinv) + lab.picture.size.width / 2;
@@ -55,11 +40,9 @@ Pixel vertex_shader(const Vertex& vertex, const Lab& lab) {
         static_cast<int>(lab.focal_length * seen.y * pixel.zinv) + lab.picture.size.height / 2;
     pixel.position = vertex.position * pixel.zinv;
     pixel.normal = vertex.normal * pixel.zinv;
-    if (lab.is_light_per_vertex) {
-        const glm::vec3 light =
-            direct_light(vertex.position, vertex.normal, lab.light) + lab.light.indirect;
-        pixel.illumination = vertex.reflectance * light * pixel.zinv;
-    }
+    if (lab.is_light_per_vertex)
+        pixel.illumination =
+            vertex.reflectance * light_at(vertex.position, vertex.normal, lab.light) * pixel.zinv;
     return pixel;
 }
 
@@ -97,11 +80,10 @@ void compute_polygon_rows(const std::vector<Pixel>& vertex_pixels, std::vector<P
     const int rows = bottom - top + 1;
     left_pixels.resize(static_cast<std::size_t>(rows));
     right_pixels.resize(static_cast<std::size_t>(rows));
-    for (Pixel& left : left_pixels)
-        left.x = std::numeric_limits<int>::max();
-    for (Pixel& right : right_pixels)
-        right.x = -std::numeric_limits<int>::max();
-
+    for (int row = 0; row < rows; ++row) {
+        left_pixels[static_cast<std::size_t>(row)].x = std::numeric_limits<int>::max();
+        right_pixels[static_cast<std::size_t>(row)].x = -std::numeric_limits<int>::max();
+    }
     for (std::size_t i = 0; i < vertex_pixels.size(); ++i) {
         const Pixel& a = vertex_pixels[i];
         const Pixel& b = vertex_pixels[(i + 1) % vertex_pixels.size()];
@@ -118,34 +100,24 @@ void compute_polygon_rows(const std::vector<Pixel>& vertex_pixels, std::vector<P
     }
 }
 
-std::uint32_t to_byte(float channel) {
-    return static_cast<std::uint32_t>(std::clamp(255.0f * channel, 0.0f, 255.0f));
-}
-
-void put_pixel(std::size_t place, const glm::vec3& colour, StudentPicture& picture) {
-    picture.colour[place] = to_byte(colour.r) << 16 | to_byte(colour.g) << 8 | to_byte(colour.b);
-}
-
-void pixel_shader(const Pixel& pixel, const CurrentTriangle& triangle, const Lab& lab) {
+void pixel_shader(const Pixel& pixel, const Surface& surface, const Lab& lab) {
     const Viewport size = lab.picture.size;
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height) return;
-    const auto place = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size.width) +
-                       static_cast<std::size_t>(pixel.x);
+    const std::size_t place = place_of(pixel.x, pixel.y, size);
     if (pixel.zinv <= lab.picture.depth[place]) return;
     lab.picture.depth[place] = pixel.zinv;
     if (lab.is_light_per_vertex) {
-        put_pixel(place, pixel.illumination / pixel.zinv, lab.picture);
+        lab.picture.colour[place] = to_bytes(pixel.illumination / pixel.zinv);
         return;
     }
     const glm::vec3 normal =
-        triangle.is_bent ? glm::normalize(pixel.normal / pixel.zinv) : triangle.normal;
-    const glm::vec3 light =
-        direct_light(pixel.position / pixel.zinv, normal, lab.light) + lab.light.indirect;
-    put_pixel(place, triangle.reflectance * light, lab.picture);
+        surface.is_bent ? glm::normalize(pixel.normal / pixel.zinv) : surface.normal;
+    const glm::vec3 light = light_at(pixel.position / pixel.zinv, normal, lab.light);
+    lab.picture.colour[place] = to_bytes(surface.reflectance * light);
 }
 
 void draw_polygon_rows(const std::vector<Pixel>& left_pixels,
-                       const std::vector<Pixel>& right_pixels, const CurrentTriangle& triangle,
+                       const std::vector<Pixel>& right_pixels, const Surface& surface,
                        const Lab& lab) {
     for (std::size_t i = 0; i < left_pixels.size(); ++i) {
         const Pixel& left = left_pixels[i];
@@ -154,46 +126,28 @@ void draw_polygon_rows(const std::vector<Pixel>& left_pixels,
         std::vector<Pixel> row(static_cast<std::size_t>(right.x - left.x + 1));
         interpolate(left, right, row);
         for (const Pixel& pixel : row)
-            pixel_shader(pixel, triangle, lab);
+            pixel_shader(pixel, surface, lab);
     }
 }
 
-void draw_polygon(const std::vector<Vertex>& vertices, const Lab& lab) {
+void draw_polygon(const std::vector<Vertex>& vertices, const Surface& surface, const Lab& lab) {
     std::vector<Pixel> vertex_pixels(vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
         vertex_pixels[i] = vertex_shader(vertices[i], lab);
-    CurrentTriangle triangle;
-    triangle.normal = vertices[0].normal;
-    triangle.reflectance = vertices[0].reflectance;
-    triangle.is_bent = std::any_of(vertices.begin(), vertices.end(), [&](const Vertex& vertex) {
-        return vertex.normal != triangle.normal;
-    });
     std::vector<Pixel> left_pixels, right_pixels;
     compute_polygon_rows(vertex_pixels, left_pixels, right_pixels);
-    draw_polygon_rows(left_pixels, right_pixels, triangle, lab);
+    draw_polygon_rows(left_pixels, right_pixels, surface, lab);
 }
 
 } // namespace
 
-} // namespace rasterwalk::student
-
-namespace rasterwalk {
-
-void draw_as_student(const Scene& scene, const Settings& settings, StudentPicture& picture) {
-    const Viewport size = settings.viewport;
-    const auto pixels =
-        static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-    picture.size = size;
-    picture.colour.assign(pixels, 0);
-    picture.depth.assign(pixels, 0.0f);
-    const student::Lab lab{settings.camera.position, settings.camera.focal_length, settings.light,
-                           settings.shading == Shading::gouraud, picture};
+void draw(const Scene& scene, const Settings& settings, LadderPicture& picture) {
+    const Lab lab = begin_picture(settings, picture);
     for (int t = 0; t < scene.triangle_count(); ++t) {
-        std::vector<Vertex> vertices(triangle_corners);
-        for (int corner = 0; corner < triangle_corners; ++corner)
-            vertices[static_cast<std::size_t>(corner)] = scene.corner(t, corner);
-        student::draw_polygon(vertices, lab);
+        const auto corners = corners_of(scene, t);
+        const std::vector<Vertex> vertices(corners.begin(), corners.end());
+        draw_polygon(vertices, surface_of(corners), lab);
     }
 }
 
-} // namespace rasterwalk
+} // namespace rasterwalk::rungs::lab_loop
