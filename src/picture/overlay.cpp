@@ -4,10 +4,6 @@
 #include <bit>
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "base/element_names.h"
-#include "base/numbers.h"
 #include "picture/colour_map.h"
 
 namespace rasterwalk {
@@ -21,9 +17,9 @@ constexpr glm::vec<3, std::uint8_t> vermillion{213, 94, 0};
 constexpr glm::vec<3, std::uint8_t> reddish_purple{204, 121, 167};
 
 /// From the lowest layer to the highest: tints of everything first, then what marks few pixels.
-constexpr Overlay layers[] = {Overlay::owner,    Overlay::overdraw, Overlay::affine_error,
-                              Overlay::depth,    Overlay::over_one, Overlay::drawn_twice,
-                              Overlay::uncovered};
+constexpr Overlay layers[] = {Overlay::owner,        Overlay::overdraw, Overlay::cost,
+                              Overlay::affine_error, Overlay::depth,    Overlay::over_one,
+                              Overlay::drawn_twice,  Overlay::uncovered};
 
 float brightest_channel(const glm::vec3& colour) {
     return std::max({colour.r, colour.g, colour.b});
@@ -52,6 +48,7 @@ struct Amounts {
     const Framebuffer& framebuffer;
     const PixelFacts& facts;
     const OverlayTotals& totals;
+    const std::vector<PixelCost>& costs;
 
     float of(Overlay overlay, std::size_t pixel) const {
         switch (overlay) {
@@ -74,6 +71,11 @@ struct Amounts {
         case Overlay::affine_error:
             return totals.largest_error > 0.0f ? facts.affine_error[pixel] / totals.largest_error
                                                : -1.0f;
+        case Overlay::cost: {
+            const std::uint32_t total = costs[pixel].total();
+            return total == 0 ? -1.0f
+                              : static_cast<float>(total) / static_cast<float>(totals.most_cost);
+        }
         case Overlay::wireframe:
         case Overlay::alone:
             break;
@@ -129,6 +131,13 @@ OverlayTotals count_totals(const Frame& frame, const Framebuffer& framebuffer, O
         totals.mean_error = covered > 0 ? sum / static_cast<double>(covered) : 0.0;
     }
     return totals;
+}
+
+void add_costs(const std::vector<PixelCost>& costs, OverlayTotals& totals) {
+    for (const PixelCost& pixel : costs) {
+        totals.cost += pixel.total();
+        totals.most_cost = std::max(totals.most_cost, pixel.total());
+    }
 }
 
 /// The different edges of the frame, in drawing order, each once.
@@ -188,25 +197,6 @@ int wrapped(int value, int period) {
     return ((value % period) + period) % period;
 }
 
-double distance_to_wire(const WireEdge& wire, glm::ivec2 pixel) {
-    const double dx = wire.to.x - wire.from.x, dy = wire.to.y - wire.from.y;
-    const double px = pixel.x - wire.from.x, py = pixel.y - wire.from.y;
-    const double length2 = dx * dx + dy * dy;
-    const double t = length2 > 0.0 ? std::clamp((px * dx + py * dy) / length2, 0.0, 1.0) : 0.0;
-    return std::hypot(px - t * dx, py - t * dy);
-}
-
-const WireEdge* nearest_wire(const OverlayPicture& picture, glm::ivec2 pixel, double reach) {
-    const WireEdge* nearest = nullptr;
-    for (const WireEdge& wire : picture.wires) {
-        const double distance = distance_to_wire(wire, pixel);
-        if (distance > reach) continue;
-        nearest = &wire;
-        reach = distance;
-    }
-    return nearest;
-}
-
 } // namespace
 
 const std::array<OverlayInfo, overlay_count>& overlay_list() {
@@ -230,6 +220,9 @@ const std::array<OverlayInfo, overlay_count>& overlay_list() {
         {Overlay::affine_error, "affine error",
          "How far apart the affine and the perspective-correct position of the visible point lie "
          "in the world."},
+        {Overlay::cost, "cost",
+         "How much work each pixel takes as the steps draw it: its fragments, depth tests, lights, "
+         "shadow tests and texels, each counted as one."},
     }};
     static_assert(is_indexed_by(list, &OverlayInfo::overlay));
     return list;
@@ -252,6 +245,8 @@ void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffe
         picture.facts = pixel_facts(frame, cursor, wanted);
     }
     picture.totals = count_totals(frame, framebuffer, overlays, picture.facts);
+    const bool has_costs = overlays.has(Overlay::cost) && picture.cost.is_counted();
+    if (has_costs) add_costs(picture.cost.pixels(), picture.totals);
     picture.wires.clear();
     if (overlays.has(Overlay::wireframe) || overlays.has(Overlay::alone)) {
         picture.wires = find_wires(frame);
@@ -261,9 +256,12 @@ void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffe
     OverlaySet tints = overlays;
     tints.set(Overlay::wireframe, false);
     tints.set(Overlay::alone, false);
-    picture.image = tints.empty() ? Image{}
-                                  : compose_image(framebuffer, tints,
-                                                  {framebuffer, picture.facts, picture.totals});
+    tints.set(Overlay::cost, has_costs);
+    picture.image =
+        tints.empty()
+            ? Image{}
+            : compose_image(framebuffer, tints,
+                            {framebuffer, picture.facts, picture.totals, picture.cost.pixels()});
 }
 
 Image ground_of_overlays(const Image& picture) {
@@ -284,6 +282,7 @@ Tint overlay_tint(Overlay overlay, float amount, glm::ivec2 pixel, int triangle)
     case Overlay::owner:
         return {distinct_colour(triangle), 0.6f};
     case Overlay::overdraw:
+    case Overlay::cost:
         return {viridis(amount), 0.65f};
     case Overlay::affine_error:
         return {reddish_purple, 0.9f * amount};
@@ -308,94 +307,6 @@ Tint overlay_tint(Overlay overlay, float amount, glm::ivec2 pixel, int triangle)
     case Overlay::wireframe:
     case Overlay::alone:
         break;
-    }
-    return {};
-}
-
-std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPicture& picture) {
-    const OverlayTotals& totals = picture.totals;
-    switch (overlay) {
-    case Overlay::wireframe:
-        if (totals.wires > most_wires) {
-            return fmt::format("the first {} of {}", most_wires,
-                               counted(totals.wires, "edge", "edges"));
-        }
-        return counted(totals.wires, "edge", "edges");
-    case Overlay::owner:
-        return fmt::format("{} of {} seen", totals.visible_triangles,
-                           counted(frame.triangle_count(), "triangle", "triangles"));
-    case Overlay::overdraw:
-        return fmt::format("{}, at most {} on a pixel",
-                           counted(totals.fragments, "fragment", "fragments"),
-                           totals.most_overdraw);
-    case Overlay::drawn_twice:
-        return counted(totals.drawn_twice, "pixel", "pixels");
-    case Overlay::depth:
-        if (picture.facts.depth.empty()) return "there is no depth test";
-        return fmt::format("{} failed on {}", totals.failed_fragments,
-                           counted(totals.failed_pixels, "pixel", "pixels"));
-    case Overlay::uncovered:
-        return counted(totals.uncovered, "pixel", "pixels");
-    case Overlay::over_one:
-        return fmt::format("{}, the brightest {:.2f}", counted(totals.over_one, "pixel", "pixels"),
-                           totals.brightest);
-    case Overlay::affine_error:
-        return fmt::format("at most {:.3f}, mean {:.3f} world units", totals.largest_error,
-                           totals.mean_error);
-    case Overlay::alone:
-        if (!picture.lone.triangle()) return "no triangle is selected";
-        if (!frame.is_drawn(*picture.lone.triangle()))
-            return triangle_name(*picture.lone.triangle()) + " is left out";
-        return fmt::format("{}, {} drawn", triangle_name(*picture.lone.triangle()),
-                           counted(picture.lone.pixels(), "pixel", "pixels"));
-    }
-    return {};
-}
-
-std::array<std::string, 2> overlay_scale(Overlay overlay, const OverlayPicture& picture) {
-    if (overlay == Overlay::overdraw) return {"1", std::to_string(picture.totals.most_overdraw)};
-    if (overlay == Overlay::affine_error)
-        return {"0", decimals(static_cast<double>(picture.totals.largest_error), 3)};
-    return {};
-}
-
-std::string overlay_value(Overlay overlay, const Frame& frame, const Framebuffer& framebuffer,
-                          const OverlayPicture& picture, glm::ivec2 pixel, float reach) {
-    if (!framebuffer.contains(pixel.x, pixel.y)) return {};
-    const std::size_t at = framebuffer.at(pixel.x, pixel.y);
-    const int owner = framebuffer.owner[at];
-    switch (overlay) {
-    case Overlay::wireframe: {
-        const WireEdge* const wire = nearest_wire(picture, pixel, static_cast<double>(reach));
-        if (wire == nullptr) return "no edge";
-        return fmt::format("{} of {}", edge_name(wire->edge), triangle_name(wire->triangle));
-    }
-    case Overlay::owner:
-        if (owner < 0) return "none";
-        return fmt::format("{}, {}", triangle_name(owner), part_words(*frame.scene, owner));
-    case Overlay::overdraw:
-        return counted(framebuffer.overdraw[at], "fragment", "fragments");
-    case Overlay::drawn_twice: {
-        const DrawnTwice& twice = picture.facts.drawn_twice[at];
-        if (!twice) return "no";
-        return fmt::format("{} and {}", triangle_name(twice.first), triangle_name(twice.second));
-    }
-    case Overlay::depth:
-        if (picture.facts.depth.empty()) return {};
-        return fmt::format("{} passed, {} failed", picture.facts.depth[at].passed,
-                           picture.facts.depth[at].failed);
-    case Overlay::uncovered:
-        return framebuffer.overdraw[at] == 0 ? "uncovered" : "covered";
-    case Overlay::over_one:
-        return owner < 0
-                   ? "none"
-                   : decimals(static_cast<double>(brightest_channel(framebuffer.colour[at])), 3);
-    case Overlay::affine_error:
-        return owner < 0 ? "none"
-                         : decimals(static_cast<double>(picture.facts.affine_error[at]), 4);
-    case Overlay::alone:
-        return picture.lone.triangle() && picture.lone.picture().owner[at] >= 0 ? "drawn"
-                                                                                : "not drawn";
     }
     return {};
 }

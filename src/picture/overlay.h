@@ -16,6 +16,7 @@
 
 #include "base/enum_words.h"
 #include "base/image.h"
+#include "picture/cost_drawing.h"
 #include "picture/lone_triangle.h"
 #include "picture/pixel_facts.h"
 #include "pipeline/framebuffer.h"
@@ -32,6 +33,7 @@ enum class Overlay : std::uint8_t {
     uncovered,    ///< pixels on which nothing fell
     over_one,     ///< pixels whose colour is cut at 1 when shown
     affine_error, ///< how far off affine interpolation puts the visible point
+    cost,         ///< how much work the pixel took: see PixelCost::total()
 };
 
 inline constexpr int overlay_count = static_cast<int>(enum_words<Overlay>.size());
@@ -85,11 +87,13 @@ struct OverlayTotals {
     std::int64_t drawn_twice = 0;    ///< pixels
     std::int64_t failed_pixels = 0;  ///< with a fragment that failed
     std::int64_t failed_fragments = 0;
-    std::int64_t uncovered = 0; ///< pixels
-    std::int64_t over_one = 0;  ///< pixels
-    float brightest = 0.0f;     ///< largest channel of any pixel
-    float largest_error = 0.0f; ///< world units
-    double mean_error = 0.0;    ///< world units, over the covered pixels
+    std::int64_t uncovered = 0;  ///< pixels
+    std::int64_t over_one = 0;   ///< pixels
+    float brightest = 0.0f;      ///< largest channel of any pixel
+    float largest_error = 0.0f;  ///< world units
+    double mean_error = 0.0;     ///< world units, over the covered pixels
+    std::int64_t cost = 0;       ///< PixelCost::total() of all pixels; 0 until all are counted
+    std::uint32_t most_cost = 0; ///< of one of them
 };
 
 /// The overlays shown, ready to be laid over the picture.
@@ -99,12 +103,14 @@ struct OverlayPicture {
     OverlayTotals totals;
     std::vector<WireEdge> wires; ///< at most most_wires
     LoneTriangle lone;           ///< the triangle shown, while it is alone
+    CostDrawing cost;            ///< while `cost` is shown
     Image image; ///< all overlays that tint the picture; no pixels if there are none
 };
 
 /// Makes what is shown over the framebuffer, which is at `cursor`. Facts that `picture` already has
 /// are kept if `same_moment`: the frame and the cursor are the same as in the last call. A triangle
-/// alone is drawn separately, see LoneTriangle.
+/// alone is drawn, and costs are counted, separately: see LoneTriangle and CostDrawing. Costs are
+/// left out until they are counted.
 void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffer& framebuffer,
                       OverlaySet overlays, bool same_moment, OverlayPicture& picture);
 
@@ -122,13 +128,15 @@ struct Tint {
 /// @param amount how much of it, 0..1; for depth, 1 is failed and 0 passed; for the owner, unused
 Tint overlay_tint(Overlay overlay, float amount, glm::ivec2 pixel, int triangle = 0);
 
-/// The overlay's total in words: "998 pixels".
+/// The overlay's total in words: "998 pixels"; "counting …" until it is known.
 std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPicture& picture);
 
-/// The two ends of the overlay's scale, "0" and "0.52 world units"; both empty if it has none.
+/// The two ends of the overlay's scale, "0" and "0.52 world units"; both empty if it has none, or
+/// none yet.
 std::array<std::string, 2> overlay_scale(Overlay overlay, const OverlayPicture& picture);
 
-/// What the overlay says about one pixel of the picture: "2 passed, 1 failed".
+/// What the overlay says about one pixel of the picture: "2 passed, 1 failed". Empty outside the
+/// picture, and if it says nothing, or nothing yet.
 /// @param reach how far from the pixel's middle an edge of the wireframe may run, pixels
 std::string overlay_value(Overlay overlay, const Frame& frame, const Framebuffer& framebuffer,
                           const OverlayPicture& picture, glm::ivec2 pixel, float reach = 3.0f);

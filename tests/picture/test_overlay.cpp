@@ -103,9 +103,10 @@ TEST_CASE("Every pixel of the overlays' picture is the tint of that overlay, and
         if (info.overlay == Overlay::wireframe || info.overlay == Overlay::alone) continue;
         session.overlays = {};
         session.overlays.set(info.overlay, true);
-        update(session, results);
+        finish(session, results);
         const Framebuffer& drawn = *results.a.framebuffer;
         const PixelFacts& facts = results.overlay.facts;
+        const PixelFacts verdicts = pixel_facts(results.a.frame, cursor_end, {.depth = true});
         int tinted = 0;
         for (int row = 0; row < 500; ++row) {
             for (int column = 0; column < 500; ++column) {
@@ -131,6 +132,13 @@ TEST_CASE("Every pixel of the overlays' picture is the tint of that overlay, and
                 case Overlay::over_one:
                     for (int c = 0; c < 3; ++c) {
                         if (drawn.colour[at][c] > 1.0f) amount = 1.0f;
+                    }
+                    break;
+                case Overlay::cost: // each fragment is tested, and lit if it passed
+                    if (drawn.overdraw[at] > 0) {
+                        amount =
+                            static_cast<float>(2 * drawn.overdraw[at] + verdicts.depth[at].passed) /
+                            19.0f;
                     }
                     break;
                 default:
@@ -225,7 +233,7 @@ TEST_CASE("Each overlay's text about a pixel is true") {
     session.a.settings.light.power = glm::vec3(60.0f);
     session.overlays = all_overlays();
     Results results;
-    update(session, results);
+    finish(session, results);
     CHECK(value(Overlay::uncovered, results, 0, 0) == "uncovered");
     CHECK(value(Overlay::uncovered, results, 250, 250) == "covered");
     CHECK(value(Overlay::owner, results, 250, 350) == "triangles[10], short block");
@@ -250,6 +258,32 @@ TEST_CASE("Each overlay's text about a pixel is true") {
     CHECK(value(Overlay::wireframe, results, corner.column, corner.row) != "no edge");
     CHECK(value(Overlay::over_one, results, 0, 0) == "none");
     CHECK(value(Overlay::affine_error, results, 700, 700).empty());
+    CHECK(value(Overlay::cost, results, 0, 0) == "0 fragments");
+    const std::string fragments = std::to_string(results.a.framebuffer->overdraw[at]);
+    const std::string lights = std::to_string(verdicts.passed);
+    REQUIRE(verdicts.passed > 1);
+    CHECK(value(Overlay::cost, results, 250, 350) == fragments + " fragments, " + fragments +
+                                                         " depth tests, " + lights + " colours, " +
+                                                         lights + " lights");
+    CHECK(total(Overlay::cost, results) ==
+          std::to_string(2 * 328789 + 293357) + " pieces of work, at most 19 on a pixel");
+}
+
+TEST_CASE("The cost of a pixel has its texels and its shadow tests") {
+    Session session = open_session(lessons_folder() + "/scenes/checkered-floor.toml");
+    session.a.settings.texture_filter = TextureFilter::bilinear;
+    session.overlays.set(Overlay::cost, true);
+    Results results;
+    finish(session, results);
+    CHECK(value(Overlay::cost, results, 120, 150) ==
+          "1 fragment, 1 depth test, 1 colour, 4 texels");
+    Session room = room_session();
+    room.a.settings.shadows = Shadows::rays;
+    room.overlays.set(Overlay::cost, true);
+    Results lit;
+    finish(room, lit);
+    CHECK_THAT(value(Overlay::cost, lit, 250, 480),
+               Catch::Matchers::ContainsSubstring("1 light, 1 shadow test"));
 }
 
 TEST_CASE("Too many edges are cut off, and this is reported") {

@@ -202,7 +202,7 @@ TEST_CASE(
     for (const StripStep& stage : some_of(stages, 2)) {
         for (const Variant& variant : some_of(rule_variants(), 2)) {
             const Frame frame = frame_of(room, stage, variant);
-            if (frame.settings.depth_test == DepthTest::off) continue;
+            if (depth_rule(frame.settings) == DepthTest::off) continue;
             for (const Cursor to : {cursor_end, Cursor{13, Phase::rows, 20, 5}}) {
                 const PixelFacts facts = pixel_facts(frame, to, {.depth = true});
                 std::vector<DepthVerdicts> expected(facts.depth.size());

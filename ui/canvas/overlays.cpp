@@ -7,6 +7,7 @@
 
 #include "picture/colour_map.h"
 #include "picture/overlay.h"
+#include "ui/canvas/cost_legend.h"
 #include "ui/canvas/picture_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/picture_texture.h"
@@ -33,11 +34,16 @@ ImU32 packed_tint(const Tint& tint) {
                     static_cast<int>(std::lround(255.0f * tint.opacity)));
 }
 
+/// Does the overlay show an amount, by a scale of colours?
+bool is_scale(Overlay overlay) {
+    return overlay == Overlay::overdraw || overlay == Overlay::affine_error ||
+           overlay == Overlay::cost;
+}
+
 /// How much of the overlay a place in its swatch shows, from 0 at the left to 1 at the right.
 float swatch_amount(Overlay overlay, float share) {
     if (overlay == Overlay::depth) return share < 0.5f ? 1.0f : 0.0f;
-    const bool is_scale = overlay == Overlay::overdraw || overlay == Overlay::affine_error;
-    return is_scale ? share : 1.0f;
+    return is_scale(overlay) ? share : 1.0f;
 }
 
 } // namespace
@@ -111,12 +117,22 @@ struct Legend {
     float line;    ///< height of a line of text
     float padding; ///< around all, and between the overlays
     bool compact;  ///< one line an overlay: in small windows
+    float width;   ///< of an overlay, about
+    CostTable costs;
 
     bool has_key(Overlay overlay) const {
-        return !compact && (overlay == Overlay::overdraw || overlay == Overlay::affine_error ||
+        return !compact && (is_scale(overlay) ||
                             (overlay == Overlay::depth && !ui.results.overlay.facts.depth.empty()));
     }
-    float height(Overlay overlay) const { return has_key(overlay) ? 2.0f * line : line; }
+    float room_for_costs() const {
+        return width - swatch_size(ui).x - 8.0f * u - line - 4.0f * padding;
+    }
+    float height(Overlay overlay) const {
+        float height = has_key(overlay) ? 2.0f * line : line;
+        if (overlay == Overlay::cost && !compact)
+            height += line * static_cast<float>(costs.rows(room_for_costs()));
+        return height;
+    }
 };
 
 /// The overlays that are shown, in lines of one or two.
@@ -148,7 +164,15 @@ float whole_height(const Legend& l, float width) {
 /// @param room of the canvas
 Legend legend_in(Ui& ui, ImVec2 room) {
     const float u = ui.options.text_scale;
-    Legend legend{ui, u, std::round(1.3f * ui.fonts.small->FontSize), std::round(4.0f * u), false};
+    const std::vector<std::vector<OverlayInfo>> lines = legend_lines(ui, room.x);
+    const std::size_t columns = lines.empty() ? 1 : lines.front().size();
+    Legend legend{ui,
+                  u,
+                  std::round(1.3f * ui.fonts.small->FontSize),
+                  std::round(4.0f * u),
+                  false,
+                  room.x / static_cast<float>(columns),
+                  cost_table(ui)};
     legend.compact = whole_height(legend, room.x) > largest_roomy_part * room.y;
     return legend;
 }
@@ -202,7 +226,8 @@ void draw_entry(const Legend& l, const OverlayInfo& info, ImVec2 at, float right
     ImGui::Dummy({right - at.x, l.height(info.overlay)});
     register_widget(l.ui, name,
                     std::string(info.help) + (total.empty() ? "" : "\n" + total) +
-                        (value.empty() ? "" : "\n" + value_forms(l.ui, value).front()));
+                        (value.empty() ? "" : "\n" + value_forms(l.ui, value).front()) +
+                        (info.overlay == Overlay::cost ? tooltip_lines(l.costs) : ""));
 
     draw_swatch(l.ui, ImGui::GetWindowDrawList(),
                 {at.x, std::round(at.y + 0.5f * (ImGui::GetFontSize() - swatch.y) + l.u)},
@@ -229,6 +254,9 @@ void draw_entry(const Legend& l, const OverlayInfo& info, ImVec2 at, float right
         draw_verdict_key(l, key);
     } else {
         draw_scale(l, info.overlay, key, right);
+    }
+    if (info.overlay == Overlay::cost) {
+        draw_cost_table(l.ui, l.costs, l.room_for_costs(), {key.x, key.y + l.line}, right, l.line);
     }
 }
 

@@ -5,7 +5,9 @@
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_colours.h"
+#include "ui/actions/compare.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/canvas/cost_legend.h"
 #include "ui/ui.h"
 #include "ui/widgets/keys.h"
 
@@ -35,6 +37,34 @@ TEST_CASE("Every overlay is switched on and off by its name, and undone") {
         CHECK(session.overlays.empty());
         CHECK_FALSE(driver.hand.is_visible("legend." + std::string(info.name)));
     }
+}
+
+TEST_CASE("The legend of the cost has every count, in groups of three digits") {
+    Driver driver;
+    switch_overlay(driver, "cost");
+    driver.hand.frames();
+    const RunResults& run = driver.ui.results.a;
+    const DrawCost cost = draw_cost(run.frame, run.cursor);
+    REQUIRE(cost.fragments == 328789);
+    const CostTable table = cost_table(driver.ui);
+    const std::string lines = tooltip_lines(table);
+    CHECK_THAT(lines, Catch::Matchers::ContainsSubstring("\nfragments: 328 789\n"));
+    std::size_t counts = 0;
+    for (const CostInfo& info : cost_list()) {
+        if (cost.*info.count == 0) continue;
+        REQUIRE(counts < table.lines.size());
+        CHECK(table.lines[counts].title == info.title);
+        CHECK(table.lines[counts].count == grouped(cost.*info.count));
+        ++counts;
+    }
+    CHECK(table.lines.size() == counts);
+    // Narrow or wide, every count has its place.
+    for (const float width : {1.0f, 2.5f * table.least_column, 100.0f * table.least_column}) {
+        CAPTURE(width);
+        CHECK(table.columns(width) >= 1);
+        CHECK(table.columns(width) * table.rows(width) >= counts);
+    }
+    CHECK(table.columns(2.5f * table.least_column) == 2);
 }
 
 TEST_CASE("Overlays are one texture besides the picture's, remade only when they change") {
