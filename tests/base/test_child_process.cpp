@@ -43,6 +43,31 @@ TEST_CASE("A long answer arrives completely") {
     CHECK(child.read_line() == "end");
 }
 
+TEST_CASE("Many bytes are written, however slowly they are read") {
+    ChildProcess child = shell("sleep 0.2; head -c 3000001 | cksum; echo end");
+    child.write_bytes(std::string(3'000'000, 'x'));
+    child.write_bytes("y");
+    std::string expected;
+    {
+        ChildProcess sum = shell("{ head -c 3000000 /dev/zero | tr '\\000' x; printf y; } | cksum");
+        expected = sum.read_line();
+    }
+    CHECK(child.read_line() == expected);
+    CHECK(child.read_line() == "end");
+}
+
+TEST_CASE("Bytes that are not taken are an error") {
+    ChildProcess deaf({"/bin/sh", "-c", "exec sleep 10"}, {.longest = 300ms, .is_stopped = {}});
+    try {
+        deaf.write_bytes(std::string(3'000'000, 'x'));
+        FAIL("they were taken");
+    } catch (const AccessError& fault) {
+        CHECK(std::string(fault.what()) == "'/bin/sh' has not answered for 0.3 s.");
+    }
+    ChildProcess gone = shell("exit 3");
+    CHECK_THROWS_AS(gone.write_bytes(std::string(3'000'000, 'x')), AccessError);
+}
+
 TEST_CASE("A missing program is an error that names it") {
     try {
         ChildProcess({"/nowhere/at-all"}, {});

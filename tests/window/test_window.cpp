@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -219,6 +220,21 @@ TEST_CASE("While the window is minimized the walk rests, and goes on when it is 
     CHECK(becomes_true(patience, [&] { return open.report() != moment; }));
     open.display.ask_to_close("Rasterwalk");
     CHECK(open.program.wait(patience) == 0);
+}
+
+TEST_CASE("OpenGL draws in a context of its own next to a window") {
+    const TemporaryFolder display_folder, folder;
+    const VirtualDisplay display(display_folder.file(""));
+    Program program(
+        {RASTERWALK_OPENGL_IN_WINDOW},
+        {{"DISPLAY", display.name()}, {"WAYLAND_DISPLAY", ""}, {"LIBGL_ALWAYS_SOFTWARE", "1"}},
+        folder.file(""));
+    const int exit_code = program.wait(patience);
+    std::ifstream messages(folder.file("stderr"));
+    std::string message;
+    std::getline(messages, message);
+    CAPTURE(message);
+    CHECK(exit_code == 0);
 }
 
 TEST_CASE("Without a display the program says so in one sentence and ends with 5") {

@@ -12,6 +12,7 @@
 #include "session/walk.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/open_lesson.h"
+#include "ui/actions/measure.h"
 #include "ui/app/app.h"
 #include "ui/app/kept_options.h"
 #include "ui/hosts/gl2.h"
@@ -68,7 +69,7 @@ double seconds_to_next_frame(const Ui& ui, int frames_due) {
     if (frames_due > 0 || is_animating(ui) || is_held() || is_input_waiting()) return 0.0;
     const double typing =
         ImGui::GetIO().WantTextInput ? cursor_blink : std::numeric_limits<double>::infinity();
-    return std::min(seconds_to_blink(ui), typing);
+    return std::min({seconds_to_blink(ui), seconds_to_progress(ui), typing});
 }
 
 float frame_step(float passed, float meant_sleep) {

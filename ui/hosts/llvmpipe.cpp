@@ -1,20 +1,17 @@
 #include "ui/hosts/llvmpipe.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
-#define GL_GLEXT_PROTOTYPES
-#include <GL/osmesa.h>
-
-#include <GL/glext.h>
 #include <fmt/format.h>
 #include <glm/vec3.hpp>
 
 #include "base/error.h"
 #include "engines/workload.h"
 #include "ui/hosts/llvmpipe_shaders.h"
+#include "ui/hosts/opengl_program.h"
+#include "ui/hosts/osmesa_context.h"
 
 namespace rasterwalk {
 
@@ -24,36 +21,11 @@ namespace {
 /// between them.
 constexpr float near_plane = 0.1f, far_plane = 10.0f;
 
-/// The numbers of the attributes, and how they lie in the one buffer.
-enum Attribute : GLuint { position_attribute, normal_attribute, reflectance_attribute };
+constexpr int depth_bits = 24;
+
+/// The attributes, in the order in which they lie in the one buffer.
+constexpr const char* attribute_names[] = {"position", "normal", "reflectance"};
 constexpr GLsizei floats_of_attribute = 3;
-
-GLuint compiled(GLenum kind, const std::string& text) {
-    const GLuint shader = glCreateShader(kind);
-    const char* const source = text.c_str();
-    glShaderSource(shader, 1, &source, nullptr);
-    glCompileShader(shader);
-    GLint is_good = GL_FALSE;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &is_good);
-    if (is_good == GL_TRUE) return shader;
-    std::array<char, 1024> log{};
-    glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    throw AccessError(std::string("llvmpipe cannot compile a shader: ") + log.data());
-}
-
-GLuint linked_program(const ShaderTexts& texts) {
-    const GLuint program = glCreateProgram();
-    glAttachShader(program, compiled(GL_VERTEX_SHADER, texts.vertex));
-    glAttachShader(program, compiled(GL_FRAGMENT_SHADER, texts.fragment));
-    glBindAttribLocation(program, position_attribute, "position");
-    glBindAttribLocation(program, normal_attribute, "normal");
-    glBindAttribLocation(program, reflectance_attribute, "reflectance");
-    glLinkProgram(program);
-    GLint is_good = GL_FALSE;
-    glGetProgramiv(program, GL_LINK_STATUS, &is_good);
-    if (is_good != GL_TRUE) throw AccessError("llvmpipe cannot link its shaders.");
-    return program;
-}
 
 /// All vertices in one buffer, one after another, and the corners of the triangles in another. Both
 /// stay bound.
@@ -71,15 +43,8 @@ void upload(const Mesh& mesh, bool has_colours) {
     for (const TriangleIndices& triangle : mesh.triangles())
         for (const int vertex : triangle)
             indices.push_back(static_cast<GLuint>(vertex));
-    std::array<GLuint, 2> buffers{};
-    glGenBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
-    const auto fill = [](GLenum target, GLuint buffer, const auto& values) {
-        glBindBuffer(target, buffer);
-        glBufferData(target, static_cast<GLsizeiptr>(sizeof(values[0]) * values.size()),
-                     values.data(), GL_STATIC_DRAW);
-    };
-    fill(GL_ARRAY_BUFFER, buffers[0], floats);
-    fill(GL_ELEMENT_ARRAY_BUFFER, buffers[1], indices);
+    filled_buffer(GL_ARRAY_BUFFER, floats);
+    filled_buffer(GL_ELEMENT_ARRAY_BUFFER, indices);
     const GLuint attributes = has_colours ? 3 : 2;
     const auto bytes = static_cast<GLsizei>(sizeof(float)) * floats_of_attribute;
     for (GLuint attribute = 0; attribute < attributes; ++attribute) {
@@ -92,82 +57,33 @@ void upload(const Mesh& mesh, bool has_colours) {
     }
 }
 
-void set_uniform(GLint place, const glm::vec3& value) {
-    glUniform3f(place, value.x, value.y, value.z);
-}
-
-/// Sets what is the same in all pictures.
-void set_camera(GLuint program, const Settings& settings) {
-    const auto place = [program](const char* name) { return glGetUniformLocation(program, name); };
-    const auto width = static_cast<float>(settings.viewport.width);
-    const auto height = static_cast<float>(settings.viewport.height);
-    const float focal_length = settings.camera.focal_length;
-    set_uniform(place("camera"), settings.camera.position);
-    // Rows go down in the scene and up in OpenGL.
-    glUniform2f(place("scale"), 2.0f * focal_length / width, -2.0f * focal_length / height);
-    // The middle of the scene is at side / 2, a whole pixel: half a pixel less if the side is odd.
-    const auto middle = [](int side) { return static_cast<float>(-(side % 2)); };
-    glUniform2f(place("middle"), middle(settings.viewport.width) / width,
-                -middle(settings.viewport.height) / height);
-    constexpr float depth = far_plane - near_plane;
-    glUniform2f(place("depth"), (far_plane + near_plane) / depth,
-                -2.0f * far_plane * near_plane / depth);
-}
-
 } // namespace
-
-/// OSMesa's context, and the memory it draws to.
-struct LlvmpipeDrawing::Context {
-    OSMesaContext context = nullptr;
-    std::vector<std::uint32_t> pixels; ///< 0xffRRGGBB as a number of a little-endian processor
-
-    explicit Context(Viewport size) {
-        const std::array attributes{OSMESA_FORMAT,
-                                    OSMESA_BGRA,
-                                    OSMESA_DEPTH_BITS,
-                                    24,
-                                    OSMESA_STENCIL_BITS,
-                                    0,
-                                    OSMESA_PROFILE,
-                                    OSMESA_COMPAT_PROFILE,
-                                    OSMESA_CONTEXT_MAJOR_VERSION,
-                                    3,
-                                    OSMESA_CONTEXT_MINOR_VERSION,
-                                    0,
-                                    0};
-        context = OSMesaCreateContextAttribs(attributes.data(), nullptr);
-        pixels.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-        if (context == nullptr || OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE,
-                                                    size.width, size.height) != GL_TRUE) {
-            throw AccessError("OSMesa cannot be started.");
-        }
-        OSMesaPixelStore(OSMESA_Y_UP, 0);
-    }
-    ~Context() { OSMesaDestroyContext(context); }
-    Context(const Context&) = delete;
-    Context& operator=(const Context&) = delete;
-};
 
 LlvmpipeDrawing::LlvmpipeDrawing(const PeerTask& task, const Scene& scene)
     : size_(task.size), settings_(workload_settings(task.workload, scene, task.size)) {
     // With 0 it draws on the calling thread.
     setenv("LP_NUM_THREADS", task.threads == 1 ? "0" : std::to_string(task.threads).c_str(), 1);
     setenv("GALLIUM_DRIVER", "llvmpipe", 1);
-    context_ = std::make_unique<Context>(size_);
+    context_ = std::make_unique<OsmesaContext>(size_, depth_bits);
+    context_->make_current();
     if (!name().starts_with("llvmpipe"))
         throw AccessError(fmt::format("OSMesa uses {} here, not llvmpipe.", name()));
     const SurfaceFacts facts = surface_facts(scene);
-    const GLuint program = linked_program(shader_texts(task.workload, facts));
+    const GLuint program =
+        linked_program(shader_texts(task.workload, facts), {attribute_names, {}});
     glUseProgram(program);
     upload(scene.mesh, !facts.has_one_colour);
     indices_ = scene.triangle_count() * triangle_corners;
-    set_camera(program, settings_);
-    const auto place = [program](const char* name) { return glGetUniformLocation(program, name); };
-    lamp_ = place("lamp");
-    set_uniform(place("power"), settings_.light.power);
-    set_uniform(place("indirect"), settings_.light.indirect);
+    constexpr float depth = far_plane - near_plane;
+    set_projection(program, size_, settings_.camera.focal_length,
+                   {(far_plane + near_plane) / depth, -2.0f * far_plane * near_plane / depth},
+                   -1.0f);
+    set_uniform(uniform(program, "camera"), settings_.camera.position);
+    lamp_ = uniform(program, "lamp");
+    set_uniform(uniform(program, "power"), settings_.light.power);
+    set_uniform(uniform(program, "indirect"), settings_.light.indirect);
     if (facts.has_one_colour)
-        set_uniform(place("reflectance"), scene.mesh.vertices().front().reflectance);
+        set_uniform(uniform(program, "reflectance"), scene.mesh.vertices().front().reflectance);
     glViewport(0, 0, size_.width, size_.height);
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_DITHER);
@@ -177,8 +93,7 @@ LlvmpipeDrawing::LlvmpipeDrawing(const PeerTask& task, const Scene& scene)
 LlvmpipeDrawing::~LlvmpipeDrawing() = default;
 
 std::string LlvmpipeDrawing::name() const {
-    const auto* const text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    return text != nullptr ? text : "";
+    return renderer_name();
 }
 
 void LlvmpipeDrawing::draw(int number) {
@@ -197,7 +112,7 @@ Milliseconds LlvmpipeDrawing::time_pictures(int first, int count) {
 
 EnginePicture LlvmpipeDrawing::picture(int number) {
     draw(number);
-    return {size_, context_->pixels};
+    return {size_, context_->pixels()};
 }
 
 } // namespace rasterwalk

@@ -11,6 +11,8 @@
 
 namespace rasterwalk {
 
+class OsmesaContext;
+
 /// The workload of a task, drawn by llvmpipe into memory, through OSMesa: vertices in one buffer,
 /// light by shaders of GLSL 1.30, a depth buffer of 24 bits, nothing culled. Only one at a time,
 /// because the environment sets how many threads llvmpipe has. Throws AccessError.
@@ -27,13 +29,11 @@ class LlvmpipeDrawing final : public TimedEngine {
     EnginePicture picture(int number) override;
 
   private:
-    struct Context;
-
     void draw(int number);
 
     Viewport size_;
     Settings settings_;
-    std::unique_ptr<Context> context_;
+    std::unique_ptr<OsmesaContext> context_;
     int indices_ = 0; ///< three for each triangle
     int lamp_ = -1;   ///< where the shaders take its position
 };

@@ -1,5 +1,6 @@
-// The program that `rasterwalk engines` asks for llvmpipe's times and pictures. Their protocol is
-// described in engines/llvmpipe_peer.h.
+// The program that `rasterwalk engines` asks for llvmpipe's times and pictures, and commands with
+// engine=opengl for OpenGL's. Their protocols are described in engines/llvmpipe_peer.h and
+// engines/opengl_peer.h.
 
 #include <cstdint>
 #include <exception>
@@ -15,10 +16,14 @@
 #include "base/quoted.h"
 #include "engines/kept_memory.h"
 #include "engines/llvmpipe_peer.h"
+#include "engines/opengl_peer.h"
+#include "engines/opengl_task.h"
 #include "engines/pinned_threads.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "ui/hosts/llvmpipe.h"
+#include "ui/hosts/opengl_drawing.h"
+#include "ui/hosts/osmesa_context.h"
 
 namespace rasterwalk {
 
@@ -51,7 +56,43 @@ std::string answer(const std::string& line, LlvmpipeDrawing& drawing) {
     throw UsageError("expected 'round' or 'picture', not " + in_quotes(line) + '.');
 }
 
+/// The bytes of a task that a line announces. Throws UsageError if it announces none, InputError if
+/// they are not all there.
+std::string announced_bytes(const std::string& line) {
+    constexpr std::size_t most_bytes = std::size_t{1} << 30;
+    std::istringstream words(line);
+    std::string word;
+    std::size_t count = 0;
+    if (!(words >> word >> count) || word != "draw" || count > most_bytes)
+        throw UsageError("expected 'draw' and a number of bytes, not " + in_quotes(line) + '.');
+    std::string bytes(count, '\0');
+    if (!std::cin.read(bytes.data(), static_cast<std::streamsize>(count)))
+        throw InputError("the input ended before the picture.");
+    return bytes;
+}
+
+/// Draws whatever it is asked to draw with OpenGL.
+void run_opengl() {
+    OsmesaContext context({1, 1}, 0);
+    context.make_current();
+    OpenGlDrawing drawing;
+    FastPicture picture;
+    std::cout << "ready " << drawing.name() << std::endl;
+    for (std::string line; std::getline(std::cin, line);) {
+        const std::string bytes = announced_bytes(line);
+        try {
+            drawing.draw(opengl_task_from(bytes), picture);
+            std::cout << fmt::format("planes {} {}\n", picture.size.width, picture.size.height)
+                      << bytes_of_planes(picture);
+        } catch (const Error& fault) {
+            std::cout << "fault " << visible_line(fault.what()) << '\n';
+        }
+        std::cout << std::flush;
+    }
+}
+
 void run(const std::vector<std::string>& words) {
+    if (words == std::vector<std::string>{opengl_peer_word}) return run_opengl();
     keep_freed_memory();
     const PeerTask task = parse_peer_arguments(words);
     const Scene room = read_scene(lessons_folder() + '/' + std::string(usual_scene));

@@ -4,21 +4,13 @@ namespace rasterwalk {
 
 namespace {
 
-/// Into clip space, with the rows of the picture downward as in the scene.
-constexpr const char* vertex_head = R"(#version 130
+constexpr const char* vertex_head = R"(
 in vec3 position, normal;
 uniform vec3 camera, lamp, power, indirect;
-uniform vec2 scale, middle; // focal length and middle of the picture, in normalized coordinates
-uniform vec2 depth;         // z is mapped to depth.x z + depth.y
 const float four_pi = 12.5663706;
-
-vec4 clip_place() {
-    vec3 seen = position - camera;
-    return vec4(scale * seen.xy + middle * seen.z, depth.x * seen.z + depth.y, seen.z);
-}
 )";
 
-constexpr const char* fragment_head = R"(#version 130
+constexpr const char* fragment_head = R"(
 uniform vec3 lamp, power, indirect;
 const float four_pi = 12.5663706;
 out vec4 colour;
@@ -28,7 +20,7 @@ constexpr const char* vertex_of_flat = R"(
 flat out float slant; // r . n / (4 pi): the same on the whole triangle
 out vec3 to_lamp;
 void main() {
-    gl_Position = clip_place();
+    gl_Position = clip_place(position - camera);
     to_lamp = lamp - position;
     slant = max(dot(normal, to_lamp), 0.0) / four_pi;
     PASS_COLOUR
@@ -48,7 +40,7 @@ void main() {
 constexpr const char* vertex_of_bent = R"(
 out vec3 to_lamp, bent_normal;
 void main() {
-    gl_Position = clip_place();
+    gl_Position = clip_place(position - camera);
     to_lamp = lamp - position;
     bent_normal = normal;
     PASS_COLOUR
@@ -69,7 +61,7 @@ void main() {
 constexpr const char* vertex_of_vertex_light = R"(
 out vec3 illumination;
 void main() {
-    gl_Position = clip_place();
+    gl_Position = clip_place(position - camera);
     vec3 to_lamp = lamp - position;
     float distance2 = dot(to_lamp, to_lamp);
     float cosine = max(dot(normal, to_lamp), 0.0) * inversesqrt(distance2);
@@ -82,15 +74,10 @@ in vec3 illumination;
 void main() { colour = vec4(illumination, 1.0); }
 )";
 
-std::string replaced(std::string text, const std::string& word, const std::string& by) {
-    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + by.size()))
-        text.replace(at, word.size(), by);
-    return text;
-}
-
 /// The source of the colour, in each of the two shaders.
 ShaderTexts with_colour(const ShaderTexts& texts, bool is_uniform, bool is_lit_at_vertices) {
-    ShaderTexts result{vertex_head, fragment_head};
+    ShaderTexts result{std::string(shader_version) + clip_space_text + vertex_head,
+                       std::string(shader_version) + fragment_head};
     if (is_uniform) {
         result.vertex += "uniform vec3 reflectance;\n";
         result.fragment += "uniform vec3 reflectance;\n";

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <string>
-
 #include "engines/workload.h"
 #include "scene/scene.h"
+#include "ui/hosts/opengl_program.h"
 
 namespace rasterwalk {
 
@@ -15,16 +14,12 @@ struct SurfaceFacts {
 
 SurfaceFacts surface_facts(const Scene& scene);
 
-/// The two shaders of a program, in GLSL 1.30.
+/// The shaders of a workload.
 ///
 /// They compute R = reflectance (power max(r^ . n^, 0) / (4 pi r^2) + indirect), as
 /// stages/light.h does, in the cheapest way that the scene allows: on a flat triangle r . n is the
 /// same everywhere, so it is computed at its corners; one colour is a uniform.
 /// Attributes: 0 `position`, 1 `normal`, 2 `reflectance` unless there is one colour.
-struct ShaderTexts {
-    std::string vertex, fragment;
-};
-
 ShaderTexts shader_texts(Workload workload, const SurfaceFacts& facts);
 
 } // namespace rasterwalk

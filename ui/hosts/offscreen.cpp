@@ -1,9 +1,11 @@
 #include "ui/hosts/offscreen.h"
 
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include <GL/osmesa.h>
@@ -12,6 +14,7 @@
 #include "base/files.h"
 #include "base/quoted.h"
 #include "ui/actions/lab.h"
+#include "ui/actions/measure.h"
 #include "ui/actions/open_tab.h"
 #include "ui/app/app.h"
 #include "ui/canvas/outside_view.h"
@@ -19,6 +22,8 @@
 #include "ui/hand/key_names.h"
 #include "ui/hand/report.h"
 #include "ui/hosts/gl2.h"
+#include "ui/hosts/host_opengl.h"
+#include "ui/hosts/made_times.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -61,6 +66,7 @@ class Screen {
         ui.options = options.ui;
         open_ui(ui, textures_);
         if (!options.tab.empty()) open_tab(ui, options.tab);
+        if (!options.ladder_times.empty()) show_made_times(options.ladder_times);
         open_gl2();
         ImGui::GetIO().DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
     }
@@ -85,7 +91,16 @@ class Screen {
     Ui ui;
 
   private:
+    void show_made_times(const std::string& path) {
+        MadeTimes made = read_made_times(path);
+        ui.ladder.of = ladder_subject(ui.session);
+        ui.ladder.times = std::move(made.times);
+        ui.ladder.processor = std::move(made.processor);
+    }
+
     MemoryContext context_;
+    HostOpenGl opengl_;
+    UsedOpenGl used_{opengl_};
     Gl2Textures textures_;
     int width_, height_;
 };
@@ -128,6 +143,14 @@ Image draw_offscreen(Session session, const OffscreenOptions& options) {
         if (is_diagnosing(screen.ui)) {
             while (is_diagnosing(screen.ui))
                 poll_diagnosis(screen.ui, {});
+            hand.rest();
+        }
+        if (is_measuring(screen.ui) || is_racing(screen.ui)) {
+            // Frames would take time from what is measured.
+            while (is_measuring(screen.ui) || is_racing(screen.ui)) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(50));
+                poll_ladder(screen.ui);
+            }
             hand.rest();
         }
         if (is_working(screen.ui.results)) {

@@ -29,6 +29,7 @@ struct OffscreenOptions {
     UiOptions ui;
     std::string tab; ///< of the inspector, brought to the front; empty: the session's own
     std::vector<HandAction> actions;
+    std::string ladder_times; ///< file of times for the Speed tab, see made_times.h; empty: none
     std::string report_path; ///< file that takes report_of(); "-" for standard output; empty: none
 };
 

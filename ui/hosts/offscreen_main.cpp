@@ -52,6 +52,8 @@ ActionOptions describe(CLI::App& app, Arguments& a) {
     app.add_option("--text-scale", a.text_scale, "Size of the text; 1 is 16 pixels")
         ->group("Window");
     text("--theme", a.theme, "dark or light", "NAME");
+    text("--ladder-times", a.options.ladder_times,
+         "Show the times in this file in the Speed tab, instead of times of this machine", "FILE");
     text("--report-widgets", a.options.report_path,
          "Write the names and positions of all widgets to this file; - for standard output",
          "FILE");

@@ -22,6 +22,7 @@
 #include "ui/app/guard.h"
 #include "ui/hand/report.h"
 #include "ui/hosts/gl2.h"
+#include "ui/hosts/host_opengl.h"
 #include "ui/hosts/life.h"
 #include "ui/ui.h"
 #include "ui/widgets/imgui_versions.h"
@@ -304,6 +305,8 @@ struct OpenWindow {
 
 void show_window(Session session, bool is_plain, std::unique_ptr<FileReading> reading) {
     const Glfw glfw;
+    HostOpenGl opengl;
+    const UsedOpenGl used(opengl);
     OpenWindow open(std::move(session), is_plain);
     if (reading) begin_reading(open.window.ui, std::move(reading));
     run(open.window);

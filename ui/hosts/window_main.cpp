@@ -9,6 +9,8 @@
 #include "base/error.h"
 #include "base/quoted.h"
 #include "cli/cli.h"
+#include "engines/llvmpipe_peer.h"
+#include "engines/opengl_peer.h"
 #include "ui/hosts/window.h"
 
 namespace {
@@ -28,6 +30,9 @@ int main(int argc, char** argv) {
         return static_cast<int>(code);
     };
     try {
+        // Commands need no display, so another program draws with OpenGL for them.
+        rasterwalk::PeerOpenGl opengl(rasterwalk::llvmpipe_program());
+        const rasterwalk::UsedOpenGl used(opengl);
         rasterwalk::CliRequest request;
         const bool is_watched = isatty(STDERR_FILENO) == 1;
         const int exit_code =
