@@ -19,6 +19,7 @@
 #include "ui/hosts/host_state.h"
 #include "ui/inspector/inspector_state.h"
 #include "ui/inspector/lab_state.h"
+#include "ui/inspector/ladder_state.h"
 #include "ui/lesson/lesson_state.h"
 #include "ui/sheets/sheets_state.h"
 #include "ui/start/start_state.h"
@@ -55,6 +56,7 @@ struct Ui {
     CompareLook compare;
     InspectorState inspector;
     LabLook lab;
+    LadderLook ladder;
     LessonView lesson;
     SheetsState sheets;
     StartPage start;

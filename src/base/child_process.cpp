@@ -111,12 +111,17 @@ ChildProcess::~ChildProcess() {
 }
 
 void ChildProcess::write_line(const std::string& line) {
-    std::string rest = line + '\n';
-    while (!rest.empty()) {
-        const ssize_t count = ::send(socket_, rest.data(), rest.size(), MSG_NOSIGNAL);
-        if (count < 0 && errno == EINTR) continue;
+    write_bytes(line + '\n');
+}
+
+void ChildProcess::write_bytes(std::string_view bytes) {
+    while (!bytes.empty()) {
+        wait_for(POLLOUT);
+        const ssize_t count =
+            ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (count <= 0) throw_ended();
-        rest.erase(0, static_cast<std::size_t>(count));
+        bytes.remove_prefix(static_cast<std::size_t>(count));
     }
 }
 
@@ -143,8 +148,21 @@ std::string ChildProcess::read_bytes(std::size_t count) {
 
 /// Waits for more, and appends it to the unread text.
 void ChildProcess::read_more() {
-    const auto begin = std::chrono::steady_clock::now();
     std::array<char, 1 << 16> block{};
+    while (true) {
+        wait_for(POLLIN);
+        const ssize_t count = ::recv(socket_, block.data(), block.size(), 0);
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) throw_ended();
+        unread_.append(block.data(), static_cast<std::size_t>(count));
+        return;
+    }
+}
+
+/// Waits until the socket has something to read, or room to write.
+/// @param event POLLIN or POLLOUT
+void ChildProcess::wait_for(short event) {
+    const auto begin = std::chrono::steady_clock::now();
     while (true) {
         if (patience_.is_stopped && patience_.is_stopped()) throw WaitingStopped();
         const auto waited = std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -155,14 +173,9 @@ void ChildProcess::read_more() {
             throw AccessError(fmt::format("{} has not answered for {} s.", in_quotes(name_),
                                           significant(seconds, 3)));
         }
-        pollfd wanted{socket_, POLLIN, 0};
+        pollfd wanted{socket_, event, 0};
         const auto slice = std::min(left, std::chrono::milliseconds(100ms));
-        if (::poll(&wanted, 1, static_cast<int>(slice.count())) <= 0) continue;
-        const ssize_t count = ::recv(socket_, block.data(), block.size(), 0);
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) throw_ended();
-        unread_.append(block.data(), static_cast<std::size_t>(count));
-        return;
+        if (::poll(&wanted, 1, static_cast<int>(slice.count())) > 0) return;
     }
 }
 

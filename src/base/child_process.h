@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rasterwalk {
@@ -31,6 +32,10 @@ class ChildProcess {
     /// Asks a question: writes the line and a line break.
     void write_line(const std::string& line);
 
+    /// Writes bytes that belong to a question. Throws as reading does, if the program takes none
+    /// of them.
+    void write_bytes(std::string_view bytes);
+
     /// The next line of the answer, without its line break. Throws an AccessError that names the
     /// program and says how it has ended, that it is silent, or that the line has no end; throws
     /// WaitingStopped.
@@ -41,6 +46,7 @@ class ChildProcess {
 
   private:
     void read_more();
+    void wait_for(short event);
     [[noreturn]] void throw_ended();
 
     std::string name_;

@@ -20,6 +20,7 @@
 #include "cli/compare_command.h"
 #include "cli/diagnose_command.h"
 #include "cli/engines_command.h"
+#include "cli/ladder_command.h"
 #include "cli/progress_line.h"
 #include "cli/visible_output.h"
 #include "opening/opened_view.h"
@@ -47,6 +48,7 @@ struct CommandLine {
     CheckOptions check;
     FactsOptions facts;
     EnginesOptions engines;
+    LadderOptions ladder;
     LessonsOptions lessons;
     /// What to do once everything is understood; empty: open the window.
     std::function<void()> command;
@@ -90,7 +92,8 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         ->type_name("");
     add_json(stats, line.stats.json);
     stats.add_flag("--time", line.stats.time,
-                   "Also measure what each way of culling saves on this machine");
+                   "Also measure what culling, the order of drawing, a depth pre-pass ... save on "
+                   "this machine");
     stats.add_flag("--hidden", line.stats.hidden,
                    "Compare the ways to remove hidden surfaces, whichever is set");
     stats.footer(stats_footer());
@@ -230,6 +233,25 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
     add_text("--rounds", line.engines.rounds, "Number of turns of each engine, 5 to 1000", "N");
     add_json(engines, line.engines.json);
     engines.footer(engines_footer());
+
+    CLI::App& ladder =
+        add_command(line, "ladder", "Time the rungs from the lab's loop to the fast engine",
+                    [&] { line.exit_code = ladder_command(line.ladder, out, progress); });
+    ladder.add_option("FILE", line.ladder.view.file, "Scene, model, lesson or saved view")
+        ->type_name("");
+    ladder.add_option("--rounds", line.ladder.rounds, "Number of turns of each rung, 1 to 1000")
+        ->type_name("N");
+    ladder
+        .add_option("--rung", line.ladder.rung, "Print only this rung, with what changed and why")
+        ->type_name("NAME");
+    ladder
+        .add_option("--race", line.ladder.race,
+                    "Instead, let two threads share one depth buffer in N runs, 1 to 1000, and "
+                    "print how many pixels are wrong in each")
+        ->type_name("N");
+    add_json(ladder, line.ladder.json);
+    ladder.footer(ladder_footer());
+    add_view_options(ladder, line.ladder.view);
     // Last, because commands inherit the footer that is set when they are added.
     line.app.footer("Without a command, the window opens.\n"
                     "Exit codes: 0 done, 1 a check found a difference, 2 wrong usage, 3 bad "

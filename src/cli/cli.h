@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <memory>
 
-#include "inspect/culling_cost.h"
+#include "inspect/measures.h"
 #include "session/file_reading.h"
 #include "session/session.h"
 

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "cli/progress_line.h"
-#include "inspect/culling_cost.h"
+#include "inspect/measures.h"
 #include "opening/view_options.h"
 
 namespace rasterwalk {
@@ -23,7 +23,7 @@ void render_command(const RenderOptions& options, std::ostream& err);
 struct StatsOptions {
     ViewOptions view;
     bool json = false;
-    bool time = false;   ///< also measure the cost of each way of culling
+    bool time = false;   ///< also measure what each measure against useless work saves
     bool hidden = false; ///< also count what each way to remove hidden surfaces takes
 };
 /// @param clock for `time`; without one UsageError

@@ -4,13 +4,14 @@
 #include <array>
 #include <ostream>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/numbers.h"
 #include "cli/json.h"
 #include "compare/compare.h"
-#include "engines/engine_picture.h"
+#include "engines/engine_planes.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "pipeline/shadow_pass.h"
@@ -36,10 +37,18 @@ std::string_view kind_name(DivergenceKind kind) {
 /// The settings in which the runs differ, as assignments: "interpolation=affine".
 struct RunTexts {
     std::vector<std::string> a, b;
+    /// Why the steps draw a run that asks for another engine: lines.
+    std::vector<std::string> refusals;
 };
 
-RunTexts run_texts(const Settings& a, const Settings& b) {
+RunTexts run_texts(const Frame& in_a, const Frame& in_b) {
+    const Settings &a = in_a.settings, &b = in_b.settings;
     RunTexts texts;
+    for (const auto& [name, frame] : {std::pair{"A", &in_a}, {"B", &in_b}}) {
+        const std::string refusal = engine_refuses(*frame->scene, frame->settings);
+        if (!refusal.empty())
+            texts.refusals.push_back(fmt::format("{}: {}, so the steps draw", name, refusal));
+    }
     for (const RunDifference& difference : run_differences(a, b)) {
         texts.a.push_back(fmt::format("{}={}", difference.setting, difference.a));
         texts.b.push_back(fmt::format("{}={}", difference.setting, difference.b));
@@ -57,6 +66,32 @@ Json to_json(const Frame& frame, const DivergenceGroup& group) {
             {"triangle", group.triangle}};
 }
 
+/// Why only the pictures were compared, and why they differ.
+void add_reasons(const Comparison& comparison, Json& object) {
+    Json reasons = Json::object();
+    for (const PixelReasonWords& words : pixel_reason_list())
+        reasons[std::string(words.name)] = comparison.reasons.count(words.reason);
+    object["only_pictures"] = comparison.only_pictures;
+    object["reasons"] = std::move(reasons);
+    const std::optional<DifferentPixel>& first = comparison.reasons.first();
+    if (!first) return;
+    object["cause"] = first->text;
+    object["first_pixel"] = {first->place.x, first->place.y};
+}
+
+/// The same as text.
+void print_reasons(const Comparison& comparison, std::ostream& out) {
+    out << comparison.only_pictures << '\n';
+    for (const PixelReasonWords& words : pixel_reason_list()) {
+        const std::int64_t count = comparison.reasons.count(words.reason);
+        if (count > 0) out << fmt::format("{:<20}{}\n", words.title, count);
+    }
+    const std::optional<DifferentPixel>& first = comparison.reasons.first();
+    if (!first) return;
+    out << fmt::format("first_pixel         {},{}\n    {}\n", first->place.x, first->place.y,
+                       first->text);
+}
+
 void print_comparison(const Frame& frame, const RunTexts& runs, const Comparison& comparison,
                       std::ostream& out) {
     const DivergenceList& list = comparison.divergences;
@@ -66,7 +101,9 @@ void print_comparison(const Frame& frame, const RunTexts& runs, const Comparison
         groups.push_back(to_json(frame, group));
     Json object{{"a", texts_to_json(runs.a)}, {"b", texts_to_json(runs.b)}};
     if (first) object["cause"] = first->text;
+    if (!comparison.only_pictures.empty()) add_reasons(comparison, object);
     if (larger) object["cause_beyond_rounding"] = larger->text;
+    if (!runs.refusals.empty()) object["refusals"] = texts_to_json(runs.refusals);
     object["different_pixels"] = comparison.pixels.different;
     object["different_rows"] = comparison.different_rows;
     object["divergence_count"] = list.count;
@@ -97,11 +134,16 @@ void print_text(const Frame& frame, const RunTexts& runs, const Comparison& comp
     const PixelDifference& pixels = comparison.pixels;
     const DivergenceList& list = comparison.divergences;
     out << "A: " << joined(runs.a) << "\nB: " << (runs.b.empty() ? "as A" : joined(runs.b)) << '\n'
+        << fmt::format("{}{}", fmt::join(runs.refusals, "\n"), runs.refusals.empty() ? "" : "\n")
         << "different_pixels    " << pixels.different << " of " << pixels.pixels << '\n'
         << "shown_pixels        " << pixels.shown << '\n'
         << "largest_difference  " << significant(static_cast<double>(pixels.largest), 6) << '\n'
-        << "mean_difference     " << significant(pixels.mean, 6) << '\n'
-        << "different_rows      " << comparison.different_rows << '\n'
+        << "mean_difference     " << significant(pixels.mean, 6) << '\n';
+    if (!comparison.only_pictures.empty()) {
+        print_reasons(comparison, out);
+        return;
+    }
+    out << "different_rows      " << comparison.different_rows << '\n'
         << "divergences         " << list.count << '\n'
         << "first_divergence    " << (list.first ? moment_text(frame, list.first->cursor) : "none")
         << '\n';
@@ -167,7 +209,7 @@ ExitCode compare_command(const CompareOptions& options, std::ostream& out) {
     if (!options.output.empty()) {
         write_difference(a, b, to, comparison.pixels.largest, options.output);
     }
-    const RunTexts runs = run_texts(a.settings, b.settings);
+    const RunTexts runs = run_texts(a, b);
     if (options.json) {
         print_comparison(a, runs, comparison, out);
     } else {

@@ -11,11 +11,11 @@
 #include "base/enum_words.h"
 #include "base/nearest_name.h"
 #include "base/numbers.h"
-#include "base/quoted.h"
 #include "cli/interrupt.h"
 #include "cli/json.h"
+#include "cli/machine.h"
+#include "cli/whole_number.h"
 #include "engines/measure.h"
-#include "engines/processor.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
 #include "settings/setting_table.h"
@@ -35,14 +35,6 @@ std::vector<Enum> chosen(std::string_view what, const std::string& word,
     for (const Enum one : all)
         names.push_back(word_of(one));
     throw UsageError(no_such_name(what, word, names));
-}
-
-/// @param range the numbers that it takes
-int whole_number(std::string_view option, const std::string& word, int smallest, int largest) {
-    const auto number = parse_int(word);
-    if (number && *number >= smallest && *number <= largest) return *number;
-    throw UsageError(fmt::format("{} must be a whole number from {} to {}, not {}.", option,
-                                 smallest, largest, in_quotes(word)));
 }
 
 MeasurePlan plan_of(const EnginesOptions& options) {
@@ -139,11 +131,10 @@ Json to_json(const std::vector<Measurement>& measurements, const EnginesOptions&
         levels.push_back(word_of(level));
     for (const Measurement& measurement : measurements)
         list.push_back(to_json(measurement));
-    const Json machine = {{"processor", processor_name()},
-                          {"processors", processor_count()},
-                          {"simd", std::move(levels)}};
+    Json machine = machine_to_json();
+    machine["simd"] = std::move(levels);
     return {{"command", command_text(options)},
-            {"machine", machine},
+            {"machine", std::move(machine)},
             {"measurements", std::move(list)}};
 }
 
@@ -169,8 +160,7 @@ void print_text(const Measurement& measurement, std::ostream& out) {
 }
 
 void print_text(const std::vector<Measurement>& measurements, std::ostream& out) {
-    out << processor_name() << ", " << counted(processor_count(), "processor", "processors")
-        << '\n';
+    out << machine_text() << '\n';
     if (measurements.empty()) return;
     out << "against " << measurements.front().peer << '\n';
     for (const Measurement& measurement : measurements)

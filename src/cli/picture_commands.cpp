@@ -1,20 +1,25 @@
 #include "cli/commands.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <ostream>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/numbers.h"
 #include "cli/json.h"
-#include "engines/engine_picture.h"
+#include "engines/engine_planes.h"
+#include "inspect/ray_stats.h"
 #include "inspect/stats.h"
 #include "inspect/visibility_hints.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
+#include "pipeline/draw_cost.h"
 #include "session/shown_pass.h"
 #include "settings/setting_faults.h"
 
@@ -30,6 +35,8 @@ void report_warnings(const Frame& frame, const LeftOut& left_out, std::ostream& 
                 err << "rasterwalk: " << line << '\n';
         }
     }
+    if (const std::string refusal = engine_refuses(*frame.scene, frame.settings); !refusal.empty())
+        err << "rasterwalk: " << refusal << ", so the steps draw.\n";
     for (const SettingFault& fault : setting_faults(frame.settings, *frame.given))
         err << "rasterwalk: " << fault.sentence << ".\n";
     for (const RejectionWords& reason : rejection_list) {
@@ -98,10 +105,23 @@ constexpr StatInfo stat_list[] = {
      [](const FrameStats& s) { return s.hidden.memory; }},
 };
 
-Json to_json(const FrameStats& stats) {
+/// The counts of work that the numbers of a frame do not have already.
+std::vector<CostInfo> further_costs() {
+    std::vector<CostInfo> further;
+    for (const CostInfo& info : cost_list()) {
+        const auto has_its_name = [&](const StatInfo& stat) { return stat.name == info.name; };
+        if (std::none_of(std::begin(stat_list), std::end(stat_list), has_its_name))
+            further.push_back(info);
+    }
+    return further;
+}
+
+Json to_json(const FrameStats& stats, const DrawCost& cost) {
     std::map<std::string_view, Json> numbers; // by name
     for (const StatInfo& info : stat_list)
         numbers[info.name] = info.read(stats);
+    for (const CostInfo& info : further_costs())
+        numbers[info.name] = cost.*info.count;
     numbers["left_out"] = to_json(stats.left_out);
     Json json = Json::object();
     for (const auto& [name, value] : numbers)
@@ -119,14 +139,15 @@ Json to_json(const ObjReport& report) {
             {"skipped", skipped_lines(report)}};
 }
 
-std::int64_t culled_count(const CullingCost& cost) {
+std::int64_t culled_count(const MeasureCost& cost) {
     return cost.stats.left_out.of(Rejection::back_facing);
 }
 
-Json to_json(const CullingCosts& costs) {
+/// The ways of culling alone, as they have been called ever since.
+Json culling_json(const MeasureCosts& costs) {
     Json ways = Json::array();
-    for (const CullingCost& cost : costs.rules) {
-        ways.push_back({{"cull", word_of(cost.rule)},
+    for (const MeasureCost& cost : costs.of("cull")) {
+        ways.push_back({{"cull", cost.way},
                         {"culled", culled_count(cost)},
                         {"fragments", cost.stats.fragments},
                         {"milliseconds", cost.milliseconds},
@@ -136,13 +157,38 @@ Json to_json(const CullingCosts& costs) {
     return {{"draws", costs.draws}, {"ways", std::move(ways)}};
 }
 
-void print_costs(const CullingCosts& costs, std::ostream& out) {
-    out << fmt::format("\n{:<17}{:>7}{:>12}{:>12}{:>14}{:>9}\n", "cull", "culled", "fragments",
-                       "shaded", "milliseconds", "share");
-    for (const CullingCost& cost : costs.rules) {
-        out << fmt::format("{:<17}{:>7}{:>12}{:>12}{:>14.3f}{:>9.3f}\n", word_of(cost.rule),
-                           culled_count(cost), cost.stats.fragments, cost.stats.shaded,
-                           cost.milliseconds, cost.share);
+Json to_json(const MeasureCosts& costs) {
+    Json ways = Json::array();
+    for (const MeasureCost& cost : costs.ways) {
+        ways.push_back({{"depth_tests", cost.depth_tests},
+                        {"fragments", cost.stats.fragments},
+                        {"is_possible", cost.is_possible},
+                        {"left_out", cost.stats.left_out.total()},
+                        {"measure", cost.measure->name},
+                        {"milliseconds", cost.milliseconds},
+                        {"prepass_fragments", cost.prepass_fragments},
+                        {"shaded", cost.stats.shaded},
+                        {"share", cost.share},
+                        {"way", cost.way}});
+    }
+    return {{"draws", costs.draws}, {"ways", std::move(ways)}};
+}
+
+void print_costs(const MeasureCosts& costs, std::ostream& out) {
+    for (const MeasureCost& cost : costs.ways) {
+        if (cost.way == cost.measure->ways.front()) {
+            out << fmt::format("\n{:<18}{:>9}{:>11}{:>13}{:>10}{:>14}{:>8}\n", cost.measure->name,
+                               "left_out", "fragments", "depth_tests", "shaded", "milliseconds",
+                               "share");
+        }
+        if (!cost.is_possible) {
+            out << fmt::format("{:<18}  not possible with these settings\n", cost.way);
+            continue;
+        }
+        out << fmt::format("{:<18}{:>9}{:>11}{:>13}{:>10}{:>14.3f}{:>8.3f}\n", cost.way,
+                           cost.stats.left_out.total(),
+                           cost.stats.fragments + cost.prepass_fragments, cost.depth_tests,
+                           cost.stats.shaded, cost.milliseconds, cost.share);
     }
 }
 
@@ -175,6 +221,19 @@ void print_ways(const std::vector<HiddenWay>& ways, std::ostream& out) {
     }
 }
 
+Json to_json(const RayStats& rays) {
+    return {{"box_tests", rays.count.boxes},
+            {"missed", rays.missed},
+            {"rays", rays.count.rays},
+            {"triangle_tests", rays.count.triangles}};
+}
+
+void print_rays(const RayStats& rays, std::ostream& out) {
+    out << fmt::format("{:<24}{}\n{:<24}{}\n{:<24}{}\n{:<24}{}\n", "rays", rays.count.rays,
+                       "rays.triangle_tests", rays.count.triangles, "rays.box_tests",
+                       rays.count.boxes, "rays.missed", rays.missed);
+}
+
 void print_model(const ObjReport& report, std::ostream& out, std::ostream& err) {
     for (const ObjCountInfo& info : obj_count_list)
         out << fmt::format("model.{:<18}{}\n", info.name, report.counts.*info.count);
@@ -197,14 +256,23 @@ std::string stats_footer() {
     std::string text = "What is counted:";
     for (const StatInfo& info : stat_list)
         text += fmt::format("\n  {:<24}{}", info.name, info.help);
+    for (const CostInfo& info : further_costs())
+        text += fmt::format("\n  {:<24}{}", info.name, info.help);
     text += "\n  left_out                with --json: triangles that are not drawn, by reason"
-            "\nWith --time, for each way of culling: the median time of a frame in milliseconds,"
-            "\nand that time as a fraction of the time without culling; with --json as "
-            "culling_times.";
+            "\nWith --time, for each measure against useless work, in each way: triangles left "
+            "out, fragments and\ndepth tests (with a pre-pass, of both drawings), shaded "
+            "fragments, the "
+            "median time of a frame in\nmilliseconds, and that time as a fraction of the time of "
+            "its plain way, which comes first. Each fragment is drawn separately; with\n--json as "
+            "measures, and the ways of culling "
+            "as culling_times.";
     text +=
         "\nWith --hidden, for each way to remove hidden surfaces: the triangles it draws, and the "
         "pixels\nthat show what the depth buffer shows neither there nor next to it; with "
         "--json as ways.";
+    text +=
+        "\nWith engine=rays, with --json as rays: the rays of pixels and of mirrors, their tests "
+        "against triangles\nand against boxes, and the pixels whose ray meets nothing.";
     text +=
         "\nFor a model (.obj), with --json as model; its hints name settings that would show more:";
     for (const ObjCountInfo& info : obj_count_list)
@@ -226,14 +294,21 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
         for (const VisibilityHint& hint : visibility_hints(frame, framebuffer))
             hints.push_back(hint.finding + "; " + hint.help);
     }
-    std::optional<CullingCosts> costs;
-    if (options.time) costs = culling_costs(*session.scene, frame.settings, to, clock);
+    const DrawCost work = draw_cost(frame, to);
+    std::optional<MeasureCosts> costs;
+    if (options.time) costs = measure_costs(*session.scene, frame.settings, to, clock);
+    std::optional<RayStats> rays;
+    if (frame.settings.engine == Engine::rays && to == cursor_end) rays = ray_stats(frame);
     std::vector<HiddenWay> ways;
     if (options.hidden) ways = hidden_ways(*session.scene, frame.settings);
     if (options.json) {
-        Json json = to_json(stats);
+        Json json = to_json(stats, work);
         if (options.hidden) json["ways"] = to_json(ways);
-        if (costs) json["culling_times"] = to_json(*costs);
+        if (costs) {
+            json["culling_times"] = culling_json(*costs);
+            json["measures"] = to_json(*costs);
+        }
+        if (rays) json["rays"] = to_json(*rays);
         if (model) {
             json["model"] = to_json(*model);
             json["model"]["hints"] = hints;
@@ -242,6 +317,9 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
     } else {
         for (const StatInfo& info : stat_list)
             out << fmt::format("{:<24}{}\n", info.name, info.read(stats));
+        for (const CostInfo& info : further_costs())
+            out << fmt::format("{:<24}{}\n", info.name, work.*info.count);
+        if (rays) print_rays(*rays, out);
         if (model) print_model(*model, out, err);
         if (costs) print_costs(*costs, out);
         if (options.hidden) print_ways(ways, out);

@@ -20,6 +20,7 @@
 #include "inspect/coverage_comparison.h"
 #include "inspect/shared_edge.h"
 #include "inspect/triangle_report.h"
+#include "pipeline/draw_cost.h"
 #include "session/moments.h"
 #include "session/shown_pass.h"
 
@@ -178,6 +179,14 @@ bool has_spaces(const Frame& frame) {
            frame.scene->space == SceneSpace::world;
 }
 
+Json cost_json(const DrawCost& cost) {
+    Json counts = Json::object();
+    for (const CostInfo& info : cost_list()) {
+        if (info.is_of_triangle) counts[std::string(info.name)] = cost.*info.count;
+    }
+    return counts;
+}
+
 Json to_json(const TriangleReport& report, const Frame& frame) {
     Json vertices = Json::array(), edges = Json::array();
     for (const ShadedVertex& vertex : report.vertices)
@@ -189,6 +198,7 @@ Json to_json(const TriangleReport& report, const Frame& frame) {
     Json object = Json::object();
     object["clip"] = clip_to_json(report.clip);
     if (has_spaces(frame)) object["conventions"] = conventions_json(frame, report.triangle);
+    object["cost"] = cost_json(triangle_cost(frame, report.triangle));
     object["cull"] = cull_to_json(report.clip);
     object["edges"] = std::move(edges);
     object["left_out"] = words(report.rejection).name;
@@ -288,6 +298,15 @@ void print_clipping(std::ostream& out, const ClipHistory& clip) {
         out << "\nCulling\n  " << culling_text(clip.cull) << '\n';
 }
 
+/// The work of the stages for the whole triangle.
+void print_cost(std::ostream& out, const DrawCost& cost) {
+    out << "\nCost\n";
+    for (const CostInfo& info : cost_list()) {
+        if (info.is_of_triangle)
+            out << fmt::format("  {:<18} {:>9}\n", info.title, cost.*info.count);
+    }
+}
+
 void print_edges(std::ostream& out, const TriangleReport& report) {
     out << "\nEdges\n";
     for (std::size_t e = 0; e < report.edges.size(); ++e) {
@@ -371,6 +390,7 @@ void print_text(std::ostream& out, const TriangleReport& report, const Frame& fr
         out << "\nIt is left out: " << words(report.rejection).sentence << ".\n";
         return;
     }
+    print_cost(out, triangle_cost(frame, report.triangle));
     print_edges(out, report);
     print_rows(out, report.rows, frame.stages);
     print_polygon(out, coverage_comparison(frame, report.triangle));

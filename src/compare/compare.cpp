@@ -70,7 +70,8 @@ PixelDifference pixel_difference(const Framebuffer& a, const Framebuffer& b) {
     return count.found();
 }
 
-void PixelCount::count_to(const Framebuffer& a, const Framebuffer& b, int row) {
+void PixelCount::count_to(const Framebuffer& a, const Framebuffer& b, int row,
+                          const std::function<void(glm::ivec2)>& differs) {
     found_.pixels = static_cast<std::int64_t>(a.colour.size());
     const auto width = static_cast<std::size_t>(a.size.width);
     const Colours colours{a, b};
@@ -82,10 +83,11 @@ void PixelCount::count_to(const Framebuffer& a, const Framebuffer& b, int row) {
         ++found_.different;
         found_.shown += colours.are_shown_alike(i) ? 0 : 1;
         sum_ += static_cast<double>(difference);
+        const glm::ivec2 place(static_cast<int>(i % width), static_cast<int>(i / width));
+        if (differs) differs(place);
         if (difference > found_.largest) {
             found_.largest = difference;
-            found_.worst =
-                a.origin + glm::ivec2(static_cast<int>(i % width), static_cast<int>(i / width));
+            found_.worst = a.origin + place;
         }
     }
     rows_ = row;

@@ -4,6 +4,7 @@
 // differs.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,8 +14,9 @@
 
 #include "base/image.h"
 #include "compare/divergence.h"
+#include "compare/picture_reasons.h"
 #include "compare/run_walk.h"
-#include "engines/fast_planes.h"
+#include "engines/engine_planes.h"
 #include "picture/view_image.h"
 #include "pipeline/frame.h"
 #include "pipeline/framebuffer.h"
@@ -46,7 +48,9 @@ class PixelCount {
   public:
     /// Goes on up to this row of the planes, which is not counted. Both framebuffers must be those
     /// of the earlier calls, unchanged.
-    void count_to(const Framebuffer& a, const Framebuffer& b, int row);
+    /// @param differs is called with column and row of each pixel that differs; may be null
+    void count_to(const Framebuffer& a, const Framebuffer& b, int row,
+                  const std::function<void(glm::ivec2)>& differs = {});
 
     /// How many rows have been counted.
     int rows() const { return rows_; }
@@ -95,6 +99,10 @@ struct Comparison {
     std::int64_t different_rows = 0; ///< rows of row tables whose left or right end differs, or
                                      ///< that only one run has
     DivergenceList divergences;
+    /// Why no moments were compared, a sentence; empty: they were. Then rows and divergences say
+    /// nothing, and the reasons say why the pictures differ.
+    std::string only_pictures;
+    PictureReasons reasons;
 
     bool is_same() const {
         return pixels.different == 0 && different_rows == 0 && divergences.count == 0;
@@ -104,9 +112,8 @@ struct Comparison {
 /// Two runs being compared, part by part. Draws both in parallel and compares them moment by
 /// moment, which takes a few times as long as drawing both frames, and the memory of two pictures.
 /// If the runs divide the scene into different triangles, have several samples for each pixel, or
-/// the fast engine draws one of them, only the pictures are compared, and one divergence says so:
-/// no moment of one is a moment of the other. Where there are samples or the lists of triangles
-/// differ, it is left out if the pictures are equal.
+/// an engine without moments draws one of them, only the pictures are compared: no moment of one is
+/// a moment of the other.
 class ComparisonWork {
   public:
     /// Starts over. The frames must be of the same scene, have viewports of the same size, and live
@@ -133,15 +140,17 @@ class ComparisonWork {
 
     /// One of two pictures being drawn.
     struct PictureWork {
+        /// Begins to draw everything before the moment.
+        void begin(const Frame& frame, FrameWork& work, const Cursor& to);
         /// False: something is left.
-        bool advance(const Frame& frame, const Cursor& to, const WorkLimit& limit);
+        bool advance(const Frame& frame, FrameWork& work, const Cursor& to, const WorkLimit& limit);
         const Framebuffer& picture(const Cursor& to) {
-            return is_fast ? fast.planes : steps.at(to);
+            return engine == Engine::steps ? steps.at(to) : planes.planes;
         }
 
-        bool is_fast = false; ///< drawn by the fast engine, else by the steps
-        FastPlanes fast;
-        Replay steps{0}; ///< without copies of earlier moments
+        Engine engine = Engine::steps; ///< that draws it
+        EnginePlanes planes;           ///< of another engine than the steps
+        Replay steps{0};               ///< without copies of earlier moments
     };
     /// Both runs drawn in parallel.
     struct DrawnWalk {

@@ -8,8 +8,8 @@
 
 #include "base/numbers.h"
 #include "compare/compare.h"
-#include "engines/engine_picture.h"
 #include "pipeline/clearing.h"
+#include "settings/value_words.h"
 
 namespace rasterwalk {
 
@@ -43,23 +43,26 @@ std::int64_t different_rows(const PolygonRows& a, const PolygonRows& b) {
     return different;
 }
 
-/// The runs that the fast engine draws, as the beginning of a sentence; empty if none.
-std::string fast_runs_text(const Frame& a, const Frame& b, const Cursor& to) {
-    const bool a_is_fast = is_drawn_fast(*a.scene, a.settings, to);
-    const bool b_is_fast = is_drawn_fast(*b.scene, b.settings, to);
-    if (a_is_fast && b_is_fast) return "both runs are drawn";
-    if (a_is_fast || b_is_fast) return std::string("run ") + (a_is_fast ? "A" : "B") + " is drawn";
-    return {};
+/// An engine without moments that draws one of the runs: "run B is drawn by rays". Empty if the
+/// steps draw both.
+std::string without_moments_text(const Frame& a, const Frame& b, const Cursor& to) {
+    const auto words_of = [&](std::string_view run, const Frame& frame) -> std::string {
+        if (drawing_engine(*frame.scene, frame.settings, to) == Engine::steps) return {};
+        return fmt::format("{} drawn by {}", run,
+                           value_words(*find_setting("engine"), frame.settings));
+    };
+    const std::string of_a = words_of("Run A is", a), of_b = words_of("run B is", b);
+    if (of_a.empty()) return words_of("Run B is", b);
+    if (of_b.empty()) return of_a;
+    if (a.settings.engine == b.settings.engine) return words_of("Both runs are", a);
+    return of_a + " and " + of_b;
 }
 
 /// Why no moments of the runs before this one can be compared: they divide the scene into different
-/// triangles, or the fast engine draws one of them. Empty if they can.
+/// triangles, or an engine without moments draws one of them. Empty if they can.
 std::string no_moments_text(const Frame& a, const Frame& b, const Cursor& to) {
-    const std::string fast_runs = fast_runs_text(a, b, to);
-    if (!fast_runs.empty()) {
-        return fast_runs +
-               " by the fast engine, which has no moments, so only the pictures are compared.";
-    }
+    if (const std::string text = without_moments_text(a, b, to); !text.empty())
+        return text + "; only the steps have moments, so only the pictures are compared.";
     if (have_same_moments(a, b)) return {};
     if (a.squares != nullptr || b.squares != nullptr) {
         return "A or B divides the picture into squares, so only the pictures are compared.";
@@ -92,21 +95,13 @@ void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to) {
     done_ = 0;
     triangles_ = std::min(a.triangle_count(), std::max(to.triangle, 0));
     found_ = {};
-    const std::string no_moments = no_moments_text(a, b, to);
-    if (no_moments.empty()) {
+    found_.only_pictures = no_moments_text(a, b, to);
+    if (found_.only_pictures.empty()) {
         begin_clearing(cleared_a_, a);
         begin_clearing(cleared_b_, b);
         return;
     }
     pictures_ = std::make_unique<PicturePair>();
-    pictures_->a.is_fast = is_drawn_fast(*a.scene, a.settings, to);
-    pictures_->b.is_fast = is_drawn_fast(*b.scene, b.settings, to);
-    const Cursor first = cursor_begin;
-    found_.divergences.count = 1;
-    found_.divergences.first = {first, DivergenceKind::other, false, no_moments};
-    found_.divergences.first_beyond_rounding = found_.divergences.first;
-    found_.divergences.groups = {
-        {first.triangle, first.phase, DivergenceKind::other, 1, first, first}};
 }
 
 /// Keeps the memory of the pictures for the next comparison, unless it is too much.
@@ -150,12 +145,19 @@ void ComparisonWork::end_triangles() {
     }
 }
 
-bool ComparisonWork::PictureWork::advance(const Frame& frame, const Cursor& to,
+void ComparisonWork::PictureWork::begin(const Frame& frame, FrameWork& work, const Cursor& to) {
+    engine = drawing_engine(*frame.scene, frame.settings, to);
+    if (engine == Engine::steps) steps.begin(frame, work);
+}
+
+bool ComparisonWork::PictureWork::advance(const Frame& frame, FrameWork& work, const Cursor& to,
                                           const WorkLimit& limit) {
-    if (is_fast) {
+    if (engine != Engine::steps) {
         // The frame outlives the work, and its scene with it.
-        advance_fast_planes({std::shared_ptr<void>(), frame.scene}, frame, limit, fast);
-        return fast.is_whole;
+        advance_engine_planes({std::shared_ptr<void>(), frame.scene}, frame, limit, planes);
+        if (planes.fault.empty()) return planes.is_whole;
+        engine = Engine::steps; // as in the picture that is shown
+        steps.begin(frame, work);
     }
     steps.toward(to, {.at_once = limit.at_once, .slice = limit.slice});
     return !(steps.drawn() < to);
@@ -163,10 +165,15 @@ bool ComparisonWork::PictureWork::advance(const Frame& frame, const Cursor& to,
 
 /// A's and then B's. False: something is left.
 bool ComparisonWork::draw_pictures(const WorkLimit& limit) {
-    const bool is_a_drawn = pictures_->a.advance(*a_, to_, limit);
+    const bool is_a_drawn = pictures_->a.advance(*a_, work_a_, to_, limit);
     const Cursor& drawn = pictures_->a.steps.drawn();
     done_ = is_a_drawn ? triangles_ : std::min(drawn.triangle, triangles_);
-    return is_a_drawn && pictures_->b.advance(*b_, to_, limit);
+    const bool are_drawn = is_a_drawn && pictures_->b.advance(*b_, work_b_, to_, limit);
+    for (const PictureWork* const one : {&pictures_->a, &pictures_->b}) {
+        if (!one->planes.fault.empty())
+            found_.only_pictures = one->planes.fault + ", so only the pictures are compared.";
+    }
+    return are_drawn;
 }
 
 /// Goes through the moments of both runs. False: some are left.
@@ -187,17 +194,15 @@ bool ComparisonWork::count_pixels(const WorkLimit& limit) {
     const Framebuffer& a = walk_ != nullptr ? walk_->a.picture() : pictures_->a.picture(to_);
     const Framebuffer& b = walk_ != nullptr ? walk_->b.picture() : pictures_->b.picture(to_);
     const int rows = rows_within(limit, count_pixel_work, a.size, pixels_.rows());
-    pixels_.count_to(a, b, pixels_.rows() + rows);
+    std::function<void(glm::ivec2)> add_reason;
+    if (pictures_ != nullptr) {
+        add_reason = [&](glm::ivec2 place) {
+            found_.reasons.add({*a_, a, pictures_->a.engine}, {*b_, b, pictures_->b.engine}, place);
+        };
+    }
+    pixels_.count_to(a, b, pixels_.rows() + rows, add_reason);
     if (pixels_.rows() < a.size.height) return false;
     found_.pixels = pixels_.found();
-    // Two equal pictures of the fast engine, of other lists or of samples are not a divergence.
-    const auto has_other_moments = [](const Frame& frame) {
-        return frame.list != nullptr || frame.squares != nullptr || frame.has_samples();
-    };
-    const bool are_fast = pictures_ != nullptr && pictures_->a.is_fast && pictures_->b.is_fast;
-    const bool have_other_moments =
-        pictures_ != nullptr && (has_other_moments(*a_) || has_other_moments(*b_));
-    if ((are_fast || have_other_moments) && found_.pixels.different == 0) found_.divergences = {};
     return true;
 }
 
@@ -207,8 +212,8 @@ bool ComparisonWork::advance_stage(const WorkLimit& limit) {
     case ComparisonStage::estimated:
         if (!estimate(limit)) return false;
         if (pictures_ != nullptr) {
-            if (!pictures_->a.is_fast) pictures_->a.steps.begin(*a_, work_a_);
-            if (!pictures_->b.is_fast) pictures_->b.steps.begin(*b_, work_b_);
+            pictures_->a.begin(*a_, work_a_, to_);
+            pictures_->b.begin(*b_, work_b_, to_);
         }
         stage_ = pictures_ != nullptr ? ComparisonStage::drawn : ComparisonStage::cleared;
         return true;

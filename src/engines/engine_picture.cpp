@@ -3,9 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engines/fast/fast_view.h"
 #include "pipeline/clearing.h"
-#include "pipeline/draw.h"
 
 namespace rasterwalk {
 
@@ -15,11 +13,6 @@ namespace {
 constexpr double copy_factor = 4.0;
 
 } // namespace
-
-bool is_drawn_fast(const Scene& scene, const Settings& settings, const Cursor& to) {
-    return settings.engine == Engine::fast && to == cursor_end &&
-           fast_engine_refuses(scene, settings).empty();
-}
 
 void copy_picture(const FastPicture& picture, const Frame& frame, Framebuffer& planes) {
     begin_clearing(planes, frame);
@@ -66,17 +59,6 @@ void copy_image(const FastPicture& picture, Image& image) {
             to[4 * i + 3] = 255;
         }
     }
-}
-
-void draw_by_engine(const Frame& frame, const Cursor& to, Framebuffer& planes) {
-    if (!is_drawn_fast(*frame.scene, frame.settings, to)) {
-        clear(planes, frame);
-        draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, planes);
-        return;
-    }
-    FastPicture picture;
-    FastEngine(*frame.scene).draw(frame.settings, picture);
-    copy_picture(picture, frame, planes);
 }
 
 bool FastRun::draw(const std::shared_ptr<const Scene>& scene, const Settings& settings) {

@@ -1,24 +1,19 @@
 #pragma once
 
-// The picture by the engine of the settings, as the planes that all panels read.
+// Pictures of the fast engine, and others like them, as planes and as images.
 
 #include <memory>
 #include <optional>
 
 #include "base/image.h"
 #include "engines/fast/fast_engine.h"
-#include "pipeline/cursor.h"
 #include "pipeline/frame.h"
 #include "pipeline/framebuffer.h"
 #include "pipeline/work.h"
 
 namespace rasterwalk {
 
-/// Should the fast engine draw the picture at this moment? Only the whole picture, and only if it
-/// does not refuse.
-bool is_drawn_fast(const Scene& scene, const Settings& settings, const Cursor& to);
-
-/// The planes of a picture of the fast engine. Colours are those of the bytes; fragments are not
+/// The planes of a picture. Colours are those of the bytes; fragments are not
 /// counted, overdraw is 0.
 /// @param frame of the same scene and settings: it has the start values of the planes
 void copy_picture(const FastPicture& picture, const Frame& frame, Framebuffer& planes);
@@ -30,9 +25,6 @@ bool copy_rows(const FastPicture& picture, const WorkLimit& limit, Framebuffer& 
 /// The picture that is shown, without planes.
 /// @param image its memory is reused
 void copy_image(const FastPicture& picture, Image& image);
-
-/// Draws everything before a moment, by the engine of the settings.
-void draw_by_engine(const Frame& frame, const Cursor& to, Framebuffer& planes);
 
 /// A fast engine that follows a scene and its settings.
 class FastRun {

@@ -105,6 +105,8 @@ void add_depth_test(FragmentReport& report, const Frame& frame) {
         margin_help += "the test is the wrong way round, so below 0 the fragment is drawn.";
     else if (report.depth_test == DepthTest::or_equal)
         margin_help += "at 0 and above, the fragment is drawn.";
+    else if (report.depth_test == DepthTest::raced)
+        margin_help += "above 0, the fragment is drawn. So are some others, by a race of threads.";
     else
         margin_help += fmt::format("above {}, the fragment is drawn.", margin_limit(rules));
     FormulaWriter write(report.formulas);

@@ -17,6 +17,12 @@ const Comparison* comparison(const Facts& facts) {
     return results.b && results.comparison.work.is_done() ? &results.comparison.whole() : nullptr;
 }
 
+/// The same if only pictures were compared.
+const Comparison* picture_comparison(const Facts& facts) {
+    const Comparison* const found = comparison(facts);
+    return found != nullptr && !found->only_pictures.empty() ? found : nullptr;
+}
+
 /// Vertices of the scene's triangles, uncut and drawn in both runs, whose pixel
 /// is a different one in run B.
 std::optional<int> vertices_elsewhere(const Facts& facts) {
@@ -39,6 +45,7 @@ std::optional<int> vertices_elsewhere(const Facts& facts) {
 void add_compare_facts(std::vector<Fact>& table) {
     const FactAdder<everything> add(table);
     const FactAdder<comparison> add_compared(table);
+    const FactAdder<picture_comparison> add_pictures(table);
     using Compared = const Comparison&;
     add("comparing", "1 while a second run is compared.", yes_or_no(),
         [](const Facts& f) { return f.session().b.has_value(); });
@@ -51,6 +58,17 @@ void add_compare_facts(std::vector<Fact>& table) {
                  real(0), [](Compared c) { return c.pixels.largest; });
     add_compared("compare.mean_difference", "The same, averaged over all pixels.", real(0),
                  [](Compared c) { return c.pixels.mean; });
+    for (const PixelReasonWords& words : pixel_reason_list()) {
+        add_pictures(
+            fmt::format("compare.by.{}", words.name),
+            fmt::format("Pixels that differ {}, where only pictures are compared. {}", words.title,
+                        words.help),
+            natural(),
+            [](Compared c, int reason) {
+                return c.reasons.count(static_cast<PixelReason>(reason));
+            },
+            static_cast<int>(words.reason));
+    }
     add("compare.samples", "Edge samples that fall on a different pixel in run B.", natural(),
         [](const Facts& f) { return f.different_samples(); });
     for (int edge = 0; edge < triangle_corners; ++edge) {

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "inspect/carried_row.h"
+#include "inspect/depth_prepass.h"
 #include "picture/pixel_facts.h"
 #include "pipeline/draw.h"
 #include "pipeline/surface.h"
@@ -71,6 +72,26 @@ const FrameStats& Facts::frame_stats() const {
     return *known.frame;
 }
 
+const DrawCost& Facts::draw_cost() const {
+    FactCache& known = cache();
+    if (!known.cost) known.cost = rasterwalk::draw_cost(results_->a.frame);
+    return *known.cost;
+}
+
+std::optional<std::int64_t> Facts::prepass_shaded() const {
+    const Frame& frame = results_->a.frame;
+    if (!can_have_prepass(frame)) return std::nullopt;
+    FactCache& known = cache();
+    if (!known.prepass_shaded) {
+        Framebuffer drawn;
+        known.prepass_shaded =
+            draw_with_prepass(prepare_prepass(*frame.given, frame.settings, frame.replace),
+                              cursor_end, drawn)
+                .picture.shaded;
+    }
+    return known.prepass_shaded;
+}
+
 const ClipHistory* Facts::clip() const {
     const std::optional<int>& triangle = results_->a.triangle;
     if (!triangle) return nullptr;
@@ -127,6 +148,12 @@ const HiddenWay* Facts::hidden_way() const {
             hidden_ways(*frame.given, frame.settings, hidden_rule(frame.settings)).back();
     }
     return known.hidden_way->is_possible ? &*known.hidden_way : nullptr;
+}
+
+const RayStats* Facts::rays() const {
+    FactCache& known = cache();
+    if (!known.rays) known.rays = ray_stats(results_->a.frame);
+    return known.rays ? &*known.rays : nullptr;
 }
 
 std::int64_t Facts::drawn_twice() const {

@@ -17,10 +17,12 @@
 #include "inspect/coverage_comparison.h"
 #include "inspect/edge_lines.h"
 #include "inspect/pixel_tests.h"
+#include "inspect/ray_stats.h"
 #include "inspect/row_history.h"
 #include "inspect/shadow_count.h"
 #include "inspect/shared_edge.h"
 #include "inspect/stats.h"
+#include "pipeline/draw_cost.h"
 #include "session/results.h"
 #include "session/session.h"
 #include "settings/setting_table.h"
@@ -43,6 +45,8 @@ struct CountedEdge {
 struct FactCache {
     std::uint64_t frame_number = 0;
     std::optional<FrameStats> frame;
+    std::optional<DrawCost> cost;
+    std::optional<std::int64_t> prepass_shaded;
     std::optional<ClipHistory> clip; ///< of the triangle it names
     std::optional<int> outline_triangle;
     std::optional<CoverageComparison> outline;
@@ -67,6 +71,7 @@ struct FactCache {
     std::optional<FragmentReport> fragment;
     std::optional<FrameShadows> shadows;
     std::optional<HiddenWay> hidden_way;
+    std::optional<RayStats> rays;
     std::optional<Cursor> texture_at;
     std::optional<TextureReport> texture;
 };
@@ -89,6 +94,11 @@ class Facts {
     const Results& results() const { return *results_; }
     /// The whole frame in numbers.
     const FrameStats& frame_stats() const;
+    /// The work of the whole frame, stage by stage.
+    const DrawCost& draw_cost() const;
+    /// How many fragments of the frame get a colour after a depth pre-pass; none if that would
+    /// change the picture.
+    std::optional<std::int64_t> prepass_shaded() const;
     /// What clipping and culling do to the triangle shown; null without one.
     const ClipHistory* clip() const;
     /// The polygon of the scene that the triangle shown belongs to; null if there
@@ -104,6 +114,8 @@ class Facts {
     /// The frame's way to remove hidden surfaces, next to the depth buffer's; null if the scene is
     /// too large for it.
     const HiddenWay* hidden_way() const;
+    /// What it takes to draw the frame by rays; null if they cannot draw it.
+    const RayStats* rays() const;
     /// Pixels that two neighbours of the frame have both drawn.
     std::int64_t drawn_twice() const;
     /// The triangle that each pixel of the picked pixel's column finally shows,

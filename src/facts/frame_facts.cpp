@@ -1,6 +1,8 @@
 #include "facts/fact_groups.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -33,6 +35,28 @@ const Cursor* cursor_in(const Facts& facts) {
     const Cursor* const cursor = cursor_before_end(facts);
     const bool is_in_it = cursor != nullptr && cursor->phase == phase && !is_square(*cursor);
     return is_in_it ? cursor : nullptr;
+}
+
+/// What the ray through the picked pixel brings back.
+struct RaySight {
+    int triangle = -1;
+    glm::vec3 colour{0.0f};
+};
+
+/// None unless a pixel is picked, and rays have drawn the whole picture of run A or run B.
+std::optional<RaySight> ray_sight(const Facts& facts) {
+    const std::optional<glm::ivec2>& pixel = facts.session().selection.pixel;
+    const Results& results = facts.results();
+    for (const RunResults* const run :
+         {&results.a, static_cast<const RunResults*>(results.b.get())}) {
+        if (!pixel || run == nullptr || run->engine != Engine::rays || !run->planes.is_whole)
+            continue;
+        const Framebuffer& planes = run->planes.planes;
+        if (!planes.contains(pixel->x, pixel->y)) continue;
+        const std::size_t at = planes.at(pixel->x, pixel->y);
+        return RaySight{planes.owner[at], planes.colour[at]};
+    }
+    return std::nullopt;
 }
 
 /// Row or column of the picture where the next fragment falls.
@@ -157,7 +181,7 @@ void add_session_facts(std::vector<Fact>& table) {
         natural(), [](const Facts& f) { return f.results().a.triangle; });
     add("triangle.scene",
         "Triangle of the scene that the triangle shown is, or is a piece of, from 0: another one "
-        "only if hidden is painter or bsp.",
+        "only if hidden is painter or bsp, or draw_order is not scene.",
         natural(), [](const Facts& f) -> std::optional<int> {
             const RunResults& run = f.results().a;
             if (!run.triangle) return std::nullopt;
@@ -207,6 +231,25 @@ void add_frame_facts(std::vector<Fact>& table) {
                 natural(), [](Stats s) { return s.pixels_tested; });
     add_counted("frame.shaded", "Fragments whose colour is computed.", natural(),
                 [](Stats s) { return s.shaded; });
+    for (std::size_t i = 0; i < cost_list().size(); ++i) {
+        const CostInfo& info = cost_list()[i];
+        const std::string name = fmt::format("frame.{}", info.name);
+        if (std::any_of(table.begin(), table.end(), [&](const Fact& f) { return f.name == name; }))
+            continue;
+        add(
+            name, fmt::format("In the whole frame, {}.", info.help), natural(),
+            [](const Facts& f, int which) {
+                return f.draw_cost().*cost_list()[static_cast<std::size_t>(which)].count;
+            },
+            static_cast<int>(i));
+    }
+    add("frame.lights", "Lights that are computed: at vertices, for triangles and at pixels.",
+        natural(),
+        [](const Facts& f) { return f.draw_cost().vertex_lights + f.draw_cost().pixel_lights; });
+    add("frame.prepass_shaded",
+        "Fragments whose colour would be computed after a depth pre-pass; none if that would "
+        "change the picture.",
+        natural(), [](const Facts& f) { return f.prepass_shaded(); });
     add_counted("frame.clipped", "Triangles that clipping has cut.", natural(),
                 [](Stats s) { return s.clipped; });
     add_counted("frame.clip_triangles",
@@ -245,6 +288,27 @@ void add_frame_facts(std::vector<Fact>& table) {
         "Pixels of the finished picture that show a triangle of the scene, or nothing, which "
         "the depth buffer shows neither there nor at any pixel next to it.",
         natural(), [](const HiddenWay& way) { return way.wrong; });
+    const FactAdder<&Facts::rays> add_of_rays(table);
+    using Rays = const RayStats&;
+    add_of_rays("rays.triangle_tests",
+                "Tests of a ray against a triangle, to follow a ray through each pixel.", natural(),
+                [](Rays rays) { return rays.count.triangles; });
+    add_of_rays("rays.box_tests", "Tests of such a ray against a box of triangles.", natural(),
+                [](Rays rays) { return rays.count.boxes; });
+    add_of_rays("rays.missed", "Pixels whose ray meets nothing.", natural(),
+                [](Rays rays) { return rays.missed; });
+    const FactAdder<ray_sight> add_sight(table);
+    add_sight("rays.triangle",
+              "Triangle that the ray through the picked pixel meets first, where rays draw a run; "
+              "-1 if it meets none.",
+              whole(-1, endless), [](const RaySight& sight) { return sight.triangle; });
+    for (int i = 0; i < 3; ++i) {
+        add_sight(
+            "rays." + channel_name(i),
+            "The " + channel_name(i) +
+                " of what that ray brings back, mirrors included; linear, not clamped.",
+            real(), [](const RaySight& sight, int channel) { return sight.colour[channel]; }, i);
+    }
     add("frame.edges", "Edges of the triangles that are drawn.", natural(),
         [](const Facts& f) { return f.edge_ends().edges; });
     add("frame.ends_missed", "Edges whose last sample is not on the pixel of their end vertex.",

@@ -9,6 +9,7 @@ namespace {
 Settings settings_with_light(const Settings& given) {
     Settings settings = given;
     settings.hidden = hidden_rule(given);
+    settings.draw_order = draw_order_rule(given);
     if (sampling_rule(given) == Sampling::centre) settings.samples = settings.supersample = 1;
     set_step(settings, StripStep::vertex_light);
     return settings;

@@ -33,7 +33,7 @@ HiddenCounts counts_of(const WarnockSquares& squares) {
 
 HiddenCounts hidden_counts(const Frame& frame, const DrawTally& tally) {
     if (frame.squares != nullptr) return counts_of(*frame.squares);
-    if (frame.list == nullptr) {
+    if (hidden_rule(frame.settings) == Hidden::depth_buffer || frame.list == nullptr) {
         if (depth_rule(frame.settings) == DepthTest::off) return {};
         const Viewport& size = frame.settings.viewport;
         const std::int64_t pixels = std::int64_t{size.width} * size.height;
@@ -53,6 +53,7 @@ HiddenCounts hidden_counts(const Frame& frame, const DrawTally& tally) {
 Settings counted_settings(const Settings& settings) {
     Settings counted = settings;
     counted.hidden = Hidden::depth_buffer;
+    counted.draw_order = DrawOrder::scene;
     counted.engine = Engine::steps;
     counted.stage = Stage::depth;
     counted.depth_test = DepthTest::inverse_z;

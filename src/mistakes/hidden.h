@@ -10,9 +10,6 @@ namespace rasterwalk {
 /// B98a, in the slot painter_depth: a triangle is as near as its nearest corner.
 float nearest_depth(const CornerDepths& depths);
 
-/// B98b, in the slot is_drawn_before: the nearer one is drawn first.
-bool is_nearer_drawn_before(float depth, float other);
-
 /// B98c, in the slot is_near_side: the side without the camera is taken for the near one.
 bool is_far_side(float camera_side);
 

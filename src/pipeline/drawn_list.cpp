@@ -117,13 +117,14 @@ std::shared_ptr<const DrawnList> make_drawn_list(const Scene& scene, const Setti
                                                  const Stages& stages,
                                                  std::shared_ptr<const DividedMesh>& divided) {
     const Hidden hidden = hidden_rule(settings);
-    const bool is_sorted = hidden == Hidden::painter || hidden == Hidden::bsp;
-    if (!is_sorted || scene.space == SceneSpace::pixels) return nullptr;
+    const bool is_sorted =
+        hidden == Hidden::painter || draw_order_rule(settings) != DrawOrder::scene;
+    if ((!is_sorted && hidden != Hidden::bsp) || scene.space == SceneSpace::pixels) return nullptr;
     if (scene.triangle_count() > most_sorted_triangles) return nullptr;
     const VertexRules rules = vertex_rules(settings, scene.space);
     DrawnList list;
     list.made_by = hidden;
-    if (hidden == Hidden::painter) {
+    if (is_sorted) {
         paint(scene, rules, stages, list);
     } else {
         if (divided == nullptr || !(divided->given == scene.mesh))

@@ -1,10 +1,11 @@
 #pragma once
 
-// The list of triangles that is drawn, where their order removes hidden surfaces: the scene's
-// triangles sorted, or cut and sorted. It is a scene of its own, so that everything that draws,
-// walks or examines a frame does so as ever: its triangle t is the t-th to be drawn, and
-// Scene::sources says which of the scene's it is. tests/pipeline/test_drawn_list.cpp shows that
-// with a depth buffer there is no list.
+// The list of triangles that is drawn, where they are not drawn in the scene's order: its triangles
+// sorted, or cut and sorted. The order removes hidden surfaces, or saves a depth buffer work. It is
+// a scene of its own, so that everything that draws, walks or examines a frame does so as ever: its
+// triangle t is the t-th to be drawn, and Scene::sources says which of the scene's it is.
+// tests/pipeline/test_drawn_list.cpp shows that with a depth buffer and draw_order=scene there is
+// no list.
 
 #include <cstdint>
 #include <memory>
@@ -28,10 +29,10 @@ struct DividedMesh {
 
 /// The list of a frame.
 struct DrawnList {
-    Hidden made_by = Hidden::painter;
+    Hidden made_by = Hidden::painter;           ///< depth_buffer: by draw_order
     Scene scene;                                ///< in the order in which it is drawn
     std::shared_ptr<const DividedMesh> divided; ///< of bsp
-    std::vector<float> depths;    ///< of painter: what each drawn triangle was sorted by
+    std::vector<float> depths;    ///< if sorted: what each drawn triangle was sorted by
     std::vector<int> nodes;       ///< of bsp: each drawn triangle's node in the tree
     std::int64_t comparisons = 0; ///< of two depths, or of the camera with a plane
 };
@@ -39,7 +40,7 @@ struct DrawnList {
 /// Makes the list of a scene for a camera.
 /// @param divided the last tree, kept if it is of the same mesh; gets the one that is made, even if
 ///                that is empty; may hold null
-/// @return null if no order removes hidden surfaces, or the scene is in pixels or too large to be
+/// @return null if the scene's order is asked for, or the scene is in pixels or too large to be
 ///         sorted or divided: it is then drawn in its own order
 std::shared_ptr<const DrawnList> make_drawn_list(const Scene& scene, const Settings& settings,
                                                  const Stages& stages,

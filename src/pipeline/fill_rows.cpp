@@ -11,6 +11,7 @@ namespace rasterwalk {
 namespace {
 
 DepthResult test_depth(Drawing& d, const Fragment& fragment, std::size_t pixel) {
+    d.depth.owner = d.target.owner[pixel];
     return call<depth_test, no_depth_test>(d.stages.depth_test, fragment, d.target.depth[pixel],
                                            d.depth);
 }
@@ -150,6 +151,7 @@ void draw_row_at_once(Drawing& d, const PolygonRows& rows, int triangle, int ind
 } // namespace
 
 void fill_rows(Drawing& d, const PolygonRows& rows, const Surface& surface, const Cursor& begin) {
+    d.depth.triangle = begin.triangle;
     const PieceRange range = clamp_to_window(d.window, begin, &Cursor::index, rows.size());
     // The row above the first that begins in the window may end in it; its columns decide.
     const int first_row = std::max({range.first - 1, d.scissor.top - rows.first_row, 0});

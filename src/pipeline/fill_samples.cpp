@@ -41,6 +41,7 @@ glm::vec3 shade_fragment(Drawing& d, const Fragment& fragment, const Surface& su
 
 DepthResult test_sample(Drawing& d, const SampledFragment& of, std::size_t sample, bool is_stored) {
     d.tally.samples_compared += is_stored ? 1 : 0;
+    d.depth.owner = d.target.owner[of.pixel];
     return d.stages.depth_test(d.stages.fragment_at_sample(of.at_centre, of.at_samples[sample]),
                                d.target.sample_depth[of.pixel][sample], d.depth);
 }
@@ -170,6 +171,7 @@ void fill_sample_rows(Drawing& d, const PolygonRows& rows, const Surface& surfac
                       const Cursor& begin) {
     const bool is_supersampled = sampling_rule(d.frame.settings) == Sampling::supersample;
     const VaryingSet at_samples = is_supersampled ? d.carried : VaryingSet{};
+    d.depth.triangle = begin.triangle;
     const PieceRange range = clamp_to_window(d.window, begin, &Cursor::index, rows.size());
     // The row above the first that begins in the window may end in it; its columns decide.
     const int first_row = std::max({range.first - 1, d.scissor.top - rows.first_row, 0});

@@ -1,15 +1,13 @@
 #include "session/results.h"
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <new>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "engines/fast/fast_view.h"
 #include "session/difference_parts.h"
+#include "session/preview_parts.h"
 #include "session/shown_pass.h"
 
 namespace rasterwalk {
@@ -39,18 +37,32 @@ void update_lone(const WorkLimit& limit, Results& results) {
     }
 }
 
+/// Counts another part of the costs, if they are shown; returns whether that was the last one. A
+/// part is not worth making the picture of the overlays again.
+bool update_costs(OverlaySet wanted, const WorkLimit& limit, Results& results) {
+    const RunResults& run = results.a;
+    if (!wanted.has(Overlay::cost)) results.overlay.cost = {};
+    if (!wanted.has(Overlay::cost) || !run.is_drawn()) return false;
+    CostDrawing& cost = results.overlay.cost;
+    const bool has_changed =
+        cost.count(run.frame, run.replay.work(), run.frame_number, run.cursor, limit);
+    return has_changed && cost.is_counted();
+}
+
 void update_overlay(const Session& session, const WorkLimit& limit, bool moved, Results& results) {
     OverlaySet wanted = session.overlays;
     if (session.b) wanted.set(Overlay::alone, false); // whole pictures are compared
     const bool is_missing = !(results.overlay.shown == wanted) || results.overlay_is_old;
-    if (moved || is_missing) {
+    const bool are_counted = update_costs(wanted, limit, results);
+    if (moved || is_missing || are_counted) {
         // The overlay marks the picture at the cursor, so it is empty until that is drawn.
-        results.overlay_is_old = !results.a.is_drawn();
-        if (results.overlay_is_old) {
+        results.overlay_is_old = true; // if memory runs out, it is made again next time
+        if (!results.a.is_drawn()) {
             results.overlay = {};
         } else {
             compose_overlays(results.a.frame, results.a.cursor, *results.a.framebuffer, wanted,
                              !moved, results.overlay);
+            results.overlay_is_old = false;
         }
         ++results.overlay_number;
     }
@@ -240,88 +252,6 @@ WorkLimit half_slices(WorkLimit limit) {
     return limit;
 }
 
-/// Can the fast engine stand in for the steps of this run? The panels next to the picture still
-/// belong to the frame shown, so triangles and size must be the same.
-bool may_preview(const Session& session, const Run& run, const RunResults& results) {
-    return results.run && results.scene == session.scene &&
-           results.run->settings.viewport == run.settings.viewport &&
-           results.run->settings.tessellation == run.settings.tessellation &&
-           results.frame.list == nullptr &&
-           fast_engine_refuses(*results.frame.scene, run.settings).empty();
-}
-
-/// The same for both runs or neither, so that they are seen from the same place.
-bool may_preview(const Session& session, const Results& results) {
-    if (session.view != View::colour || session.cursor != cursor_end) return false;
-    if (!may_preview(session, session.a, results.a)) return false;
-    if (!session.b) return true;
-    return session.compare_view != CompareView::difference && results.b &&
-           may_preview(session, *session.b, *results.b);
-}
-
-/// Calls this with each run and its results.
-template <class Visitor>
-void for_each_run(const Session& session, Results& results, const Visitor& visit) {
-    visit(shown_run(session, session.a), results.a);
-    if (session.b && results.b) visit(shown_run(session, *session.b), *results.b);
-}
-
-/// Are there steps that have yet to draw what is asked for?
-bool are_steps_late(const Session& session, Results& results) {
-    bool are_late = false;
-    for_each_run(session, results, [&](const Run& run, const RunResults& of) {
-        const bool is_late = !is_shown(session.scene, run, of);
-        are_late = are_late || is_late || !of.is_complete();
-    });
-    return are_late;
-}
-
-/// Is it known that the steps need more than one update for the pictures?
-bool is_much_to_draw(const WorkLimit& limit, const Results& results) {
-    const auto is_much = [&](const RunResults& of) {
-        return of.preview.is_shown || of.replay.work().total() > limit.at_once;
-    };
-    return is_much(results.a) || (results.b && is_much(*results.b));
-}
-
-void show_previews(const Session& session, Results& results) {
-    for_each_run(session, results, [&](const Run& run, RunResults& of) {
-        show_preview(of.drawn_scene(), run.settings, results.preview_engine, results.numbers,
-                     of.preview);
-    });
-}
-
-void hide_previews(Results& results) {
-    results.a.preview.is_shown = false;
-    if (results.b) results.b->preview.is_shown = false;
-}
-
-/// While the hand moves, shows only previews if the steps cannot keep up. False: they can, or there
-/// can be no previews.
-bool follow_hand(const Session& session, const WorkLimit& limit, Results& results) {
-    const bool steps_wait = results.hand.has_moved() && may_preview(session, results) &&
-                            is_much_to_draw(limit, results) && are_steps_late(session, results);
-    if (!steps_wait) return false;
-    for_each_run(session, results, [&](const Run& run, RunResults& of) {
-        of.is_frame_late = !is_shown(session.scene, run, of);
-    });
-    show_previews(session, results);
-    return true;
-}
-
-/// After the steps' part of an update, keeps previews until the steps have drawn what the hand has
-/// left to do.
-void update_previews(const Session& session, Results& results) {
-    const bool are_wanted = results.hand.has_moved() || results.a.preview.is_shown;
-    const bool is_deferred = results.a.is_deferred || (results.b && results.b->is_deferred);
-    if (are_wanted && !is_deferred && may_preview(session, results) &&
-        are_steps_late(session, results)) {
-        show_previews(session, results);
-    } else {
-        hide_previews(results);
-    }
-}
-
 bool update_within(const Session& session, const WorkLimit& limit, Results& results) {
     const auto shown_preview = [&] {
         return results.a.preview.is_shown ? results.a.preview.number : 0;
@@ -371,7 +301,7 @@ bool is_working(const Results& results) {
     if (results.history_work || results.next_b) return true;
     if (results.hints.are_due && results.a.is_drawn()) return true;
     if (is_counting(results.hidden) && results.a.is_drawn()) return true;
-    if (results.overlay.lone.is_drawing()) return true;
+    if (results.overlay.lone.is_drawing() || results.overlay.cost.is_counting()) return true;
     if (!results.b) return false;
     if (results.b->is_frame_late || !results.b->is_complete()) return true;
     if (!results.comparison.progress.is_done) return true;

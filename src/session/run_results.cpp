@@ -2,12 +2,11 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/numbers.h"
-#include "engines/engine_picture.h"
-#include "engines/fast/fast_view.h"
 #include "inspect/stats.h"
 #include "pipeline/draw.h"
 #include "pipeline/timeline.h"
@@ -99,10 +98,10 @@ bool take_next(RunResults& results) {
     if (!next.run || !next.is_done) return false;
     // Noted as shown only when it is, so that after an exception it is prepared again.
     results.run = std::nullopt;
+    results.planes.begin(); // it must not refer to a frame that has moved
     std::swap(results.frame, next.frame);
     results.scene = next.scene;
     results.replay.begin(results.frame, next.work);
-    results.fast.is_whole = false;
     std::swap(results.run, next.run);
     return true;
 }
@@ -116,6 +115,15 @@ bool update_cursor(const Cursor& wanted, bool new_frame, RunResults& results) {
     results.done = std::nullopt;
     if (cursor != timeline.first()) results.done = timeline.previous(cursor, Granularity::moment);
     return true;
+}
+
+bool is_of_rows(const Warning& warning) {
+    return warning.is_of_rows;
+}
+
+/// @param why a sentence without its full stop
+Warning steps_draw_instead(Engine engine, const std::string& why) {
+    return {why + ", so the steps draw", fmt::format("engine={}: the steps draw", word_of(engine))};
 }
 
 /// Finds what is wrong in the whole frame. Row tables that have not been drawn are counted, unless
@@ -132,6 +140,13 @@ void update_warnings(const WorkLimit& limit, RunResults& results) {
         tally += tally_rows(results.frame, has_begun ? to.triangle + 1 : to.triangle);
     }
     results.warnings = describe_warnings(results.frame, tally);
+    // Other engines make no row tables.
+    if (results.engine != Engine::steps) std::erase_if(results.warnings, is_of_rows);
+    const Settings& settings = results.frame.settings;
+    // Once it refuses altogether, that is said already.
+    if (!results.planes.fault.empty() && engine_refuses(*results.frame.scene, settings).empty()) {
+        results.warnings.push_back(steps_draw_instead(settings.engine, results.planes.fault));
+    }
 }
 
 /// The number of pixels that the stages give to a row that no edge sample has reached.
@@ -171,20 +186,22 @@ void paint_changes(View view, const WorkLimit& limit, RunResults& results) {
     if (is_empty(results.unpainted)) results.unpainted = {};
 }
 
-/// Draws as far as the limit allows, with the engine for the moment. Until the fast engine's planes
-/// are complete, those of the steps are shown, with nothing drawn.
+/// Draws as far as the limit allows, with the engine for the moment. Until the planes of an engine
+/// without moments can be shown, those of the steps are, with nothing drawn.
 void draw_some(const WorkLimit& limit, RunResults& results) {
     Replay& replay = results.replay;
     const Framebuffer* const before = results.framebuffer;
-    if (!results.is_fast || !results.fast.is_whole) {
-        const Cursor to = results.is_fast ? replay.drawn() : results.cursor;
-        results.framebuffer = &replay.toward(to, limit);
+    const bool has_moments = results.engine == Engine::steps;
+    if (!has_moments) {
+        advance_engine_planes(results.drawn_scene(), results.frame, limit, results.planes);
+        if (!results.planes.fault.empty()) results.has_all_warnings = false;
     }
-    if (results.is_fast) {
-        advance_fast_planes(results.drawn_scene(), results.frame, limit, results.fast);
-        if (results.fast.is_whole) results.framebuffer = &results.fast.planes;
+    if (!has_moments && results.planes.have_all_rows(results.frame)) {
+        results.framebuffer = &results.planes.planes;
+    } else {
+        results.framebuffer = &replay.toward(has_moments ? results.cursor : replay.drawn(), limit);
     }
-    const bool is_same = !results.is_fast && results.framebuffer == before;
+    const bool is_same = has_moments && results.framebuffer == before;
     const Viewport size = results.framebuffer->size;
     const Rectangle whole{0, 0, size.width, size.height};
     results.unpainted = around(results.unpainted, is_same ? replay.changed() : whole);
@@ -277,17 +294,24 @@ std::vector<Warning> describe_warnings(const Frame& frame, const DrawTally& tall
     std::vector<Warning> warnings;
     for (SettingFault& fault : setting_faults(frame.settings, *frame.given))
         warnings.push_back({std::move(fault.sentence), std::move(fault.in_short)});
-    if (frame.settings.engine == Engine::fast) {
-        const std::string refusal = fast_engine_refuses(*frame.scene, frame.settings);
-        if (!refusal.empty())
-            warnings.push_back({refusal + ", so the steps draw", "engine=fast: the steps draw"});
-    }
+    if (const std::string refusal = engine_refuses(*frame.scene, frame.settings); !refusal.empty())
+        warnings.push_back(steps_draw_instead(frame.settings.engine, refusal));
     if (const std::string_view undone = hidden_undone(frame); !undone.empty()) {
         warnings.push_back(
             {fmt::format("hidden={}: {}, so the triangles are drawn in the scene's "
                          "order, without a depth test",
                          word_of(frame.settings.hidden), undone),
              fmt::format("hidden={}: the scene's order", word_of(frame.settings.hidden))});
+    }
+    const bool is_ordered = draw_order_rule(frame.settings) != DrawOrder::scene;
+    if (is_ordered && frame.list == nullptr && frame.in_order->triangle_count() > 0) {
+        const std::string_view why = frame.in_order->space == SceneSpace::pixels
+                                         ? "a scene in pixels has no camera"
+                                         : "the scene is too large to be sorted";
+        warnings.push_back(
+            {fmt::format("draw_order={}: {}, so the triangles are drawn in the scene's order",
+                         word_of(frame.settings.draw_order), why),
+             fmt::format("draw_order={}: the scene's order", word_of(frame.settings.draw_order))});
     }
     const LeftOut left_out = count_left_out(frame);
     for (const RejectionWords& reason : rejection_list) {
@@ -339,8 +363,12 @@ RunChanges update_run(const Session& session, const Run& run, bool takes_frame,
     const Cursor here = in_frame(session.cursor, results.frame.pass);
     const Cursor wanted = shared != nullptr ? moment_of_shared(*shared, here, results) : here;
     changes.moment = update_cursor(wanted, changes.frame, results);
-    results.is_fast = is_drawn_fast(*results.frame.scene, results.frame.settings, results.cursor);
-    results.is_deferred = !results.is_fast && results.replay.is_deferred(results.cursor, limit);
+    const bool has_failed = !results.planes.fault.empty();
+    results.engine =
+        has_failed ? Engine::steps
+                   : drawing_engine(*results.frame.scene, results.frame.settings, results.cursor);
+    results.is_deferred =
+        results.engine == Engine::steps && results.replay.is_deferred(results.cursor, limit);
     const bool draws_on = changes.moment || results.is_drawing();
     const std::optional<DepthInterval> depths =
         shared != nullptr ? shared->depths : session.depth_range;

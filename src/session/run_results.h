@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/image.h"
-#include "engines/fast_planes.h"
+#include "engines/engine_planes.h"
 #include "inspect/row_history.h"
 #include "picture/view_image.h"
 #include "pipeline/frame.h"
@@ -76,9 +76,8 @@ struct RunResults {
     bool has_all_warnings = false; ///< false: only of what has been drawn so far
     bool is_frame_late = false;    ///< the session asks for another frame, which is being prepared
     bool is_deferred = false; ///< more is left to draw than the limit of the last update allows
-    bool is_fast = false; ///< the fast engine draws this moment, not the steps: the settings ask
-                          ///< for it, and it is the whole picture
-    Preview preview;      ///< while it is shown, in place of `picture`
+    Engine engine = Engine::steps; ///< that draws this moment, see drawing_engine()
+    Preview preview;               ///< while it is shown, in place of `picture`
 
     // The inputs this was made from.
     std::shared_ptr<const Scene> scene; ///< keeps the frame's scene alive; null before the
@@ -90,13 +89,15 @@ struct RunResults {
     std::optional<DepthInterval> depth_range; ///< that it colours
     PictureRules rules;                       ///< that it is coloured by
     Replay replay;
-    FastPlanes fast; ///< of the frame while `is_fast`
+    EnginePlanes planes; ///< of the frame, unless the steps draw it
 
     /// Is everything before the cursor drawn? Not yet, if it takes more than one update.
-    bool is_drawn() const { return is_fast ? fast.is_whole : replay.is_at(cursor); }
+    bool is_drawn() const {
+        return engine == Engine::steps ? replay.is_at(cursor) : planes.is_whole;
+    }
     /// Is it being drawn, in further updates?
     bool is_drawing() const {
-        if (is_fast) return !fast.is_whole;
+        if (engine != Engine::steps) return !planes.is_whole;
         return !replay.is_clear() || (!is_drawn() && !is_deferred);
     }
     /// Is it drawn and painted as far as it should be?

@@ -54,6 +54,9 @@ constexpr std::array tabs{
     TabInfo{"lab", "Mistakes",
             "The mistakes that rasterizers make. Turn one on and see what it does.",
             TabGroup::runs},
+    TabInfo{"speed", "Speed",
+            "The same picture drawn faster, one change at a time, measured on this machine.",
+            TabGroup::runs, true},
 };
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
@@ -236,7 +239,7 @@ bool is_offered(const Session& session, const TabInfo& tab) {
     if (tab.needs_camera && !has_camera) return false;
     const bool has_paint = session.scene && has_texture(*session.scene);
     if (tab.needs_texture && !has_paint) return false;
-    if (tab.needs_order && hidden_rule(session.a.settings) == Hidden::depth_buffer) return false;
+    if (tab.needs_order && follows_scene_order(session.a.settings)) return false;
     if (!hides_tabs(session)) return true;
     return contains(session.tab_guide.panels, tab.name);
 }

@@ -34,7 +34,7 @@ struct TabInfo {
     bool needs_texture = false;     ///< of no use in a scene without textures
     std::string_view tests_title{}; ///< if edge functions test every pixel; empty: the same
     std::string_view tests_help{};  ///< in that case too; empty: the same
-    bool needs_order = false;       ///< of no use while a depth buffer removes hidden surfaces
+    bool needs_order = false;       ///< of no use while triangles are drawn in the scene's order
 };
 
 /// A tab's title and help in the interface.

@@ -45,8 +45,7 @@ void move_to(Session& session, const Cursor& cursor) {
     if (std::min(cursor.pass, 0) != std::min(session.cursor.pass, 0)) {
         session.selection.pixel = std::nullopt;
         session.selection.row = std::nullopt;
-        if (hidden_rule(session.a.settings) != Hidden::depth_buffer)
-            session.selection.triangle = std::nullopt;
+        if (!follows_scene_order(session.a.settings)) session.selection.triangle = std::nullopt;
     }
     session.cursor = cursor;
 }

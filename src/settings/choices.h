@@ -12,8 +12,16 @@ namespace rasterwalk {
 
 /// What draws the whole picture.
 enum class Engine : std::uint8_t {
-    steps, ///< this pipeline: you can walk through all its moments
-    fast,  ///< src/engines/fast: no moments, but the same picture in a fraction of the time
+    steps,  ///< this pipeline: you can walk through all its moments
+    fast,   ///< src/engines/fast: no moments, but the same picture in a fraction of the time
+    rays,   ///< src/engines/rays: for each pixel, the triangle that its ray meets first
+    opengl, ///< the machine's own OpenGL, where the program has one
+};
+
+/// Do surfaces mirror what is around them? Only rays can tell.
+enum class Mirrors : std::uint8_t {
+    off,
+    on, ///< as much as the material's highlight: its specular share
 };
 
 /// What happens to triangles that reach out of the view volume.
@@ -372,6 +380,7 @@ enum class DepthTest : std::uint8_t {
     off,       ///< the last one drawn wins
     reversed,  ///< smaller 1/z wins: mistake B17a
     or_equal,  ///< larger 1/z wins, and of two equal ones the later: mistake B88a
+    raced,     ///< larger 1/z wins, but two threads share the buffer: mistake B102
 };
 
 /// How hidden surfaces are removed, from stage `depth` on.
@@ -380,6 +389,13 @@ enum class Hidden : std::uint8_t {
     painter,      ///< triangles sorted by depth, the farthest drawn first
     bsp,          ///< a tree of planes that cut the triangles, walked from back to front
     warnock,      ///< the picture divided into squares until each is simple
+};
+
+/// In which order triangles are drawn into a depth buffer, from stage `depth` on.
+enum class DrawOrder : std::uint8_t {
+    scene,      ///< as the scene lists them: the lab
+    near_first, ///< sorted by mean depth, the nearest first: most of what is hidden fails the test
+    far_first, ///< the farthest first, as the painter does: everything that is drawn over is shaded
 };
 
 /// By which rule the painter sorts.

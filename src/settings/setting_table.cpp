@@ -97,6 +97,9 @@ bool is_painted(const Settings& s) {
 bool has_bsp(const Settings& s) {
     return s.hidden == Hidden::bsp;
 }
+bool is_drawn_by_rays(const Settings& s) {
+    return s.engine == Engine::rays;
+}
 bool has_shadow_rays(const Settings& s) {
     return s.shadows == Shadows::rays;
 }
@@ -114,10 +117,22 @@ std::vector<Setting> make_table() {
          "Light per pixel", "", choice<&Settings::shading>(),
          SettingTies{.part_of = "stage", .words_moved_to = "depth_order"}},
         {"engine", "Picture drawn by", "Stage",
-         "What draws the whole picture: the steps, which you can walk through, or the fast "
-         "engine, which has no steps and takes a fraction of the time. It tests the "
-         "centres of pixels. While you walk through time, the steps draw.",
+         "What draws the whole picture: the steps, which you can walk through; the fast engine, "
+         "which has no steps and takes a fraction of the time; a ray through each pixel; or "
+         "OpenGL. All but the steps test the centres of pixels. While you walk through time, the "
+         "steps draw.",
          "All sections", "", choice<&Settings::engine>(), SettingTies{.needs_scene = is_in_world}},
+        {"ray_boxes", "Boxes for rays", "Stage",
+         "How triangles are sorted into boxes, so that a ray needs to be tested only against those "
+         "in boxes that it meets: boxes in boxes, a bounding volume hierarchy; or one box, so that "
+         "it is tested against every triangle. The picture is the same.",
+         "Beyond the lab", "", choice<&Settings::ray_boxes>(),
+         SettingTies{.needs_scene = is_in_world, .needs = is_drawn_by_rays, .is_of_engine = true}},
+        {"mirrors", "Mirrors", "Stage",
+         "Whether a surface with a highlight also mirrors what is around it: the ray goes on from "
+         "there, and what it meets is added, times the specular share.",
+         "Beyond the lab", "", choice<&Settings::mirrors>(),
+         SettingTies{.needs_scene = is_in_world, .needs = is_drawn_by_rays, .is_of_engine = true}},
         {"tessellation", "Triangles cut into", "Stage",
          "How many parts each edge of the scene is cut into before anything else happens. n parts "
          "turn each triangle into n², and these are what is drawn and counted: triangles[t] of the "
@@ -230,6 +245,14 @@ std::vector<Setting> make_table() {
          "algorithm, which divides the picture into squares until each is simple. The last three "
          "need no depth buffer. With painter and bsp, triangles[t] is the t-th of those drawn.",
          "Depth buffer", "", choice<&Settings::hidden>(), SettingTies{.needs_scene = is_in_world}},
+        {"draw_order", "Drawing order", "Depth and interpolation",
+         "The order in which triangles are drawn into the depth buffer, from stage depth on: the "
+         "scene's, or sorted by the mean depth of their corners, the nearest or the farthest "
+         "first. The depth test decides as before; but what is drawn later and hidden needs no "
+         "colour. In a sorted order, triangles[t] is the t-th of those drawn. Used only if hidden "
+         "is depth_buffer.",
+         "Depth buffer", "", choice<&Settings::draw_order>(),
+         SettingTies{.needs_scene = is_in_world, .needs = has_depth_buffer}},
         {"painter_rule", "Painter's order", "Depth and interpolation",
          "How the painter sorts: by the mean depth of the corners, the farthest first; or, by "
          "mistake, by the depth of the nearest corner, or the nearest first. Used only if hidden "
@@ -243,8 +266,8 @@ std::vector<Setting> make_table() {
          SettingTies{.needs_scene = is_in_world, .needs = has_bsp}},
         {"depth_test", "Depth test", "Depth and interpolation",
          "What decides which fragment is nearer: 1/z (or whatever the depth buffer holds); z "
-         "interpolated in a straight line; nothing; 1/z the wrong way round; or 1/z with ≥ in "
-         "place of >.",
+         "interpolated in a straight line; nothing; 1/z the wrong way round; 1/z with ≥ in "
+         "place of >; or 1/z in a race of two threads for one buffer, the same in every run.",
          "Depth buffer", "", choice<&Settings::depth_test>(),
          SettingTies{.needs = has_depth_buffer}},
         {"depth_format", "Depth buffer holds", "Depth and interpolation",

@@ -81,6 +81,8 @@ struct SettingTies {
     bool (*needs_scene)(const Scene&) = nullptr;
     /// Of no use while this is false for the other settings; null: always of use.
     bool (*needs)(const Settings&) = nullptr;
+    /// Of an engine other than the steps: no picture of theirs depends on it.
+    bool is_of_engine = false;
 };
 
 /// One setting: its name, its meaning, its values.

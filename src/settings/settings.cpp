@@ -209,6 +209,16 @@ Hidden hidden_rule(const Settings& settings) {
     return settings.stage >= Stage::depth ? settings.hidden : Hidden::depth_buffer;
 }
 
+DrawOrder draw_order_rule(const Settings& settings) {
+    const bool has_buffer = hidden_rule(settings) == Hidden::depth_buffer;
+    return settings.stage >= Stage::depth && has_buffer ? settings.draw_order : DrawOrder::scene;
+}
+
+bool follows_scene_order(const Settings& settings) {
+    return hidden_rule(settings) == Hidden::depth_buffer &&
+           draw_order_rule(settings) == DrawOrder::scene;
+}
+
 DepthTest depth_rule(const Settings& settings) {
     const bool has_buffer = hidden_rule(settings) == Hidden::depth_buffer;
     return settings.stage >= Stage::depth && has_buffer ? settings.depth_test : DepthTest::off;

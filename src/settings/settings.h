@@ -18,6 +18,8 @@ namespace rasterwalk {
 /// (preset `handout`); camera, light and viewport come from the scene.
 struct Settings {
     Engine engine = Engine::steps; ///< for the whole picture; before its end, the steps draw
+    TreeBoxes ray_boxes = TreeBoxes::nested; ///< for rays, and only for their number of tests
+    Mirrors mirrors = Mirrors::off;          ///< for rays
     Stage stage = Stage::shade;
     Shading shading = Shading::phong; ///< of stage `shade`
     int tessellation = 1; ///< parts into which each edge of the scene is cut before all else
@@ -41,7 +43,8 @@ struct Settings {
     EmptyRows empty_rows = EmptyRows::skipped;
     Spans spans = Spans::inclusive;
     Bounds bounds = Bounds::inside;
-    Hidden hidden = Hidden::depth_buffer; ///< see hidden_rule()
+    Hidden hidden = Hidden::depth_buffer;    ///< see hidden_rule()
+    DrawOrder draw_order = DrawOrder::scene; ///< see draw_order_rule()
     PainterRule painter_rule = PainterRule::right;
     BspRule bsp_rule = BspRule::right;
     DepthTest depth_test = DepthTest::inverse_z; ///< of the depth buffer
@@ -177,6 +180,14 @@ bool shifts_textures(const Settings& settings);
 /// How hidden surfaces are removed: not at all before stage `depth`, where the scene's order counts
 /// as it does with a depth buffer.
 Hidden hidden_rule(const Settings& settings);
+
+/// In which order triangles are drawn: before stage `depth`, and where another order removes hidden
+/// surfaces, the scene's.
+DrawOrder draw_order_rule(const Settings& settings);
+
+/// Are the scene's triangles drawn one after another as it lists them? Not if they are sorted or
+/// divided, or if squares are drawn in their place.
+bool follows_scene_order(const Settings& settings);
 
 /// The depth test in force: none before stage `depth`, or if there is no depth buffer, whatever the
 /// setting says.

@@ -248,6 +248,12 @@ bool if_repeated(const Settings& s, const Scene*) {
 bool from_depth_on(const Settings& s, const Scene*) {
     return s.stage >= Stage::depth;
 }
+bool by_draw_order(const Settings& s, const Scene*) {
+    return draw_order_rule(s) != DrawOrder::scene;
+}
+bool in_scenes_order(const Settings& s, const Scene* scene) {
+    return !by_draw_order(s, scene);
+}
 bool by_labs_depth_test(const Settings& s, const Scene*) {
     return depth_rule(s) == DepthTest::inverse_z;
 }
@@ -509,10 +515,12 @@ const RegistryRow registry_rows[] = {
     {"shadow_filter=four", put<&Stages::shadow_texels, four_shadow_texels>, "stages/shadow.h"},
 
     // Hidden surfaces: with the right order every fragment may cover what is there.
-    {"painter_rule=nearest_corner", put<&Stages::painter_depth, nearest_depth>,
-     "mistakes/hidden.h"},
+    {"painter_rule=nearest_corner", put<&Stages::painter_depth, nearest_depth>, "mistakes/hidden.h",
+     in_scenes_order},
     {"painter_rule=near_first", put<&Stages::is_drawn_before, is_nearer_drawn_before>,
-     "mistakes/hidden.h"},
+     "stages/painter.h", in_scenes_order},
+    {"draw_order=near_first", put<&Stages::is_drawn_before, is_nearer_drawn_before>,
+     "stages/painter.h", by_draw_order},
     {"bsp_rule=exchanged", put<&Stages::is_near_side, is_far_side>, "mistakes/hidden.h"},
 
     // Depth: the lab's test is right for any float if larger is nearer.
@@ -521,6 +529,8 @@ const RegistryRow registry_rows[] = {
     {"depth_test=reversed", put<&Stages::depth_test, depth_test_reversed>, "mistakes/depth_test.h",
      from_depth_on},
     {"depth_test=or_equal", put<&Stages::depth_test, depth_test_or_equal>, "mistakes/depth_test.h",
+     from_depth_on},
+    {"depth_test=raced", put<&Stages::depth_test, depth_test_raced>, "mistakes/depth_test.h",
      from_depth_on},
     {"depth_test=off", put<&Stages::depth_test, no_depth_test>, "stages/depth_test.h"},
     {"hidden=painter|bsp|warnock", put<&Stages::depth_test, no_depth_test>, "stages/depth_test.h",

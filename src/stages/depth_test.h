@@ -40,12 +40,16 @@ struct DepthResult {
     bool passed = false; ///< the fragment is drawn over what is stored
 };
 
-/// What the depth buffer holds.
+/// What the depth buffer holds, and what is tested.
 struct DepthRules {
     Projection projection;           ///< its clip_depth is the quantity
     float near = 0.1f, far = 100.0f; ///< of the view volume
     int bits = 0;                    ///< of its whole numbers, 1 to 24; 0: it holds floats
     float epsilon = 0.0f; ///< how much nearer counts as nearer, in clip_depth's unit; 0 or more
+    // Only a race of threads, in mistakes/depth_test.h, asks for these two; as they are drawn, see
+    // DrawnList.
+    int triangle = -1; ///< that of the fragment; -1: unknown
+    int owner = -1;    ///< the one that the pixel shows; -1: none
 };
 
 /// The nearer one is drawn: it passes if the interpolated 1/z is larger than what is stored.

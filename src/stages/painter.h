@@ -39,6 +39,12 @@ inline bool is_drawn_before(float depth, float other) {
     return depth > other;
 }
 
+/// The other way round: right for a depth buffer, where what is hidden then fails its test and
+/// costs no light; for the painter, mistake B98b.
+inline bool is_nearer_drawn_before(float depth, float other) {
+    return depth < other;
+}
+
 /// The triangles in the order in which they are drawn.
 struct PaintersOrder {
     std::vector<int> triangles;

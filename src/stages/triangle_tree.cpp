@@ -42,23 +42,23 @@ bool passes(const WorldRay& ray, const glm::vec3& low, const glm::vec3& high, fl
 
 } // namespace
 
-float intersect(const WorldRay& ray, const RayTriangle& triangle) {
-    constexpr float nowhere = std::numeric_limits<float>::infinity();
+TriangleMeeting intersect(const WorldRay& ray, const RayTriangle& triangle) {
     // Cramer's rule for from + t way = a + u ab + v ac. Written so that NaN meets nothing.
     const glm::vec3 across = glm::cross(ray.direction, triangle.ac);
     const float whole = glm::dot(triangle.ab, across);
-    if (!(whole > 0.0f || whole < 0.0f)) return nowhere;
+    if (!(whole > 0.0f || whole < 0.0f)) return {};
     const glm::vec3 from_a = ray.from - triangle.a;
     const float u = glm::dot(from_a, across) / whole;
-    if (!(u >= 0.0f && u <= 1.0f)) return nowhere;
+    if (!(u >= 0.0f && u <= 1.0f)) return {};
     const glm::vec3 across_edge = glm::cross(from_a, triangle.ab);
     const float v = glm::dot(ray.direction, across_edge) / whole;
-    if (!(v >= 0.0f && u + v <= 1.0f)) return nowhere;
+    if (!(v >= 0.0f && u + v <= 1.0f)) return {};
     const float t = glm::dot(triangle.ac, across_edge) / whole;
-    return t > 0.0f && t < ray.end ? t : nowhere;
+    if (!(t > 0.0f && t < ray.end)) return {};
+    return {t, u, v};
 }
 
-TriangleTree::TriangleTree(const Mesh& mesh) {
+TriangleTree::TriangleTree(const Mesh& mesh, TreeBoxes kind) {
     const int count = mesh.triangle_count();
     triangles_.reserve(static_cast<std::size_t>(count));
     order_.reserve(static_cast<std::size_t>(count));
@@ -67,10 +67,11 @@ TriangleTree::TriangleTree(const Mesh& mesh) {
         order_.push_back(t);
     }
     boxes_.emplace_back();
-    fill(0, 0, count);
+    fill(0, 0, count, kind == TreeBoxes::one ? count : few_triangles);
 }
 
-void TriangleTree::fill(std::size_t box, int first, int count) {
+/// @param most triangles in a box that is not divided
+void TriangleTree::fill(std::size_t box, int first, int count, int most) {
     constexpr float infinite = std::numeric_limits<float>::infinity();
     glm::vec3 low(infinite), high(-infinite);
     const auto begin = order_.begin() + first, end = begin + count;
@@ -84,7 +85,7 @@ void TriangleTree::fill(std::size_t box, int first, int count) {
     const glm::vec3 margin = box_margin * glm::max(glm::abs(low), glm::abs(high));
     const glm::vec3 size = high - low;
     boxes_[box] = {low - margin, high + margin, first, count};
-    if (count <= few_triangles) return;
+    if (count <= most) return;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const auto middle = [&](int t) {
         const RayTriangle& triangle = triangles_[static_cast<std::size_t>(t)];
@@ -99,17 +100,23 @@ void TriangleTree::fill(std::size_t box, int first, int count) {
     boxes_.resize(inner + 2);
     boxes_[box].first = static_cast<int>(inner);
     boxes_[box].count = 0;
-    fill(inner, first, half);
-    fill(inner + 1, first + half, count - half);
+    fill(inner, first, half, most);
+    fill(inner + 1, first + half, count - half, most);
 }
 
 void TriangleTree::ask(const WorldRay& ray, int triangle, TriangleHit& hit) const {
-    const float t = intersect(ray, triangles_[static_cast<std::size_t>(triangle)]);
-    if (t < hit.t || (t == hit.t && hit.is_hit() && triangle < hit.triangle)) hit = {triangle, t};
+    const TriangleMeeting meeting = intersect(ray, triangles_[static_cast<std::size_t>(triangle)]);
+    const bool is_first = hit.is_hit() && triangle < hit.triangle;
+    if (meeting.t < hit.t || (meeting.t == hit.t && is_first)) hit = {meeting, triangle};
 }
 
-TriangleHit TriangleTree::first_hit(const WorldRay& ray) const {
+TriangleHit TriangleTree::first_hit(const WorldRay& ray, const RaySearch& search) const {
     TriangleHit hit;
+    RayCount count_here{.rays = 1};
+    const auto is_meant = [&](int triangle) {
+        return search.are_meant == nullptr ||
+               (*search.are_meant)[static_cast<std::size_t>(triangle)] != 0;
+    };
     if (triangles_.empty()) return hit;
     // Halving a million triangles makes no more than 20 levels.
     std::array<int, 64> waiting{};
@@ -118,15 +125,21 @@ TriangleHit TriangleTree::first_hit(const WorldRay& ray) const {
     while (count > 0) {
         const auto which = static_cast<std::size_t>(waiting[static_cast<std::size_t>(--count)]);
         const Box& box = boxes_[which];
+        ++count_here.boxes;
         if (!passes(ray, box.low, box.high, std::min(hit.t, ray.end))) continue;
         if (box.count == 0) {
             waiting[static_cast<std::size_t>(count++)] = box.first + 1;
             waiting[static_cast<std::size_t>(count++)] = box.first;
             continue;
         }
-        for (int i = 0; i < box.count; ++i)
-            ask(ray, order_[static_cast<std::size_t>(box.first + i)], hit);
+        for (int i = 0; i < box.count; ++i) {
+            const int triangle = order_[static_cast<std::size_t>(box.first + i)];
+            if (!is_meant(triangle)) continue;
+            ++count_here.triangles;
+            ask(ray, triangle, hit);
+        }
     }
+    if (search.count != nullptr) *search.count += count_here;
     return hit;
 }
 

@@ -15,6 +15,7 @@
 // of Graphics Tools 2(1), 1997; boxes in boxes: S. M. Rubin, T. Whitted, "A 3-Dimensional
 // Representation for Fast Rendering of Complex Scenes", SIGGRAPH 1980.
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -31,10 +32,17 @@ struct WorldRay {
     float end = 1.0f;          ///< 1: it ends at from + direction
 };
 
-/// Where a ray meets a triangle.
-struct TriangleHit {
-    int triangle = -1;                                ///< of the mesh; -1: it meets none
+/// Where the line of a ray meets a triangle. The corners have the weights 1 - u - v, u and v.
+struct TriangleMeeting {
     float t = std::numeric_limits<float>::infinity(); ///< of that point, see WorldRay
+    float u = 0.0f, v = 0.0f;                         ///< 0..1, as is their sum
+
+    friend bool operator==(const TriangleMeeting&, const TriangleMeeting&) = default;
+};
+
+/// The triangle that a ray meets.
+struct TriangleHit : TriangleMeeting {
+    int triangle = -1; ///< of the mesh; -1: it meets none
 
     bool is_hit() const { return triangle >= 0; }
 };
@@ -47,17 +55,45 @@ struct RayTriangle {
 };
 
 /// Where the line of a ray meets a triangle, from either side; its edges count as part of it.
-/// @return t of that point, or infinity: outside, beyond the ray's ends, or parallel to the
-///         triangle
-float intersect(const WorldRay& ray, const RayTriangle& triangle);
+/// @return with an infinite t: outside, beyond the ray's ends, or parallel to the triangle
+TriangleMeeting intersect(const WorldRay& ray, const RayTriangle& triangle);
+
+/// How triangles are put into boxes.
+enum class TreeBoxes : std::uint8_t {
+    nested, ///< boxes in boxes, down to a few triangles
+    one,    ///< all triangles in the same box: a ray that reaches it is tested against each of them
+};
+
+/// What it took to find where rays go.
+struct RayCount {
+    std::int64_t rays = 0;
+    std::int64_t boxes = 0;     ///< rays tested against boxes
+    std::int64_t triangles = 0; ///< rays tested against triangles
+
+    friend bool operator==(const RayCount&, const RayCount&) = default;
+};
+
+inline RayCount& operator+=(RayCount& sum, const RayCount& part) {
+    sum.rays += part.rays;
+    sum.boxes += part.boxes;
+    sum.triangles += part.triangles;
+    return sum;
+}
+
+/// What else a search for the first hit is to do.
+struct RaySearch {
+    /// Only triangles with a number other than 0 count, one for each of the mesh; null: all do.
+    const std::vector<std::uint8_t>* are_meant = nullptr;
+    RayCount* count = nullptr; ///< receives what it took, or null
+};
 
 /// The triangles of a mesh in boxes.
 class TriangleTree {
   public:
-    explicit TriangleTree(const Mesh& mesh);
+    explicit TriangleTree(const Mesh& mesh, TreeBoxes kind = TreeBoxes::nested);
 
     /// The triangle that the ray meets first; of several at the same point, the first in the mesh.
-    TriangleHit first_hit(const WorldRay& ray) const;
+    TriangleHit first_hit(const WorldRay& ray, const RaySearch& search = {}) const;
 
     /// Are these the triangles of that mesh, at the same positions?
     bool is_of(const Mesh& mesh) const;
@@ -68,7 +104,7 @@ class TriangleTree {
         int first = 0; ///< of its triangles in order_; of a box of boxes: the first of two boxes
         int count = 0; ///< its triangles; 0: it holds two boxes, one after the other
     };
-    void fill(std::size_t box, int first, int count);
+    void fill(std::size_t box, int first, int count, int most);
     void ask(const WorldRay& ray, int triangle, TriangleHit& hit) const;
 
     std::vector<RayTriangle> triangles_; ///< in the order of the mesh

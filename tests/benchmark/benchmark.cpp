@@ -20,7 +20,7 @@
 #include "compare/compare.h"
 #include "diagnosis_benchmark.h"
 #include "frame_benchmark.h"
-#include "inspect/culling_cost.h"
+#include "inspect/measures.h"
 #include "inspect/pixel_history.h"
 #include "model_benchmark.h"
 #include "picture/view_image.h"
@@ -196,15 +196,18 @@ double milliseconds_now() {
     return time.count();
 }
 
-/// What each way of culling saves in a frame.
-void print_culling_times(const Scene& scene) {
-    const CullingCosts costs =
-        culling_costs(scene, default_settings(scene), cursor_end, milliseconds_now);
-    std::printf("\n%-32s %12s %12s %12s\n", ("culling, " + scene.name).c_str(), "fragments",
-                "median", "x none");
-    for (const CullingCost& cost : costs.rules)
-        std::printf("%-32s %12lld %12.3f %12.3f\n", std::string(word_of(cost.rule)).c_str(),
-                    static_cast<long long>(cost.stats.fragments), cost.milliseconds, cost.share);
+/// What each measure against useless work saves in a frame.
+void print_measures(const Scene& scene) {
+    const MeasureCosts costs =
+        measure_costs(scene, default_settings(scene), cursor_end, milliseconds_now);
+    std::printf("\n%-32s %12s %12s %12s %12s\n", ("measures, " + scene.name).c_str(), "fragments",
+                "shaded", "median", "x plain");
+    for (const MeasureCost& cost : costs.ways) {
+        const std::string name = std::string(cost.measure->name) + "=" + std::string(cost.way);
+        std::printf("%-32s %12lld %12lld %12.3f %12.3f\n", name.c_str(),
+                    static_cast<long long>(cost.stats.fragments),
+                    static_cast<long long>(cost.stats.shaded), cost.milliseconds, cost.share);
+    }
 }
 
 /// The words behind `camera`. Throws UsageError.
@@ -278,8 +281,8 @@ int main(int argc, char** argv) {
         measure_comparison(measurements, path);
         measure_interface(measurements, path);
         print_table(measurements);
-        print_culling_times(scene);
-        print_culling_times(test::made_scene(100'000));
+        print_measures(scene);
+        print_measures(test::made_scene(100'000));
         print_replay_times(scene);
         print_replay_times(test::made_scene(100'000));
     } catch (const Error& fault) {

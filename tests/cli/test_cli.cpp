@@ -67,15 +67,17 @@ TEST_CASE("stats of the lab's room are the numbers that were found independently
     CHECK(result.exit_code == 0);
     CHECK(result.err.empty());
     CHECK(without_blanks(result.out) ==
-          "{\"clip_triangles\":30,\"clipped\":0,\"comparisons\":328789,\"culled\":0,"
-          "\"depth_outside\":0,"
+          "{\"clip_triangles\":30,\"clipped\":0,\"colour_bytes\":3520284,\"comparisons\":328789,"
+          "\"culled\":0,\"depth_bytes\":2488584,\"depth_outside\":0,\"depth_tests\":328789,"
+          "\"edge_samples\":15109,"
           "\"fragments\":328789,\"fragments_outside\":0,\"left_out\":{\"behind_camera\":0,"
           "\"not_finite\":0,\"taken_for_behind\":0,\"too_far_out\":0},\"max_overdraw\":8,"
-          "\"memory\":1000000,\"pixels_"
+          "\"memory\":1000000,\"pixel_lights\":293357,\"pixels_"
           "tested\":0,"
           "\"rejected\":0,\"rows_looked_at\":15109,\"rows_outside\":4,\"rows_outside_triangles\":4,"
-          "\"shaded\":293357,\"splits\":0,\"squares\":0,\"triangles\":30,\"uncovered\":998,\"unset_"
-          "rows\":0}");
+          "\"shaded\":293357,\"shadow_tests\":0,\"splits\":0,\"squares\":0,\"texels\":0,"
+          "\"texture_bytes\":0,\"triangles\":30,\"uncovered\":998,\"unset_rows\":0,"
+          "\"vertex_lights\":0,\"vertices\":70,\"written\":293357}");
     CHECK_THAT(run({"stats"}).out, ContainsSubstring("fragments               328789\n"));
 }
 

@@ -54,12 +54,20 @@ TEST_CASE("A run of the fast engine is compared by its picture") {
     const CliRun result = compare({"--b", "engine=fast"});
     CHECK(result.exit_code == 1);
     CHECK_THAT(result.out, StartsWith("A: engine=steps\nB: engine=fast\n"));
-    CHECK_THAT(result.out, ContainsSubstring("divergences         1\n"));
-    CHECK_THAT(result.out,
-               ContainsSubstring("run B is drawn by the fast engine, which has no moments"));
+    CHECK_THAT(result.out, ContainsSubstring("Run B is drawn by the fast engine; only the steps"));
     const CliRun begun = compare({"--b", "engine=fast", "--to", "t12"});
     CHECK(begun.exit_code == 0);
     CHECK_THAT(begun.out, ContainsSubstring("divergences         0\n"));
+}
+
+TEST_CASE("A run that its engine refuses is named, since the steps draw it") {
+    const CliRun result = compare({"--a", "engine=fast", "--set", "hidden=painter"});
+    CHECK_THAT(result.out,
+               ContainsSubstring("A: the fast engine does not support any removal of hidden "
+                                 "surfaces except the depth buffer, so the steps draw\n"));
+    const CliRun json = compare({"--a", "engine=rays", "--set", "hidden=painter", "--json"});
+    CHECK_THAT(json.out, ContainsSubstring("\"refusals\""));
+    CHECK_THAT(json.out, ContainsSubstring("A: rays do not support any removal"));
 }
 
 TEST_CASE("A bug of the laboratory is compared with the correct run") {

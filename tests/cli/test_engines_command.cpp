@@ -90,7 +90,7 @@ TEST_CASE("engines --json gives the machine, the method and the results") {
     const json answer = json::parse(result.out);
     CHECK(answer["command"] ==
           "rasterwalk engines --simd scalar --threads 1 --size 20x20 --workload w1 --json");
-    CHECK(answer["machine"]["processor"].is_string());
+    CHECK(answer["machine"]["processor"] != "");
     CHECK(answer["machine"]["processors"] >= 1);
     CHECK(answer["machine"]["simd"][0] == "scalar");
     REQUIRE(answer["measurements"].size() == 1);

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "inspect/triangle_report.h"
 #include "session/content.h"
 #include "support/samples.h"
@@ -183,6 +185,27 @@ TEST_CASE("The report of a cut or culled triangle has every plane and edge, and 
     CHECK_THAT(plain.out, !ContainsSubstring("Clipping"));
     CHECK_THAT(plain.out, !ContainsSubstring("Culling"));
     CHECK_THAT(json_of({"0"}), ContainsSubstring("\"planes\":[]"));
+}
+
+TEST_CASE("A triangle's cost is its own, drawn over what is there") {
+    const std::vector<std::string> small{"--size", "100x100"};
+    std::int64_t fragments = 0, written = 0;
+    for (int t = 0; t < 30; ++t) {
+        std::vector<std::string> arguments{std::to_string(t)};
+        arguments.insert(arguments.end(), small.begin(), small.end());
+        arguments.insert(arguments.begin(), {"triangle", "--json"});
+        const auto json = nlohmann::json::parse(run(arguments).out);
+        const auto& cost = json["cost"];
+        CHECK(cost["depth_tests"] == cost["fragments"]);
+        CHECK(cost["pixel_lights"] == cost["written"]);
+        CHECK_FALSE(cost.contains("vertices"));
+        fragments += cost["fragments"].get<std::int64_t>();
+        written += cost["written"].get<std::int64_t>();
+    }
+    const auto stats = nlohmann::json::parse(run({"stats", "--json", "--size", "100x100"}).out);
+    CHECK(fragments == stats["fragments"]);
+    CHECK(written == stats["shaded"]);
+    CHECK_THAT(run({"triangle", "12"}).out, ContainsSubstring("\nCost\n  edge samples "));
 }
 
 TEST_CASE("A triangle that is left out says why, and still has its vertices") {

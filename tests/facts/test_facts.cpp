@@ -118,6 +118,26 @@ TEST_CASE("The weights of a pixel are given to the full precision of their float
     CHECK(decimals(sum, 9) == "1.000000030");
 }
 
+TEST_CASE("Facts say what the ray through the picked pixel brings back, in either run") {
+    Asked room;
+    room.session.selection.pixel = {250, 350};
+    CHECK_FALSE(room.is_there("rays.triangle")); // the steps draw
+    compare_with(room.session, room.session.a.settings);
+    room.session.b->settings.engine = Engine::rays;
+    CHECK(room.number("rays.triangle") == room.number("pixel.owner"));
+    CHECK(room.number("rays.red") == Approx(room.number("pixel.red")).margin(0.01));
+    CHECK(room.number("rays.green") == Approx(room.number("pixel.green")).margin(0.01));
+    CHECK(room.number("rays.blue") == Approx(room.number("pixel.blue")).margin(0.01));
+    room.session.b.reset();
+    room.session.a.settings.engine = Engine::rays;
+    CHECK(room.number("rays.triangle") == 10); // the front of the short block
+    room.session.selection.pixel = {380, 380}; // between the floor and the right wall
+    CHECK(room.number("rays.triangle") == -1);
+    CHECK(room.number("rays.red") == 0.0);
+    room.session.selection.pixel.reset();
+    CHECK_FALSE(room.is_there("rays.triangle"));
+}
+
 TEST_CASE("The facts of the room's frame are its known numbers") {
     Asked room;
     CHECK(room.number("frame.fragments") == 328'789);
@@ -126,6 +146,17 @@ TEST_CASE("The facts of the room's frame are its known numbers") {
     CHECK(room.number("frame.max_overdraw") == 8);
     CHECK(room.number("frame.uncovered") == 998);
     CHECK(room.number("frame.rows_outside") == 4);
+    // Each fragment is tested, and each that passes is lit and written.
+    CHECK(room.number("frame.vertices") == 70);
+    CHECK(room.number("frame.depth_tests") == 328'789);
+    CHECK(room.number("frame.shaded") == 293'357);
+    CHECK(room.number("frame.pixel_lights") == 293'357);
+    CHECK(room.number("frame.written") == 293'357);
+    CHECK(room.number("frame.lights") == 293'357);
+    CHECK(room.number("frame.depth_bytes") == 4 * (328'789 + 293'357));
+    CHECK(room.number("frame.texels") == 0);
+    CHECK(room.number("frame.shadow_tests") == 0);
+    CHECK(room.number("frame.prepass_shaded") == 500 * 500 - 998);
     room.session.a.settings.camera.position.z = -0.9f;
     CHECK(room.number("frame.left_out") > 0);
     CHECK(room.number("frame.triangles") + room.number("frame.left_out") == 30);

@@ -72,7 +72,7 @@ faults=$(awk -v order="$order" '
         target = substr(target, 2)
         sub(/[>"].*$/, "", target)
         to = folder_of(target)
-        graphics = target ~ /^(GL|GLES[0-9]?|GLFW|KHR|EGL|X11)\// || target ~ /glfw|osmesa|glcorearb|opengl/ ||
+        graphics = target ~ /^(GL|GLES[0-9]?|GLFW|KHR|EGL|X11)\// || target ~ /glfw|osmesa|glcorearb|impl_opengl/ ||
                    target ~ /^imgui_impl_/
         if (to in rank) {
             if (!(from in rank)) next

@@ -1,8 +1,10 @@
 // The mistakes of the depth buffer and of the weights for interpolation: each pixel is computed
 // again from the fragments of the right run.
 
+#include <algorithm>
 #include <climits>
 #include <cmath>
+#include <cstdint>
 
 #include <glm/geometric.hpp>
 
@@ -29,6 +31,17 @@ std::vector<std::int32_t> owners(const DrawnRun& run, const Passes& passes) {
         owner[at] = event.cursor.triangle;
     }
     return owner;
+}
+
+/// The mistake's dice, written down a second time: is a fragment of the late thread late?
+bool is_late(const FragmentEvent& event) {
+    const std::uint32_t seed = static_cast<std::uint32_t>(event.fragment.column) * 2654435761u +
+                               static_cast<std::uint32_t>(event.fragment.row) * 2246822519u +
+                               static_cast<std::uint32_t>(event.cursor.triangle) * 3266489917u;
+    std::uint64_t z = seed + 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return ((z ^ (z >> 31)) & 7) == 0;
 }
 
 std::string part_of(const DrawnRun& run, int triangle) {
@@ -182,6 +195,77 @@ TEST_CASE("B89: 1/z changes by the right amount with the wrong sign, and blocks 
         blocks += part == "short block" || part == "tall block" ? 1 : 0;
     }
     CHECK(4 * blocks > 3 * different_pixels(runs.wrong.picture, runs.right.picture));
+}
+
+TEST_CASE("B102: now and then a hidden fragment of odd number covers one of even number") {
+    const BugRuns runs("B102");
+    const Framebuffer &wrong = runs.wrong.picture, &right = runs.right.picture;
+    CHECK(wrong.overdraw == right.overdraw);
+    std::vector<std::int32_t> owner(right.owner.size(), -1);
+    std::vector<float> stored(owner.size(), 0.0f);
+    int raced = 0, late = 0;
+    for (const FragmentEvent& event : runs.right.reported.fragments) {
+        const std::size_t at = right.at(event.fragment.column, event.fragment.row);
+        const int triangle = event.cursor.triangle;
+        if (event.fragment.depth <= stored[at]) {
+            if (triangle % 2 == 0 || owner[at] % 2 == 1) continue;
+            ++raced;
+            if (!is_late(event)) continue;
+            ++late;
+        }
+        stored[at] = event.fragment.depth;
+        owner[at] = triangle;
+    }
+    CHECK(wrong.owner == owner);
+    CHECK(wrong.depth == stored);
+    CHECK(raced == 8466);
+    CHECK(late == 1111);
+    int different = 0, on_short = 0, on_tall = 0;
+    for (std::size_t at = 0; at < owner.size(); ++at) {
+        if (wrong.owner[at] == right.owner[at]) {
+            CHECK(wrong.colour[at] == right.colour[at]);
+            continue;
+        }
+        ++different;
+        CHECK(wrong.depth[at] <= right.depth[at]);
+        const std::string part = part_of(runs.right, right.owner[at]);
+        on_short += part == "short block" ? 1 : 0;
+        on_tall += part == "tall block" ? 1 : 0;
+    }
+    CHECK(on_short > 200);
+    CHECK(on_tall > 200);
+    CHECK(different == 1055);
+    for (const FragmentEvent& event : runs.wrong.reported.fragments) {
+        if (event.fate == Fate::written && event.depth <= event.stored)
+            REQUIRE(event.cursor.triangle % 2 == 1);
+    }
+}
+
+TEST_CASE("B102: the picture is the same every time, and in whatever parts it is drawn") {
+    const BugRuns runs("B102");
+    const Frame& frame = runs.wrong.frame;
+    const Framebuffer again = draw_frame(frame);
+    CHECK(again.owner == runs.wrong.picture.owner);
+    CHECK(again.colour == runs.wrong.picture.colour);
+    Framebuffer in_two;
+    clear(in_two, frame);
+    const Cursor middle{20, Phase::rows, 60, 7};
+    draw(frame, {.from = cursor_begin, .to = middle, .scissor = {}}, in_two);
+    draw(frame, {.from = middle, .to = cursor_end, .scissor = {}}, in_two);
+    CHECK(in_two.owner == again.owner);
+    CHECK(in_two.depth == again.depth);
+    // A window of the picture, around the front of the tall block.
+    Framebuffer part;
+    const Viewport size{120, 150};
+    clear(part, frame, size, {130, 200});
+    draw(frame, {}, part);
+    bool is_same = true;
+    for (int row = 200; row < 200 + size.height; ++row) {
+        for (int column = 130; column < 130 + size.width; ++column)
+            is_same =
+                is_same && part.owner[part.at(column, row)] == again.owner[again.at(column, row)];
+    }
+    CHECK(is_same);
 }
 
 TEST_CASE("B86: every place is 1/z of its way from the origin, and is lit there") {

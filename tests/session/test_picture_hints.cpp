@@ -112,7 +112,7 @@ TEST_CASE("The fast engine's picture has hints of its own pixels") {
     session.a.settings.engine = Engine::fast;
     Results results;
     finish(session, results);
-    REQUIRE(results.a.is_fast);
+    REQUIRE(results.a.engine == Engine::fast);
     REQUIRE(results.hints.found.size() == 2);
     CHECK(results.hints.found == visibility_hints(results.a.frame, *results.a.framebuffer));
 }

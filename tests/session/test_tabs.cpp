@@ -236,6 +236,25 @@ TEST_CASE("A step shows only the panels that it names, and never hides the one o
     CHECK(offered(session) == all); // without a lesson nothing is hidden
 }
 
+TEST_CASE("The Hidden tab is offered where triangles are not drawn in the scene's order") {
+    Session session = session_of_room();
+    const auto offers_hidden = [&](const char* settings) {
+        session.a.settings = default_settings(*session.scene);
+        set_from_text(session.a.settings, settings);
+        session.tab = "vertices";
+        return is_offered(session, *find_tab(hidden_tab));
+    };
+    CHECK_FALSE(offers_hidden("stage=depth"));
+    for (const char* const order : {"draw_order=near_first", "draw_order=far_first",
+                                    "hidden=painter", "hidden=bsp", "hidden=warnock"}) {
+        CAPTURE(order);
+        CHECK(offers_hidden(order));
+    }
+    // Before stage depth no order is in force.
+    session.a.settings.stage = Stage::fill;
+    CHECK_FALSE(is_offered(session, *find_tab(hidden_tab)));
+}
+
 TEST_CASE("An unknown panel is refused with its line") {
     const Lesson lesson =
         parse_lesson("<!-- lesson\ntitle = \"T\"\nsection = \"Drawing points\"\n"

@@ -40,9 +40,9 @@ TriangleHit first_hit_of_all(const Mesh& mesh, const WorldRay& ray) {
     TriangleHit hit;
     for (int i = 0; i < mesh.triangle_count(); ++i) {
         const glm::vec3& a = mesh.corner(i, 0).position;
-        const float t =
+        const TriangleMeeting meeting =
             intersect(ray, {a, mesh.corner(i, 1).position - a, mesh.corner(i, 2).position - a});
-        if (t < hit.t) hit = {i, t};
+        if (meeting.t < hit.t) hit = {meeting, i};
     }
     return hit;
 }
@@ -81,7 +81,7 @@ TEST_CASE("A ray meets a triangle where its plane and weights in double say") {
         const glm::vec3 a = random_place(random, 2.0), b = random_place(random, 2.0),
                         c = random_place(random, 2.0);
         const WorldRay ray{random_place(random, 4.0), random_place(random, 8.0), 1.0f};
-        const float t = intersect(ray, {a, b - a, c - a});
+        const float t = intersect(ray, {a, b - a, c - a}).t;
         const glm::dvec3 da(a), db(b), dc(c), from(ray.from), way(ray.direction);
         const glm::dvec3 normal = glm::cross(db - da, dc - da);
         const double wanted = glm::dot(normal, da - from) / glm::dot(normal, way);
@@ -110,7 +110,7 @@ TEST_CASE("A ray meets a triangle where its plane and weights in double say") {
 TEST_CASE("A ray stops at its ends, meets both sides, and edges belong to a triangle") {
     const RayTriangle wall{{0, 0, 2}, {4, 0, 0}, {0, 4, 0}};
     const auto t_of = [&](const glm::vec3& from, const glm::vec3& way, float end = 1.0f) {
-        return intersect({from, way, end}, wall);
+        return intersect({from, way, end}, wall).t;
     };
     constexpr float nowhere = std::numeric_limits<float>::infinity();
     CHECK(t_of({1, 1, 0}, {0, 0, 4}) == 0.5f);

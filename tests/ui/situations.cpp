@@ -4,6 +4,7 @@
 
 #include "picture/overlay.h"
 #include "tests/support/catch.h"
+#include "tests/ui/made_ladder.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
@@ -38,6 +39,8 @@ void take_step(Driver& driver, const std::string& step) {
         for (const CompareViewInfo& info : compare_view_list()) {
             if (info.name == object) driver.ui.session.compare_view = info.view;
         }
+    } else if (verb == "measured") {
+        show_made_times(driver);
     } else if (verb == "two_runs") {
         toggle_compare(driver.ui);
     } else {
@@ -152,6 +155,10 @@ const std::vector<Situation>& workplace_situations() {
         {room, "tab:lab click:lab.mode.result"},
         {room, "bug:B3 tab:lab"},
         {room, "bug:B17a tab:lab"},
+        {room, "set:stage=depth tab:speed", "speed.obstacle speed.light speed.rung.1"},
+        {room, "set:stage=pixel_light tab:speed", "speed.status speed.change", "speed.measure"},
+        {room, "set:stage=pixel_light measured tab:speed click:speed.rung.1",
+         "speed.rung.0 speed.rung.1 speed.all speed.rounds speed.file speed.foot", "speed.measure"},
         {room, "tab:settings", "settings.preset.handout settings.preset.exact settings.search"},
         {room, "set:camera.yaw=-0.3 tab:settings", "settings.search", "setting.camera.yaw"},
         // The stages, and what is around the picture.

@@ -5,6 +5,7 @@
 #include "ui/actions/lab.h"
 #include "ui/actions/lecture.h"
 #include "ui/actions/open_tab.h"
+#include "ui/actions/measure.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -32,6 +33,8 @@ void close_topmost(Ui& ui) {
         ui.sheets.show(*sheet, false);
     } else if (is_diagnosing(ui)) {
         give_up_diagnosis(ui);
+    } else if (is_measuring(ui)) {
+        stop_measuring(ui);
     } else if (is_settings_open(ui)) {
         close_settings_sheet(ui);
     } else if (is_drawer_open(ui)) {

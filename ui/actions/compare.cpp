@@ -78,8 +78,12 @@ void stand_at(Ui& ui, const Cursor& cursor) {
     std::optional<glm::ivec2> pixel = pixel_of(ui.results.a.frame, cursor);
     if (!pixel && ui.results.b) pixel = pixel_of(ui.results.b->frame, cursor);
     if (!pixel || !ui.results.a.framebuffer->contains(pixel->x, pixel->y)) return;
-    selection.pixel = pixel;
-    selection.row = pixel->y;
+    select_pixel(ui, *pixel);
+}
+
+void select_pixel(Ui& ui, glm::ivec2 pixel) {
+    ui.session.selection.pixel = pixel;
+    ui.session.selection.row = pixel.y;
 }
 
 void go_to_next_divergence(Ui& ui) {
@@ -194,6 +198,12 @@ std::string steps_words(const Results& results) {
                unit_for(grouped(of), "triangles");
     };
     const auto drawn = [&](const char* what, const RunResults& run) {
+        if (run.engine == Engine::rays) {
+            return std::string(what) + " " + grouped(static_cast<int>(run.planes.rays.pixels())) +
+                   " of " +
+                   grouped(run.frame.settings.viewport.width * run.frame.settings.viewport.height) +
+                   " pixels";
+        }
         const int triangles = run.frame.triangle_count();
         return words(what, std::min(run.replay.drawn().triangle, triangles), triangles);
     };

@@ -28,6 +28,9 @@ void toggle_compare(Ui& ui);
 /// Goes to a moment at which the runs differ, and selects what differs there.
 void stand_at(Ui& ui, const Cursor& cursor);
 
+/// Selects a pixel and its row; the triangle stays.
+void select_pixel(Ui& ui, glm::ivec2 pixel);
+
 /// Goes to the divergence after or before the current moment; says so if there is none.
 void go_to_next_divergence(Ui& ui);
 void go_to_previous_divergence(Ui& ui);

@@ -1,6 +1,8 @@
 #include "session/second_run.h"
 #include "ui/actions/action_menus.h"
 #include "ui/actions/compare.h"
+#include "ui/actions/measure.h"
+#include "ui/actions/open_tab.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {
@@ -74,6 +76,22 @@ std::vector<Action> compare_actions() {
          "Goes back to the previous moment at which the two runs differ.",
          {'K'},
          go_to_previous_divergence},
+        {"speed.measure",
+         "Compare",
+         "Measure the ladder",
+         "Opens the Speed tab, and measures how fast each rung of the ladder draws the picture. "
+         "Repeat to stop.",
+         {},
+         [](Ui& ui) {
+             open_tab(ui, "speed");
+             if (is_measuring(ui)) {
+                 stop_measuring(ui);
+             } else {
+                 measure_ladder(ui);
+             }
+         },
+         is_measuring,
+         true},
     };
     actions.insert(actions.end(), others.begin(), others.end());
     return actions;

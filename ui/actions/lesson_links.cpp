@@ -43,7 +43,8 @@ std::string tab_of(std::string_view widget) {
                                        {"compare.first", "compare"},
                                        {"compare.count.", "compare"},
                                        {"lab.", "lab"},
-                                       {"quiz.", "lab"}};
+                                       {"quiz.", "lab"},
+                                       {"speed.", "speed"}};
     for (const Place& place : places) {
         if (widget.starts_with(place.start)) return std::string(place.tab);
     }

@@ -15,6 +15,7 @@
 #include "ui/actions/open_tab.h"
 #include "ui/actions/reading.h"
 #include "ui/actions/row_table_layout.h"
+#include "ui/actions/measure.h"
 #include "ui/app/guard.h"
 #include "ui/app/kept_options.h"
 #include "ui/bars/bars.h"
@@ -281,6 +282,7 @@ void build_ui(Ui& ui) {
     guarded(ui, [&] { renew_style(ui); });
     guarded(ui, [&] { poll_diagnosis(ui); });
     guarded(ui, [&] { poll_background_load(ui); });
+    guarded(ui, [&] { poll_ladder(ui); });
     if (!build_pass(ui, io.DeltaTime)) return;
     // The same moment again, with the changed inputs; no input is used twice.
     const float seconds = io.DeltaTime;
@@ -298,7 +300,7 @@ void keep_everything(Ui& ui) {
 bool is_animating(const Ui& ui) {
     return ui.session.play.running || is_moving_by_key(ui) || is_diagnosing(ui) ||
            is_working(ui.results) || is_outside_working(ui) || is_answer_waiting(ui) ||
-           is_reading(ui);
+           is_reading(ui) || is_measured_by_frames(ui);
 }
 
 } // namespace rasterwalk

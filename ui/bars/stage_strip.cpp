@@ -111,6 +111,7 @@ std::string word_of_depth_test(const Settings& settings, const Frame& frame) {
         return "off";
     case DepthTest::inverse_z:
     case DepthTest::or_equal:
+    case DepthTest::raced:
         return std::string(depth_words(frame).short_name);
     case DepthTest::reversed:
         // Not its own word, which a depth format has too.

@@ -181,6 +181,18 @@ void count_line(Ui& ui, const char* title, const char* name, const std::string& 
     ImGui::PopFont();
 }
 
+/// What differs besides the pictures, where moments are compared.
+void draw_moment_counts(Ui& ui, const Comparison& whole) {
+    const bool is_known = ui.results.comparison.work.is_done();
+    const auto found = [&](std::int64_t count) { return grouped(count) + (is_known ? "" : " …"); };
+    count_line(ui, "table rows", "compare.count.rows", "", found(whole.different_rows),
+               "Rows of row tables whose left or right end differs.");
+    count_line(
+        ui, "moments", "compare.count.moments", "", found(whole.divergences.count),
+        "A moment is the smallest piece of work: a vertex, a sample of an edge, a fragment of a "
+        "row. This many of them do something different in the two runs.");
+}
+
 void draw_counts(Ui& ui) {
     const ComparisonResults& comparison = ui.results.comparison;
     const PixelDifference& here = comparison.pixels;
@@ -197,7 +209,6 @@ void draw_counts(Ui& ui) {
     const auto number = [](double value, int digits) { return fixed(value, digits); };
     const bool is_known = comparison.work.is_done();
     const auto known = [&](const std::string& text) { return is_known ? text : "…"; };
-    const auto found = [&](std::int64_t count) { return grouped(count) + (is_known ? "" : " …"); };
     count_line(ui, "pixels", "compare.count.pixels", grouped(here.different),
                known(grouped(whole.different)),
                "Pixels whose colour is not the same to the last bit.");
@@ -211,12 +222,7 @@ void draw_counts(Ui& ui) {
     count_line(ui, "mean difference", "compare.count.mean", number(here.mean, 5),
                known(number(whole.mean, 5)),
                "The mean over all pixels of the channel that differs most.");
-    count_line(ui, "table rows", "compare.count.rows", "", found(comparison.whole().different_rows),
-               "Rows of row tables whose left or right end differs.");
-    count_line(
-        ui, "moments", "compare.count.moments", "", found(comparison.whole().divergences.count),
-        "A moment is the smallest piece of work: a vertex, a sample of an edge, a fragment of a "
-        "row. This many of them do something different in the two runs.");
+    if (comparison.whole().only_pictures.empty()) draw_moment_counts(ui, comparison.whole());
     ImGui::EndTable();
 }
 
@@ -376,6 +382,11 @@ void draw_compare_panel(Ui& ui) {
     ImGui::Spacing();
     draw_counts(ui);
     ImGui::Spacing();
+    const Comparison& found = ui.results.comparison.whole();
+    if (!found.only_pictures.empty()) {
+        draw_reasons(ui);
+        return;
+    }
     draw_first(ui);
     ImGui::Spacing();
     draw_groups(ui);

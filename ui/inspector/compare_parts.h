@@ -20,4 +20,8 @@ void draw_offers(Ui& ui);
 /// The same as a line of buttons.
 void draw_pairs(Ui& ui);
 
+/// Where only the pictures are compared: why, how many pixels differ for which reason, and the
+/// first of them.
+void draw_reasons(Ui& ui);
+
 } // namespace rasterwalk

@@ -7,6 +7,7 @@
 #include "session/walk.h"
 #include "ui/actions/go_to_source.h"
 #include "ui/inspector/fragment_parts.h"
+#include "ui/inspector/inspector_parts.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
@@ -143,6 +144,9 @@ std::string verdict(const Ui& ui, const FragmentReport& report) {
         return report.fate == Fate::written ? "✓ passed: it is nearer by more than epsilon"
                                             : "✗ failed: it is not nearer by more than epsilon";
     }
+    if (report.depth_test == DepthTest::raced && report.fate == Fate::written &&
+        !is_nearer(report.depth, report.stored, depth_words(ui.results.a.frame).kind))
+        return "✓ passed: what is there now was written by the other thread after this test";
     return report.fate == Fate::written ? "✓ passed: nothing nearer was there"
                                         : "✗ failed: something nearer was there";
 }
@@ -194,7 +198,10 @@ void draw_depth(Ui& ui) {
         "The fragment is drawn if its value is " +
             std::string(depth_words(ui.results.a.frame).nearer) +
             (report.depth_test == DepthTest::or_equal ? " or equal: margin ≥ " : ": margin > ") +
-            margin_limit(depth_rules(frame.settings, frame.scene->space)) + ".");
+            margin_limit(depth_rules(frame.settings, frame.scene->space)) + "." +
+            (report.depth_test == DepthTest::raced
+                 ? " So are some that are not nearer than what the other thread has drawn."
+                 : ""));
     draw_fragment_section(ui, "blend");
     draw_colours(ui);
     if (report.resolve) wrapped_text_in(p.dim, "resolved, when everything is drawn");
@@ -271,6 +278,7 @@ void draw_fragment_panel(Ui& ui) {
     const auto values = [&] {
         draw_fragment_values(ui);
         draw_supersampling(ui);
+        draw_engine_note(ui);
         ImGui::Spacing();
     };
     const auto card = [&] {

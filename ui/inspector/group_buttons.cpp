@@ -27,7 +27,8 @@ struct GroupButton {
 constexpr std::array group_help{
     "The triangle shown: its vertices, its rows, and what floats do to its edges.",
     "The picked pixel: the fragment on it, everything that fell on it, and values along its row.",
-    "The run shown, a second one next to it, and the mistakes that rasterizers make.",
+    "The run shown, a second one next to it, the mistakes that rasterizers make, and what makes "
+    "them fast.",
 };
 constexpr std::array group_titles{"Triangle", "Pixel", "Runs"};
 static_assert(group_help.size() == tab_group_count && group_titles.size() == tab_group_count);

@@ -28,7 +28,7 @@ constexpr std::size_t planes_at_each_end = 4;
 void draw_place(Ui& ui, const DrawnList& list, int triangle) {
     const Frame& frame = ui.results.a.frame;
     std::string text;
-    if (list.made_by == Hidden::painter) {
+    if (list.divided == nullptr) {
         text = fmt::format("Sorted by depth, the {} first. {} of {} come before this one.",
                            frame.stages.is_drawn_before == is_drawn_before ? "farthest" : "nearest",
                            triangle, frame.triangle_count());

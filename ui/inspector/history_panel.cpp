@@ -9,6 +9,7 @@
 #include "base/numbers.h"
 #include "settings/setting_table.h"
 #include "ui/inspector/history_parts.h"
+#include "ui/inspector/inspector_parts.h"
 #include "ui/inspector/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/number_text.h"
@@ -97,6 +98,10 @@ std::array<std::string, 2> verdict(const Ui& ui, const PixelHistory& history) {
     const std::string other = triangle_words(ui, next.cursor.triangle);
     const float ahead = -sign * next.margin_to_winner;
     if (!(ahead > 0.0f)) {
+        const bool is_raced = depth_rule(ui.results.a.frame.settings) == DepthTest::raced;
+        if (is_raced && next.cursor < winner.cursor)
+            return {text + ", although " + other + " was there and it is no nearer:",
+                    "the two threads raced, and the right depth was lost."};
         if (depth_rule(ui.results.a.frame.settings) == DepthTest::or_equal)
             return {text + " because it came after " + other + ", which is just as near.", ""};
         const bool has_epsilon = depth_epsilon_rule(ui.results.a.frame.settings) > 0.0f;
@@ -241,6 +246,7 @@ void draw_history_panel(Ui& ui) {
     }
     const PixelHistory& history = *ui.results.history;
     draw_title(ui, history);
+    draw_engine_note(ui);
     if (history.entries.empty()) {
         draw_uncovered(ui, history);
         return;

@@ -134,6 +134,12 @@ bool is_linear_z(const Ui& ui) {
     return depth_rule(ui.results.a.frame.settings) == DepthTest::linear_z;
 }
 
+/// Did the fragment overwrite what is just as near, or nearer?
+bool is_race_lost(const Ui& ui, const PixelEntry& entry) {
+    return depth_rule(ui.results.a.frame.settings) == DepthTest::raced && entry.covered == 0 &&
+           entry.fate == Fate::written && !(entry.margin > 0.0f);
+}
+
 const DepthWords& words_of(const Ui& ui) {
     return depth_words(ui.results.a.frame);
 }
@@ -187,6 +193,8 @@ std::string tooltip(const Ui& ui, const PixelHistory& history, int index) {
         text += fmt::format("\nCut out before the depth test: the alpha of its texture is {}, "
                             "below 1/2.",
                             nine_digits_shown(entry.alpha));
+    } else if (is_race_lost(ui, entry)) {
+        text += "\nWritten, although it is no nearer: the other thread wrote after this test.";
     } else if (entry.covered != 0) {
         text += fmt::format("\nIts colour has the share {} of the resolved pixel.",
                             nine_digits_shown(entry.share));

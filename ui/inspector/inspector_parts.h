@@ -30,6 +30,9 @@ float draw_tab_line(Ui& ui, const InspectorLook& look);
 /// begins.
 float draw_tab_list(Ui& ui);
 
+/// Says, where an engine without moments has drawn the picture, that the numbers are the steps'.
+void draw_engine_note(Ui& ui);
+
 /// The tabs that are offered: of a group, or all.
 std::vector<const TabInfo*> offered_tabs(const Ui& ui, std::optional<TabGroup> group);
 

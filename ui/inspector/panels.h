@@ -30,6 +30,7 @@ void draw_hidden_panel(Ui& ui);
 void draw_history_panel(Ui& ui);
 void draw_compare_panel(Ui& ui);
 void draw_lab_panel(Ui& ui);
+void draw_speed_panel(Ui& ui);
 /// In a bench scene: its examples, and fields for its vertices. Otherwise nothing.
 void draw_bench_examples(Ui& ui);
 /// All settings, the changed ones first. It lies over the inspector's tabs.

@@ -2,47 +2,47 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 
-#include "settings/setting_table.h"
+#include "engines/refusal.h"
 #include "stages/vertex_shader.h"
 
 namespace rasterwalk {
 
 namespace {
 
-/// Is this word of a setting chosen? The engine does not have what it asks for.
-bool is_chosen(std::string_view name, std::string_view word, const Settings& settings) {
-    const Setting* setting = find_setting(name);
-    return setting != nullptr && value_text(*setting, settings) == word;
-}
-
 void set(const glm::vec3& from, float (&to)[3]) {
     for (int i = 0; i < 3; ++i)
         to[i] = from[i];
 }
 
+/// The rules of light, textures and bytes that the engine has: any but these is a mistake, or
+/// another right way.
+constexpr RightValue rules_of_its_own[] = {
+    {"normal_w", "zero"},
+    {"texel_rule", "right"},
+    {"light.direction", "to_light"},
+    {"light.falloff", "sphere"},
+    {"light.sum", "reflectance_times"},
+    {"light.renormalize", "on"},
+    {"light.highlight", "right"},
+    {"encoding", "linear"},
+    {"light.sides", "one"},
+    {"colour_over_one", "clamp"},
+    {"channel_order", "rgb"},
+};
+
 } // namespace
 
-std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
+std::string fixed_rules_refuse(const std::string& engine, const Scene& scene,
+                               const Settings& settings) {
     if (scene.space != SceneSpace::world)
-        return "the fast engine draws scenes in the world, not in pixels";
-    const auto unknown = [](std::string_view what) {
-        return "the fast engine does not support " + std::string(what);
+        return engine + " draws scenes in the world, not in pixels";
+    const auto unknown = [&engine](std::string_view what) {
+        return engine + " does not support " + std::string(what);
     };
-    if (settings.stage < Stage::depth) return unknown("stages before depth");
     if (settings.tessellation != 1) return unknown("tessellation");
-    if (hidden_rule(settings) != Hidden::depth_buffer)
-        return unknown("any removal of hidden surfaces except the depth buffer");
-    if (sampling_rule(settings) != Sampling::centre) return unknown("several samples of a pixel");
-    if (settings.projection_mix != 0.0f) return unknown("any projection except perspective");
-    if (view_box_rule(settings, scene.space)) return unknown("view_box other than auto");
-    if (shading_rule(settings) == Shading::flat) return unknown("shading=flat");
-    if (has_alpha(scene) && settings.blend != Blend::off)
-        return unknown("half-transparent surfaces (blend=off draws them opaque)");
-    if (has_texture_alpha(scene) && settings.texture == TextureUse::on &&
-        settings.texture_alpha != TextureAlpha::off)
-        return unknown("textures with alpha (texture_alpha=off draws them opaque)");
+    if (const std::string what = only_steps_have(scene, settings); !what.empty())
+        return unknown(what);
     if (bends_normals(settings) && has_normal_map(scene))
         return unknown("normal maps (normal_map=off does without them)");
     if (shifts_textures(settings) && has_height_map(scene))
@@ -53,39 +53,19 @@ std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
         return unknown("mipmaps (texture_filter=bilinear does without them)");
     if (settings.cull != Cull::none && settings.cull != Cull::screen_area)
         return unknown("any culling except cull=screen_area");
-    if (settings.clip >= Clip::whole_only) return unknown("mistakes in clipping");
-    // The right values by the lab's rules: any other is a mistake, or another right way.
-    for (const auto& [name, right] :
-         {std::pair<std::string_view, std::string_view>{"depth_test", "inverse_z"},
-          {"depth_format", "inv_z"},
-          {"depth_clear", "0"},
-          {"depth_epsilon", "0"},
-          {"depth_index", "row_major"},
-          {"interpolation", "perspective"},
-          {"rotation", "row_vector"},
-          {"camera_move", "subtracted"},
-          {"image_axes", "right_way"},
-          {"divided_by", "z"},
-          {"outside_picture", "kept"},
-          {"translation", "last_column"},
-          {"normal_w", "zero"},
-          {"bounds", "inside"},
-          {"pixel_sample", "centre"},
-          {"weight_edge", "opposite"},
-          {"texel_rule", "right"},
-          {"light.direction", "to_light"},
-          {"light.falloff", "sphere"},
-          {"light.sum", "reflectance_times"},
-          {"light.renormalize", "on"},
-          {"light.highlight", "right"},
-          {"encoding", "linear"},
-          {"light.sides", "one"},
-          {"colour_over_one", "clamp"},
-          {"channel_order", "rgb"}}) {
-        if (!is_chosen(name, right, settings))
-            return unknown(std::string(name) + " other than " + std::string(right));
-    }
+    if (const std::string other = other_than_right(settings, rules_of_its_own); !other.empty())
+        return unknown(other);
     return {};
+}
+
+std::string fast_engine_refuses(const Scene& scene, const Settings& settings) {
+    const std::string engine = "the fast engine";
+    if (scene.space == SceneSpace::world) {
+        if (settings.stage < Stage::depth) return engine + " does not support stages before depth";
+        if (shading_rule(settings) == Shading::flat)
+            return engine + " does not support shading=flat";
+    }
+    return fixed_rules_refuse(engine, scene, settings);
 }
 
 fast::View fast_view(const FastEye& eye) {

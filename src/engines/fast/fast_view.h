@@ -18,6 +18,11 @@ namespace rasterwalk {
 /// on 256ths of a pixel, and parts behind the near plane are cut off.
 std::string fast_engine_refuses(const Scene& scene, const Settings& settings);
 
+/// The same for an engine that draws by these rules, under another name.
+/// @param engine at the beginning of the sentence: "the fast engine"
+std::string fixed_rules_refuse(const std::string& engine, const Scene& scene,
+                               const Settings& settings);
+
 /// Camera, light and rules as the loops need them.
 fast::View fast_view(const Settings& settings);
 

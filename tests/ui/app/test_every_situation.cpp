@@ -44,8 +44,9 @@ bool is_window_of(const ScreenText& text, std::initializer_list<std::string_view
 /// any.
 bool may_be_cut(const ScreenText& text, bool is_scrolled) {
     if (is_window_of(text, {"/files_", "/legend_"})) return true;
-    return is_scrolled && is_window_of(text, {"/rows_", "/samples_", "/history_", "/graph_",
-                                              "/texture_", "/clip_", "settings", "/compare_"});
+    return is_scrolled &&
+           is_window_of(text, {"/rows_", "/samples_", "/history_", "/graph_", "/texture_", "/clip_",
+                               "settings", "/compare_", "/speed_"});
 }
 
 /// Names of scenes, mistakes and groups, and texts of lessons are shortened where there is little

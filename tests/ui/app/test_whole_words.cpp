@@ -55,7 +55,7 @@ TEST_CASE("No panel shortens what it says, nor does the line below the time line
         driver.ui.session.selection.pixel = glm::ivec2(250, 400);
         driver.ui.session.selection.triangle = 10;
         for (const char* tab : {"vertices", "clip", "rows", "microscope", "fragment", "history",
-                                "graph", "compare", "lab"}) {
+                                "graph", "compare", "lab", "speed"}) {
             CAPTURE(tab);
             driver.open(tab);
             driver.hand.leave();

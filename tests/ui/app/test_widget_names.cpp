@@ -22,6 +22,7 @@
 #include "tests/ui/situations.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
+#include "ui/actions/measure.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
 #include "ui/widgets/keys.h"
@@ -49,6 +50,7 @@ class Tour {
         large_frame();
         hinted_model();
         diagnosed();
+        ladder_measured();
     }
 
   private:
@@ -167,6 +169,26 @@ class Tour {
             poll_diagnosis(driver.ui, {});
         look(driver);
         diagnose_file(driver.ui, folder.file("nothing.png"));
+        look(driver);
+    }
+
+    /// The ladder while it is measured.
+    void ladder_measured() {
+        Driver driver;
+        driver.ui.ladder.maker = StepMaker::advance;
+        follow_link(driver.ui, "set:stage=pixel_light");
+        follow_link(driver.ui, "tab:speed");
+        driver.hand.rest();
+        driver.hand.click("speed.measure");
+        look(driver);
+        driver.hand.click("speed.stop");
+        for (std::size_t i = 0; i < wrong_turnings().size(); ++i)
+            driver.hand.click("speed.turning." + std::to_string(i));
+        if (driver.ui.widgets.contains("speed.race")) driver.hand.click("speed.race");
+        while (is_racing(driver.ui))
+            driver.hand.frames(1);
+        look(driver);
+        driver.hand.click("speed.rung." + std::to_string(ladder().size() - 1));
         look(driver);
     }
 

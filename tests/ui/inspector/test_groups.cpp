@@ -40,7 +40,7 @@ int count_of_useful_tabs(const Driver& driver) {
     for (const TabInfo& tab : tab_list()) {
         const bool lacks_texture = tab.needs_texture && scene.textures.empty();
         const bool lacks_camera = tab.needs_camera && scene.space == SceneSpace::pixels;
-        const bool lacks_order = tab.needs_order; // no order without hidden=
+        const bool lacks_order = tab.needs_order; // the scene's order is in force
         count += lacks_texture || lacks_camera || lacks_order ? 0 : 1;
     }
     return count;

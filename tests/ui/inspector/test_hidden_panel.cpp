@@ -45,4 +45,27 @@ TEST_CASE("The Hidden tab comes with an order, counts all ways and changes to an
     CHECK(driver.ui.widgets.count("tab.hidden") == 0);
 }
 
+TEST_CASE("The Hidden tab shows the place of a triangle in the order with a depth buffer too") {
+    Driver driver;
+    follow_link(driver.ui, "set:stage=depth&draw_order=near_first");
+    follow_link(driver.ui, "triangle:7");
+    driver.hand.click("group.triangle");
+    driver.hand.rest();
+    driver.hand.click("tab.hidden");
+    driver.hand.rest();
+    CHECK_THAT(driver.ui.widgets.at("hidden.place").text,
+               Catch::Matchers::ContainsSubstring("Sorted by depth, the nearest first."));
+    follow_link(driver.ui, "set:draw_order=far_first");
+    driver.hand.rest();
+    CHECK_THAT(driver.ui.widgets.at("hidden.place").text,
+               Catch::Matchers::ContainsSubstring("Sorted by depth, the farthest first."));
+    // Both orders are those of a depth buffer.
+    CHECK(hidden_rule(driver.ui.session.a.settings) == Hidden::depth_buffer);
+    follow_link(driver.ui, "set:draw_order=scene");
+    driver.hand.rest();
+    driver.hand.click("tab.vertices");
+    driver.hand.rest();
+    CHECK(driver.ui.widgets.count("tab.hidden") == 0);
+}
+
 } // namespace rasterwalk
