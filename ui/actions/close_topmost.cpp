@@ -4,8 +4,8 @@
 
 #include "ui/actions/lab.h"
 #include "ui/actions/lecture.h"
-#include "ui/actions/open_tab.h"
 #include "ui/actions/measure.h"
+#include "ui/actions/open_tab.h"
 #include "ui/ui.h"
 
 namespace rasterwalk {

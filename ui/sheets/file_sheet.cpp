@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -174,8 +175,12 @@ void draw_list(Ui& ui, float height) {
     const float u = ui.options.text_scale;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, p.ground);
     ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 4.0f * u);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8.0f * u, 6.0f * u));
-    begin_padded_child("files", {0.0f, height});
+    const ImVec2 padding(8.0f * u, 6.0f * u);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    // Whole lines: the next one would begin at the lower border.
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const float lines = std::max(1.0f, std::floor((height - padding.y) / line));
+    begin_padded_child("files", {0.0f, std::min(height, padding.y + lines * line)});
     // Going to another folder replaces the list: a click is noted, and acted on afterward.
     const FileEntry* clicked = nullptr;
     bool is_double = false;
