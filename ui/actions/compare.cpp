@@ -199,10 +199,11 @@ std::string steps_words(const Results& results) {
     };
     const auto drawn = [&](const char* what, const RunResults& run) {
         if (run.engine == Engine::rays) {
-            return std::string(what) + " " + grouped(static_cast<int>(run.planes.rays.pixels())) +
-                   " of " +
-                   grouped(run.frame.settings.viewport.width * run.frame.settings.viewport.height) +
-                   " pixels";
+            const Viewport size = run.frame.settings.viewport;
+            const std::int64_t pixels = std::int64_t{size.width} * size.height;
+            return std::string(what) + " " +
+                   grouped(static_cast<std::int64_t>(run.planes.rays.pixels())) + " of " +
+                   grouped(pixels) + " pixels";
         }
         const int triangles = run.frame.triangle_count();
         return words(what, std::min(run.replay.drawn().triangle, triangles), triangles);

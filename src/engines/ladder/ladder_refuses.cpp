@@ -48,8 +48,8 @@ std::string misplaced(const Scene& scene, const Settings& settings) {
             if (seen.z <= settings.near)
                 return "the ladder does not cut: all corners must be farther than the near plane";
             const double scale = settings.camera.focal_length / seen.z;
-            const glm::dvec2 place(scale * seen.x + settings.viewport.width / 2,
-                                   scale * seen.y + settings.viewport.height / 2);
+            const glm::ivec2 middle{settings.viewport.width / 2, settings.viewport.height / 2};
+            const glm::dvec2 place(scale * seen.x + middle.x, scale * seen.y + middle.y);
             if (!(std::abs(place.x) < ladder_guard - 1.0f) ||
                 !(std::abs(place.y) < ladder_guard - 1.0f))
                 return fmt::format("the ladder does not cut: all corners must be less than {} "

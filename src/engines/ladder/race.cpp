@@ -33,8 +33,9 @@ Scene race_scene() {
     };
     constexpr int tiles = 40;
     for (int i = 0; i < tiles * tiles; ++i) {
-        const float x = -1.0f + 0.05f * static_cast<float>(i % tiles);
-        const float y = -1.0f + 0.05f * static_cast<float>(i / tiles);
+        const int column = i % tiles, row = i / tiles;
+        const float x = -1.0f + 0.05f * static_cast<float>(column);
+        const float y = -1.0f + 0.05f * static_cast<float>(row);
         add(x, y, 0.08f, 0.0f, glm::vec3(0.9f, 0.2f, 0.1f));
         add(1.1f * x, 1.1f * y, 0.08f, 0.2f, glm::vec3(0.1f, 0.4f, 0.9f));
     }

@@ -20,13 +20,19 @@ std::int64_t to_subpixels(float pixels) {
     return static_cast<std::int64_t>(std::floor(pixels * float{subpixels} + 0.5f));
 }
 
+/// The middle of the picture, in whole pixels from its corner.
+glm::vec2 middle_of(Viewport size) {
+    const int column = size.width / 2, row = size.height / 2;
+    return {static_cast<float>(column), static_cast<float>(row)};
+}
+
 Corner corner_of(const Vertex& vertex, const Surface& surface, const Lab& lab) {
     const glm::vec3 seen = vertex.position - lab.eye;
     const float zinv = 1.0f / seen.z, scale = zinv * lab.focal_length;
-    const Viewport size = lab.picture.size;
+    const glm::vec2 middle = middle_of(lab.picture.size);
     Corner corner;
-    corner.x = to_subpixels(seen.x * scale + static_cast<float>(size.width / 2));
-    corner.y = to_subpixels(seen.y * scale + static_cast<float>(size.height / 2));
+    corner.x = to_subpixels(seen.x * scale + middle.x);
+    corner.y = to_subpixels(seen.y * scale + middle.y);
     corner.zinv = zinv;
     if (lab.is_light_per_vertex) {
         corner.carried =
@@ -119,12 +125,8 @@ Span span_of(int y, const ScreenTriangle& triangle) {
 }
 
 PixelLight pixel_light(const Lab& lab) {
-    const Viewport size = lab.picture.size;
     const float step = 1.0f / lab.focal_length;
-    return {lab.light.position - lab.eye,
-            glm::vec2(0.5f - static_cast<float>(size.width / 2),
-                      0.5f - static_cast<float>(size.height / 2)) *
-                step,
+    return {lab.light.position - lab.eye, (glm::vec2(0.5f) - middle_of(lab.picture.size)) * step,
             step};
 }
 
