@@ -7,7 +7,6 @@
 #include "engines/ladder/ladder.h"
 #include "engines/ladder/race.h"
 #include "engines/ladder/rungs.h"
-#include "engines/processor.h"
 #include "support/samples.h"
 #include "tests/support/catch.h"
 
@@ -67,16 +66,6 @@ TEST_CASE("A wrong pixel of the race shows a triangle that covers it") {
                 REQUIRE(shown[i].count(picture.colour[i]) == 1);
         }
     }
-}
-
-TEST_CASE("With two processors, some run of the race gets pixels wrong") {
-    if (ladder_threads() == 1 || processor_count() == 1) return;
-    const Scene scene = race_scene();
-    const Settings settings = race_settings(scene);
-    bool has_wrong = false;
-    for (int run = 0; run < 50 && !has_wrong; ++run)
-        has_wrong = race_pictures(scene, settings, 1).front() > 0;
-    CHECK(has_wrong);
 }
 
 TEST_CASE("Each run of the race has a count, and a race that is stopped has fewer") {

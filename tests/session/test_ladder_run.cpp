@@ -5,7 +5,6 @@
 #include <thread>
 
 #include "engines/ladder/race.h"
-#include "engines/processor.h"
 #include "session/content.h"
 #include "session/session.h"
 #include "settings/setting_table.h"
@@ -93,19 +92,6 @@ TEST_CASE("A race counts the wrong pixels of every picture, and one without thre
     const Viewport size = default_settings(race_scene()).viewport;
     for (const std::int64_t count : wrong)
         CHECK(count <= std::int64_t{size.width} * size.height);
-}
-
-TEST_CASE("With two processors, some picture of a race has wrong pixels") {
-    if (ladder_threads() == 1 || processor_count() == 1) return;
-    RaceRun race(50);
-    const auto has_wrong = [&] {
-        const std::vector<std::int64_t> wrong = race.wrong();
-        return std::any_of(wrong.begin(), wrong.end(),
-                           [](std::int64_t count) { return count > 0; });
-    };
-    while (!race.is_done() && !has_wrong())
-        std::this_thread::sleep_for(std::chrono::milliseconds(5)); // both processors are needed
-    CHECK(has_wrong());
 }
 
 TEST_CASE("The middle half is between the quartiles, in whatever order the times are") {
