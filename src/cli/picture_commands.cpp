@@ -27,7 +27,9 @@ namespace rasterwalk {
 
 namespace {
 
-void report_warnings(const Frame& frame, const LeftOut& left_out, std::ostream& err) {
+/// @param engine whose picture or counts they are about
+void report_warnings(const Frame& frame, const LeftOut& left_out, Engine engine,
+                     std::ostream& err) {
     if (frame.scene->model_report) {
         const ObjReport& report = *frame.scene->model_report;
         for (const std::vector<std::string>& lines : {fault_lines(report), remark_lines(report)}) {
@@ -41,7 +43,7 @@ void report_warnings(const Frame& frame, const LeftOut& left_out, std::ostream& 
         err << "rasterwalk: " << fault.sentence << ".\n";
     for (const RejectionWords& reason : rejection_list) {
         const int count = left_out.of(reason.rejection);
-        if (count == 0) continue;
+        if (count == 0 || !is_left_out_by(engine, reason.rejection)) continue;
         err << "rasterwalk: " << counted(count, "triangle is", "triangles are")
             << " left out: " << (count == 1 ? reason.sentence : reason.of_many) << ".\n";
     }
@@ -247,9 +249,11 @@ void render_command(const RenderOptions& options, std::ostream& err) {
     const Session session = open_view(options.view);
     const Frame frame = shown_frame(session);
     Framebuffer framebuffer;
-    draw_by_engine(frame, in_frame(session.cursor, frame.pass), framebuffer);
+    const Cursor to = in_frame(session.cursor, frame.pass);
+    draw_by_engine(frame, to, framebuffer);
     write_png(view_image(framebuffer, session.view, session.depth_range), options.output);
-    report_warnings(frame, count_left_out(frame), err);
+    report_warnings(frame, count_left_out(frame), drawing_engine(*frame.scene, frame.settings, to),
+                    err);
 }
 
 std::string stats_footer() {
@@ -324,7 +328,7 @@ void stats_command(const StatsOptions& options, const Clock& clock, std::ostream
         if (costs) print_costs(*costs, out);
         if (options.hidden) print_ways(ways, out);
     }
-    report_warnings(frame, stats.left_out, err);
+    report_warnings(frame, stats.left_out, Engine::steps, err);
     for (const std::string& hint : hints)
         err << "rasterwalk: " << hint << '\n';
 }

@@ -60,6 +60,11 @@ Engine drawing_engine(const Scene& scene, const Settings& settings, const Cursor
     return is_its ? settings.engine : Engine::steps;
 }
 
+bool is_left_out_by(Engine engine, Rejection reason) {
+    const bool cuts = engine == Engine::fast || engine == Engine::opengl;
+    return !cuts || (reason != Rejection::behind_camera && reason != Rejection::too_far_out);
+}
+
 void EnginePlanes::begin() {
     is_begun = is_whole = false;
     fault.clear();

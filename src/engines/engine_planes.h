@@ -23,6 +23,10 @@ std::string engine_refuses(const Scene& scene, const Settings& settings);
 /// refuses, or if it is not the whole picture.
 Engine drawing_engine(const Scene& scene, const Settings& settings, const Cursor& to);
 
+/// Does an engine leave out what the steps leave out for this reason? Some cut it off instead, and
+/// draw the rest.
+bool is_left_out_by(Engine engine, Rejection reason);
+
 /// A picture drawn by an engine that has no moments.
 struct EnginePlanes {
     FastRun fast;

@@ -17,19 +17,9 @@
 #include "session/preview.h"
 #include "session/second_run.h"
 #include "session/session.h"
+#include "session/warnings.h"
 
 namespace rasterwalk {
-
-/// Something wrong in a frame.
-struct Warning {
-    std::string sentence;
-    std::string in_short;    ///< the same where there is little room
-    bool is_of_rows = false; ///< it is about row tables, which not everyone knows yet
-    int triangle = -1;       ///< one that shows it; -1: none does
-    int lesson = 0;          ///< the number of the one that explains why it happens; 0: none does
-
-    friend bool operator==(const Warning&, const Warning&) = default;
-};
 
 /// The frame that will replace the one shown; prepared in parts if that is a lot of work.
 struct PendingFrame {
@@ -110,11 +100,6 @@ struct RunChanges {
     bool moment = false;  ///< the cursor has moved, or the frame is new
     bool picture = false; ///< it shows another moment, view or range of depths, or more is drawn
 };
-
-/// What is wrong in a frame: settings that contradict each other, triangles left out, samples
-/// outside.
-/// @param tally the sums over its row tables
-std::vector<Warning> describe_warnings(const Frame& frame, const DrawTally& tally);
 
 /// Is this what is shown?
 bool is_shown(const std::shared_ptr<const Scene>& scene, const Run& run, const RunResults& results);
