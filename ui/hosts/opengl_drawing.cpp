@@ -84,10 +84,10 @@ class Target {
 
     void clear() const {
         constexpr float black[4] = {}, nothing[4] = {}, farthest = 0.0f;
-        constexpr GLint nobody[4] = {-1, -1, -1, -1};
+        constexpr GLint no_triangle[4] = {-1, -1, -1, -1};
         glClearBufferfv(GL_COLOR, colour_plane, black);
         glClearBufferfv(GL_COLOR, inv_z_plane, nothing);
-        glClearBufferiv(GL_COLOR, owner_plane, nobody);
+        glClearBufferiv(GL_COLOR, owner_plane, no_triangle);
         glClearBufferfv(GL_DEPTH, 0, &farthest);
     }
     void read(FastPicture& picture) const {

@@ -49,6 +49,7 @@ std::string rays_refuse(const Scene& scene, const Settings& settings) {
 
 RayTracer::RayTracer(const Frame& frame, const TriangleTree& tree)
     : frame_(frame), tree_(tree), axes_(camera_rotation(frame.settings.camera)),
+      middle_(frame.stages.viewport_middle(vertex_rules(frame.settings, frame.scene->space))),
       rules_(pixel_rules(frame)), end_(infinite) {
     const Settings& settings = frame.settings;
     if (cuts_near(settings.clip)) begin_ = settings.near;
@@ -60,11 +61,9 @@ RayTracer::RayTracer(const Frame& frame, const TriangleTree& tree)
 
 WorldRay RayTracer::ray_of(int column, int row) const {
     const Camera& camera = frame_.settings.camera;
-    const glm::ivec2 middle =
-        frame_.stages.viewport_middle(vertex_rules(frame_.settings, frame_.scene->space));
     constexpr float to_centre = 0.5f;
-    const float right = (static_cast<float>(column - middle.x) + to_centre) / camera.focal_length;
-    const float down = (static_cast<float>(row - middle.y) + to_centre) / camera.focal_length;
+    const float right = (static_cast<float>(column - middle_.x) + to_centre) / camera.focal_length;
+    const float down = (static_cast<float>(row - middle_.y) + to_centre) / camera.focal_length;
     const glm::vec3 direction = axes_ * glm::vec3(right, down, 1.0f);
     return {camera.position + begin_ * direction, direction, end_};
 }
@@ -96,7 +95,7 @@ RayPixel RayTracer::trace(int column, int row) {
     const TriangleHit hit = tree_.first_hit(ray, {&are_drawn_, &count_});
     if (!hit.is_hit()) return {-1, farthest_depth(depth_kind(frame_)), glm::vec3(0.0f)};
     const Fragment fragment = fragment_at(hit);
-    const Surface surface = surface_at(hit.triangle);
+    const Surface& surface = surface_at(hit.triangle);
     const glm::vec3 own = frame_.stages.pixel_shader(fragment, surface, rules_, frame_.stages);
     return {hit.triangle, fragment.depth, own + mirrored(ray, hit, surface, 0)};
 }

@@ -27,6 +27,7 @@
 #include <vector>
 
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "pipeline/frame.h"
@@ -73,6 +74,7 @@ class RayTracer {
     const Frame& frame_;
     const TriangleTree& tree_;
     glm::mat3 axes_;                      ///< of the camera in the world: right, down, forward
+    glm::ivec2 middle_;                   ///< of the picture, see viewport_middle()
     PixelRules rules_;                    ///< for what the camera sees
     float begin_ = 0.0f, end_ = 0.0f;     ///< the depths between which the camera sees anything
     std::vector<std::uint8_t> are_drawn_; ///< of each triangle: was it left out by clip or cull?
