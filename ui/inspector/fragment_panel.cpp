@@ -278,7 +278,6 @@ void draw_fragment_panel(Ui& ui) {
     const auto values = [&] {
         draw_fragment_values(ui);
         draw_supersampling(ui);
-        draw_engine_note(ui);
         ImGui::Spacing();
     };
     const auto card = [&] {
@@ -288,7 +287,11 @@ void draw_fragment_panel(Ui& ui) {
         if (!ui.inspector.has_card && is_new) scroll_here(1.0f);
         if (ui.inspector.is_low) draw_links_below(ui);
     };
-    const PanelBlock title{[&] { draw_title(ui); }}, light{[&] { draw_fragment_light(ui); }},
+    const auto head = [&] {
+        draw_title(ui);
+        draw_engine_note(ui);
+    };
+    const PanelBlock title{head}, light{[&] { draw_fragment_light(ui); }},
         depth{[&] { draw_depth(ui); }};
     draw_panel(ui, "fragment", {title, {values, true}, light, depth}, card);
 }

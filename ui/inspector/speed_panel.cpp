@@ -70,7 +70,8 @@ std::string status_words(const Ui& ui) {
                                  ui.ladder.rounds);
     }
     if (!ui.ladder.fault.empty()) return ui.ladder.fault;
-    if (times.rungs.empty()) return "Not measured on this machine yet.";
+    if (times.rungs.empty())
+        return "Not measured on this machine yet. Click a rung to see what it changes.";
     return "Bars show what each rung gained, by the median of " +
            counted(times.rounds, "round", "rounds") + ".";
 }

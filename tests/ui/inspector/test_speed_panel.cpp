@@ -64,7 +64,7 @@ bool shows_times(Driver& driver) {
 TEST_CASE("Before it is measured, the ladder is a list of changes without any time") {
     Driver driver;
     open_small(driver);
-    CHECK(shown_text(driver, "speed.status") == "Not measured on this machine yet.");
+    CHECK(shown_text(driver, "speed.status").starts_with("Not measured on this machine yet."));
     CHECK_FALSE(shows_times(driver));
     CHECK_FALSE(is_measuring(driver.ui));
     for (std::size_t i = 0; i < rung_count(); ++i) {
