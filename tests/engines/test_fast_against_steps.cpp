@@ -19,12 +19,11 @@
 #include "inspect/stats.h"
 #include "pipeline/draw.h"
 #include "scene/scene.h"
-#include "session/content.h"
-#include "session/scene_file.h"
 #include "settings/setting_table.h"
 #include "settings/settings.h"
 #include "support/effort.h"
 #include "support/fast_pictures.h"
+#include "support/project_scenes.h"
 #include "support/ray_caster.h"
 #include "support/ray_picture.h"
 #include "support/samples.h"
@@ -38,22 +37,6 @@ namespace {
 
 /// The fast engine has no far plane.
 constexpr double all_depths = 1e6;
-
-/// All scenes and models that come with the project, in order.
-std::vector<Scene> project_scenes() {
-    std::vector<std::string> paths;
-    for (const char* folder : {"/scenes", "/models"}) {
-        for (const auto& entry : std::filesystem::directory_iterator(lessons_folder() + folder)) {
-            const std::string extension = entry.path().extension().string();
-            if (extension == ".toml" || extension == ".obj") paths.push_back(entry.path().string());
-        }
-    }
-    std::sort(paths.begin(), paths.end());
-    std::vector<Scene> scenes;
-    for (const std::string& path : paths)
-        scenes.push_back(read_scene_file(path));
-    return scenes;
-}
 
 /// Features that scenes of the project use and the fast engine does not have.
 Settings without_what_it_lacks(Settings settings) {
@@ -184,7 +167,7 @@ TEST_CASE("Scenes and models of the project are drawn as the steps draw them") {
     constexpr Viewport size{251, 203};
     int drawn = 0, asked = 0, compared = 0;
     std::size_t turn = 0;
-    for (const Scene& scene : project_scenes()) {
+    for (const Scene& scene : project_scenes_and_models()) {
         if (scene.space == SceneSpace::pixels || has_equal_depths(scene)) continue;
         CAPTURE(scene.path);
         ++drawn;
@@ -204,7 +187,7 @@ TEST_CASE("Scenes and models of the project are drawn as the steps draw them") {
 
 TEST_CASE("Scenes in pixels are refused") {
     int refused = 0;
-    for (const Scene& scene : project_scenes()) {
+    for (const Scene& scene : project_scenes_and_models()) {
         if (scene.space != SceneSpace::pixels) continue;
         CAPTURE(scene.path);
         CHECK(fast_engine_refuses(scene, default_settings(scene)) ==
@@ -255,7 +238,7 @@ TEST_CASE("Reflectances, normals and texture coordinates of corners are mixed as
 TEST_CASE("Pixels away from the outlines show the triangle that their ray meets") {
     constexpr double margin = 1.0 / 16.0;
     std::size_t compared = 0;
-    for (const Scene& scene : some_of(project_scenes(), 12)) {
+    for (const Scene& scene : some_of(project_scenes_and_models(), 12)) {
         if (scene.space == SceneSpace::pixels || has_equal_depths(scene)) continue;
         for (const PoseFromOwn& pose : poses) {
             Settings settings = settings_with(scene, pose, looks[2], {96, 72});

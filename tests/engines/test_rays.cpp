@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,12 +11,10 @@
 #include "engines/engine_planes.h"
 #include "inspect/ray_stats.h"
 #include "pipeline/draw.h"
-#include "scene/read_scene.h"
-#include "session/content.h"
-#include "session/scene_file.h"
 #include "settings/setting_table.h"
 #include "stages/put_pixel.h"
 #include "support/frames.h"
+#include "support/project_scenes.h"
 #include "support/ray_picture.h"
 #include "support/textured_scene.h"
 #include "tests/support/catch.h"
@@ -28,20 +25,10 @@ using namespace rasterwalk::test;
 namespace {
 
 std::vector<Scene> scenes_without_textures() {
-    std::vector<std::string> paths;
-    for (const char* folder : {"/scenes", "/models"}) {
-        for (const auto& entry : std::filesystem::directory_iterator(lessons_folder() + folder)) {
-            const std::string extension = entry.path().extension().string();
-            if (extension == ".toml" || extension == ".obj") paths.push_back(entry.path().string());
-        }
-    }
-    std::sort(paths.begin(), paths.end());
-    std::vector<Scene> scenes;
-    for (const std::string& path : paths) {
-        Scene scene = read_scene_file(path);
-        if (scene.space == SceneSpace::world && scene.textures.empty())
-            scenes.push_back(std::move(scene));
-    }
+    std::vector<Scene> scenes = project_scenes_and_models();
+    std::erase_if(scenes, [](const Scene& scene) {
+        return scene.space != SceneSpace::world || !scene.textures.empty();
+    });
     return scenes;
 }
 

@@ -26,6 +26,7 @@
 #include "settings/setting_table.h"
 #include "support/effort.h"
 #include "support/fast_pictures.h"
+#include "support/project_scenes.h"
 #include "support/random.h"
 #include "support/ray_caster.h"
 #include "support/samples.h"
@@ -37,21 +38,6 @@ using namespace rasterwalk;
 using namespace rasterwalk::test;
 
 namespace {
-
-std::vector<Scene> scenes_of_project() {
-    std::vector<std::string> paths;
-    for (const char* folder : {"/scenes", "/models"}) {
-        for (const auto& entry : std::filesystem::directory_iterator(lessons_folder() + folder)) {
-            const std::string extension = entry.path().extension().string();
-            if (extension == ".toml" || extension == ".obj") paths.push_back(entry.path().string());
-        }
-    }
-    std::sort(paths.begin(), paths.end());
-    std::vector<Scene> scenes;
-    for (const std::string& path : paths)
-        scenes.push_back(read_scene_file(path));
-    return scenes;
-}
 
 /// What OpenGL draws; the camera is a little off the scene's own, from which borders of texels run
 /// exactly through centres of pixels.
@@ -244,7 +230,7 @@ const std::vector<const char*> looks[] = {
 TEST_CASE("OpenGL draws the scenes and models of the project as the fast engine does") {
     HostOpenGl opengl;
     int compared = 0;
-    for (const Scene& scene : some_of(scenes_of_project(), 20)) {
+    for (const Scene& scene : some_of(project_scenes_and_models(), 20)) {
         // There surfaces are in one plane, so rounding alone decides which is nearer.
         if (std::filesystem::path(scene.path).stem() == "z-fighting") continue;
         for (const std::vector<const char*>& look : looks) {

@@ -1,7 +1,6 @@
 #include "inspect/depth_prepass.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "settings/setting_table.h"
 #include "support/frames.h"
 #include "support/project_root.h"
+#include "support/project_scenes.h"
 #include "tests/support/catch.h"
 
 using namespace rasterwalk;
@@ -47,10 +47,7 @@ TEST_CASE("With a pre-pass the picture has the same bits, and each covered pixel
         {"stage=depth"},
     };
     int drawn = 0;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(project_root() + "/lessons/scenes")) {
-        if (entry.path().extension() != ".toml") continue;
-        const Scene scene = read_scene(entry.path().string());
+    for (const Scene& scene : test::project_scenes()) {
         for (const std::vector<std::string>& assignments : many_settings) {
             const Settings settings = prepass_settings(scene, assignments);
             const Frame plain = prepare_frame(scene, settings);

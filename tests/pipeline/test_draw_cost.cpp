@@ -1,17 +1,15 @@
 #include "pipeline/draw_cost.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "inspect/pixel_history.h"
 #include "pipeline/draw.h"
-#include "scene/read_scene.h"
 #include "settings/setting_table.h"
 #include "support/effort.h"
 #include "support/frames.h"
-#include "support/project_root.h"
+#include "support/project_scenes.h"
 #include "support/random.h"
 #include "support/samples.h"
 #include "tests/support/catch.h"
@@ -90,18 +88,6 @@ Settings small_settings(const Scene& scene, const std::vector<std::string>& assi
     return settings;
 }
 
-std::vector<Scene> all_scenes() {
-    std::vector<Scene> scenes;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(project_root() + "/lessons/scenes")) {
-        if (entry.path().extension() == ".toml")
-            scenes.push_back(read_scene(entry.path().string()));
-    }
-    std::sort(scenes.begin(), scenes.end(),
-              [](const Scene& a, const Scene& b) { return a.path < b.path; });
-    return scenes;
-}
-
 const std::vector<std::vector<std::string>> many_settings{
     {},
     {"depth_order=before_depth_test"},
@@ -127,7 +113,7 @@ const std::vector<std::vector<std::string>> many_settings{
 } // namespace
 
 TEST_CASE("What a drawing takes is what the functions in the slots are asked to do") {
-    for (const Scene& scene : costs::all_scenes()) {
+    for (const Scene& scene : test::project_scenes()) {
         for (const std::vector<std::string>& assignments : costs::many_settings) {
             const Settings settings = costs::small_settings(scene, assignments);
             CAPTURE(scene.path, assignments);
@@ -156,7 +142,7 @@ TEST_CASE("What a drawing takes is what the functions in the slots are asked to 
 }
 
 TEST_CASE("The costs of pixels and of triangles add up to that of the frame") {
-    for (const Scene& scene : costs::all_scenes()) {
+    for (const Scene& scene : test::project_scenes()) {
         if (scene.triangle_count() > 200) continue; // each triangle draws all before it
         for (const std::vector<std::string>& assignments : costs::many_settings) {
             const Frame frame = prepare_frame(scene, costs::small_settings(scene, assignments));
@@ -199,7 +185,7 @@ TEST_CASE("The costs of pixels and of triangles add up to that of the frame") {
 
 TEST_CASE("The cost of a pixel is what its history has") {
     Random random(4711);
-    for (const Scene& scene : costs::all_scenes()) {
+    for (const Scene& scene : test::project_scenes()) {
         for (const std::vector<std::string>& assignments : costs::many_settings) {
             const Frame frame = prepare_frame(scene, costs::small_settings(scene, assignments));
             const bool has_history = has_fragments(frame.settings.stage) && !frame.has_samples() &&

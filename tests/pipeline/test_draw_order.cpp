@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -7,10 +6,9 @@
 #include <glm/geometric.hpp>
 
 #include "pipeline/draw.h"
-#include "scene/read_scene.h"
 #include "settings/setting_table.h"
 #include "support/frames.h"
-#include "support/project_root.h"
+#include "support/project_scenes.h"
 #include "support/ray_caster.h"
 #include "tests/support/catch.h"
 
@@ -108,10 +106,7 @@ TEST_CASE("Near first and far first are the orders of a second sort, and shade w
 }
 
 TEST_CASE("The depth buffer holds the same in every order, and the picture but for ties") {
-    for (const auto& entry :
-         std::filesystem::directory_iterator(project_root() + "/lessons/scenes")) {
-        if (entry.path().extension() != ".toml") continue;
-        const Scene scene = read_scene(entry.path().string());
+    for (const Scene& scene : test::project_scenes()) {
         const Framebuffer plain =
             draw_frame(prepare_frame(scene, order::settings_of(scene, "scene")));
         for (const char* word : {"near_first", "far_first"}) {
