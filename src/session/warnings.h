@@ -22,9 +22,9 @@ struct Warning {
 
 /// What is wrong in a frame: settings that contradict each other, triangles left out, samples
 /// outside.
-/// @param tally  the sums over its row tables
-/// @param engine that draws the picture: row tables, and what is left out, are those of the steps
-std::vector<Warning> describe_warnings(const Frame& frame, const DrawTally& tally,
+/// @param of_steps the sums over its row tables
+/// @param engine   that draws the picture: row tables, and what is left out, are those of the steps
+std::vector<Warning> describe_warnings(const Frame& frame, const DrawTally& of_steps,
                                        Engine engine = Engine::steps);
 
 /// The engine of the settings cannot draw, or has failed.
