@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/sine.h"
 #include "base/syntax.h"
 #include "stages/put_pixel.h"
 #include "stages/texture_level.h"
@@ -140,8 +141,8 @@ class Evaluator {
         if (wants("abs", 1)) return {std::abs(a.value), a.is_whole};
         if (wants("sqrt", 1)) return {std::sqrt(a.value), false};
         if (wants("log2", 1)) return {log2_of(a.value), false};
-        if (wants("cos", 1)) return {std::cos(a.value), false};
-        if (wants("sin", 1)) return {std::sin(a.value), false};
+        if (wants("cos", 1)) return {cosine(a.value), false};
+        if (wants("sin", 1)) return {sine(a.value), false};
         if (wants("pow", 2)) return {std::pow(a.value, b.value), false};
         if (wants("srgb", 1)) return {encode_srgb(a.value), false};
         if (wants("min", 2)) return {std::min(a.value, b.value), a.is_whole && b.is_whole};

@@ -9,6 +9,7 @@
 
 #include "base/limits.h"
 #include "base/quoted.h"
+#include "base/sine.h"
 #include "scene/look_at.h"
 
 namespace rasterwalk {
@@ -44,8 +45,8 @@ Camera fitting_camera(const ModelBox& box, const Viewport& viewport) {
     Camera camera;
     camera.yaw = 0.5f;
     camera.pitch = -0.35f;
-    const glm::vec3 forward(std::cos(camera.pitch) * std::sin(camera.yaw), -std::sin(camera.pitch),
-                            std::cos(camera.pitch) * std::cos(camera.yaw));
+    const glm::vec3 forward(cosine(camera.pitch) * sine(camera.yaw), -sine(camera.pitch),
+                            cosine(camera.pitch) * cosine(camera.yaw));
     const glm::mat3 axes = look_at_rotation(-forward, glm::vec3(0.0f), camera.up);
     constexpr float filled = 0.9f; // of the picture
     constexpr float nearest = 0.5f;

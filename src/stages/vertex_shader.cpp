@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/sine.h"
 #include "scene/look_at.h"
 #include "stages/orthographic.h"
 #include "stages/stage_table.h"
@@ -41,8 +42,8 @@ CameraVertex given_in_pixels(const glm::vec3& position, const VertexRules& rules
 glm::mat3 camera_rotation(const Camera& camera) {
     if (camera.aim == CameraAim::look_at)
         return look_at_rotation(camera.position, camera.target, camera.up);
-    const float cy = std::cos(camera.yaw), sy = std::sin(camera.yaw);
-    const float cp = std::cos(camera.pitch), sp = std::sin(camera.pitch);
+    const float cy = cosine(camera.yaw), sy = sine(camera.yaw);
+    const float cp = cosine(camera.pitch), sp = sine(camera.pitch);
     // Columns are the camera's right, down and forward axes in the world.
     const glm::vec3 right(cy, 0.0f, -sy);
     const glm::vec3 down(sp * sy, cp, sp * cy);

@@ -29,11 +29,9 @@ export function testFiles(place) {
         const program = await open('#stage=pixel_light');
         const names = ['globe.obj', 'globe.mtl', 'globe-earth.png', 'globe-wood.png'];
         await program.drop(...names.map(name => join(place.lessons, 'models', name)));
-        await program.press('7');
         await comparePicture(place, program, ['--scene', 'models/globe.obj', '--stage', 'pixel_light']);
         await program.drop(join(place.lessons, 'models/globe.obj'));
         await until(() => program.has('status.trouble'), 'it is said that the materials are missing', 5);
-        await program.press('7');
         const alone = await program.picture();
         holds(!alone.equals(await renderNatively(place, ['--scene', 'models/globe.obj', '--stage', 'pixel_light'])), 'A model alone still has its images.');
     });
@@ -46,8 +44,8 @@ export function testFiles(place) {
         for (const name of ['globe-earth.png', 'globe-wood.png']) copyFileSync(join(place.lessons, 'models', name), join(folder, 'images', name));
         const program = await open('#stage=pixel_light');
         await program.drop(folder);
-        await until(async () => (await program.press('7'), (await program.picture()).equals(
-            await renderNatively(place, ['--scene', 'models/globe.obj', '--stage', 'pixel_light']))), 'the model of the folder has its images', 8);
+        await until(async () => (await program.picture()).equals(
+            await renderNatively(place, ['--scene', 'models/globe.obj', '--stage', 'pixel_light'])), 'the model of the folder has its images', 8);
     });
 
     test('A lesson that is dropped with its scene opens', async () => {
@@ -121,8 +119,9 @@ export function testFiles(place) {
         await program.click('menu.File');
         await program.click('menu.file.open');
         await (await chooser).setFiles(['globe.mtl', 'globe.obj', 'globe-earth.png', 'globe-wood.png'].map(name => join(place.lessons, 'models', name)));
-        await until(async () => (await program.press('7'), (await program.picture()).equals(
-            await renderNatively(place, ['--scene', 'models/globe.obj', '--stage', 'pixel_light']))), 'the model that was chosen by the menu opens', 8);
+        await until(() => program.has('stage.texture'), 'the model that was chosen by the menu opens', 8);
+        await program.click('stage.texture');
+        await comparePicture(place, program, ['--scene', 'models/globe.obj', '--stage', 'pixel_light']);
     });
 
     test('Ctrl+S hands out the view, which opens again when it is dropped', async () => {

@@ -18,11 +18,11 @@
 #include <emscripten/html5.h>
 
 #include "base/error.h"
+#include "engines/engine_planes.h"
 
 #include "opening/opened_view.h"
 #include "opening/view_link.h"
 #include "picture/view_image.h"
-#include "pipeline/draw.h"
 #include "session/shown_pass.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/reading.h"
@@ -424,8 +424,7 @@ EMSCRIPTEN_KEEPALIVE void web_picture(const char* path) {
     const Frame frame = shown_frame(session);
     const Cursor to = in_frame(session.cursor, frame.pass);
     Framebuffer framebuffer;
-    clear(framebuffer, frame);
-    draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, framebuffer);
+    draw_by_engine(frame, to, framebuffer);
     write_png(view_image(framebuffer, session.view, session.depth_range), path);
 }
 
