@@ -8,22 +8,6 @@ namespace rasterwalk::rungs::no_vectors {
 
 namespace {
 
-void pixel_shader(const Pixel& pixel, const Surface& surface, const Lab& lab) {
-    const Viewport size = lab.picture.size;
-    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height) return;
-    const std::size_t place = place_of(pixel.x, pixel.y, size);
-    if (pixel.zinv <= lab.picture.depth[place]) return;
-    lab.picture.depth[place] = pixel.zinv;
-    if (lab.is_light_per_vertex) {
-        lab.picture.colour[place] = to_bytes(pixel.illumination / pixel.zinv);
-        return;
-    }
-    const glm::vec3 normal =
-        surface.is_bent ? glm::normalize(pixel.normal / pixel.zinv) : surface.normal;
-    const glm::vec3 light = light_at(pixel.position / pixel.zinv, normal, lab.light);
-    lab.picture.colour[place] = to_bytes(surface.reflectance * light);
-}
-
 void draw_polygon_rows(int rows, const RowTable& table, const Surface& surface, const Lab& lab) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(rows); ++i) {
         const Pixel& left = table.left_pixels[i];

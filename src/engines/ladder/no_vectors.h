@@ -9,46 +9,14 @@
 #include <span>
 #include <vector>
 
-#include "engines/ladder/parts.h"
+#include "engines/ladder/kept_vectors.h"
 
 namespace rasterwalk::rungs {
-
-struct Pixel {
-    int x = 0, y = 0;
-    float zinv = 0.0f;
-    // Divided by z, so that they change in equal steps across the screen.
-    glm::vec3 position{0.0f};
-    glm::vec3 normal{0.0f};
-    glm::vec3 illumination{0.0f}; ///< worked out at the vertices; else unused
-};
 
 /// The row table. Its memory stays.
 struct RowTable {
     std::vector<Pixel> left_pixels, right_pixels;
 };
-
-/// The first pixels of a vector, which grows if it has not so many.
-inline std::span<Pixel> first(int count, std::vector<Pixel>& kept) {
-    const auto size = static_cast<std::size_t>(count);
-    if (kept.size() < size) kept.resize(size);
-    return {kept.data(), size};
-}
-
-/// The lab's VertexShader.
-inline Pixel vertex_pixel(const Vertex& vertex, const Lab& lab) {
-    const glm::vec3 seen = vertex.position - lab.eye;
-    Pixel pixel;
-    pixel.zinv = 1.0f / seen.z;
-    pixel.x = static_cast<int>(lab.focal_length * seen.x * pixel.zinv) + lab.picture.size.width / 2;
-    pixel.y =
-        static_cast<int>(lab.focal_length * seen.y * pixel.zinv) + lab.picture.size.height / 2;
-    pixel.position = vertex.position * pixel.zinv;
-    pixel.normal = vertex.normal * pixel.zinv;
-    if (lab.is_light_per_vertex)
-        pixel.illumination =
-            vertex.reflectance * light_at(vertex.position, vertex.normal, lab.light) * pixel.zinv;
-    return pixel;
-}
 
 /// Calls use(pixel) for `count` pixels from a to b.
 template <class Use>
@@ -112,7 +80,7 @@ void for_each_row_table(const Scene& scene, const Lab& lab, Use use) {
         const auto corners = corners_of(scene, t);
         std::array<Pixel, triangle_corners> vertex_pixels;
         for (std::size_t i = 0; i < corners.size(); ++i)
-            vertex_pixels[i] = vertex_pixel(corners[i], lab);
+            vertex_pixels[i] = vertex_shader(corners[i], lab);
         const int rows = compute_polygon_rows(vertex_pixels, table);
         use(rows, table, surface_of(corners));
     }
