@@ -16,6 +16,7 @@
 #include "base/limits.h"
 #include "engines/fast/fast_mesh.h"
 #include "engines/fast/fast_view.h"
+#include "pipeline/surface.h"
 
 namespace rasterwalk {
 
@@ -26,19 +27,16 @@ void put(const glm::vec3& from, float (&to)[3]) {
         to[i] = from[i];
 }
 
-/// The corners of a triangle. With shading=flat they are lit alike: see middle_point().
+/// The corners of a triangle. With shading=flat all of them are lit as its middle is.
 void add_corners(const Scene& scene, int triangle, bool is_flat, std::vector<OpenGlCorner>& to) {
     const std::array<Vertex, triangle_corners> corners = corners_of(scene, triangle);
-    const auto mean = [&](glm::vec3 Vertex::*member) {
-        return (corners[0].*member + corners[1].*member + corners[2].*member) / 3.0f;
-    };
-    const glm::vec3 middle = mean(&Vertex::position), colour = mean(&Vertex::reflectance);
+    const SurfacePoint middle = middle_point(corners, triangle_normal(scene, triangle));
     for (const Vertex& vertex : corners) {
         OpenGlCorner& corner = to.emplace_back();
         put(vertex.position, corner.place);
-        put(is_flat ? middle : vertex.position, corner.lit_place);
-        put(is_flat ? corners[0].normal : vertex.normal, corner.normal);
-        put(is_flat ? colour : vertex.reflectance, corner.reflectance);
+        put(is_flat ? middle.position_world : vertex.position, corner.lit_place);
+        put(is_flat ? middle.normal : vertex.normal, corner.normal);
+        put(is_flat ? middle.reflectance : vertex.reflectance, corner.reflectance);
         corner.texcoord[0] = vertex.texcoord.x;
         corner.texcoord[1] = vertex.texcoord.y;
         put(corners[0].shine.specular, corner.specular);

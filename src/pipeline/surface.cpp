@@ -2,13 +2,16 @@
 
 namespace rasterwalk {
 
+glm::vec3 triangle_normal(const Scene& scene, int triangle) {
+    const std::array<Vertex, triangle_corners> corners = corners_of(scene, triangle);
+    return scene.mesh.differences(triangle).normals
+               ? face_normal(corners[0].position, corners[1].position, corners[2].position)
+               : corners[0].normal;
+}
+
 glm::vec3 flat_normal(const Frame& frame, int triangle) {
-    const std::array<Vertex, triangle_corners> corners = corners_of(*frame.scene, triangle);
-    const bool is_bent = frame.scene->mesh.differences(triangle).normals;
-    return frame.stages.light_normal(
-        is_bent ? face_normal(corners[0].position, corners[1].position, corners[2].position)
-                : corners[0].normal,
-        frame.settings.camera);
+    return frame.stages.light_normal(triangle_normal(*frame.scene, triangle),
+                                     frame.settings.camera);
 }
 
 SurfacePoint flat_point(const Frame& frame, int triangle) {

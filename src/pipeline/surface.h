@@ -12,8 +12,11 @@ Surface surface_of(const Frame& frame, int triangle);
 /// The same with everything that light per pixel needs, whatever shader is used.
 Surface lit_surface_of(const Frame& frame, int triangle);
 
-/// The normal of a whole triangle, as the light has it: the one its corners share, or the one
-/// worked out from their positions.
+/// The normal of a whole triangle: the one its corners share, or the one worked out from their
+/// positions.
+glm::vec3 triangle_normal(const Scene& scene, int triangle);
+
+/// The same as the light has it.
 glm::vec3 flat_normal(const Frame& frame, int triangle);
 
 /// Where flat shading works out the light of a triangle, whatever shading is used; its normal is on
