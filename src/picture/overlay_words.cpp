@@ -14,14 +14,14 @@ namespace rasterwalk {
 
 namespace {
 
-/// What a pixel took, without what it took none of: "3 fragments, 3 depth tests, 2 lights".
+/// What a pixel took, all that is in its total, without what it took none of: "3 fragments, 3 depth
+/// tests, 2 lights".
 std::string cost_words(const PixelCost& cost) {
     std::string words = counted(cost.fragments, "fragment", "fragments");
     const auto add = [&](std::uint32_t count, const char* one, const char* many) {
         if (count > 0) words += ", " + counted(count, one, many);
     };
     add(cost.depth_tests, "depth test", "depth tests");
-    add(cost.shaded, "colour", "colours");
     add(cost.lights, "light", "lights");
     add(cost.shadow_tests, "shadow test", "shadow tests");
     add(cost.texels, "texel", "texels");

@@ -58,7 +58,9 @@ void update_overlay(const Session& session, const WorkLimit& limit, bool moved, 
         // The overlay marks the picture at the cursor, so it is empty until that is drawn.
         results.overlay_is_old = true; // if memory runs out, it is made again next time
         if (!results.a.is_drawn()) {
+            CostDrawing counted = std::move(results.overlay.cost); // goes on from where it is
             results.overlay = {};
+            results.overlay.cost = std::move(counted);
         } else {
             compose_overlays(results.a.frame, results.a.cursor, *results.a.framebuffer, wanted,
                              !moved, results.overlay);

@@ -118,3 +118,22 @@ TEST_CASE("The cost overlay of a large picture comes in parts, and is complete i
     CHECK(results.overlay.cost.pixels().empty());
     CHECK_FALSE(is_working(results));
 }
+
+TEST_CASE("Where time goes forward, the costs are counted on, also while the picture is drawn") {
+    Session session = open_session(lessons_folder() + "/scenes/lab-room.toml");
+    session.overlays.set(Overlay::cost, true);
+    session.cursor = beginning_of(20);
+    Results results;
+    finish(session, results);
+    const std::int64_t before = results.overlay.cost.cost().fragments;
+    CHECK(before > 200'000);
+    session.cursor = cursor_end;
+    bool was_drawn_in_parts = false;
+    do {
+        update(session, results, {.at_once = 5'000.0, .slice = 5'000.0});
+        was_drawn_in_parts = was_drawn_in_parts || !results.a.is_drawn();
+        REQUIRE(results.overlay.cost.cost().fragments >= before);
+    } while (is_working(results));
+    CHECK(was_drawn_in_parts);
+    CHECK(results.overlay.cost.cost() == draw_cost(results.a.frame));
+}
