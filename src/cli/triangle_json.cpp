@@ -1,5 +1,6 @@
 #include "cli/triangle_json.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>

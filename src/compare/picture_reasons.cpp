@@ -111,7 +111,7 @@ std::string why(PixelReason reason, const DrawnPicture& a, const DrawnPicture& b
         return "only one of them draws anything there: the other leaves out, or cuts, what it "
                "draws";
     case PixelReason::depth:
-        return "one triangle is in front of the other, and they do not agree which";
+        return "one triangle is in front of the other, and they disagree about which";
     }
     return {};
 }
@@ -131,8 +131,8 @@ const std::array<PixelReasonWords, pixel_reason_count>& pixel_reason_list() {
         {PixelReason::left_out, "left out",
          "Only one of them draws anything there: the other leaves out, or cuts, what it draws."},
         {PixelReason::depth, "in depth",
-         "They show different triangles, away from any outline: they do not agree which is in "
-         "front."},
+         "They show different triangles, away from any outline: they disagree about which "
+         "is in front."},
     }};
     static_assert(is_indexed_by(list, &PixelReasonWords::reason));
     return list;

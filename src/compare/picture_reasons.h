@@ -24,7 +24,7 @@ enum class PixelReason : std::uint8_t {
     coverage, ///< another triangle, or none, where two of them meet or one ends: rules of coverage
     crack,    ///< one picture has a hole there, one pixel wide at most, and the other has none
     left_out, ///< only one of them draws anything there, far from any outline
-    depth,    ///< another triangle, far from any outline: they do not agree which is in front
+    depth,    ///< another triangle, far from any outline: they disagree about which is in front
 };
 inline constexpr int pixel_reason_count = static_cast<int>(enum_words<PixelReason>.size());
 

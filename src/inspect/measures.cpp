@@ -16,16 +16,14 @@ namespace {
 constexpr std::string_view prepass = "depth_prepass";
 
 constexpr std::string_view depth_orders[] = {"before_depth_test", "after_depth_test"};
-constexpr std::string_view draw_orders[] = {"scene", "near_first", "far_first"};
 constexpr std::string_view cull_rules[] = {"none", "face_normal", "screen_area", "vertex_normals",
                                            "fragment_normal"};
-constexpr std::string_view reject_rules[] = {"none", "outcodes", "cheap"};
 constexpr std::string_view off_and_on[] = {"off", "on"};
 
 constexpr Measure measures[] = {{"depth_order", depth_orders},
-                                {"draw_order", draw_orders},
+                                {"draw_order", enum_words<DrawOrder>},
                                 {"cull", cull_rules},
-                                {"reject", reject_rules},
+                                {"reject", enum_words<Reject>},
                                 {prepass, off_and_on}};
 
 constexpr double enough_milliseconds = 1000.0;

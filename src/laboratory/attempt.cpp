@@ -31,8 +31,7 @@ void add_choices(const Scene& scene, std::vector<Change>& changes) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
         if (choice == nullptr || setting.name == "stage" || setting.ties.part_of == "stage")
             continue;
-        const bool is_of_engines = setting.name == "engine" || setting.ties.is_of_engine;
-        if (is_of_engines || is_of_equal_rules(setting.name) || !is_of_use(setting, scene))
+        if (setting.ties.is_of_engine || is_of_equal_rules(setting.name) || !is_of_use(setting, scene))
             continue;
         for (const std::string_view word : choice->words) {
             if (is_word_of_whole(setting, word)) continue;

@@ -121,7 +121,8 @@ std::vector<Setting> make_table() {
          "which has no steps and takes a fraction of the time; a ray through each pixel; or "
          "OpenGL. All but the steps test the centres of pixels. While you walk through time, the "
          "steps draw.",
-         "All sections", "", choice<&Settings::engine>(), SettingTies{.needs_scene = is_in_world}},
+         "All sections", "", choice<&Settings::engine>(),
+         SettingTies{.needs_scene = is_in_world, .is_of_engine = true}},
         {"ray_boxes", "Boxes for rays", "Stage",
          "How triangles are sorted into boxes, so that a ray needs to be tested only against those "
          "in boxes that it meets: boxes in boxes, a bounding volume hierarchy; or one box, so that "

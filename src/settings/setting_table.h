@@ -81,7 +81,8 @@ struct SettingTies {
     bool (*needs_scene)(const Scene&) = nullptr;
     /// Of no use while this is false for the other settings; null: always of use.
     bool (*needs)(const Settings&) = nullptr;
-    /// Of an engine other than the steps: no picture of theirs depends on it.
+    /// Chooses an engine, or is one's own: no rule of the steps, whose picture does not depend on
+    /// it.
     bool is_of_engine = false;
 };
 

@@ -85,7 +85,7 @@ const std::vector<Variant>& rule_variants() {
             // The scenes of these tests have no textures; tests/pipeline/test_textures.cpp has.
             if (!is_of_use(setting, Scene{})) continue;
             // The engine is not a rule of the steps: tests/engines compares it with them.
-            if (setting.name == "engine" || setting.ties.is_of_engine) continue;
+            if (setting.ties.is_of_engine) continue;
             // Six more pictures each time: tests/pipeline/test_shadows.cpp tries them.
             if (setting.group == "Shadow") continue;
             // By its old name, which the goldens have: the words must set the new one.

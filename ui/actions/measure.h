@@ -34,7 +34,7 @@ bool is_racing(const Ui& ui);
 /// Are frames needed to measure, because there are no threads?
 bool is_measured_by_frames(const Ui& ui);
 
-/// When progress is worth another frame, seconds; infinite if nothing is measured and none race.
+/// When progress is worth another frame, seconds; infinite if nothing is measured or races.
 double seconds_to_progress(const Ui& ui);
 
 /// The times of run A; without rungs, if it was not measured as it is now.

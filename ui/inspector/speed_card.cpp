@@ -93,9 +93,10 @@ void draw_race(Ui& ui, std::size_t index) {
         return;
     }
     if (button(ui, "speed.race", "Race", Look::plain,
-               fmt::format("Draws tiles in two sheets {} times with two threads, and counts the "
-                           "pixels that one thread draws differently.",
-                           usual_race_runs))) {
+               fmt::format(
+                   "Draws a made scene, one sheet of tiles close behind another, {} times with "
+                   "two threads, and counts the pixels that one thread draws differently.",
+                   usual_race_runs))) {
         begin_race(ui);
     }
     if (ui.ladder.wrong.empty()) return;

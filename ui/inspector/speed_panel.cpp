@@ -53,7 +53,7 @@ void draw_ladder_title(Ui& ui) {
             stop_measuring(ui);
         }
     } else if (button(ui, "speed.measure", label, has_times ? Look::plain : Look::main,
-                      fmt::format("Draws the picture {} times on each rung, in turns, on this "
+                      fmt::format("Draws the picture {} times on each rung, taking turns, on this "
                                   "machine.",
                                   ui.ladder.rounds))) {
         measure_ladder(ui);

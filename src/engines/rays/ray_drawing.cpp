@@ -25,8 +25,13 @@ void RayDrawing::begin(const Frame& frame) {
     frame_ = &frame;
     const Mesh& mesh = frame.scene->mesh;
     const TreeBoxes boxes = frame.settings.ray_boxes;
-    if (tree_ == nullptr || boxes_ != boxes || !tree_->is_of(mesh))
-        tree_ = std::make_shared<const TriangleTree>(mesh, boxes);
+    if (tree_ == nullptr || boxes_ != boxes || !tree_->is_of(mesh)) {
+        // Shadows may have made the same one.
+        const auto& of_shadows = frame.occluders.triangles;
+        const bool is_made =
+            boxes == TreeBoxes::nested && of_shadows != nullptr && of_shadows->is_of(mesh);
+        tree_ = is_made ? of_shadows : std::make_shared<const TriangleTree>(mesh, boxes);
+    }
     boxes_ = boxes;
     tracer_.emplace(frame, *tree_);
     pixels_ = 0;
