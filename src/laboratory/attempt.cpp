@@ -31,7 +31,8 @@ void add_choices(const Scene& scene, std::vector<Change>& changes) {
         const auto* const choice = std::get_if<ChoiceSetting>(&setting.kind);
         if (choice == nullptr || setting.name == "stage" || setting.ties.part_of == "stage")
             continue;
-        if (setting.ties.is_of_engine || is_of_equal_rules(setting.name) || !is_of_use(setting, scene))
+        if (setting.ties.is_of_engine || is_of_equal_rules(setting.name) ||
+            !is_of_use(setting, scene))
             continue;
         for (const std::string_view word : choice->words) {
             if (is_word_of_whole(setting, word)) continue;
