@@ -28,7 +28,8 @@ void put(const glm::vec3& from, float (&to)[3]) {
 }
 
 /// The corners of a triangle. With shading=flat all of them are lit as its middle is.
-void add_corners(const Scene& scene, int triangle, bool is_flat, std::vector<OpenGlCorner>& to) {
+void add_corners(const Scene& scene, int triangle, bool is_flat, const Light& light,
+                 std::vector<OpenGlCorner>& to) {
     const std::array<Vertex, triangle_corners> corners = corners_of(scene, triangle);
     const SurfacePoint middle = middle_point(corners, triangle_normal(scene, triangle));
     for (const Vertex& vertex : corners) {
@@ -40,7 +41,7 @@ void add_corners(const Scene& scene, int triangle, bool is_flat, std::vector<Ope
         corner.texcoord[0] = vertex.texcoord.x;
         corner.texcoord[1] = vertex.texcoord.y;
         put(corners[0].shine.specular, corner.specular);
-        corner.exponent = corners[0].shine.exponent;
+        corner.exponent = exponent_of(corners[0].shine, light);
         corner.owner = triangle;
     }
 }
@@ -53,7 +54,7 @@ void add_triangles(const Scene& scene, const Settings& settings, OpenGlTask& tas
             const bool can_be_drawn = is_place(scene.corner(t, 0).position) &&
                                       is_place(scene.corner(t, 1).position) &&
                                       is_place(scene.corner(t, 2).position);
-            if (can_be_drawn) add_corners(scene, t, is_flat, task.corners);
+            if (can_be_drawn) add_corners(scene, t, is_flat, settings.light, task.corners);
         }
         run.triangle_count = task.triangle_count() - run.first_triangle;
         task.runs.push_back(run);

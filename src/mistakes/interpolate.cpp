@@ -30,11 +30,11 @@ void row_fragments_with_falling_zinv(const Stages& stages, const Row& row, int f
     row_fragments_with<turn>(stages, row, first, carried, result);
 }
 
-float recovery_weight_squared(float zinv) {
+float recovery_weight_squared(float zinv, const Stages&) {
     return zinv * zinv;
 }
 
-float varying_weight_one(float) {
+float varying_weight_one(float, const Stages&) {
     return 1.0f;
 }
 

@@ -23,10 +23,10 @@ void row_fragments_with_falling_zinv(const Stages& stages, const Row& row, int f
 
 /// B3, in the slots varying_weight and recovery_weight: q itself is interpolated, which is wrong
 /// except at the vertices. B86, in the slot recovery_weight alone: q/z is used as q.
-float varying_weight_one(float zinv);
+float varying_weight_one(float zinv, const Stages&);
 
 /// B87, in the slot recovery_weight: q/z is divided by 1/z twice, which leaves q z.
-float recovery_weight_squared(float zinv);
+float recovery_weight_squared(float zinv, const Stages&);
 
 /// B4, in the slot span_end: the varyings, already divided by z at the vertices, are multiplied by
 /// 1/z a second time.

@@ -67,7 +67,8 @@ class RowWalk {
     static constexpr std::array<glm::vec3 Varyings::*, sizeof...(carried)> members{carried...};
 
     static Values values_at(const RowEnd& end, const Stages& stages) {
-        const float weight = call<rasterwalk::varying_weight>(stages.recovery_weight, end.inv_w);
+        const float weight =
+            call<rasterwalk::varying_weight>(stages.recovery_weight, end.inv_w, stages);
         Values values{end.depth, weight};
         std::size_t k = 2;
         for (glm::vec3 Varyings::*const member : members) {

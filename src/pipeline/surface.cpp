@@ -34,7 +34,7 @@ Surface surface_of(const Frame& frame, int triangle) {
     const Vertex& corner = frame.scene->corner(triangle, 0);
     Surface surface{frame.stages.light_normal(corner.normal, frame.settings.camera),
                     corner.reflectance};
-    if (frame.blends) surface.alpha = alpha_of(*frame.scene, triangle);
+    if (frame.blends) surface.alpha = alpha_rule(frame.settings, *frame.scene, triangle);
     if (is_textured(frame)) surface.texture = texture_of(*frame.scene, triangle);
     if (surface.texture != nullptr && surface.texture->has_alpha())
         surface.texture_alpha = texture_alpha_rule(frame);

@@ -245,6 +245,7 @@ enum class Spans : std::uint8_t {
 enum class Interpolation : std::uint8_t {
     perspective, ///< q/z is interpolated and divided by 1/z at the pixel: right
     affine,      ///< q itself is interpolated: wrong except at the vertices; mistake B3
+    mixed,       ///< q w is interpolated and divided by w, between affine's 1 and d/z
     zinv_twice,  ///< q/z is multiplied by 1/z again at the ends of a row, divided once: mistake B4
     undivided,   ///< q/z is interpolated and used as q at the pixel: mistake B86
     divided_twice, ///< q/z is interpolated and divided by 1/z twice at the pixel: mistake B87

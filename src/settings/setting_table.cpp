@@ -100,6 +100,15 @@ bool has_bsp(const Settings& s) {
 bool is_drawn_by_rays(const Settings& s) {
     return s.engine == Engine::rays;
 }
+bool is_interpolation_mixed(const Settings& s) {
+    return s.interpolation == Interpolation::mixed;
+}
+bool has_highlights(const Settings& s) {
+    return s.light.model == LightModel::blinn_phong;
+}
+bool blends_surfaces(const Settings& s) {
+    return s.blend != Blend::off;
+}
 bool has_shadow_rays(const Settings& s) {
     return s.shadows == Shadows::rays;
 }
@@ -298,10 +307,16 @@ std::vector<Setting> make_table() {
          "Depth buffer", "", choice<&Settings::depth_order>()},
         {"interpolation", "Between the vertices", "Depth and interpolation",
          "How values between the vertices are found: divided by z at the vertices and by 1/z at "
-         "the pixel (perspective); straight across the picture (affine); or, by mistake, "
-         "multiplied by 1/z twice and divided by it once, or divided by 1/z twice, or not at all, "
-         "at the pixel.",
+         "the pixel (perspective); straight across the picture (affine); with weights in between "
+         "(mixed); or, by mistake, multiplied by 1/z twice and divided by it once, or divided by "
+         "1/z twice, or not at all, at the pixel.",
          "Light per pixel", "", choice<&Settings::interpolation>()},
+        {"interpolation_mix", "Perspective m", "Depth and interpolation",
+         "How much of perspective mixed interpolation takes into account. A vertex has the weight "
+         "(1 − m) + m d/z, where d is the reference depth: all weights are equal at 0, which is "
+         "affine, and go with 1/z at 1, which is perspective-correct.",
+         "Light per pixel", "", NumberSetting{at<&Settings::interpolation_mix>, 0.0f, 1.0f, 0.005f},
+         SettingTies{.needs = is_interpolation_mixed}},
         {"texture", "Textures", "Texture",
          "Whether surfaces show the textures that the scene gives them. Without one a surface has "
          "its own colour.",
@@ -366,6 +381,11 @@ std::vector<Setting> make_table() {
          "swapped.",
          "Beyond the lab", "", choice<&Settings::blend>(),
          SettingTies{.needs_scene = has_any_alpha}},
+        {"surface.alpha", "Alpha of surfaces", "Depth and interpolation",
+         "How opaque half-transparent surfaces are: above 0 up to 1 (opaque), the same for all of "
+         "them; 0 takes each surface's own alpha.",
+         "Beyond the lab", "", NumberSetting{at<&Settings::surface_alpha>, 0.0f, 1.0f, 0.005f},
+         SettingTies{.needs_scene = has_alpha, .needs = blends_surfaces}},
         {"camera.position", "Camera position", "Camera",
          "Where the camera is: x right, y down, z forward.", "Moving the camera", "world units",
          VectorSetting{at<&Settings::camera, &Camera::position>, -largest_place, largest_place,
@@ -501,6 +521,14 @@ std::vector<Setting> make_table() {
          "How a surface reflects light: the same in all directions (Lambert), or also with a "
          "highlight, if its material has one (Blinn-Phong).",
          "Illumination", "", choice<&Settings::light, &Light::model>()},
+        {"light.exponent", "Highlight exponent", "Light",
+         "How small and sharp highlights are: the power that n · h is raised to, above 0 the same "
+         "for all materials; 0 takes each material's own exponent. Used only if light.model is "
+         "blinn_phong.",
+         "Illumination", "",
+         NumberSetting{at<&Settings::light, &Light::exponent>, smallest_exponent, largest_exponent,
+                       0.5f},
+         SettingTies{.needs = has_highlights}},
         {"light.direction", "Light direction", "Light",
          "The vector that is compared with the normal: the one to the lamp, made unit length; or "
          "by mistake the one from the lamp, the one to the lamp at its full length, or the one to "

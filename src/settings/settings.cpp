@@ -120,6 +120,16 @@ Projection projection_rule(const Settings& settings, SceneSpace space) {
 
 } // namespace
 
+MixedWeight mixed_weight_rule(const Settings& settings, SceneSpace space) {
+    return {settings.interpolation_mix,
+            space == SceneSpace::world ? orthographic_depth_rule(settings) : 1.0f};
+}
+
+float alpha_rule(const Settings& settings, const Scene& scene, int triangle) {
+    const float own = alpha_of(scene, triangle);
+    return own < 1.0f && settings.surface_alpha > 0.0f ? settings.surface_alpha : own;
+}
+
 DepthRules depth_rules(const Settings& settings, SceneSpace space) {
     return {.projection = projection_rule(settings, space),
             .near = settings.near,

@@ -53,6 +53,7 @@ struct Settings {
     DepthFormat depth_format = DepthFormat::inv_z;
     DepthIndex depth_index = DepthIndex::row_major;
     Interpolation interpolation = Interpolation::perspective;
+    float interpolation_mix = 0.5f; ///< of interpolation=mixed, 0: affine, 1: perspective
     DepthOrder depth_order = DepthOrder::after_depth_test;
     TextureUse texture = TextureUse::on; ///< only where the scene has textures
     TextureFilter texture_filter = TextureFilter::nearest;
@@ -64,7 +65,8 @@ struct Settings {
     NormalMapSpace normal_map_space = NormalMapSpace::world;
     Parallax parallax = Parallax::limited; ///< only where the scene has height maps
     ParallaxRule parallax_rule = ParallaxRule::right;
-    Blend blend = Blend::over; ///< only where the scene has something half transparent
+    Blend blend = Blend::over;  ///< only where the scene has something half transparent
+    float surface_alpha = 0.0f; ///< of whatever is half transparent; 0: each surface's own
     Camera camera;
     Rotation rotation = Rotation::row_vector;
     CameraMove camera_move = CameraMove::subtracted; ///< only with the lab's lines of code
@@ -137,6 +139,13 @@ DepthRules depth_rules(const Settings& settings, SceneSpace space);
 /// The value that the depth buffer starts with: nearer than the farthest depth by depth_clear, as
 /// the buffer holds it.
 float depth_clear_rule(const Settings& settings, SceneSpace space);
+
+/// The weights that mixed interpolation carries values with.
+MixedWeight mixed_weight_rule(const Settings& settings, SceneSpace space);
+
+/// The alpha of a triangle, 0 (clear) to 1 (opaque): its surface's, or the setting's if it is half
+/// transparent.
+float alpha_rule(const Settings& settings, const Scene& scene, int triangle);
 
 /// The lamp in force: a flashlight is where the camera is.
 Light light_rule(const Settings& settings);

@@ -101,6 +101,12 @@ void put_matrices(Stages& stages, const Settings& s, const Scene*) {
                                                               : with_matrices<true>(s.image_axes);
 }
 
+template <auto slot>
+void put_mixed_weight(Stages& stages, const Settings& s, const Scene* scene) {
+    slot_in(stages, slot) = mixed_weight;
+    stages.mixed_weight = mixed_weight_rule(s, scene != nullptr ? scene->space : SceneSpace::world);
+}
+
 void put_corner_snap(Stages& stages, const Settings& s, const Scene*) {
     switch (s.snap) {
     case Snap::pixel:
@@ -443,6 +449,12 @@ const RegistryRow registry_rows[] = {
      "mistakes/interpolate.h"},
     {"interpolation=affine|undivided", put<&Stages::recovery_weight, varying_weight_one>,
      "mistakes/interpolate.h"},
+    {"interpolation=mixed",
+     part<&Stages::varying_weight, mixed_weight, put_mixed_weight<&Stages::varying_weight>>,
+     "stages/pixel_shader.h"},
+    {"interpolation=mixed",
+     part<&Stages::recovery_weight, mixed_weight, put_mixed_weight<&Stages::recovery_weight>>,
+     "stages/pixel_shader.h"},
     {"interpolation=zinv_twice", put<&Stages::span_end, span_end_times_zinv>,
      "mistakes/interpolate.h"},
     {"interpolation=divided_twice", put<&Stages::recovery_weight, recovery_weight_squared>,

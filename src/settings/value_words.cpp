@@ -95,6 +95,7 @@ constexpr ChoiceWords choice_word_list[] = {
     {"depth_index", "transposed", "[x][y]"},
     {"depth_order", "after_depth_test", "after the test"},
     {"depth_order", "before_depth_test", "before the test"},
+    {"interpolation", "mixed", "with mixed weights"},
     {"interpolation", "zinv_twice", "1/z twice"},
     {"texel_rule", "right", "as it should be"},
     {"texel_rule", "upside_down", "v from the bottom"},

@@ -45,6 +45,11 @@ struct HighlightPoint {
     Shine shine;
 };
 
+/// The exponent of a highlight: the light's, if it gives one for all materials.
+constexpr float exponent_of(const Shine& shine, const Light& light) {
+    return light.exponent > 0.0f ? light.exponent : shine.exponent;
+}
+
 /// Is the lamp on the side to which the normal points?
 constexpr bool faces_lamp(const LightTerms& terms) {
     return terms.cosine > 0.0f;

@@ -27,6 +27,30 @@ float clip_z_between(float z, const Projection& projection, float near, float fa
     return 1.0f;
 }
 
+/// z = (a + b depth) / (c + d depth), which is depth_at() solved for z.
+struct DepthInverse {
+    double a, b, c, d;
+
+    double below(double depth) const { return c + d * depth; }
+};
+
+DepthInverse depth_inverse(const DepthRules& rules) {
+    const Projection& projection = rules.projection;
+    const double mix = projection.mix, near = rules.near, far = rules.far;
+    // The float of the length has lost the near plane if the far one is very far away.
+    const double length = far != near ? far - near : length_between(rules.near, rules.far);
+    const double near_w = clip_w(near, mix), far_w = clip_w(far, mix);
+    switch (projection.clip_depth) {
+    case ClipDepth::inv_z: // depth = 1 / w
+        break;
+    case ClipDepth::ndc: // depth = far_w (z - near) / (length w)
+        return {far_w * near, length * mix, far_w, -length * (1.0 - mix)};
+    case ClipDepth::reversed: // depth = near_w (far - z) / (length w)
+        return {near_w * far, -length * mix, near_w, length * (1.0 - mix)};
+    }
+    return {1.0, -mix, 0.0, 1.0 - mix};
+}
+
 } // namespace
 
 PictureScale picture_scale(double focal_length, const Viewport& size,
@@ -63,20 +87,15 @@ float depth_at(float z, const DepthRules& rules) {
 }
 
 double z_of_depth(float depth, const DepthRules& rules) {
-    const Projection& projection = rules.projection;
-    const double stored = depth, mix = projection.mix, near = rules.near, far = rules.far;
-    const double length = length_between(rules.near, rules.far);
-    const double near_w = clip_w(rules.near, projection), far_w = clip_w(rules.far, projection);
-    // Solved for z, with w = (1 - mix) z + mix.
-    switch (projection.clip_depth) {
-    case ClipDepth::inv_z:
-        break;
-    case ClipDepth::ndc: // depth = far_w (z - near) / (length w)
-        return (far_w * near + stored * length * mix) / (far_w - stored * length * (1.0 - mix));
-    case ClipDepth::reversed: // depth = near_w (far - z) / (length w)
-        return (near_w * far - stored * length * mix) / (near_w + stored * length * (1.0 - mix));
-    }
-    return (1.0 / stored - mix) / (1.0 - mix);
+    const DepthInverse inverse = depth_inverse(rules);
+    return (inverse.a + inverse.b * depth) / inverse.below(depth);
+}
+
+double z_between(float from, float to, const DepthRules& rules) {
+    const DepthInverse inverse = depth_inverse(rules);
+    const double step = double{to} - double{from};
+    return step / inverse.below(from) *
+           ((inverse.b * inverse.c - inverse.a * inverse.d) / inverse.below(to));
 }
 
 glm::vec4 to_clip_space_mixed(const glm::vec3& rotated, const VertexRules& rules) {

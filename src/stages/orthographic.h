@@ -78,6 +78,10 @@ float depth_at(float z, const DepthRules& rules);
 /// The z at this depth, in double: the inverse of depth_at().
 double z_of_depth(float depth, const DepthRules& rules);
 
+/// How much farther in front of the camera the second of two depths is than the first, world units.
+/// Exact to the last digits for neighbours too: their z differ too little to be subtracted.
+double z_between(float from, float to, const DepthRules& rules);
+
 /// In the slot to_clip_space: any projection, and any depth.
 glm::vec4 to_clip_space_mixed(const glm::vec3& rotated, const VertexRules& rules);
 

@@ -4,8 +4,13 @@
 
 namespace rasterwalk {
 
+float mixed_weight(float zinv, const Stages& stages) {
+    const MixedWeight& weight = stages.mixed_weight;
+    return (1.0f - weight.mix) + weight.mix * (weight.depth * zinv);
+}
+
 float weight_of(const Fragment& fragment, const Stages& stages) {
-    return call<varying_weight>(stages.recovery_weight, fragment.inv_w);
+    return call<varying_weight>(stages.recovery_weight, fragment.inv_w, stages);
 }
 
 Varyings recover_varyings(const Fragment& fragment, const Stages& stages) {

@@ -74,9 +74,22 @@ constexpr VaryingSet varyings_read(Shading shading) {
 
 /// What the varyings of a fragment are multiplied by while they are interpolated: 1/z, so that they
 /// change in equal steps along a row.
-constexpr float varying_weight(float zinv) {
+constexpr float varying_weight(float zinv, const Stages&) {
     return zinv;
 }
+
+/// How far the weights of mixed interpolation are from affine's toward those of perspective.
+struct MixedWeight {
+    float mix = 1.0f;   ///< m: 0 is affine, 1 is perspective
+    float depth = 1.0f; ///< d, in world units: what z is measured by, so that the unit cancels
+
+    friend bool operator==(const MixedWeight&, const MixedWeight&) = default;
+};
+
+/// In the slots varying_weight and recovery_weight: (1 - m) + m d / z, the weight between affine's
+/// and that of perspective. It is linear in 1/z, so the weight at a fragment is the interpolated
+/// one, and a value that is the same at all vertices stays the same between them.
+float mixed_weight(float zinv, const Stages& stages);
 
 /// What a fragment's varyings are divided by, as the table has it.
 float weight_of(const Fragment& fragment, const Stages& stages);

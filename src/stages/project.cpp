@@ -80,7 +80,7 @@ ProjectedVertex project(const ClipVertex& vertex, const VertexRules& rules, cons
     result.pixel.depth = clip.z * inv_w;
     result.pixel.inv_w = inv_w;
     result.pixel.z = camera_depth(clip, rules);
-    result.pixel.varyings = vertex.varyings * stages.varying_weight(inv_w);
+    result.pixel.varyings = vertex.varyings * stages.varying_weight(inv_w, stages);
     return result;
 }
 

@@ -113,9 +113,10 @@ struct Stages {
     decltype(&rasterwalk::line_step) line_step = rasterwalk::line_step;
     decltype(&rasterwalk::interpolate) interpolate = rasterwalk::interpolate;
     RowEnd (*span_end)(const RowEnd& end) = rasterwalk::span_end;
-    float (*varying_weight)(float zinv) = rasterwalk::varying_weight;
+    decltype(&rasterwalk::varying_weight) varying_weight = rasterwalk::varying_weight;
     // What a fragment divides its varyings by; correctly, the weight that the vertices gave them.
-    float (*recovery_weight)(float zinv) = rasterwalk::varying_weight;
+    decltype(&rasterwalk::varying_weight) recovery_weight = rasterwalk::varying_weight;
+    MixedWeight mixed_weight; // not a slot: what the function mixed_weight() mixes by
 
     // Hidden surfaces: by the order in which triangles are drawn, or by depth.
     decltype(&mean_depth) painter_depth = mean_depth;

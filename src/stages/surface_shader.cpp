@@ -32,10 +32,12 @@ SurfaceLight surface_light(const SurfacePoint& point, const Light& light, const 
     result.reflected = result.diffuse.reflected;
     if (light.model == LightModel::lambert) return result;
     const glm::vec3 to_eye = -sight_ray(point.position_world, rays);
-    result.highlight = stages.highlight(
-        result.diffuse,
-        {normal, point.space ? along_axes(to_eye, point.space->axes) : to_eye, point.shine},
-        arriving.power);
+    result.highlight =
+        stages.highlight(result.diffuse,
+                         {normal,
+                          point.space ? along_axes(to_eye, point.space->axes) : to_eye,
+                          {point.shine.specular, exponent_of(point.shine, light)}},
+                         arriving.power);
     result.reflected = result.reflected + result.highlight.reflected;
     return result;
 }

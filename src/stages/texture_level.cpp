@@ -51,7 +51,7 @@ TextureSlope texture_slope(PolygonCorners vertices, const Stages& stages) {
     }
     if (largest.a == nullptr) return {}; // no triangle has an area
     const auto weight = [&](const ScreenVertex* vertex) {
-        return static_cast<double>(stages.recovery_weight(vertex->inv_w));
+        return static_cast<double>(stages.recovery_weight(vertex->inv_w, stages));
     };
     const auto place = [](const ScreenVertex* vertex) {
         return glm::dvec2(vertex->varyings.texcoord);

@@ -284,11 +284,9 @@ TEST_CASE("Each setting is compared and copied separately") {
         } else if (const auto* const whole = std::get_if<WholeSetting>(&setting.kind)) {
             set_value(from, setting, std::to_string(whole->smallest + whole->step));
         } else {
-            const bool is_number = std::holds_alternative<NumberSetting>(setting.kind);
-            set_value(from, setting,
-                      setting.name == "projection_mix" ? "0.5"
-                      : is_number                      ? "1.5"
-                                                       : "1,2,0.5");
+            const auto* const number = std::get_if<NumberSetting>(&setting.kind);
+            const bool is_share = number != nullptr && number->largest <= 1.0f;
+            set_value(from, setting, number == nullptr ? "1,2,0.5" : is_share ? "0.75" : "1.5");
         }
         INFO(setting.name);
         CHECK(has_same_value(setting, from, from));

@@ -95,6 +95,7 @@ struct View {
     float near;         ///< of the view volume
     float lamp[3];      ///< world
     float power[3], indirect[3];
+    float exponent; ///< of all highlights; 0: each material's own
     std::int32_t has_highlights, shows_textures;
     std::int32_t culls_backs; ///< triangles whose corners go round counterclockwise on the screen
     LightAt light_at;

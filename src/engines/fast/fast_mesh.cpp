@@ -12,11 +12,11 @@ namespace rasterwalk {
 namespace {
 
 /// Larger positions would leave the range of floats on their way to the screen.
-constexpr float largest_place = 1e15f;
+constexpr float farthest_place = 1e15f;
 
 /// A value safe for every calculation: 0 in place of NaN or anything too large.
 float tame(float value) {
-    return std::abs(value) <= largest_place ? value : 0.0f;
+    return std::abs(value) <= farthest_place ? value : 0.0f;
 }
 fast::Record record(const glm::vec3& v) {
     return {tame(v.x), tame(v.y), tame(v.z), 0.0f};
@@ -130,8 +130,8 @@ std::uint32_t packed(const glm::vec3& texel) {
 } // namespace
 
 bool is_place(const glm::vec3& place) {
-    return std::abs(place.x) <= largest_place && std::abs(place.y) <= largest_place &&
-           std::abs(place.z) <= largest_place;
+    return std::abs(place.x) <= farthest_place && std::abs(place.y) <= farthest_place &&
+           std::abs(place.z) <= farthest_place;
 }
 
 FastMesh fast_mesh(const Scene& scene) {

@@ -95,6 +95,7 @@ fast::View fast_view(const Settings& settings) {
     set(light.position, view.lamp);
     set(light.power, view.power);
     set(light.indirect, view.indirect);
+    view.exponent = light.exponent;
     view.has_highlights = light.model == LightModel::blinn_phong ? 1 : 0;
     view.shows_textures = settings.texture == TextureUse::on ? 1 : 0;
     view.culls_backs = settings.cull != Cull::none ? 1 : 0;

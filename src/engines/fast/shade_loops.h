@@ -145,7 +145,8 @@ RASTERWALK_INLINE void shade_group(const Mesh& mesh, const View& view, const Row
             lit = reflectance;
             if (view.light_at == LightAt::pixels) {
                 shares = light_shares(to_lamp, depth, {normal.a, normal.b, normal.c},
-                                      {-ray.x, -ray.y, -ray.z}, shines, all(of.exponent));
+                                      {-ray.x, -ray.y, -ray.z}, shines,
+                                      all(view.exponent > 0.0f ? view.exponent : of.exponent));
                 lit = reflected(shares, reflectance, view);
                 if (shines) add_highlight(shares, of, view, lit);
             }

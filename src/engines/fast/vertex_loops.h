@@ -54,9 +54,10 @@ void light_vertices(const Mesh& mesh, const View& view, std::int32_t first, std:
                               view.lamp[2] - place.z};
         const Vector3 to_eye{view.eye[0] - place.x, view.eye[1] - place.y, view.eye[2] - place.z};
         const bool has_highlights = view.has_highlights != 0 && mesh.exponents != nullptr;
+        const bool has_own = has_highlights && !(view.exponent > 0.0f);
         const LightShares shares =
             light_shares(to_lamp, all(1.0f), {normal.a, normal.b, normal.c}, to_eye, has_highlights,
-                         has_highlights ? load(mesh.exponents + i) : all(1.0f));
+                         has_own ? load(mesh.exponents + i) : all(view.exponent));
         for (int lane = 0; lane < lane_count; ++lane)
             mesh.light[i + lane] = {shares.diffuse[lane], shares.highlight[lane], {}};
     }

@@ -80,7 +80,7 @@ Fragment RayTracer::fragment_at(const TriangleHit& hit) const {
     // The pixel shader expects them with the weight that rows give them.
     fragment.varyings =
         (corners[0].varyings * first + corners[1].varyings * hit.u + corners[2].varyings * hit.v) *
-        call<varying_weight>(frame_.stages.varying_weight, fragment.inv_w);
+        call<varying_weight>(frame_.stages.varying_weight, fragment.inv_w, frame_.stages);
     return fragment;
 }
 
