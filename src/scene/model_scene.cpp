@@ -86,6 +86,7 @@ Scene scene_of_model(const ObjModel& model) {
     scene.path = model.path;
     scene.name = visible_line(std::filesystem::path(model.path).stem().string());
     scene.model_report = model.report;
+    scene.model_source = SharedModelSource(model.source);
     scene.textures = model.textures;
     const std::vector<ModelStep> steps = fitting_steps(box_of(model.mesh));
     const glm::dmat4 matrix = model_matrix(steps);
@@ -96,8 +97,10 @@ Scene scene_of_model(const ObjModel& model) {
         vertex.texcoord.y = 1.0f - vertex.texcoord.y;
         scene.mesh.add_vertex(vertex);
     }
-    for (const TriangleIndices& corners : model.mesh.triangles())
-        scene.mesh.add_triangle({corners[0], corners[2], corners[1]});
+    for (const TriangleIndices& corners : model.mesh.triangles()) {
+        scene.mesh.add_triangle(
+            {corners[model_corners[0]], corners[model_corners[1]], corners[model_corners[2]]});
+    }
     for (const ObjPart& part : model.parts) {
         Part placed{part.name, part.first_triangle, part.triangle_count, {steps, {}}, part.texture};
         placed.normal_map = part.normal_map;
@@ -117,7 +120,7 @@ Scene scene_of_model(const ObjModel& model) {
         }
         placed.model.positions.reserve(3 * static_cast<std::size_t>(part.triangle_count));
         for (int i = 0; i < part.triangle_count; ++i) {
-            for (const int corner : {0, 2, 1}) {
+            for (const int corner : model_corners) {
                 placed.model.positions.push_back(
                     model.mesh.corner(part.first_triangle + i, corner).position);
             }

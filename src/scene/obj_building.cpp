@@ -77,8 +77,9 @@ ObjPlaces obj_places(const ObjStatements& file) {
 class ModelBuilder {
   public:
     ModelBuilder(ObjStatements& file, const ObjOptions& options, WatchedSteps& watched,
-                 ObjReporter& reporter, ObjModel& model)
-        : file_(file), options_(options), watched_(watched), reporter_(reporter), model_(model) {}
+                 ObjReporter& reporter, ObjModel& model, std::vector<TriangleOrigin>& origins)
+        : file_(file), options_(options), watched_(watched), reporter_(reporter), model_(model),
+          origins_(origins) {}
 
     void find_materials() {
         std::map<std::string_view, int> known;
@@ -347,6 +348,9 @@ class ModelBuilder {
             model_.mesh.add_triangle({indices_[static_cast<std::size_t>(triangle[0])],
                                       indices_[static_cast<std::size_t>(triangle[1])],
                                       indices_[static_cast<std::size_t>(triangle[2])]});
+            origins_.push_back({face.line,
+                                {face.first_corner + triangle[0], face.first_corner + triangle[1],
+                                 face.first_corner + triangle[2]}});
         }
         ++counts().faces;
         counts().corners += face.corner_count;
@@ -357,6 +361,7 @@ class ModelBuilder {
     WatchedSteps& watched_;
     ObjReporter& reporter_;
     ObjModel& model_;
+    std::vector<TriangleOrigin>& origins_;
     ObjImages images_{model_.materials, model_.textures, watched_, reporter_};
 
     std::vector<glm::vec3> points_; ///< the positions of the file
@@ -373,8 +378,8 @@ class ModelBuilder {
 } // namespace
 
 void build_model(ObjStatements& file, const ObjOptions& options, WatchedSteps& watched,
-                 ObjReporter& reporter, ObjModel& model) {
-    ModelBuilder builder(file, options, watched, reporter, model);
+                 ObjReporter& reporter, ObjModel& model, std::vector<TriangleOrigin>& origins) {
+    ModelBuilder builder(file, options, watched, reporter, model, origins);
     builder.find_materials();
     builder.keep_sound_faces();
     builder.place_points();

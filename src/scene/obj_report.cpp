@@ -58,11 +58,14 @@ void ObjReporter::note(std::string_view path, int line, std::string sentence) {
     report_.notes.push_back({visible_line(path), line, std::move(sentence)});
 }
 
-std::string fault_line(const ObjFault& fault) {
-    std::string text = fmt::format("{}:{}: {}", fault.path, fault.line, fault.sentence);
+std::string more_like_it(const ObjFault& fault) {
     const std::int64_t more = fault.count - 1;
-    if (more > 0) text += fmt::format(" There {} {} more like it.", more == 1 ? "is" : "are", more);
-    return text;
+    if (more <= 0) return "";
+    return fmt::format(" There {} {} more like it.", more == 1 ? "is" : "are", more);
+}
+
+std::string fault_line(const ObjFault& fault) {
+    return fmt::format("{}:{}: {}{}", fault.path, fault.line, fault.sentence, more_like_it(fault));
 }
 
 std::vector<std::string> fault_lines(const ObjReport& report) {

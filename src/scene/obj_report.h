@@ -167,6 +167,9 @@ class ObjReporter {
 /// it."
 std::string fault_line(const ObjFault& fault);
 
+/// " There are 11 more like it."; empty if there are none.
+std::string more_like_it(const ObjFault& fault);
+
 /// The faults as sentences with file:line; a last one counts those that were not kept.
 std::vector<std::string> fault_lines(const ObjReport& report);
 

@@ -82,6 +82,7 @@ class StatementReader {
         }
         watched_.ask(bytes_read());
         file_.lines = lines_.line_count();
+        file_.line_marks = lines_.take_marks();
         file_.colours = colours_.colours(file_.positions.size());
         if (colours_.are_bytes()) {
             reporter_.note(path_, colours_.line_of_bytes(),
@@ -163,6 +164,7 @@ class StatementReader {
 
     void read_position(std::string_view rest) {
         check_room(file_.positions, indexed_kinds[0].many);
+        file_.position_lines.push_back(lines_.line());
         std::array<double, 3> place{};
         if (read_numbers(ObjFaultKind::position, "v", rest, 3, place)) {
             file_.positions.emplace_back(place[0], place[1], place[2]);
@@ -197,6 +199,7 @@ class StatementReader {
 
     void read_texcoord(std::string_view rest) {
         check_room(file_.texcoords, indexed_kinds[1].many);
+        file_.texcoord_lines.push_back(lines_.line());
         std::array<double, 2> place{};
         if (read_numbers(ObjFaultKind::texcoord, "vt", rest, 1, place)) {
             file_.texcoords.emplace_back(place[0], place[1]);
@@ -207,6 +210,7 @@ class StatementReader {
 
     void read_normal(std::string_view rest) {
         check_room(file_.normals, indexed_kinds[2].many);
+        file_.normal_lines.push_back(lines_.line());
         std::array<double, 3> direction{};
         file_.normals.emplace_back(0.0f);
         if (!read_numbers(ObjFaultKind::normal, "vn", rest, 3, direction)) return;

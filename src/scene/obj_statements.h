@@ -12,16 +12,12 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "scene/model_source.h"
 #include "scene/obj_materials.h"
 #include "scene/obj_report.h"
 #include "scene/reading.h"
 
 namespace rasterwalk {
-
-/// Indices of a corner, from 0; -1: not given.
-struct ObjCorner {
-    int position = 0, texcoord = -1, normal = -1;
-};
 
 struct ObjFace {
     int line = 0;
@@ -56,8 +52,11 @@ struct ObjStatements {
     std::vector<ObjCorner> corners;    ///< of all faces; may name what does not exist
     std::vector<ObjFace> faces;
     std::vector<NamedPart> parts;
-    int lines = 0;              ///< of the file
-    std::int64_t triangles = 0; ///< into which the faces are cut
+    /// The lines of the statements v, vt and vn.
+    std::vector<int> position_lines, texcoord_lines, normal_lines;
+    std::vector<std::uint32_t> line_marks; ///< see ModelSource
+    int lines = 0;                         ///< of the file
+    std::int64_t triangles = 0;            ///< into which the faces are cut
 
     const ObjCorner& corner(const ObjFace& face, int i) const {
         return corners[static_cast<std::size_t>(face.first_corner + i)];

@@ -8,6 +8,7 @@
 #include "base/limits.h"
 #include "base/quoted.h"
 #include "base/text_parts.h"
+#include "scene/model_source.h"
 
 namespace rasterwalk {
 
@@ -19,12 +20,24 @@ bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
+} // namespace
+
+std::string_view take_line(std::string_view& text) {
+    std::size_t end = 0;
+    while (end < text.size() && text[end] != '\n' && text[end] != '\r')
+        ++end;
+    const std::string_view line = text.substr(0, end);
+    if (end < text.size())
+        end += text[end] == '\r' && end + 1 < text.size() && text[end + 1] == '\n' ? 2 : 1;
+    text.remove_prefix(end);
+    return line;
+}
+
 bool is_comment(std::string_view line) {
     const auto first = std::find_if_not(line.begin(), line.end(), is_blank);
     return first != line.end() && *first == '#';
 }
 
-/// Removes the backslash from the end of a line; blanks may follow it.
 bool take_backslash(std::string_view& line) {
     std::string_view text = line;
     while (!text.empty() && is_blank(text.back()))
@@ -34,33 +47,26 @@ bool take_backslash(std::string_view& line) {
     return true;
 }
 
-} // namespace
-
-ObjLines::ObjLines(std::string_view text) : rest_(text) {
+ObjLines::ObjLines(std::string_view text) : begin_(text.data()), rest_(text) {
     if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
 }
 
-std::string_view ObjLines::take_line() {
+std::string_view ObjLines::next_line() {
+    if (line_count_ % lines_per_mark == 0)
+        marks_.push_back(static_cast<std::uint32_t>(rest_.data() - begin_));
     ++line_count_;
-    std::size_t end = 0;
-    while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r')
-        ++end;
-    const std::string_view line = rest_.substr(0, end);
-    if (end < rest_.size())
-        end += rest_[end] == '\r' && end + 1 < rest_.size() && rest_[end + 1] == '\n' ? 2 : 1;
-    rest_.remove_prefix(end);
-    return line;
+    return take_line(rest_);
 }
 
 bool ObjLines::next() {
     if (rest_.empty()) return false;
-    statement_ = take_line();
+    statement_ = next_line();
     line_ = line_count_;
     if (is_comment(statement_) || !take_backslash(statement_)) return true;
     joined_ = statement_;
     bool goes_on = true;
     while (goes_on && !rest_.empty()) {
-        std::string_view line = take_line();
+        std::string_view line = next_line();
         goes_on = take_backslash(line);
         joined_.append(" ").append(line);
     }

@@ -3,11 +3,24 @@
 // Lines, words and numbers of model and material files (OBJ, MTL).
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace rasterwalk {
+
+/// Takes the first line from a text that is not empty, without its end: LF, CR or CR LF.
+std::string_view take_line(std::string_view& text);
+
+/// Removes the backslash that joins the next line to this one, and the blanks after it. False if
+/// there is none.
+bool take_backslash(std::string_view& line);
+
+/// Is it a comment, which no backslash can continue?
+bool is_comment(std::string_view line);
 
 /// The statements of a text, one by one. A line ends with LF, CR or CR LF; a backslash at its end
 /// joins the next line to it, except in a comment. A byte order mark at the beginning is skipped.
@@ -26,10 +39,14 @@ class ObjLines {
     int line_count() const { return line_count_; }
     /// Bytes of the text that have not been read yet.
     std::size_t bytes_left() const { return rest_.size(); }
+    /// Where lines 1, 65, 129 ... (see lines_per_mark) begin in the text, of those read so far.
+    std::vector<std::uint32_t> take_marks() { return std::move(marks_); }
 
   private:
-    std::string_view take_line();
+    std::string_view next_line();
 
+    const char* begin_; ///< of the whole text
+    std::vector<std::uint32_t> marks_;
     std::string_view rest_;
     std::string_view statement_;
     std::string joined_;

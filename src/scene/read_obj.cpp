@@ -1,6 +1,7 @@
 #include "scene/read_obj.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
 #include "base/files.h"
@@ -32,6 +33,37 @@ void count_statements(const ObjStatements& file, ObjCounts& counts) {
                      " No face in the whole file can be drawn.");
 }
 
+/// Keeps what belongs to the text, if that is kept.
+void keep_source(ObjStatements& file, std::size_t bytes, ModelSource& source) {
+    source.bytes = bytes;
+    source.lines = file.lines;
+    if (bytes > most_kept_model_text) return;
+    source.line_marks = std::move(file.line_marks);
+    source.corners = std::move(file.corners);
+    source.position_lines = std::move(file.position_lines);
+    source.texcoord_lines = std::move(file.texcoord_lines);
+    source.normal_lines = std::move(file.normal_lines);
+}
+
+/// A model without the text of its source.
+ObjModel parse(std::string_view text, const std::string& path, const ObjOptions& options,
+               const ReadingWatch& watch, ModelSource& source) {
+    if (is_utf16(text))
+        throw InputError(visible_line(path), 1, "the file is UTF-16; a model must be plain text.");
+    ObjModel model;
+    model.path = path;
+    source.path = path;
+    ObjReporter reporter(model.report);
+    WatchedSteps watched(watch);
+    ObjLibraries libraries(model.path, model.materials, watched, reporter);
+    ObjStatements file = read_statements(text, model.path, watched, libraries, reporter);
+    count_statements(file, model.report.counts);
+    build_model(file, options, watched, reporter, model, source.triangles);
+    if (model.mesh.triangle_count() == 0) refuse_empty(model);
+    keep_source(file, text.size(), source);
+    return model;
+}
+
 } // namespace
 
 bool is_model_file(std::string_view path) {
@@ -44,22 +76,21 @@ bool is_model_file(std::string_view path) {
 
 ObjModel parse_obj(std::string_view text, const std::string& path, const ObjOptions& options,
                    const ReadingWatch& watch) {
-    if (is_utf16(text))
-        throw InputError(visible_line(path), 1, "the file is UTF-16; a model must be plain text.");
-    ObjModel model;
-    model.path = path;
-    ObjReporter reporter(model.report);
-    WatchedSteps watched(watch);
-    ObjLibraries libraries(model.path, model.materials, watched, reporter);
-    ObjStatements file = read_statements(text, model.path, watched, libraries, reporter);
-    count_statements(file, model.report.counts);
-    build_model(file, options, watched, reporter, model);
-    if (model.mesh.triangle_count() == 0) refuse_empty(model);
+    const auto source = std::make_shared<ModelSource>();
+    ObjModel model = parse(text, path, options, watch, *source);
+    if (text.size() <= most_kept_model_text) source->text = text;
+    model.source = source;
     return model;
 }
 
 ObjModel read_obj(const std::string& path, const ObjOptions& options, const ReadingWatch& watch) {
-    return parse_obj(read_file(path, largest_model_file), path, options, watch);
+    const auto source = std::make_shared<ModelSource>();
+    source->state = file_state(path);
+    std::string text = read_file(path, largest_model_file);
+    ObjModel model = parse(text, path, options, watch, *source);
+    if (text.size() <= most_kept_model_text) source->text = std::move(text);
+    model.source = source;
+    return model;
 }
 
 } // namespace rasterwalk

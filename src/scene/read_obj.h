@@ -7,11 +7,13 @@
 //
 // Source: Wavefront Technologies, Advanced Visualizer manual, appendix B1, object files.
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "scene/mesh.h"
+#include "scene/model_source.h"
 #include "scene/obj_report.h"
 #include "scene/read_mtl.h"
 #include "scene/reading.h"
@@ -52,6 +54,7 @@ struct ObjModel {
     std::vector<ObjMaterial> materials;
     std::vector<SharedTexture> textures; ///< each once, however many materials name it
     ObjReport report;
+    std::shared_ptr<const ModelSource> source; ///< never null in a model that was read
 };
 
 /// Is this the name of a model file?

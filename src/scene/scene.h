@@ -11,6 +11,7 @@
 #include "base/enum_words.h"
 #include "scene/mesh.h"
 #include "scene/model.h"
+#include "scene/model_source.h"
 #include "scene/obj_report.h"
 #include "scene/texture.h"
 
@@ -87,6 +88,7 @@ struct Light {
     glm::vec3 indirect{0.5f};               ///< red green blue, the same everywhere
     LightModel model = LightModel::lambert;
     LampPlace place = LampPlace::fixed;
+    float exponent = 0.0f; ///< of all highlights; 0: each material's own
 
     friend bool operator==(const Light&, const Light&) = default;
 };
@@ -154,6 +156,7 @@ struct Scene {
     Viewport viewport;
     std::string stage;                     ///< name of the stage the scene asks for; empty: any
     std::optional<ObjReport> model_report; ///< of a scene that was read from a model file
+    SharedModelSource model_source;        ///< of such a scene; null for others
 
     int triangle_count() const { return mesh.triangle_count(); }
     /// A corner of a triangle: 0, 1 or 2.
