@@ -96,6 +96,9 @@ inline constexpr std::size_t largest_material_file = std::size_t{4} << 20;
 inline constexpr std::size_t most_material_bytes = std::size_t{16} << 20;
 inline constexpr std::size_t most_image_bytes = std::size_t{256} << 20;
 
+/// The largest model file whose text is kept after reading, so that it can be shown, bytes.
+inline constexpr std::size_t most_kept_model_text = std::size_t{64} << 20;
+
 /// The most points of a model, and as many texture coordinates and normals.
 inline constexpr std::size_t most_model_points = 4'000'000;
 

@@ -317,6 +317,8 @@ AxesReport axes_report(const Surface& surface, const glm::vec3& normal, const Fr
 BumpReport bump_report(const Fragment& fragment, const Surface& surface, const glm::vec3& normal,
                        const Frame& frame) {
     BumpReport report{axes_report(surface, normal, frame)};
+    report.map = surface.normal_map;
+    report.place = place_in_texture(fragment, surface, pixel_rules(frame), frame.stages);
     report.colour =
         normal_map_colour(fragment, surface, pixel_rules(frame), frame.stages, &report.taken);
     report.arrow = frame.stages.arrow_of_texel(report.colour);

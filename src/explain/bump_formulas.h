@@ -16,6 +16,8 @@ struct AxesReport {
 
 /// The bent normal of one fragment.
 struct BumpReport : AxesReport {
+    const Texture* map = nullptr;        ///< the normal map, which belongs to the frame's scene
+    TexturePlace place{};                ///< where it is read
     SampledTexels taken{};               ///< of the normal map
     glm::vec3 colour{0.0f};              ///< their weighted mean, red green blue
     glm::vec3 arrow{0.0f};               ///< that the colour stands for, in the surface's own axes

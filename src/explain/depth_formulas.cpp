@@ -161,9 +161,11 @@ void add_blend(FragmentReport& report, const Frame& frame) {
             is_swapped ? "(1 − α) · S + α · D" : "α · S + (1 − α) · D",
             {{"α",
               {report.alpha},
-              from_words(report.texture_alpha == TextureAlpha::blend
-                             ? "the alpha of the surface times the alpha of its texture here"
-                             : "the alpha of the surface, as the scene gives it")},
+              report.texture_alpha == TextureAlpha::blend
+                  ? from_words("the alpha of the surface times the alpha of its texture here")
+              : frame.settings.surface_alpha > 0.0f
+                  ? from_setting("surface.alpha")
+                  : from_words("the alpha of the surface, as the scene gives it")},
              {"S", {report.colour[i]}, from_words("the colour of the fragment by itself")},
              {"D", {report.before[i]}, from_words("what the pixel showed before")}},
             {report.after[i]});

@@ -106,7 +106,10 @@ class HighlightFormulas {
             "power", "(n · h)^e", "The larger the exponent, the faster the highlight falls off.",
             "pow(n·h, e)",
             {write_.input("n·h", "n_dot_h"),
-             {"e", {point_.shine.exponent}, from_words("the exponent of the material")}},
+             {"e",
+              {exponent_of(point_.shine, frame_.settings.light)},
+              frame_.settings.light.exponent > 0.0f ? from_setting("light.exponent")
+                                                    : from_words("the exponent of the material")}},
             {terms().power});
         power.section = section;
         if (is_there_) return;

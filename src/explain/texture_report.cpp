@@ -134,8 +134,9 @@ class TextureFormulas {
         const bool is_divided = mode != Interpolation::affine;
         const bool has_weight = is_divided && mode != Interpolation::undivided;
         const bool is_squared = mode == Interpolation::divided_twice;
+        const bool is_mixed = mode == Interpolation::mixed;
         const TextureLevel& base = report_.surface.texture->base();
-        const std::string weight(weight_name(frame_));
+        const std::string weight(is_mixed ? "the weight" : weight_name(frame_));
         for (const TextureAxis& axis : texture_axes) {
             const std::string u = axis.coordinate;
             const Quantity quantity = quantity_of(&Varyings::texcoord, axis.index);
@@ -149,7 +150,10 @@ class TextureFormulas {
                   {slope[axis.index]},
                   from_words(
                       fmt::format("how much {} grows by to {}, the same over the whole triangle",
-                                  is_divided ? carried_name_in(frame_, quantity) : u, next))},
+                                  is_mixed     ? std::string(u) + " times the weight"
+                                  : is_divided ? carried_name_in(frame_, quantity)
+                                               : std::string(u),
+                                  next))},
                  carried(axis),
                  {"e",
                   {weight_slope},
@@ -160,6 +164,7 @@ class TextureFormulas {
                  {"w",
                   {report_.weight},
                   is_squared   ? from_words(weight + " times " + weight + ", by mistake")
+                  : is_mixed   ? from_words("the weight here, (1 − m) + m d/z")
                   : has_weight ? from_formula("zinv")
                   : is_divided ? from_words("nothing is divided, by mistake")
                                : from_words("affine values have no weight")}},

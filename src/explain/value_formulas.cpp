@@ -260,10 +260,37 @@ class ValueFormulas {
         const Interpolation wrong = report_.interpolation == Interpolation::perspective
                                         ? Interpolation::affine
                                         : report_.interpolation;
+        if (wrong == Interpolation::mixed) add_mixed(info);
         if (wrong == Interpolation::zinv_twice) add_twice(info);
         if (wrong == Interpolation::undivided || wrong == Interpolation::divided_twice)
             add_divided_wrongly(info, wrong, value);
         add_difference(info, wrong, part_of(report_.under(wrong), info.quantity));
+    }
+
+    /// How a value gets along the row with a weight between affine's and that of perspective, and
+    /// what is recovered of it.
+    void add_mixed(const QuantityInfo& info) {
+        const std::string id(info.words.id), weighted = id + ".carried_mixed";
+        constexpr Interpolation way = Interpolation::mixed;
+        const MixedWeight by = mixed_weight_rule(frame_.settings, frame_.scene->space);
+        add_along_row(weighted, std::string(info.words.name) + " · weight",
+                      "What the row carries: the value times the weight (1 − m) + m d/" + w_ + ".",
+                      way, part_of_ends(info.quantity),
+                      part_of(carried(way).varyings, info.quantity));
+        FormulaInput over = weight();
+        over.number = {carried(way).inv_w};
+        write_.add(id + ".mixed", std::string(info.words.name),
+                   std::string(info.words.help) +
+                       " Carried with a weight, and divided here by the weight that the pixel has.",
+                   "carried / ((1 − m) + m · (d · " + over.symbol + "))",
+                   {write_.input("carried", weighted),
+                    {"m", {by.mix}, from_setting("interpolation_mix")},
+                    {"d",
+                     {by.depth},
+                     from_words("the reference depth: distances are measured by it, so the unit "
+                                "makes no difference")},
+                    over},
+                   {part_of(report_.under(way), info.quantity)});
     }
 
     /// How a value that is divided by z twice gets along the row, and what is recovered of it.
@@ -316,9 +343,10 @@ class ValueFormulas {
         if (way == Interpolation::affine) return;
         formula.help =
             fmt::format("How far the value {} is from the correct one.",
-                        way == Interpolation::zinv_twice  ? "divided by " + w_ + " once too often"
-                        : way == Interpolation::undivided ? "never divided by 1/" + w_
-                                                          : "divided by 1/" + w_ + " twice");
+                        way == Interpolation::mixed        ? "with mixed weights"
+                        : way == Interpolation::zinv_twice ? "divided by " + w_ + " once too often"
+                        : way == Interpolation::undivided  ? "never divided by 1/" + w_
+                                                           : "divided by 1/" + w_ + " twice");
     }
 
     FragmentReport& report_;

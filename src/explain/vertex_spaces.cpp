@@ -142,9 +142,16 @@ NormalPlace normal_of(const std::array<glm::dvec3, triangle_corners>& object,
     return normal;
 }
 
-/// The corners of a triangle as the scene file has them, before its model transformation.
-std::array<glm::dvec3, triangle_corners> object_corners(const Scene& scene, int triangle,
-                                                        const Model* model) {
+/// The model of the part that a triangle belongs to; null if it belongs to none.
+const Model* model_of(const Scene& scene, int triangle) {
+    const int part = part_of(scene, triangle);
+    return part >= 0 ? &scene.parts[static_cast<std::size_t>(part)].model : nullptr;
+}
+
+} // namespace
+
+std::array<glm::dvec3, triangle_corners> object_corners(const Scene& scene, int triangle) {
+    const Model* const model = model_of(scene, triangle);
     std::array<glm::dvec3, triangle_corners> corners;
     for (int i = 0; i < triangle_corners; ++i)
         corners[static_cast<std::size_t>(i)] = glm::dvec3(scene.corner(triangle, i).position);
@@ -163,7 +170,14 @@ std::array<glm::dvec3, triangle_corners> object_corners(const Scene& scene, int 
     return corners;
 }
 
-} // namespace
+SpaceMatrices space_matrices(const Frame& frame, int triangle) {
+    const MatrixRules drawn = matrix_rules(frame);
+    const Model* const model = model_of(*frame.scene, triangle);
+    return {model != nullptr ? model_matrix(model->steps) : glm::dmat4(1.0),
+            frame.stages.view_matrix(glm::dvec3(drawn.rules.camera.position),
+                                     glm::dmat3(drawn.rotation)),
+            drawn_projection(frame, drawn.rules), drawn_viewport(frame, drawn.rules)};
+}
 
 SpacesOfVertex spaces_of_vertex(const Frame& frame, int triangle, int vertex, MatrixOrder order) {
     const Scene& scene = *frame.scene;
@@ -180,13 +194,9 @@ SpacesOfVertex spaces_of_vertex(const Frame& frame, int triangle, int vertex, Ma
     spaces.chain = order == MatrixOrder::column_vectors
                        ? "window = Ts · (Tp · Tv · Tm · p) / w, read from right to left"
                        : "window = (p · Tm · Tv · Tp) / w · Ts, read from left to right";
-    const MatrixRules drawn = matrix_rules(frame);
-    const int part = part_of(scene, triangle);
-    const Model* const model =
-        part >= 0 ? &scene.parts[static_cast<std::size_t>(part)].model : nullptr;
-    const glm::dmat4 to_world = model != nullptr ? model_matrix(model->steps) : glm::dmat4(1.0);
-    const std::array<glm::dvec3, triangle_corners> object = object_corners(scene, triangle, model);
-    spaces.normal = normal_of(object, to_world);
+    const SpaceMatrices matrices = space_matrices(frame, triangle);
+    const std::array<glm::dvec3, triangle_corners> object = object_corners(scene, triangle);
+    spaces.normal = normal_of(object, matrices.to_world);
     spaces.places.push_back({"object",
                              "Where the scene file places it, before its model transformation.",
                              "",
@@ -196,28 +206,27 @@ SpacesOfVertex spaces_of_vertex(const Frame& frame, int triangle, int vertex, Ma
     add_product(
         spaces,
         {"world", "Where the object is in the world: moved, turned and scaled.", "Tm", {}, {}, {}},
-        to_world);
+        matrices.to_world);
     add_product(
         spaces,
         {"camera", "The camera is at the origin: x right, y down, z forward.", "Tv", {}, {}, {}},
-        frame.stages.view_matrix(glm::dvec3(drawn.rules.camera.position),
-                                 glm::dmat3(drawn.rotation)));
+        matrices.to_camera);
     add_product(spaces,
                 {"clip",
                  "Before the division. Inside the view, −w ≤ x ≤ w, −w ≤ y ≤ w and 0 ≤ z ≤ w. The "
                  "lab and the Clip tab count in pixels instead: x' = W/2 · x, y' = H/2 · y." +
-                     box_text(frame, drawn.rules),
+                     box_text(frame, matrix_rules(frame).rules),
                  "Tp",
                  {},
                  {},
                  {}},
-                drawn_projection(frame, drawn.rules));
+                matrices.to_clip);
     if (!(spaces.places.back().place.w > 0.0)) return spaces;
     add_division(spaces);
     add_product(
         spaces,
         {"window", "Pixels from the left and from the top, before rounding.", "Ts", {}, {}, {}},
-        drawn_viewport(frame, drawn.rules));
+        matrices.to_window);
     return spaces;
 }
 

@@ -48,6 +48,20 @@ struct SpacesOfVertex {
 inline constexpr std::array<std::string_view, 6> space_names{"object", "world", "camera",
                                                              "clip",   "ndc",   "window"};
 
+/// The matrices of a triangle, for column vectors, with the mistakes that they can contain.
+struct SpaceMatrices {
+    glm::dmat4 to_world{1.0};  ///< Tm
+    glm::dmat4 to_camera{1.0}; ///< Tv
+    glm::dmat4 to_clip{1.0};   ///< Tp
+    glm::dmat4 to_window{1.0}; ///< Ts, from ndc
+};
+
+/// Of a triangle of a scene with a camera.
+SpaceMatrices space_matrices(const Frame& frame, int triangle);
+
+/// The corners of a triangle where the scene file places them, before its model transformation.
+std::array<glm::dvec3, triangle_corners> object_corners(const Scene& scene, int triangle);
+
 /// The spaces of vertex 0, 1 or 2 of a triangle, whichever transform draws it. In a scene in pixel
 /// space there is only the window.
 /// @param order how formulas are written: whether matrix or vector comes first

@@ -13,6 +13,7 @@
 
 #include "outside/basis.h"
 #include "outside/outside_eye.h"
+#include "outside/pixel_footprint.h"
 #include "outside/world_clipping.h"
 #include "pipeline/frame.h"
 #include "scene/scene.h"
@@ -20,24 +21,29 @@
 namespace rasterwalk {
 
 enum class OutsideLineKind : std::uint8_t {
-    frustum,     ///< from the camera to a corner of its picture
-    beyond,      ///< from there onward, through the scene
-    border,      ///< of the picture
-    edge,        ///< of the triangle, or what clipping leaves of it; number: which edge
-    cut_off,     ///< what clipping takes away; number: which edge
-    cut,         ///< where a plane cuts the triangle
-    fan,         ///< between the triangles that draw what clipping leaves
-    plane,       ///< around the visible part of a plane, or of one that divides the scene
-    end,         ///< around near and far plane within the view volume; number: which ClipPlane
-    ray,         ///< from a vertex of the triangle to the camera; number: which vertex
-    behind,      ///< the same for a vertex that is not in front of the camera
-    mirrored,    ///< from there to where the division puts such a vertex; number: which vertex
-    lamp_ray,    ///< from a point on a surface toward the lamp, as far as light comes from there
-    blocked_ray, ///< from what is in between to the lamp
-    sight_ray,   ///< from the camera to a point of a surface whose texture is shifted
-    imagined,    ///< from the surface straight to the height that it is thought to have
-    shift,       ///< an arrow on the surface, from that point to the one whose texel is shown
-    axis,        ///< an arrow from the origin of a space; number: see axis_number()
+    frustum,        ///< from the camera to a corner of its picture
+    beyond,         ///< from there onward, through the scene
+    border,         ///< of the picture
+    edge,           ///< of the triangle, or what clipping leaves of it; number: which edge
+    cut_off,        ///< what clipping takes away; number: which edge
+    cut,            ///< where a plane cuts the triangle
+    fan,            ///< between the triangles that draw what clipping leaves
+    plane,          ///< around the visible part of a plane, or of one that divides the scene
+    end,            ///< around near and far plane within the view volume; number: which ClipPlane
+    ray,            ///< from a vertex of the triangle to the camera; number: which vertex
+    behind,         ///< the same for a vertex that is not in front of the camera
+    mirrored,       ///< from there to where the division puts such a vertex; number: which vertex
+    lamp_ray,       ///< from a point on a surface toward the lamp, as far as light comes from there
+    blocked_ray,    ///< from what is in between to the lamp
+    sight_ray,      ///< from the camera to a point of a surface whose texture is shifted
+    imagined,       ///< from the surface straight to the height that it is thought to have
+    shift,          ///< an arrow on the surface, from that point to the one whose texel is shown
+    axis,           ///< an arrow from the origin of a space; number: see axis_number()
+    vector,         ///< an arrow of the overlay of vectors; number: which, given by the caller
+    vector_shadow,  ///< of one side of a triangle on another
+    vector_dropped, ///< the perpendicular that ends it, the sign at its foot, what leads there
+    vector_opposite, ///< a side of the parallelogram across from a vector
+    footprint, ///< around what the picked pixel covers of a surface's plane; number: which side
 };
 
 /// A straight line in the picture of the eye, pixels.
@@ -66,6 +72,7 @@ enum class OutsidePointKind : std::uint8_t {
     occluder, ///< where the ray meets what is in between
     axis,     ///< the tip of such an arrow, a place for its name; number: see axis_number()
     origin,   ///< where the arrows of a space begin; number: which BasisOf
+    vector,   ///< the tip of an arrow of the overlay of vectors; number: the arrow's
 };
 
 struct OutsidePoint {
@@ -76,6 +83,7 @@ struct OutsidePoint {
 
 struct OutsideMarks {
     std::vector<glm::vec2> face;      ///< of the plane that cuts, convex, pixels; below all lines
+    std::vector<glm::vec2> span;      ///< of the parallelogram that two vectors span, below too
     std::vector<OutsideLine> lines;   ///< in drawing order
     std::vector<OutsidePoint> points; ///< in the same order
 };
@@ -115,46 +123,34 @@ struct SightShift {
     glm::dvec3 top{0.0};   ///< the height above that point; with `divided`, the ray meets it
 };
 
+/// A line of the overlay of vectors, in the world.
+struct OutsideArrow {
+    OutsideLineKind kind = OutsideLineKind::vector;
+    int number = 0;
+    glm::dvec3 from{0.0}, to{0.0};
+};
+
+/// The overlay of vectors.
+struct OutsideVectors {
+    std::vector<OutsideArrow> arrows;
+    std::vector<glm::dvec3> span; ///< corners of the parallelogram; empty: there is none
+};
+
+/// What is drawn only where there is something to say about it.
+struct OutsideExtras {
+    std::span<const Basis> bases{};          ///< whose axes are drawn
+    std::optional<LampRay> lamp_ray{};       ///< the way to the lamp
+    std::optional<SightShift> shift{};       ///< what parallax mapping does at the picked pixel
+    OutsideVectors vectors{};                ///< of the overlay
+    std::optional<TexturedPixel> textured{}; ///< the pixel whose footprint is drawn
+};
+
 /// All visible marks; lines end where the picture of the eye ends, or a little beyond.
 /// @param pixel the picked pixel of the scene's picture
 /// @param size  of the picture of the eye, pixels
-/// @param bases whose axes are drawn
-/// @param lamp_ray the way to the lamp, if it is shown
-/// @param shift    what parallax mapping does at the picked pixel, if it does
 OutsideMarks outside_marks(const Scene& scene, const OutsideScene& outside_scene,
                            const OutsideEye& eye, const MarkedTriangle& marked,
                            std::optional<glm::ivec2> pixel, glm::ivec2 size,
-                           std::span<const Basis> bases = {},
-                           const std::optional<LampRay>& lamp_ray = {},
-                           const std::optional<SightShift>& shift = {});
-
-/// A part of the picture of the eye, pixels.
-struct OutsideBox {
-    glm::vec2 low{0.0f}, high{0.0f};
-};
-
-/// The first place to try for a text.
-enum class LabelSide : std::uint8_t { right, below, above_right };
-
-/// A text to put next to a point.
-struct OutsideLabel {
-    glm::vec2 point{0.0f}; ///< pixels
-    glm::vec2 size{0.0f};  ///< of the text with the room around it, pixels
-    float distance = 0.0f; ///< between them, pixels
-    LabelSide first = LabelSide::right;
-    float line_distance = 0.0f;  ///< distance to keep from lines if possible, pixels
-    bool needs_distance = false; ///< if that is impossible, it has no place
-};
-
-/// The top left corner of each text: next to its point, within the picture, and over neither an
-/// earlier text nor what is taken. A text without such a place, or whose point is outside the
-/// picture, has none, so what matters most should come first.
-/// @param taken to be kept free of texts
-/// @param lines to be kept free if some place allows it
-/// @param size  of the picture, pixels
-std::vector<std::optional<glm::vec2>> label_places(std::span<const OutsideLabel> labels,
-                                                   std::vector<OutsideBox> taken,
-                                                   std::span<const OutsideLine> lines,
-                                                   glm::vec2 size);
+                           const OutsideExtras& extras = {});
 
 } // namespace rasterwalk

@@ -17,9 +17,13 @@ constexpr glm::vec<3, std::uint8_t> vermillion{213, 94, 0};
 constexpr glm::vec<3, std::uint8_t> reddish_purple{204, 121, 167};
 
 /// From the lowest layer to the highest: tints of everything first, then what marks few pixels.
-constexpr Overlay layers[] = {Overlay::owner,        Overlay::overdraw, Overlay::cost,
-                              Overlay::affine_error, Overlay::depth,    Overlay::over_one,
-                              Overlay::drawn_twice,  Overlay::uncovered};
+constexpr Overlay layers[] = {Overlay::owner,     Overlay::overdraw,   Overlay::cost,
+                              Overlay::mip_level, Overlay::edge_field, Overlay::affine_error,
+                              Overlay::depth,     Overlay::over_one,   Overlay::drawn_twice,
+                              Overlay::uncovered};
+
+/// What overlay_tint() takes for E = 0.
+constexpr float middle_amount = 0.5f;
 
 float brightest_channel(const glm::vec3& colour) {
     return std::max({colour.r, colour.g, colour.b});
@@ -49,6 +53,7 @@ struct Amounts {
     const PixelFacts& facts;
     const OverlayTotals& totals;
     const std::vector<PixelCost>& costs;
+    const std::optional<EdgeField>& field;
 
     float of(Overlay overlay, std::size_t pixel) const {
         switch (overlay) {
@@ -76,11 +81,32 @@ struct Amounts {
             return total == 0 ? -1.0f
                               : static_cast<float>(total) / static_cast<float>(totals.most_cost);
         }
+        case Overlay::edge_field:
+            return field ? amount_of_field(pixel) : -1.0f;
+        case Overlay::mip_level:
+            return facts.mip_level[pixel] == no_mip_level
+                       ? -1.0f
+                       : std::min(facts.mip_level[pixel] / top_mip_colour, 1.0f);
         case Overlay::wireframe:
         case Overlay::alone:
+        case Overlay::vectors:
+        case Overlay::weights:
             break;
         }
         return -1.0f;
+    }
+
+    float amount_of_field(std::size_t pixel) const {
+        const auto width = static_cast<std::size_t>(framebuffer.size.width);
+        const std::int64_t e =
+            field->at(static_cast<int>(pixel % width), static_cast<int>(pixel / width));
+        if (e == 0) return middle_amount;
+        const float share =
+            static_cast<float>(static_cast<double>(e) / static_cast<double>(field->largest));
+        const float amount = middle_amount + (1.0f - middle_amount) * share;
+        // However near it is to 0, its sign is seen.
+        if (amount == middle_amount) return std::nextafter(amount, e > 0 ? 1.0f : 0.0f);
+        return amount;
     }
 };
 
@@ -129,6 +155,14 @@ OverlayTotals count_totals(const Frame& frame, const Framebuffer& framebuffer, O
             totals.largest_error = std::max(totals.largest_error, facts.affine_error[i]);
         }
         totals.mean_error = covered > 0 ? sum / static_cast<double>(covered) : 0.0;
+    }
+    if (shown.has(Overlay::mip_level)) {
+        for (const float level : facts.mip_level) {
+            if (level == no_mip_level) continue;
+            const bool is_first = totals.least_level == no_mip_level;
+            totals.least_level = is_first ? level : std::min(totals.least_level, level);
+            totals.most_level = std::max(totals.most_level, level);
+        }
     }
     return totals;
 }
@@ -223,6 +257,21 @@ const std::array<OverlayInfo, overlay_count>& overlay_list() {
         {Overlay::cost, "cost",
          "How much work each pixel takes as the steps draw it: its fragments, depth tests, lights, "
          "shadow tests and texels, each counted as one."},
+        {Overlay::edge_field, "edge function",
+         "E of one edge of the triangle shown, over the whole picture: blue where it is positive, "
+         "on "
+         "the inner side, and orange where it is negative; stronger the farther from the edge."},
+        {Overlay::weights, "weights as areas",
+         "Joins the centre of the picked pixel with the vertices of the triangle shown. Each "
+         "vertex has the share of the triangle opposite as its weight."},
+        {Overlay::mip_level, "mip level",
+         "The level of the mip chain at which each pixel's texture was read. Level 0, the texture "
+         "itself, has no tint; between two levels that are mixed, the colours are too."},
+        {Overlay::vectors, "vectors",
+         "At the picked pixel, the vectors that its light is worked out with. Where none is "
+         "picked, "
+         "the two sides of the triangle shown that begin at vertices[0], and what their products "
+         "measure; or, if a vertex is selected, the normal and the way there from the eye."},
     }};
     static_assert(is_indexed_by(list, &OverlayInfo::overlay));
     return list;
@@ -234,7 +283,7 @@ int OverlaySet::count() const {
 
 FactsWanted facts_wanted(OverlaySet overlays) {
     return {overlays.has(Overlay::drawn_twice), overlays.has(Overlay::depth),
-            overlays.has(Overlay::affine_error)};
+            overlays.has(Overlay::affine_error), overlays.has(Overlay::mip_level)};
 }
 
 void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffer& framebuffer,
@@ -256,12 +305,14 @@ void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffe
     OverlaySet tints = overlays;
     tints.set(Overlay::wireframe, false);
     tints.set(Overlay::alone, false);
+    tints.set(Overlay::vectors, false);
+    tints.set(Overlay::weights, false);
+    tints.set(Overlay::edge_field, overlays.has(Overlay::edge_field) && picture.field);
     tints.set(Overlay::cost, has_costs);
-    picture.image =
-        tints.empty()
-            ? Image{}
-            : compose_image(framebuffer, tints,
-                            {framebuffer, picture.facts, picture.totals, picture.cost.pixels()});
+    picture.image = tints.empty() ? Image{}
+                                  : compose_image(framebuffer, tints,
+                                                  {framebuffer, picture.facts, picture.totals,
+                                                   picture.cost.pixels(), picture.field});
 }
 
 Image ground_of_overlays(const Image& picture) {
@@ -304,8 +355,18 @@ Tint overlay_tint(Overlay overlay, float amount, glm::ivec2 pixel, int triangle)
         return {yellow, 0.95f};
     case Overlay::uncovered:
         return {orange, wrapped(pixel.x + pixel.y, 4) < 2 ? 1.0f : 0.55f};
+    case Overlay::edge_field: {
+        if (amount == middle_amount) return {};
+        const float distance = std::abs(amount - middle_amount) / (1.0f - middle_amount);
+        return {amount > middle_amount ? sky_blue : vermillion, 0.12f + 0.68f * distance};
+    }
+    case Overlay::mip_level:
+        // Most textures have few levels: the first ones lie farther apart on the scale.
+        return {viridis(std::sqrt(amount)), 0.7f * std::min(amount * top_mip_colour, 1.0f)};
     case Overlay::wireframe:
     case Overlay::alone:
+    case Overlay::vectors:
+    case Overlay::weights:
         break;
     }
     return {};

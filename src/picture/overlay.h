@@ -17,8 +17,10 @@
 #include "base/enum_words.h"
 #include "base/image.h"
 #include "picture/cost_drawing.h"
+#include "picture/edge_field.h"
 #include "picture/lone_triangle.h"
 #include "picture/pixel_facts.h"
+#include "picture/weight_parts.h"
 #include "pipeline/framebuffer.h"
 
 namespace rasterwalk {
@@ -34,6 +36,10 @@ enum class Overlay : std::uint8_t {
     over_one,     ///< pixels whose colour is cut at 1 when shown
     affine_error, ///< how far off affine interpolation puts the visible point
     cost,         ///< how much work the pixel took: see PixelCost::total()
+    edge_field,   ///< E of one edge of the triangle shown, everywhere
+    weights,      ///< the picked pixel's three triangles, as areas: see WeightParts
+    mip_level,    ///< at which level the texture was read
+    vectors,      ///< arrows at the picked pixel or of the triangle shown, see explain/vectors.h
 };
 
 inline constexpr int overlay_count = static_cast<int>(enum_words<Overlay>.size());
@@ -74,6 +80,9 @@ struct WireEdge {
     int edge = 0; ///< 0..2
 };
 
+/// The mip level with the last colour of the scale; higher levels have the same colour.
+inline constexpr int top_mip_colour = 8;
+
 /// More edges than this are not drawn: they would cover the picture, and ImGui's draw lists count
 /// their corners in 16 bits.
 inline constexpr int most_wires = 3000;
@@ -94,6 +103,7 @@ struct OverlayTotals {
     double mean_error = 0.0;     ///< world units, over the covered pixels
     std::int64_t cost = 0;       ///< PixelCost::total() of all pixels; 0 until all are counted
     std::uint32_t most_cost = 0; ///< of one of them
+    float least_level = no_mip_level, most_level = no_mip_level; ///< of those with a texture
 };
 
 /// The overlays shown, ready to be laid over the picture.
@@ -101,16 +111,18 @@ struct OverlayPicture {
     OverlaySet shown;
     PixelFacts facts;
     OverlayTotals totals;
-    std::vector<WireEdge> wires; ///< at most most_wires
-    LoneTriangle lone;           ///< the triangle shown, while it is alone
-    CostDrawing cost;            ///< while `cost` is shown
+    std::vector<WireEdge> wires;        ///< at most most_wires
+    LoneTriangle lone;                  ///< the triangle shown, while it is alone
+    CostDrawing cost;                   ///< while `cost` is shown
+    std::optional<EdgeField> field;     ///< while `edge_field` is, of the triangle shown
+    std::optional<WeightParts> weights; ///< while `weights` is, of the picked pixel
     Image image; ///< all overlays that tint the picture; no pixels if there are none
 };
 
 /// Makes what is shown over the framebuffer, which is at `cursor`. Facts that `picture` already has
 /// are kept if `same_moment`: the frame and the cursor are the same as in the last call. A triangle
-/// alone is drawn, and costs are counted, separately: see LoneTriangle and CostDrawing. Costs are
-/// left out until they are counted.
+/// alone is drawn, costs are counted, and field and weights are found separately. Costs are left
+/// out until they are counted.
 void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffer& framebuffer,
                       OverlaySet overlays, bool same_moment, OverlayPicture& picture);
 
@@ -125,10 +137,13 @@ struct Tint {
 };
 
 /// How an overlay colours a pixel. A pattern, if it has one, distinguishes it even without colour.
-/// @param amount how much of it, 0..1; for depth, 1 is failed and 0 passed; for the owner, unused
+/// @param amount how much of it, 0..1; for depth, 1 is failed and 0 passed; for the edge field, 1/2
+///               is E = 0 and less is negative; for mip_level, 1 is `top_mip_colour`; for the
+///               owner, unused
 Tint overlay_tint(Overlay overlay, float amount, glm::ivec2 pixel, int triangle = 0);
 
-/// The overlay's total in words: "998 pixels"; "counting …" until it is known.
+/// The overlay's total in words: "998 pixels"; "counting …" until it is known; empty for vectors,
+/// which are no fact about pixels.
 std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPicture& picture);
 
 /// The two ends of the overlay's scale, "0" and "0.52 world units"; both empty if it has none, or

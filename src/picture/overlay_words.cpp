@@ -47,6 +47,50 @@ const WireEdge* nearest_wire(const OverlayPicture& picture, glm::ivec2 pixel, do
     return nearest;
 }
 
+/// In square pixels, to four digits after the point.
+std::string number_of_e(std::int64_t e) {
+    std::string text = decimals(in_square_pixels(e), 4);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    // Rounded to 0 it would seem to lie on the edge.
+    if (e != 0 && (text == "0" || text == "-0")) text = scientific(in_square_pixels(e), 2);
+    return with_minus_signs(text);
+}
+
+/// "E = −12.5 square pixels"
+std::string words_of_e(std::int64_t e) {
+    const std::string number = number_of_e(e);
+    return fmt::format("E = {} {}", number, unit_for(number, "square pixels"));
+}
+
+std::string short_level(float level) {
+    std::string text = decimals(static_cast<double>(level), 2);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
+/// "level 2", "level 1.37"
+std::string level_words(float level) {
+    return level == no_mip_level ? "no texture" : "level " + short_level(level);
+}
+
+/// "0.250 of [0], 0.500 of [1], 0.250 of [2]", by vertex.
+std::string weight_words(const WeightParts& weights) {
+    std::array<const WeightPart*, edge_function_count> by_vertex;
+    for (std::size_t i = 0; i < by_vertex.size(); ++i)
+        by_vertex[i] = &weights.parts[i];
+    std::sort(by_vertex.begin(), by_vertex.end(),
+              [](const WeightPart* a, const WeightPart* b) { return a->vertex < b->vertex; });
+    std::string words;
+    for (const WeightPart* const part : by_vertex) {
+        words += fmt::format("{}{} of [{}]", words.empty() ? "" : ", ",
+                             with_minus_signs(decimals(static_cast<double>(part->weight), 3)),
+                             part->vertex);
+    }
+    return words;
+}
+
 } // namespace
 
 std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPicture& picture) {
@@ -84,12 +128,27 @@ std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPict
         return fmt::format("{}, at most {} on a pixel",
                            counted(totals.cost, "piece of work", "pieces of work"),
                            totals.most_cost);
+    case Overlay::edge_field:
+        if (!picture.field) return "no triangle with an area is shown";
+        return fmt::format("{} of {}", edge_name(picture.field->edge),
+                           triangle_name(picture.field->triangle));
+    case Overlay::weights:
+        if (!picture.weights) return "pick a pixel, and a triangle that has an area";
+        return fmt::format("({},{}) in {}", picture.weights->pixel.x, picture.weights->pixel.y,
+                           triangle_name(picture.weights->triangle));
+    case Overlay::mip_level:
+        if (totals.most_level == no_mip_level) return "no pixel has a texture";
+        if (totals.least_level == totals.most_level) return level_words(totals.most_level);
+        return fmt::format("levels {} to {}", short_level(totals.least_level),
+                           short_level(totals.most_level));
     case Overlay::alone:
         if (!picture.lone.triangle()) return "no triangle is selected";
         if (!frame.is_drawn(*picture.lone.triangle()))
             return triangle_name(*picture.lone.triangle()) + " is left out";
         return fmt::format("{}, {} drawn", triangle_name(*picture.lone.triangle()),
                            counted(picture.lone.pixels(), "pixel", "pixels"));
+    case Overlay::vectors:
+        break;
     }
     return {};
 }
@@ -100,6 +159,12 @@ std::array<std::string, 2> overlay_scale(Overlay overlay, const OverlayPicture& 
         return {"0", std::to_string(picture.totals.most_cost)};
     if (overlay == Overlay::affine_error)
         return {"0", decimals(static_cast<double>(picture.totals.largest_error), 3)};
+    if (overlay == Overlay::edge_field && picture.field) {
+        const std::string largest = decimals(in_square_pixels(picture.field->largest), 0);
+        return {"−" + largest, largest};
+    }
+    if (overlay == Overlay::mip_level)
+        return {"level 0", fmt::format("{} and more", top_mip_colour)};
     return {};
 }
 
@@ -140,9 +205,19 @@ std::string overlay_value(Overlay overlay, const Frame& frame, const Framebuffer
                          : decimals(static_cast<double>(picture.facts.affine_error[at]), 4);
     case Overlay::cost:
         return picture.cost.is_counted() ? cost_words(picture.cost.pixels()[at]) : std::string();
+    case Overlay::edge_field:
+        if (!picture.field) return {};
+        return words_of_e(picture.field->at(pixel.x, pixel.y));
+    case Overlay::weights:
+        return picture.weights && picture.weights->pixel == pixel ? weight_words(*picture.weights)
+                                                                  : std::string();
+    case Overlay::mip_level:
+        return level_words(picture.facts.mip_level[at]);
     case Overlay::alone:
         return picture.lone.triangle() && picture.lone.picture().owner[at] >= 0 ? "drawn"
                                                                                 : "not drawn";
+    case Overlay::vectors:
+        break;
     }
     return {};
 }

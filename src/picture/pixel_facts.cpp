@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <climits>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
 #include "pipeline/draw.h"
 #include "pipeline/observer.h"
+#include "pipeline/surface.h"
 #include "stages/pixel_shader.h"
 #include "stages/samples.h"
 
@@ -104,11 +106,57 @@ Neighbours find_neighbours(const Frame& frame) {
     return neighbours;
 }
 
+/// The mip level of the texels that a fragment took: where two levels were mixed, between them.
+float level_of(const SampledTexels& taken) {
+    int low = INT_MAX, high = INT_MIN;
+    for (const SampledTexel& texel : taken) {
+        low = std::min(low, texel.level);
+        high = std::max(high, texel.level);
+    }
+    if (taken.count == 0) return no_mip_level;
+    if (low == high) return static_cast<float>(low);
+    float sum = 0.0f, of_high = 0.0f;
+    for (const SampledTexel& texel : taken) {
+        sum += texel.weight;
+        if (texel.level == high) of_high += texel.weight;
+    }
+    return static_cast<float>(low) + static_cast<float>(high - low) * of_high / sum;
+}
+
+/// Reads the textures of fragments again, to see at which level.
+class LevelReader {
+  public:
+    /// @param frame as it is lit: the fragments come from its unlit copy, the surfaces from this
+    explicit LevelReader(const Frame& frame) : frame_(frame), is_textured_(is_textured(frame)) {}
+
+    float read(int triangle, const Fragment& fragment) {
+        if (!is_textured_) return no_mip_level;
+        if (triangle != surface_of_) {
+            surface_ = lit_surface_of(frame_, triangle);
+            surface_of_ = triangle;
+        }
+        if (surface_.texture == nullptr) return no_mip_level;
+        // A height map shifts the place, but not the footprint, which decides the level.
+        SampledTexels taken;
+        frame_.stages.sample_texture(*surface_.texture,
+                                     carried_place(fragment, surface_, frame_.stages),
+                                     frame_.stages, &taken);
+        return level_of(taken);
+    }
+
+  private:
+    const Frame& frame_;
+    bool is_textured_;
+    int surface_of_ = -1; ///< the triangle whose surface is kept
+    Surface surface_;
+};
+
 /// Notes the planes while the frame is drawn.
 class FactsWriter {
   public:
-    FactsWriter(const Frame& frame, PixelFacts& facts)
-        : frame_(frame), facts_(facts), width_(frame.settings.viewport.width),
+    /// @param lit the frame whose textures are read
+    FactsWriter(const Frame& frame, const Frame& lit, PixelFacts& facts)
+        : frame_(frame), facts_(facts), levels_(lit), width_(frame.settings.viewport.width),
           marks_twice_(!facts.drawn_twice.empty() && frame.squares == nullptr) {
         if (marks_twice_) neighbours_ = find_neighbours(frame);
         if (!facts.affine_error.empty())
@@ -127,6 +175,8 @@ class FactsWriter {
         if (!positions.empty() && event.fate == Fate::written) {
             positions[pixel] = recover_varyings(f, frame_.stages).position_world;
         }
+        if (!facts_.mip_level.empty() && event.fate == Fate::written)
+            facts_.mip_level[pixel] = levels_.read(event.cursor.triangle, f);
     }
 
     std::vector<glm::vec3> positions; ///< of the visible fragments, if the error is wanted
@@ -166,6 +216,7 @@ class FactsWriter {
 
     const Frame& frame_;
     PixelFacts& facts_;
+    LevelReader levels_;
     std::size_t width_;
     bool marks_twice_; ///< not of squares, in each of which one triangle is drawn
     Neighbours neighbours_;
@@ -174,10 +225,13 @@ class FactsWriter {
     std::size_t count_ = 0;
 };
 
-std::vector<glm::vec3> draw_again(const Frame& frame, const Cursor& to, PixelFacts& facts) {
+/// Draws the frame under another interpolation, or its own.
+std::vector<glm::vec3> draw_again(const Frame& given, Interpolation interpolation, const Cursor& to,
+                                  PixelFacts& facts) {
+    const Frame frame = unlit_frame(given, interpolation);
     Framebuffer framebuffer;
     clear(framebuffer, frame);
-    FactsWriter writer(frame, facts);
+    FactsWriter writer(frame, given, facts);
     const Observer observer{.fragment = [&](const FragmentEvent& event) { writer.note(event); }};
     draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, framebuffer, &observer);
     return std::move(writer.positions);
@@ -194,16 +248,24 @@ PixelFacts pixel_facts(const Frame& frame, const Cursor& to, const FactsWanted& 
     if (wanted.drawn_twice) facts.drawn_twice.resize(count);
     if (wanted.depth && depth_rule(frame.settings) != DepthTest::off) facts.depth.resize(count);
     if (wanted.affine_error) facts.affine_error.resize(count);
-    if (!wanted.any() || !has_fragments(frame.settings.stage)) return facts;
+    PixelFacts levels_only;
+    if (wanted.mip_level) levels_only.mip_level.resize(count, no_mip_level);
+    if (!wanted.any() || !has_fragments(frame.settings.stage)) {
+        facts.mip_level = std::move(levels_only.mip_level);
+        return facts;
+    }
 
-    const std::vector<glm::vec3> right =
-        draw_again(unlit_frame(frame, Interpolation::perspective), to, facts);
+    std::vector<glm::vec3> right;
+    if (wanted.drawn_twice || wanted.depth || wanted.affine_error)
+        right = draw_again(frame, Interpolation::perspective, to, facts);
+    // Unlike the rest, the place in a texture depends on how it is interpolated.
+    if (wanted.mip_level) draw_again(frame, frame.settings.interpolation, to, levels_only);
+    facts.mip_level = std::move(levels_only.mip_level);
     if (!wanted.affine_error) return facts;
     // Where fragments fall and which of them stay does not depend on the interpolation.
     PixelFacts error_only;
     error_only.affine_error.resize(count);
-    const std::vector<glm::vec3> affine =
-        draw_again(unlit_frame(frame, Interpolation::affine), to, error_only);
+    const std::vector<glm::vec3> affine = draw_again(frame, Interpolation::affine, to, error_only);
     for (std::size_t i = 0; i < count; ++i) {
         const float error = glm::distance(right[i], affine[i]);
         facts.affine_error[i] = std::isfinite(error) ? error : 0.0f;

@@ -16,12 +16,13 @@ struct FactsWanted {
     bool drawn_twice = false;
     bool depth = false;
     bool affine_error = false;
+    bool mip_level = false;
 
-    bool any() const { return drawn_twice || depth || affine_error; }
+    bool any() const { return drawn_twice || depth || affine_error || mip_level; }
     /// Does it include everything that `other` wants?
     bool includes(const FactsWanted& other) const {
         return (drawn_twice || !other.drawn_twice) && (depth || !other.depth) &&
-               (affine_error || !other.affine_error);
+               (affine_error || !other.affine_error) && (mip_level || !other.mip_level);
     }
     friend bool operator==(const FactsWanted&, const FactsWanted&) = default;
 };
@@ -43,6 +44,9 @@ struct DepthVerdicts {
     friend bool operator==(const DepthVerdicts&, const DepthVerdicts&) = default;
 };
 
+/// In PixelFacts::mip_level: there is no texture.
+inline constexpr float no_mip_level = -1.0f;
+
 /// The planes, row by row from the top; those that were not asked for are empty.
 struct PixelFacts {
     FactsWanted known;
@@ -58,6 +62,10 @@ struct PixelFacts {
     /// Distance between the affine and the perspective-correct position of the visible fragment,
     /// world units; 0 if there is none.
     std::vector<float> affine_error;
+
+    /// The level of the mip chain that the texture of the visible fragment was read at; between two
+    /// levels that were mixed, by their shares. no_mip_level if the pixel shows no texture.
+    std::vector<float> mip_level;
 };
 
 /// Draws everything before `to` again and notes what is wanted. Only stages from `fill` onward have

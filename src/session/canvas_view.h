@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -82,6 +83,7 @@ struct CanvasView {
     bool row_table = true;        ///< next to the rows it describes, from 24x up
     bool fates = true;            ///< pass and fail in the cells, from 24x up
     CellNumbers numbers = CellNumbers::none; ///< in the cells
+    std::optional<int> field_edge; ///< of the overlay edge_field; none: the one at work, or edge 0
 
     friend bool operator==(const CanvasView&, const CanvasView&) = default;
 };

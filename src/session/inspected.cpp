@@ -51,11 +51,13 @@ std::optional<RowGraph> wanted_graph(const Session& session, const InspectedMome
 } // namespace
 
 void update_inspected(const Session& session, const InspectedMoment& moment, bool new_frame,
-                      bool moved, Inspected& inspected) {
+                      bool moved, bool has_vectors, Inspected& inspected) {
     const Selection& selection = session.selection;
     const bool new_triangle = new_frame || inspected.triangle != moment.triangle;
     const bool new_fragment = new_frame || moved || inspected.pixel != selection.pixel;
     const bool new_row = new_triangle || new_fragment || inspected.row != selection.row;
+    const bool new_vectors = new_triangle || new_fragment || inspected.vertex != selection.vertex ||
+                             inspected.has_vectors != has_vectors;
     if (new_triangle) {
         inspected.vertices.clear();
         for (int v = 0; moment.triangle && v < triangle_corners; ++v)
@@ -70,9 +72,17 @@ void update_inspected(const Session& session, const InspectedMoment& moment, boo
     }
     if (new_frame) inspected.graph = std::nullopt;
     if (new_row) inspected.graph = wanted_graph(session, moment, inspected);
+    if (new_vectors) inspected.vectors = std::nullopt;
+    if (new_vectors && has_vectors) {
+        const bool is_picked = selection.pixel && inspected.fragment;
+        inspected.vectors = vector_report(moment.frame, is_picked ? &*inspected.fragment : nullptr,
+                                          moment.triangle, selection.vertex);
+    }
     inspected.triangle = moment.triangle;
     inspected.pixel = selection.pixel;
     inspected.row = selection.row;
+    inspected.vertex = selection.vertex;
+    inspected.has_vectors = has_vectors;
 }
 
 } // namespace rasterwalk

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "explain/fragment_report.h"
+#include "explain/vectors.h"
 #include "explain/vertex_report.h"
 #include "inspect/clip_history.h"
 #include "inspect/row_graph.h"
@@ -20,9 +21,13 @@ struct Inspected {
     std::optional<RowGraph> graph; ///< of the triangle shown: the selected row, or the row of the
                                    ///< fragment shown, or the widest
 
+    std::optional<VectorReport> vectors; ///< of run A, while their overlay is shown
+
     // The inputs it was computed from.
     std::optional<int> triangle;
     std::optional<int> row;
+    std::optional<int> vertex;
+    bool has_vectors = false;
     std::optional<glm::ivec2> pixel;
 };
 
@@ -37,7 +42,8 @@ struct InspectedMoment {
 /// Brings it up to date.
 /// @param new_frame the frame is a different one
 /// @param moved     the cursor has moved
+/// @param has_vectors the vectors are wanted
 void update_inspected(const Session& session, const InspectedMoment& moment, bool new_frame,
-                      bool moved, Inspected& inspected);
+                      bool moved, bool has_vectors, Inspected& inspected);
 
 } // namespace rasterwalk

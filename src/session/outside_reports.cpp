@@ -26,6 +26,22 @@ int shown_plane(const ClipHistory& history, const std::optional<ClipProgress>& p
     return planes.empty() ? -1 : 0;
 }
 
+OutsideLineKind outside_kind(VectorLineKind kind) {
+    switch (kind) {
+    case VectorLineKind::arrow:
+        return OutsideLineKind::vector;
+    case VectorLineKind::shadow:
+        return OutsideLineKind::vector_shadow;
+    case VectorLineKind::extension:
+    case VectorLineKind::perpendicular:
+    case VectorLineKind::right_angle:
+        return OutsideLineKind::vector_dropped;
+    case VectorLineKind::opposite:
+        break;
+    }
+    return OutsideLineKind::vector_opposite;
+}
+
 } // namespace
 
 WorldClipping clipping_outside(const Frame& frame, const ClipHistory& history,
@@ -93,6 +109,27 @@ std::optional<SightShift> sight_shift_outside(const std::optional<FragmentReport
     const glm::dvec3 texel = seen + double{terms.step.x} * glm::dvec3(terms.axes.tangent) +
                              double{terms.step.y} * glm::dvec3(terms.axes.bitangent);
     return SightShift{seen, texel, texel + double{terms.height} * glm::dvec3(terms.axes.normal)};
+}
+
+OutsideVectors vectors_outside(const std::optional<VectorReport>& report, const OutsideEye& eye,
+                               double length, double angle) {
+    OutsideVectors result;
+    if (!report || report->vectors.empty()) return result;
+    const double depth = eye.in_eye(report->vectors.front().from).z;
+    const double pixel = std::max(depth, eye.near_distance) / eye.focal_length; // in the world
+    for (const VectorLine& line : vector_lines(*report, length * pixel, angle * pixel)) {
+        result.arrows.push_back(
+            {outside_kind(line.kind), static_cast<int>(line.name), line.from, line.to});
+    }
+    if (const std::optional<SpannedSides>& sides = report->sides)
+        result.span = {sides->start, sides->start + sides->u, sides->start + sides->u + sides->v,
+                       sides->start + sides->v};
+    return result;
+}
+
+std::optional<TexturedPixel> textured_pixel_outside(const std::optional<FragmentReport>& fragment) {
+    if (!fragment || !fragment->texture) return std::nullopt;
+    return TexturedPixel{fragment->pixel, fragment->cursor.triangle};
 }
 
 } // namespace rasterwalk

@@ -49,12 +49,48 @@ bool update_costs(OverlaySet wanted, const WorkLimit& limit, Results& results) {
     return has_changed && cost.is_counted();
 }
 
+/// The edge whose field is shown: the chosen one, the one at work, or the first.
+int edge_of_field(const Session& session, const RunResults& run) {
+    if (session.canvas.field_edge) return *session.canvas.field_edge;
+    const bool is_at_work =
+        run.done && run.done->phase == Phase::edges && run.done->triangle == run.triangle;
+    return is_at_work ? run.done->index : 0;
+}
+
+GeometrySource wanted_geometry(const Session& session, OverlaySet wanted, const RunResults& run) {
+    GeometrySource source;
+    if (!run.is_drawn() || !run.triangle || !run.frame.is_drawn(*run.triangle)) return source;
+    source.frame = run.frame_number;
+    source.triangle = run.triangle;
+    if (wanted.has(Overlay::edge_field)) source.edge = edge_of_field(session, run);
+    if (wanted.has(Overlay::weights)) source.pixel = picked_pixel(session, run.frame);
+    return source;
+}
+
+/// Finds the geometry of the triangle shown that overlays draw; returns whether the field, which
+/// tints the picture, has changed.
+bool update_geometry(const Session& session, OverlaySet wanted, Results& results) {
+    const GeometrySource source = wanted_geometry(session, wanted, results.a);
+    if (source == results.geometry_of) return false;
+    results.geometry_of = source;
+    const Frame& frame = results.a.frame;
+    results.overlay.weights = std::nullopt;
+    if (source.pixel)
+        results.overlay.weights = weight_parts(frame, *source.triangle, *source.pixel);
+    std::optional<EdgeField> field;
+    if (source.edge) field = edge_field(frame, *source.triangle, *source.edge);
+    if (field == results.overlay.field) return false;
+    results.overlay.field = field;
+    return true;
+}
+
 void update_overlay(const Session& session, const WorkLimit& limit, bool moved, Results& results) {
     OverlaySet wanted = session.overlays;
     if (session.b) wanted.set(Overlay::alone, false); // whole pictures are compared
+    const bool has_field_changed = update_geometry(session, wanted, results);
     const bool is_missing = !(results.overlay.shown == wanted) || results.overlay_is_old;
     const bool are_counted = update_costs(wanted, limit, results);
-    if (moved || is_missing || are_counted) {
+    if (moved || is_missing || are_counted || has_field_changed) {
         // The overlay marks the picture at the cursor, so it is empty until that is drawn.
         results.overlay_is_old = true; // if memory runs out, it is made again next time
         if (!results.a.is_drawn()) {

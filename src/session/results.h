@@ -58,6 +58,16 @@ struct GroundSource {
     friend bool operator==(const GroundSource&, const GroundSource&) = default;
 };
 
+/// What the geometry that overlays draw was found for.
+struct GeometrySource {
+    std::uint64_t frame = 0;         ///< its number
+    std::optional<int> triangle;     ///< none: nothing is found
+    std::optional<int> edge;         ///< whose field it is; none: it is not shown
+    std::optional<glm::ivec2> pixel; ///< whose weights they are; none: they are not shown
+
+    friend bool operator==(const GeometrySource&, const GeometrySource&) = default;
+};
+
 /// Hints about the whole picture of A, and about settings that would show more. Those about the
 /// previous picture stay until those about this one are known.
 struct PictureHints {
@@ -87,9 +97,10 @@ struct Results {
     std::unique_ptr<RunResults> b; ///< null without a run B, or if it cannot be compared with A
     std::unique_ptr<RunResults> next_b; ///< replaces it as soon as its first frame is prepared
     ComparisonResults comparison;       ///< of both; meaningless while there is no B
-    std::string no_comparison; ///< why they cannot be compared; empty if they can, or there is
-                               ///< no run B
-    OverlayPicture overlay;    ///< what is laid over the picture of A
+    std::string no_comparison;  ///< why they cannot be compared; empty if they can, or there is
+                                ///< no run B
+    OverlayPicture overlay;     ///< what is laid over the picture of A
+    GeometrySource geometry_of; ///< that field and weights in `overlay` were found for
     std::uint64_t overlay_number = 0; ///< grows whenever `overlay` changes
     Image ground; ///< what is below `overlay` instead of the picture of A; no pixels: that picture
     std::uint64_t ground_number = 0;         ///< changes whenever `ground` does

@@ -273,8 +273,10 @@ RunChanges update_run(const Session& session, const Run& run, bool takes_frame,
         results.rows =
             triangle ? rows_at_cursor(results.frame, *triangle, results.cursor) : RowHistory{};
     }
+    // Only those of run A are drawn.
+    const bool has_vectors = shared == nullptr && session.overlays.has(Overlay::vectors);
     update_inspected(session, {results.frame, results.cursor, results.done, results.triangle},
-                     changes.frame, changes.moment, results.inspected);
+                     changes.frame, changes.moment, has_vectors, results.inspected);
     return changes;
 }
 

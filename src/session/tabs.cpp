@@ -37,11 +37,22 @@ constexpr std::array tabs{
             {},
             {},
             true},
+    TabInfo{"file",
+            "File",
+            "The model's file: the line that the triangle was made of, and the lines that its "
+            "corners name.",
+            TabGroup::triangle,
+            false,
+            false,
+            {},
+            {},
+            false,
+            true},
     TabInfo{"fragment", "Fragment",
             "Every number on a fragment's way to its colour, with its formula.", TabGroup::pixel},
     TabInfo{"texture", "Texture",
-            "The texels that colour the pixel: where it is in the texture, how far it reaches "
-            "there, and the weight of each texel.",
+            "The texels that act at the pixel, of a texture, a normal map or a height map: where "
+            "the map is read, how far the pixel reaches there, and the weight of each texel.",
             TabGroup::pixel, false, true},
     TabInfo{"history", "History",
             "Everything that falls on the picked pixel, in the order of drawing.", TabGroup::pixel},
@@ -237,8 +248,10 @@ bool is_offered(const Session& session, const TabInfo& tab) {
     if (tab.name == tab_below(session)) return true;
     const bool has_camera = session.scene && session.scene->space == SceneSpace::world;
     if (tab.needs_camera && !has_camera) return false;
-    const bool has_paint = session.scene && has_texture(*session.scene);
-    if (tab.needs_texture && !has_paint) return false;
+    const bool has_maps = session.scene && !session.scene->textures.empty();
+    if (tab.needs_maps && !has_maps) return false;
+    const bool has_model = session.scene && session.scene->model_source.get() != nullptr;
+    if (tab.needs_model && !has_model) return false;
     if (tab.needs_order && follows_scene_order(session.a.settings)) return false;
     if (!hides_tabs(session)) return true;
     return contains(session.tab_guide.panels, tab.name);

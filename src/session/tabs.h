@@ -31,10 +31,11 @@ struct TabInfo {
     std::string_view help; ///< one sentence
     TabGroup group = TabGroup::triangle;
     bool needs_camera = false;      ///< of no use in a scene in pixels, which has no view volume
-    bool needs_texture = false;     ///< of no use in a scene without textures
+    bool needs_maps = false;        ///< of no use in a scene without textures and other maps
     std::string_view tests_title{}; ///< if edge functions test every pixel; empty: the same
     std::string_view tests_help{};  ///< in that case too; empty: the same
     bool needs_order = false;       ///< of no use while triangles are drawn in the scene's order
+    bool needs_model = false;       ///< of no use in a scene that was not read from a model file
 };
 
 /// A tab's title and help in the interface.

@@ -19,6 +19,7 @@ struct MarkdownRun {
     bool code = false;
     int link = -1;          ///< index in MarkdownDocument::links; -1: none
     std::int8_t raised = 0; ///< of a formula: 1 superscript, -1 subscript
+    char vector = 0; ///< of a formula: the letter of a vector, see is_vector_letter(); 0: none
 
     friend bool operator==(const MarkdownRun&, const MarkdownRun&) = default;
 };

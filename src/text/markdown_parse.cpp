@@ -44,12 +44,13 @@ bool is_container(MD_BLOCKTYPE type) {
 
 bool has_same_style(const MarkdownRun& a, const MarkdownRun& b) {
     return a.emphasis == b.emphasis && a.strong == b.strong && a.code == b.code &&
-           a.link == b.link && a.raised == b.raised;
+           a.link == b.link && a.raised == b.raised && a.vector == b.vector;
 }
 
 MarkdownRun& run_like(std::vector<MarkdownRun>& runs, const MarkdownRun& style) {
     if (runs.empty() || !has_same_style(runs.back(), style))
-        runs.push_back({{}, style.emphasis, style.strong, style.code, style.link, style.raised});
+        runs.push_back(
+            {{}, style.emphasis, style.strong, style.code, style.link, style.raised, style.vector});
     return runs.back();
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/quoted.h"
 #include "base/text_parts.h"
+#include "explain/vectors.h"
 
 namespace rasterwalk {
 
@@ -267,6 +268,12 @@ MathNode parse_math(std::string_view tex, std::vector<std::string>* faults) {
     MathNode formula = Reader(tex.substr(0, longest), faults).read();
     settle_signs(formula);
     return formula;
+}
+
+char vector_letter(const MathNode& node) {
+    const bool is_letter = node.kind == NodeKind::symbol && node.style == Style::slanted &&
+                           node.text.size() == 1 && is_vector_letter(node.text.front());
+    return is_letter ? node.text.front() : char{0};
 }
 
 } // namespace rasterwalk

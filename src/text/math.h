@@ -29,6 +29,9 @@ struct MathNode {
     std::vector<MathNode> children;
 };
 
+/// The letter of a vector that a symbol is, see is_vector_letter(); 0: none.
+char vector_letter(const MathNode& node);
+
 /// Reads a formula in a small part of TeX: letters, numbers and signs, `^ _ { }`, \frac \sqrt \hat
 /// \vec \text \left \right \cdot \times and the like, Greek letters. Never fails: an unknown
 /// command stays as written, and anything nested deeper than deepest_math is left out.

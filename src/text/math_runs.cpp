@@ -28,7 +28,8 @@ class Writer {
         case MathNode::Kind::accent:
             write(node.children[0], raised);
             // In the fonts the hat is a mark over the preceding letter.
-            if (node.text == "ˆ") put("\xCC\x82", true, raised);
+            if (node.text == "ˆ" && !runs.empty())
+                put("\xCC\x82", true, raised, runs.back().vector);
             break;
         case MathNode::Kind::row:
             for (const MathNode& child : node.children)
@@ -43,7 +44,8 @@ class Writer {
     void symbol(const MathNode& node, int raised) {
         const bool has_blanks = node.style == MathNode::Style::relation && raised == 0;
         if (has_blanks) put(" ", false, raised);
-        put(node.text, node.style == MathNode::Style::slanted, raised);
+        put(node.text, node.style == MathNode::Style::slanted, raised,
+            raised == 0 ? vector_letter(node) : char{0});
         if (has_blanks) put(" ", false, raised);
     }
 
@@ -57,10 +59,10 @@ class Writer {
         put(")", false, raised);
     }
 
-    void put(std::string_view text, bool is_slanted, int raised) {
+    void put(std::string_view text, bool is_slanted, int raised, char vector = 0) {
         if (text.empty()) return;
         const auto raise = static_cast<std::int8_t>(raised);
-        run_like(runs, {{}, is_slanted, false, false, -1, raise}).text += text;
+        run_like(runs, {{}, is_slanted, false, false, -1, raise, vector}).text += text;
     }
 };
 

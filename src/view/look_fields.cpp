@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/numbers.h"
@@ -15,6 +17,7 @@
 #include "session/second_run.h"
 #include "session/tabs.h"
 #include "settings/setting_table.h"
+#include "stages/clip.h"
 #include "view/view_form.h"
 #include "view/view_links.h"
 #include "view/widget_names.h"
@@ -350,6 +353,31 @@ ViewField cell_numbers_field() {
                                 one_of(enum_words<CellNumbers>)};
     return choice_field("cell_numbers", option, "numbers in the cells", &ViewState::cell_numbers,
                         &CanvasView::numbers);
+}
+
+ViewField field_edge_field() {
+    // Each plane that cuts a triangle can add one.
+    constexpr int most_edges = triangle_corners + static_cast<int>(clip_plane_count);
+    ViewForm<int> form{&ViewState::field_edge};
+    form.read = [](const TomlBlock& block, const toml::node& node) {
+        return block.whole(node, 0, most_edges - 1);
+    };
+    form.toml = [](int edge) { return std::to_string(edge); };
+    form.parse = [](const GivenOption& given, const std::string& word) {
+        const std::optional<int> edge = parse_int(word);
+        const bool is_edge = edge && *edge >= 0 && *edge < most_edges;
+        if (!is_edge && word != no_value)
+            refuse_option(given, fmt::format("a number from 0 to {} or none", most_edges - 1),
+                          word);
+        return is_edge ? edge : std::nullopt;
+    };
+    form.word = [](const auto& edge) {
+        return edge ? std::to_string(*edge) : std::string(no_value);
+    };
+    form.read_session = [](const Session& session) { return session.canvas.field_edge; };
+    form.show = [](const auto& edge, Session& session) { session.canvas.field_edge = edge; };
+    return make_field("field_edge", ViewPart::canvas,
+                      {"field-edge", "N", "Edge of the overlay edge_field, from 0, or none"}, form);
 }
 
 ViewField canvas_field() {

@@ -22,6 +22,7 @@ ViewField grid_field();
 ViewField row_table_field();
 ViewField fates_field();
 ViewField cell_numbers_field();
+ViewField field_edge_field();
 
 // The scene from outside.
 ViewField canvas_field();

@@ -42,6 +42,7 @@ struct ViewState {
     std::optional<bool> row_table;           ///< next to its rows; none: as it was
     std::optional<bool> fates;               ///< pass and fail in the cells; none: as it was
     std::optional<CellNumbers> cell_numbers; ///< none: no numbers
+    std::optional<int> field_edge;           ///< of the edge field; none: the one at work, or 0
     std::optional<std::vector<std::string>> compare; ///< run B: A with these; none: no second run
     std::optional<CompareView> compare_view;         ///< of two runs; none: as it was
     std::optional<float> wipe;                       ///< position of the divider; none: as it was

@@ -328,6 +328,7 @@ std::vector<ViewField> make_table() {
         row_table_field(),
         fates_field(),
         cell_numbers_field(),
+        field_edge_field(),
         canvas_field(),
         outside_field(),
         compare_field(),

@@ -77,7 +77,7 @@ void check_row_end(const FragmentReport& report, const PolygonRows& rows, const 
     const RowEnd& end =
         input.source.is_right ? rows.right[report.cursor.index] : rows.left[report.cursor.index];
     constexpr std::array<const char*, interpolation_count> in_force{
-        ".carried", ".affine", ".carried_twice", ".carried", ".carried"};
+        ".carried", ".affine", ".carried_mixed", ".carried_twice", ".carried", ".carried"};
     const char* const suffix = in_force[static_cast<std::size_t>(report.interpolation)];
     std::optional<float> expected;
     if (id == "column") expected = static_cast<float>(end.column);

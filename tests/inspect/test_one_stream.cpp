@@ -180,7 +180,7 @@ RowEnd nearer_end(const RowEnd& end) {
 RowEnd nearer_sample(const Fragment& sample) {
     return nearer_end(row_end(sample));
 }
-float squared_weight(float zinv) {
+float squared_weight(float zinv, const Stages&) {
     return zinv * zinv;
 }
 glm::vec3 blue(const Fragment&, const Surface&, const PixelRules&, const Stages&) {

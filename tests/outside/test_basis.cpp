@@ -136,7 +136,8 @@ TEST_CASE("An arrow goes from the origin of a space to its axis's tip, and is na
     const glm::ivec2 size(900, 700);
     const OutsideEye eye = eye_of({}, outside_scene, size, 40.0);
     const auto marks_with = [&](std::span<const Basis> some) {
-        return outside_marks(scene, outside_scene, eye, {triangle}, std::nullopt, size, some);
+        return outside_marks(scene, outside_scene, eye, {triangle}, std::nullopt, size,
+                             {.bases = some});
     };
     const OutsideMarks marks = marks_with(bases), plain = marks_with({});
     const auto is_axis = [](const auto& mark) { return mark.kind == decltype(mark.kind)::axis; };

@@ -1,3 +1,4 @@
+#include "outside/label_places.h"
 #include "outside/outside_marks.h"
 
 #include <algorithm>
@@ -313,7 +314,7 @@ TEST_CASE("A shifted texture shows the ray of sight, the texel and its height") 
     const Seen seen(scene, {});
     const SightShift shift{{0.4, 0.9, 0.3}, {0.3, 0.8, 0.3}, {0.3, 0.8, 0.1}};
     const OutsideMarks marks =
-        outside_marks(scene, seen.outside_scene, seen.eye, {}, {}, seen.size, {}, {}, shift);
+        outside_marks(scene, seen.outside_scene, seen.eye, {}, {}, seen.size, {.shift = shift});
     const auto is_at = [&](const glm::vec2& place, const glm::dvec3& world) {
         return glm::distance(glm::dvec2(place), *seen.eye.pixel_of(world)) < 0.01;
     };
@@ -333,12 +334,71 @@ TEST_CASE("A shifted texture shows the ray of sight, the texel and its height") 
     CHECK(is_at(points_of(marks, OutsidePointKind::texel).front().at, shift.texel));
 }
 
+TEST_CASE("A pixel's footprint is where its corners meet the plane of the triangle") {
+    const Scene scene = test::lab_room();
+    const Seen seen(scene, {});
+    int drawn = 0;
+    for (int triangle = 0; triangle < scene.triangle_count(); ++triangle) {
+        for (const glm::ivec2 pixel : {glm::ivec2(250, 400), glm::ivec2(61, 262)}) {
+            // The plane and the rays again, by Cramer's rule: a + s (b - a) + t (c - a) = z ray.
+            using Vector = glm::tvec3<long double>;
+            const Vector a(scene.corner(triangle, 0).position);
+            const Vector ab = Vector(scene.corner(triangle, 1).position) - a;
+            const Vector ac = Vector(scene.corner(triangle, 2).position) - a;
+            const Vector eye(scene.camera.position);
+            const auto determinant = [](const Vector& p, const Vector& q, const Vector& r) {
+                return p.x * (q.y * r.z - q.z * r.y) - p.y * (q.x * r.z - q.z * r.x) +
+                       p.z * (q.x * r.y - q.y * r.x);
+            };
+            std::vector<glm::dvec3> places;
+            for (const glm::ivec2 corner : {pixel, pixel + glm::ivec2(1, 0),
+                                            pixel + glm::ivec2(1, 1), pixel + glm::ivec2(0, 1)}) {
+                const Vector ray((corner.x - 250) / 500.0L, (corner.y - 250) / 500.0L, 1.0L);
+                const long double whole = determinant(ab, ac, -ray);
+                if (whole == 0.0L) continue;
+                const long double z = determinant(ab, ac, eye - a) / whole;
+                if (z > 0.0L) places.emplace_back(eye + z * ray);
+            }
+            const OutsideMarks marks =
+                outside_marks(scene, seen.outside_scene, seen.eye, {}, {}, seen.size,
+                              {.textured = TexturedPixel{pixel, triangle}});
+            const auto lines = lines_of(marks, OutsideLineKind::footprint);
+            INFO("triangle " << triangle << " pixel " << pixel.x);
+            if (places.size() < 4) {
+                CHECK(lines.empty());
+                continue;
+            }
+            for (const OutsideLine& line : lines) {
+                const auto i = static_cast<std::size_t>(line.number);
+                const auto from = seen.eye.pixel_of(places[i]);
+                const auto to = seen.eye.pixel_of(places[(i + 1) % 4]);
+                if (!from || !to) continue;
+                const auto is_in_view = [](const glm::dvec2& at) {
+                    return at.x > 0 && at.y > 0 && at.x < 900 && at.y < 700;
+                };
+                if (!is_in_view(*from) || !is_in_view(*to)) continue;
+                CHECK(glm::distance(glm::dvec2(line.from), *from) < 0.01);
+                CHECK(glm::distance(glm::dvec2(line.to), *to) < 0.01);
+                ++drawn;
+            }
+        }
+    }
+    CHECK(drawn > 100);
+    CHECK(lines_of(seen.marks(scene, 1), OutsideLineKind::footprint).empty());
+    // A triangle that the scene does not have.
+    CHECK(lines_of(outside_marks(scene, seen.outside_scene, seen.eye, {}, {}, seen.size,
+                                 {.textured = TexturedPixel{{250, 400}, 9999}}),
+                   OutsideLineKind::footprint)
+              .empty());
+}
+
 TEST_CASE("The way to the lamp is light up to the blocker, and dashed beyond it") {
     const Scene scene = test::lab_room();
     const Seen seen(scene, {});
     const glm::dvec3 from(0.5, 1.0, 0.2), lamp(seen.outside_scene.lamp);
     const auto marks_of = [&](const std::optional<LampRay>& way) {
-        return outside_marks(scene, seen.outside_scene, seen.eye, {}, {}, seen.size, {}, way);
+        return outside_marks(scene, seen.outside_scene, seen.eye, {}, {}, seen.size,
+                             {.lamp_ray = way});
     };
     CHECK(lines_of(marks_of({}), OutsideLineKind::lamp_ray).empty());
     CHECK(points_of(marks_of({}), OutsidePointKind::shaded).empty());

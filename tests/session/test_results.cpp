@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "explain/vectors.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
 #include "session/content.h"
@@ -91,6 +92,62 @@ TEST_CASE("A second run that cuts the scene finer shows the same triangle, by it
     CHECK(results.b->cursor == cursor_end);
     CHECK(results.a.drawn_scene().get() == results.a.frame.scene);
     CHECK(results.b->drawn_scene() == session.scene);
+}
+
+TEST_CASE("The vectors follow the vertex, the frame and their overlay, and are of run A only") {
+    Session session = room_session();
+    compare_with(session, session.a.settings);
+    session.selection.triangle = 12;
+    session.overlays.set(Overlay::vectors, true);
+    Results results;
+    for (const float z : {0.0f, -0.5f}) {
+        session.a.settings.camera.position.z = z;
+        for (const int vertex : {0, 1, 2, 2}) {
+            INFO("z " << z << " vertex " << vertex);
+            session.selection.vertex = vertex;
+            finish(session, results);
+            const auto& shown = results.a.inspected.vectors;
+            const auto wanted = vector_report(results.a.frame, nullptr, 12, vertex);
+            REQUIRE(shown);
+            REQUIRE(wanted);
+            REQUIRE(shown->vectors.size() == wanted->vectors.size());
+            REQUIRE_FALSE(shown->vectors.empty());
+            for (std::size_t i = 0; i < shown->vectors.size(); ++i)
+                CHECK(shown->vectors[i].along == wanted->vectors[i].along);
+            REQUIRE(results.b);
+            CHECK_FALSE(results.b->inspected.vectors);
+        }
+    }
+    session.overlays.set(Overlay::vectors, false);
+    finish(session, results);
+    CHECK_FALSE(results.a.inspected.vectors);
+}
+
+TEST_CASE("The weights follow the picked pixel, and their overlay") {
+    Session session = room_session();
+    session.overlays.set(Overlay::weights, true);
+    Results results;
+    int found = 0;
+    for (const glm::ivec2 pixel : {glm::ivec2(60, 50), glm::ivec2(30, 80), glm::ivec2(90, 60)}) {
+        INFO("pixel " << pixel.x << "," << pixel.y);
+        session.selection.pixel = pixel;
+        finish(session, results);
+        const std::optional<WeightParts>& weights = results.overlay.weights;
+        if (!weights) continue;
+        CHECK(weights->pixel == pixel);
+        CHECK(weights->triangle == results.a.triangle);
+        ++found;
+    }
+    CHECK(found == 3);
+    session.overlays.set(Overlay::weights, false);
+    finish(session, results);
+    CHECK_FALSE(results.overlay.weights);
+    session.overlays.set(Overlay::weights, true);
+    finish(session, results);
+    CHECK(results.overlay.weights);
+    session.selection.pixel.reset();
+    finish(session, results);
+    CHECK_FALSE(results.overlay.weights);
 }
 
 TEST_CASE("Run B is drawn up to the same cursor as run A") {

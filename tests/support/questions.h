@@ -2,6 +2,8 @@
 
 // Asks the program for its answers to the predictions of a lesson.
 
+#include <algorithm>
+#include <initializer_list>
 #include <string>
 
 #include "lessons/lesson_run.h"
@@ -45,5 +47,13 @@ struct Questions {
         CHECK(judgement.is_right);
     }
 };
+
+/// Of the choices of the lesson's look back, the program takes for right the only true one.
+inline void require_look_back(const std::string& lesson, std::initializer_list<bool> choices) {
+    INFO(lesson);
+    REQUIRE(std::count(choices.begin(), choices.end(), true) == 1);
+    const auto right = std::find(choices.begin(), choices.end(), true) - choices.begin();
+    Questions(lesson).require_choice("look-back", static_cast<int>(right));
+}
 
 } // namespace rasterwalk::test

@@ -117,6 +117,7 @@ void look_somehow(Random& random, Session& session) {
     session.canvas.row_table = random.integer(0, 3) > 0;
     session.canvas.fates = random.integer(0, 3) > 0;
     session.canvas.numbers = static_cast<CellNumbers>(random.integer(0, cell_numbers_count - 1));
+    if (random.integer(0, 2) == 0) session.canvas.field_edge = random.integer(0, 2);
     session.canvas.shows = static_cast<CanvasShows>(random.integer(0, canvas_shows_count - 1));
     OutsideView& outside = session.canvas.outside;
     outside.is_camera = random.integer(0, 5) == 0;

@@ -7,7 +7,10 @@
 #include <glm/geometric.hpp>
 
 #include "base/limits.h"
+#include "base/quoted.h"
+#include "inspect/model_lines.h"
 #include "scene/model_scene.h"
+#include "scene/obj_words.h"
 
 namespace rasterwalk::test {
 
@@ -54,6 +57,46 @@ std::string problem_of_report(const ObjReport& report, const std::string& path) 
     return "";
 }
 
+std::string problem_of_source(const ModelSource& source, const Mesh& mesh) {
+    if (source.triangles.size() != mesh.triangles().size()) return "not every triangle has a line.";
+    for (const TriangleOrigin& origin : source.triangles) {
+        std::string_view text = text_from_line(source, origin.line);
+        const std::string_view word = take_word(text);
+        if (word != "f" && word != "fo") return "a triangle is from a line without a face.";
+        for (const int index : origin.corners) {
+            if (index < 0 || static_cast<std::size_t>(index) >= source.corners.size())
+                return "a triangle is from a corner that is not there.";
+            const ObjCorner& corner = source.corners[static_cast<std::size_t>(index)];
+            const auto is_there = [](int number, const std::vector<int>& lines) {
+                return number < static_cast<int>(lines.size());
+            };
+            if (!is_there(corner.position, source.position_lines) ||
+                !is_there(corner.texcoord, source.texcoord_lines) ||
+                !is_there(corner.normal, source.normal_lines))
+                return "a corner names a line that is not there.";
+        }
+    }
+    return "";
+}
+
+/// The lines of the file as they are shown.
+std::string problem_of_lines(const ObjModel& model) {
+    const ModelSource& source = *model.source;
+    const std::vector<FileLine> lines = file_lines(source, model.report, 1, source.lines + 1);
+    if (lines.size() != static_cast<std::size_t>(source.lines)) return "a line is not shown.";
+    for (const FileLine& line : lines) {
+        for (const FilePiece& piece : line.pieces) {
+            if (piece.text != visible_line(piece.text)) return "a line is not printable.";
+            const bool leads = piece.corner < 0 || line.face > 0;
+            if (!leads) return "a corner has no face.";
+        }
+        const std::optional<ModelVertex> vertex = vertex_of_line(source, line, -1, 0);
+        if (vertex && vertex->triangle >= model.mesh.triangle_count())
+            return "a line leads to a triangle that is not there.";
+    }
+    return "";
+}
+
 /// @param farthest from the origin along each axis
 std::string problem_of_vertex(const Vertex& vertex, float farthest) {
     if (vertex.reflectance != glm::clamp(vertex.reflectance, 0.0f, 1.0f))
@@ -82,6 +125,8 @@ std::string problem_of_vertices(const Scene& scene, float farthest) {
 std::string problem_of_model(const ObjModel& model) {
     std::string problem = problem_of_counts(model);
     if (problem.empty()) problem = problem_of_report(model.report, model.path);
+    if (problem.empty()) problem = problem_of_source(*model.source, model.mesh);
+    if (problem.empty()) problem = problem_of_lines(model);
     if (!problem.empty()) return problem;
     const Scene scene = scene_of_model(model);
     constexpr float box_of_model = 1.001f;

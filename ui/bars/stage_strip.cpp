@@ -96,6 +96,8 @@ std::string word_of_perspective(const Settings& settings) {
         return "on";
     case Interpolation::affine:
         return "off";
+    case Interpolation::mixed:
+        return "mixed";
     case Interpolation::zinv_twice:
     case Interpolation::divided_twice:
         return "twice";

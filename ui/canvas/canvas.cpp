@@ -15,16 +15,20 @@
 #include "ui/canvas/cells.h"
 #include "ui/canvas/compare_variants.h"
 #include "ui/canvas/compare_view.h"
+#include "ui/canvas/decision_marks.h"
 #include "ui/canvas/depth_legend.h"
 #include "ui/canvas/difference_legend.h"
+#include "ui/canvas/field_marks.h"
 #include "ui/canvas/hint_bar.h"
 #include "ui/canvas/large_frame.h"
 #include "ui/canvas/outside_view.h"
 #include "ui/canvas/overdraw_legend.h"
+#include "ui/canvas/overlay_legend.h"
 #include "ui/canvas/overlays.h"
 #include "ui/canvas/pass_title.h"
 #include "ui/canvas/picture_view.h"
 #include "ui/canvas/side_row_table.h"
+#include "ui/canvas/vector_marks.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
 #include "ui/widgets/imgui_versions.h"
@@ -167,7 +171,7 @@ void draw_picture(Ui& ui, const Pane& pane) {
 
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(frame_low, frame_high, packed(p.canvas), 4.0f * u);
-    std::vector<VertexLabel> labels;
+    std::vector<CanvasLabel> labels;
     list->PushClipRect(visible.low, visible.high, true);
     if (is_comparing(ui)) {
         draw_compared(ui, list, canvas);
@@ -176,9 +180,15 @@ void draw_picture(Ui& ui, const Pane& pane) {
         draw_texture(list, ui.canvas.picture, ui.canvas.place);
         draw_overlays(ui, list, visible.low, visible.high);
         labels = draw_canvas_marks(ui, run_a(ui), list, visible.low, visible.high);
+        draw_vector_marks(ui, list, visible.low, visible.high, labels);
     }
     list->PopClipRect();
-    if (!is_comparing(ui)) draw_cells(ui, visible, labels);
+    if (!is_comparing(ui)) {
+        draw_cells(ui, visible, labels);
+        const Pane seen = visible_picture(ui, panes.a, canvas);
+        draw_figure_numbers(ui, list, seen, labels);
+        draw_decisions(ui, list, seen, labels);
+    }
     if (!is_comparing(ui)) draw_pass_title(ui, list, canvas);
     if (shows_cell_key(ui))
         draw_cell_key(ui, {{visible.low.x, visible.high.y}, {visible.high.x, canvas.high.y}});

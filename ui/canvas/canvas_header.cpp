@@ -11,7 +11,7 @@
 #include "ui/actions/outside.h"
 #include "ui/actions/row_table_layout.h"
 #include "ui/canvas/cells.h"
-#include "ui/canvas/overlays.h"
+#include "ui/canvas/overlay_legend.h"
 #include "ui/ui.h"
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"

@@ -11,6 +11,7 @@
 #include "ui/canvas/marks.h"
 #include "ui/canvas/square_marks.h"
 #include "ui/canvas/test_marks.h"
+#include "ui/widgets/arrows.h"
 
 namespace rasterwalk {
 
@@ -71,13 +72,8 @@ void draw_cased_line(const Marks& m, ImVec2 a, ImVec2 b, ImU32 colour) {
 }
 
 void draw_dashes(const Marks& m, ImVec2 a, ImVec2 b, ImU32 colour) {
-    const float length = std::hypot(b.x - a.x, b.y - a.y);
-    const float dash = std::max(8.0f * m.u, length / 400.0f);
-    for (float d = 0.0f; d < length; d += 2.0f * dash) {
-        const float s = d / length, t = std::min((d + dash) / length, 1.0f);
-        draw_cased_line(m, {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)},
-                        {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, colour);
-    }
+    for_each_dash(a, b, {8.0f * m.u, 400.0f},
+                  [&](ImVec2 from, ImVec2 to) { draw_cased_line(m, from, to, colour); });
 }
 
 /// How far an edge is walked, 0..1.
@@ -146,8 +142,8 @@ void draw_samples(const Marks& m, int triangle) {
     }
 }
 
-void draw_vertex_labels(const Marks& m, const std::vector<VertexLabel>& labels) {
-    for (const VertexLabel& label : labels) {
+void draw_vertex_labels(const Marks& m, const std::vector<CanvasLabel>& labels) {
+    for (const CanvasLabel& label : labels) {
         // The pixel below may be as bright as the letters.
         m.list->AddRectFilled(label.low, label.high, dark_casing, 3.0f * m.u);
         m.list->AddText(m.ui.fonts.bold, m.ui.fonts.bold->FontSize, label.text,
@@ -287,11 +283,11 @@ ShownRun run_b(const Ui& ui, const PicturePlace& place) {
     return {b.frame, b.rows, b.whole_rows, b.cursor, b.done, place, clip_of(b)};
 }
 
-std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list,
+std::vector<CanvasLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list,
                                            ImVec2 low, ImVec2 high) {
     const Marks m{ui, run, list, low, high, ui.options.text_scale, run.place.scale};
     const Frame& frame = run.frame;
-    std::vector<VertexLabel> labels;
+    std::vector<CanvasLabel> labels;
     // Anything marked would be where the previous frame has it.
     const bool is_old = ui.results.a.preview.is_shown && ui.results.a.is_frame_late;
     if (!is_old) draw_tested_pixels(m);

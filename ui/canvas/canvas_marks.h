@@ -34,7 +34,7 @@ ShownRun run_b(const Ui& ui, const PicturePlace& place);
 /// clipping does to it, edge samples up to the cursor, row ends, the current piece, what is picked
 /// and pointed at. Costs what is visible.
 /// @return the names of vertices drawn there: nothing else is written on them
-std::vector<VertexLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list,
+std::vector<CanvasLabel> draw_canvas_marks(const Ui& ui, const ShownRun& run, ImDrawList* list,
                                            ImVec2 low, ImVec2 high);
 
 /// Takes hold of a vertex of the bench triangle under the pointer and moves it with it. True while

@@ -135,7 +135,7 @@ struct Cells {
     Ui& ui;
     Marks marks;
     Pane visible_part; ///< of the canvas, without the numbers of columns and rows
-    const std::vector<VertexLabel>& labels;       ///< on the picture: nothing is drawn under them
+    const std::vector<CanvasLabel>& labels;       ///< on the picture: nothing is drawn under them
     std::vector<std::pair<ImVec2, ImVec2>> lines; ///< the edges of the triangle shown
 
     ImVec2 corner(int column, int row) const {
@@ -147,7 +147,7 @@ struct Cells {
                high.x > visible_part.high.x || high.y > visible_part.high.y;
     }
     bool is_under_label(ImVec2 low, ImVec2 high) const {
-        return std::any_of(labels.begin(), labels.end(), [&](const VertexLabel& label) {
+        return std::any_of(labels.begin(), labels.end(), [&](const CanvasLabel& label) {
             return low.x < label.high.x && high.x > label.low.x && low.y < label.high.y &&
                    high.y > label.low.y;
         });
@@ -370,7 +370,7 @@ float numbers_zoom(const Ui& ui, CellNumbers numbers) {
     return std::max(cell_zoom, needed);
 }
 
-void draw_cells(Ui& ui, const Pane& visible_part, const std::vector<VertexLabel>& labels) {
+void draw_cells(Ui& ui, const Pane& visible_part, const std::vector<CanvasLabel>& labels) {
     const float scale = ui.canvas.place.scale;
     const CanvasView& canvas = ui.session.canvas;
     // A preview has no numbers.

@@ -16,7 +16,7 @@ namespace rasterwalk {
 /// Costs what is visible.
 /// @param seen   the part of the canvas in which the picture can be seen
 /// @param labels already drawn there: nothing is drawn under them
-void draw_cells(Ui& ui, const Pane& visible_part, const std::vector<VertexLabel>& labels);
+void draw_cells(Ui& ui, const Pane& visible_part, const std::vector<CanvasLabel>& labels);
 
 /// The number in a cell of this width; empty if there is none, or no room for it.
 /// @param room screen pixels

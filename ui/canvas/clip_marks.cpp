@@ -9,8 +9,10 @@
 
 #include <glm/vec2.hpp>
 
+#include "outside/label_places.h"
 #include "outside/outside_marks.h"
 #include "ui/canvas/marks.h"
+#include "ui/widgets/arrows.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -98,16 +100,11 @@ void draw_outline_before(const Marks& m, const ClipHistory& history) {
         const auto line = visible_edge(m, corners[i].vertex.position_clip,
                                        corners[(i + 1) % corners.size()].vertex.position_clip);
         if (!line) continue;
-        const float dx = line->to.x - line->from.x, dy = line->to.y - line->from.y;
-        const float length = std::hypot(dx, dy);
-        const float dash = std::max(6.0f * m.u, length / 300.0f);
-        for (float d = 0.0f; d < length && m.has_room(); d += 2.0f * dash) {
-            const float s = d / length, t = std::min((d + dash) / length, 1.0f);
-            const ImVec2 from{line->from.x + s * dx, line->from.y + s * dy};
-            const ImVec2 to{line->from.x + t * dx, line->from.y + t * dy};
+        for_each_dash(line->from, line->to, {6.0f * m.u, 300.0f}, [&](ImVec2 from, ImVec2 to) {
+            if (!m.has_room()) return;
             m.list->AddLine(from, to, dark_casing, 3.4f * m.u);
             m.list->AddLine(from, to, m.colour(Meaning::fail), 1.6f * m.u);
-        }
+        });
     }
 }
 

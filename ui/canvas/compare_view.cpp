@@ -12,6 +12,7 @@
 #include "ui/canvas/compare_titles.h"
 #include "ui/canvas/overlays.h"
 #include "ui/canvas/picture_view.h"
+#include "ui/canvas/vector_marks.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
 #include "ui/widgets/picture_texture.h"
@@ -63,7 +64,8 @@ void draw_run(Ui& ui, ImDrawList* list, bool of_b, const PicturePlace& place, Im
         draw_canvas_marks(ui, run_b(ui, place), list, low, high);
     } else {
         draw_overlays(ui, list, low, high);
-        draw_canvas_marks(ui, run_a(ui), list, low, high);
+        std::vector<CanvasLabel> labels = draw_canvas_marks(ui, run_a(ui), list, low, high);
+        draw_vector_marks(ui, list, low, high, labels);
     }
     list->PopClipRect();
 }

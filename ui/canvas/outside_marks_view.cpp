@@ -12,7 +12,10 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "outside/label_places.h"
+#include "ui/canvas/vector_marks.h"
 #include "ui/ui.h"
+#include "ui/widgets/arrows.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -25,8 +28,7 @@ namespace {
 constexpr float roomy_view = 420.0f;
 constexpr float smallest_marks = 0.6f;
 
-/// Design pixels: the dark rim of a name, and from the rim to what it names.
-constexpr float halo_width = 1.4f;
+/// From the dark rim of a name to what it names, design pixels.
 constexpr float name_distance = 2.5f;
 
 /// Between a name and the lines of the triangle, design pixels.
@@ -47,30 +49,27 @@ struct Pen {
     ImU32 ground(float opacity = 1.0f) const {
         return packed(palette(ui.options.theme).canvas, opacity);
     }
+    /// Of a name. The letters of vectors are told apart by their colours, which need more contrast.
+    ImU32 rim_of(OutsidePointKind kind) const {
+        const Palette& p = palette(ui.options.theme);
+        return kind == OutsidePointKind::vector ? packed(p.ground, 0.9f) : ground(0.8f);
+    }
     ImU32 meaning(Meaning meaning, float opacity = 1.0f) const {
         return packed(colour_of(meaning, ui.options.theme), opacity);
     }
 };
 
-void draw_dashed(const Pen& pen, ImVec2 from, ImVec2 to, ImU32 colour, float width) {
-    const float length = std::hypot(to.x - from.x, to.y - from.y);
-    const float dash = std::max(5.0f * pen.u, length / 200.0f);
-    for (float d = 0.0f; d < length; d += 2.0f * dash) {
-        const float s = d / length, t = std::min((d + dash) / length, 1.0f);
-        pen.list->AddLine({from.x + s * (to.x - from.x), from.y + s * (to.y - from.y)},
-                          {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)}, colour,
-                          width);
-    }
+void draw_dashed_with(const Pen& pen, ImVec2 from, ImVec2 to, ImU32 colour, float width) {
+    draw_dashed(pen.list, pen.u, from, to, colour, width);
 }
 
 /// A plane is a pane that everything is seen through.
-void draw_face(const Pen& pen, const std::vector<glm::vec2>& face) {
+void draw_face(const Pen& pen, const std::vector<glm::vec2>& face, ImU32 colour) {
     std::vector<ImVec2> corners;
     for (const glm::vec2& corner : face)
         corners.push_back(pen.at(corner));
     if (corners.size() < 3) return;
-    pen.list->AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()),
-                                  pen.meaning(Meaning::left_end, 0.12f));
+    pen.list->AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()), colour);
 }
 
 /// The three axes of a space have the colours of three edges.
@@ -78,20 +77,12 @@ Meaning axis_meaning(int number) {
     return edge_meaning(number % axis_count);
 }
 
-/// Size of an arrow's head, design pixels, and how much of the arrow it may take.
-constexpr float head_length = 9.0f, head_width = 3.6f, largest_head = 0.4f;
+void draw_arrow_with(const Pen& pen, ImVec2 from, ImVec2 to, ImU32 colour) {
+    draw_arrow(pen.list, pen.u, from, to, {colour, pen.ground(0.7f)});
+}
 
-void draw_arrow(const Pen& pen, ImVec2 from, ImVec2 to, ImU32 colour) {
-    const glm::vec2 delta(to.x - from.x, to.y - from.y);
-    const float length = glm::length(delta);
-    pen.list->AddLine(from, to, pen.ground(0.7f), 4.6f * pen.u);
-    pen.list->AddLine(from, to, colour, 2.2f * pen.u);
-    if (!(length > 0.0f)) return;
-    const float head = std::min(head_length * pen.u, largest_head * length);
-    const glm::vec2 along = delta / length * head;
-    const glm::vec2 across = glm::vec2(-along.y, along.x) * (head_width / head_length);
-    pen.list->AddTriangleFilled(to, {to.x - along.x + across.x, to.y - along.y + across.y},
-                                {to.x - along.x - across.x, to.y - along.y - across.y}, colour);
+VectorPen vector_pen(const Pen& pen) {
+    return {pen.list, pen.u, pen.ui.options.theme, pen.ground(0.7f)};
 }
 
 void draw_line(const Pen& pen, const OutsideLine& line) {
@@ -118,7 +109,7 @@ void draw_line(const Pen& pen, const OutsideLine& line) {
     case OutsideLineKind::behind:
     case OutsideLineKind::mirrored:
     case OutsideLineKind::cut_off:
-        draw_dashed(pen, from, to, pen.meaning(Meaning::fail), 1.5f * u);
+        draw_dashed_with(pen, from, to, pen.meaning(Meaning::fail), 1.5f * u);
         break;
     case OutsideLineKind::cut:
         pen.list->AddLine(from, to, pen.ground(0.7f), 5.0f * u);
@@ -139,20 +130,36 @@ void draw_line(const Pen& pen, const OutsideLine& line) {
         pen.list->AddLine(from, to, pen.meaning(Meaning::left_end), 2.0f * u);
         break;
     case OutsideLineKind::blocked_ray:
-        draw_dashed(pen, from, to, pen.meaning(Meaning::fail), 1.8f * u);
+        draw_dashed_with(pen, from, to, pen.meaning(Meaning::fail), 1.8f * u);
         break;
     case OutsideLineKind::sight_ray:
         pen.list->AddLine(from, to, pen.ground(0.6f), 3.2f * u);
         pen.list->AddLine(from, to, pen.meaning(Meaning::current), 1.3f * u);
         break;
     case OutsideLineKind::imagined:
-        draw_dashed(pen, from, to, pen.text(0.9f), 1.5f * u);
+        draw_dashed_with(pen, from, to, pen.text(0.9f), 1.5f * u);
         break;
     case OutsideLineKind::shift:
-        draw_arrow(pen, from, to, pen.meaning(Meaning::current));
+        draw_arrow_with(pen, from, to, pen.meaning(Meaning::current));
+        break;
+    case OutsideLineKind::footprint:
+        pen.list->AddLine(from, to, pen.ground(0.7f), 3.0f * u);
+        pen.list->AddLine(from, to, pen.meaning(Meaning::pass), 1.2f * u);
         break;
     case OutsideLineKind::axis:
-        draw_arrow(pen, from, to, pen.meaning(axis_meaning(line.number)));
+        draw_arrow_with(pen, from, to, pen.meaning(axis_meaning(line.number)));
+        break;
+    case OutsideLineKind::vector:
+        draw_vector(vector_pen(pen), static_cast<VectorName>(line.number), from, to);
+        break;
+    case OutsideLineKind::vector_shadow:
+        draw_shadow(vector_pen(pen), from, to);
+        break;
+    case OutsideLineKind::vector_dropped:
+        draw_dropped(vector_pen(pen), from, to);
+        break;
+    case OutsideLineKind::vector_opposite:
+        draw_opposite(vector_pen(pen), from, to);
         break;
     }
 }
@@ -193,6 +200,7 @@ void draw_point(const Pen& pen, const OutsidePoint& point) {
     case OutsidePointKind::end:
     case OutsidePointKind::divider:
     case OutsidePointKind::axis:
+    case OutsidePointKind::vector:
     case OutsidePointKind::origin:
         break; // only its name is there
     case OutsidePointKind::cut:
@@ -249,6 +257,7 @@ float reach_of(OutsidePointKind kind) {
     case OutsidePointKind::shaded:
     case OutsidePointKind::occluder:
     case OutsidePointKind::texel:
+    case OutsidePointKind::vector:
         return 6.0f;
     case OutsidePointKind::crossing:
     case OutsidePointKind::seen:
@@ -346,6 +355,11 @@ Name name_of(const Pen& pen, const OutsidePoint& point) {
         // vertices' numbers.
         return {point, axis_name(point.number, pen.is_narrow),
                 pen.meaning(axis_meaning(point.number)), 1};
+    case OutsidePointKind::vector: {
+        const auto vector = static_cast<VectorName>(point.number);
+        return {point, std::string(vector_words(vector).symbol),
+                packed(vector_colour(vector, pen.ui.options.theme)), -1};
+    }
     case OutsidePointKind::origin:
         return {point, origin_name(point.number, pen.is_narrow), pen.text(), 2};
     case OutsidePointKind::crossing:
@@ -369,19 +383,6 @@ std::vector<const OutsidePoint*> named_corners(const OutsideMarks& marks, Outsid
                          return a->at.x - a->at.y > b->at.x - b->at.y;
                      });
     return corners;
-}
-
-/// Text that can be read on any ground.
-void draw_name(const Pen& pen, const Name& name, ImVec2 low) {
-    ImFont* const font = pen.ui.fonts.small;
-    const float far = halo_width * pen.u, near = 1.0f * pen.u;
-    for (const ImVec2 aside :
-         {ImVec2{far, 0.0f}, ImVec2{-far, 0.0f}, ImVec2{0.0f, far}, ImVec2{0.0f, -far},
-          ImVec2{near, near}, ImVec2{-near, near}, ImVec2{near, -near}, ImVec2{-near, -near}}) {
-        pen.list->AddText(font, font->FontSize, {low.x + aside.x, low.y + aside.y},
-                          pen.ground(0.8f), name.text.c_str());
-    }
-    pen.list->AddText(font, font->FontSize, low, name.colour, name.text.c_str());
 }
 
 /// The planes' names come last, once for each of their corners: one of those has room.
@@ -435,7 +436,8 @@ void draw_names(const Pen& pen, const OutsideMarks& marks, std::vector<OutsideBo
         const OutsidePoint& point = names[i].point;
         if (is_plane(point.kind) && !planes.insert(point.number).second) continue;
         const ImVec2 low = pen.at(*places[i] + halo);
-        draw_name(pen, names[i], {std::round(low.x), std::round(low.y)});
+        draw_haloed(pen.list, pen.ui.fonts.small, pen.u, {std::round(low.x), std::round(low.y)},
+                    names[i].text, {names[i].colour, pen.rim_of(point.kind)});
     }
 }
 
@@ -447,7 +449,8 @@ void draw_outside_marks(const Ui& ui, ImDrawList* list, const OutsideMarks& mark
     const float size = std::min(pane.room().x, pane.room().y) / roomy;
     const Pen pen{ui, list, pane, ui.options.text_scale * std::clamp(size, smallest_marks, 1.0f),
                   pane.room().x < roomy};
-    draw_face(pen, marks.face);
+    draw_face(pen, marks.face, pen.meaning(Meaning::left_end, 0.12f));
+    draw_face(pen, marks.span, pen.text(span_tint));
     for (const OutsideLine& line : marks.lines)
         draw_line(pen, line);
     for (const OutsidePoint& point : marks.points)

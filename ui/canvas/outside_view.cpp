@@ -15,6 +15,7 @@
 #include "ui/actions/outside.h"
 #include "ui/canvas/canvas_pointer.h"
 #include "ui/canvas/outside_marks_view.h"
+#include "ui/canvas/vector_marks.h"
 #include "ui/ui.h"
 #include "ui/widgets/focus.h"
 #include "ui/widgets/imgui_versions.h"
@@ -232,11 +233,21 @@ void draw_outside(Ui& ui, const Pane& pane) {
     list->AddRectFilled(pane.low, pane.high, packed(p.canvas), 4.0f * u);
     list->PushClipRect(pane.low, pane.high, true);
     draw_image(ui, list, pane);
+    std::vector<Basis> bases = bases_of(a.frame, a.triangle);
+    // The vectors have the same axes, at the picked pixel.
+    if (a.inspected.vectors && a.inspected.vectors->pixel)
+        std::erase_if(bases, [](const Basis& basis) { return basis.of == BasisOf::surface; });
     const OutsideMarks marks = outside_marks(
         *a.frame.scene, drawing.outside_scene(), drawing.eye(),
         {a.triangle, subject.clipping, is_mirrored_visible(a), divider_of(a.frame, a.triangle)},
-        ui.session.selection.pixel, size_of(pane), bases_of(a.frame, a.triangle),
-        lamp_ray_outside(a.frame, a.inspected.fragment), sight_shift_outside(a.inspected.fragment));
+        ui.session.selection.pixel, size_of(pane),
+        {.bases = bases,
+         .lamp_ray = lamp_ray_outside(a.frame, a.inspected.fragment),
+         .shift = sight_shift_outside(a.inspected.fragment),
+         .vectors =
+             vectors_outside(a.inspected.vectors, drawing.eye(), double{direction_length(room, u)},
+                             double{right_angle_side * u}),
+         .textured = textured_pixel_outside(a.inspected.fragment)});
     const std::string coming = fitting_coming_words(ui, pane);
     const float below =
         coming.empty() ? 0.0f : ui.fonts.small->FontSize + (coming_border + coming_gap) * u;

@@ -30,6 +30,9 @@ constexpr float digit_height = 0.92f;
 /// Width of the band along an edge, design pixels.
 constexpr float band_width = 5.0f;
 
+/// Radius of the dot that takes the place of a tint, as a share of a cell.
+constexpr float dot_share = 0.12f;
+
 /// Letters of a number that fits in a cell: a sign and three digits.
 constexpr std::size_t fitting_letters = 4;
 
@@ -50,6 +53,23 @@ bool is_at_test(const ShownRun& run, const std::optional<int>& triangle) {
 /// A pixel's upper left corner on the screen.
 ImVec2 corner_of_pixel(const Marks& m, int column, int row) {
     return m.at(static_cast<float>(column) - 0.5f, static_cast<float>(row) - 0.5f);
+}
+
+/// Do these overlays colour the cells themselves? Two tints would mix.
+bool has_coloured_cells(const Marks& m) {
+    const OverlaySet& overlays = m.ui.session.overlays;
+    return overlays.has(Overlay::edge_field) || overlays.has(Overlay::weights);
+}
+
+void dot_run(const Marks& m, const TestedRun& run, int row) {
+    const VisibleRange columns =
+        visible(m.at(-0.5f, 0.0f).x, m.scale, m.low.x, m.high.x, run.last + 1);
+    for (int column = std::max(run.first, columns.first); column < columns.last; ++column) {
+        if (!m.has_room()) return;
+        m.list->AddCircleFilled(m.at(static_cast<float>(column), static_cast<float>(row)),
+                                dot_share * m.scale,
+                                m.colour(run.is_inside ? Meaning::pass : Meaning::fail), 12);
+    }
 }
 
 void tint_run(const Marks& m, const TestedRun& run, int row, bool has_numbers) {
@@ -145,7 +165,7 @@ void draw_tested_pixels(const Marks& m) {
     const TestedPolygon* const polygon = tested_polygon(m);
     if (polygon == nullptr) return;
     const int triangle = *m.ui.results.a.triangle;
-    const bool has_numbers = shows_test_numbers(m.ui);
+    const bool has_numbers = shows_test_numbers(m.ui), is_dotted = has_coloured_cells(m);
     if (!has_numbers && !is_at_test(m.run, triangle)) return;
     const Viewport size = m.run.frame.settings.viewport;
     const VisibleRange rows =
@@ -154,7 +174,11 @@ void draw_tested_pixels(const Marks& m) {
         for (TestedRun run : tested_runs(*polygon, triangle, row, m.run.cursor)) {
             run.first = std::max(run.first, 0);
             run.last = std::min(run.last, size.width - 1);
-            if (run.first <= run.last) tint_run(m, run, row, has_numbers);
+            if (run.first > run.last) continue;
+            if (is_dotted)
+                dot_run(m, run, row);
+            else
+                tint_run(m, run, row, has_numbers);
         }
     }
 }

@@ -28,7 +28,7 @@ struct Surroundings {
     ImVec2 middle;                ///< of the triangle
 };
 
-bool overlap(ImVec2 low, ImVec2 high, const VertexLabel& other) {
+bool overlap(ImVec2 low, ImVec2 high, const CanvasLabel& other) {
     return low.x < other.high.x && high.x > other.low.x && low.y < other.high.y &&
            high.y > other.low.y;
 }
@@ -63,7 +63,7 @@ bool covers_edge(const Surroundings& s, ImVec2 low, ImVec2 high) {
     return false;
 }
 
-VertexLabel label_towards(const Surroundings& s, std::size_t vertex, std::string name,
+CanvasLabel label_towards(const Surroundings& s, std::size_t vertex, std::string name,
                           float angle) {
     const Marks& m = s.m;
     ImFont* const font = m.ui.fonts.bold;
@@ -76,8 +76,7 @@ VertexLabel label_towards(const Surroundings& s, std::size_t vertex, std::string
     const float longer = std::max(std::abs(x), std::abs(y));
     const ImVec2 centre{s.vertices[vertex].x + x / longer * (gap + half.x),
                         s.vertices[vertex].y + y / longer * (gap + half.y)};
-    VertexLabel label;
-    label.vertex = static_cast<int>(vertex);
+    CanvasLabel label;
     label.name = std::move(name);
     label.low = {std::round(centre.x - half.x), std::round(centre.y - half.y)};
     label.high = {label.low.x + 2.0f * half.x, label.low.y + 2.0f * half.y};
@@ -87,9 +86,9 @@ VertexLabel label_towards(const Surroundings& s, std::size_t vertex, std::string
 
 /// The free place nearest to straight outward.
 /// @param is_strict also free of rows and edges; if not, only of other names
-std::optional<VertexLabel> find_label(const Surroundings& s, std::size_t vertex,
+std::optional<CanvasLabel> find_label(const Surroundings& s, std::size_t vertex,
                                       const std::string& name,
-                                      const std::vector<VertexLabel>& others, bool is_strict) {
+                                      const std::vector<CanvasLabel>& others, bool is_strict) {
     const ImVec2 at = s.vertices[vertex];
     const float dx = at.x - s.middle.x, dy = at.y - s.middle.y;
     const float outwards = dx == 0.0f && dy == 0.0f ? -0.8f : std::atan2(dy, dx);
@@ -97,7 +96,7 @@ std::optional<VertexLabel> find_label(const Surroundings& s, std::size_t vertex,
     for (int i = 0; i < direction_count; ++i) {
         // Outwards, then a little to one side, to the other, and further round.
         const int step = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
-        VertexLabel label =
+        CanvasLabel label =
             label_towards(s, vertex, name, outwards + turn * static_cast<float>(step));
         const float border = 3.0f * s.m.u; // of the canvas
         const bool is_whole = label.low.x >= s.low.x && label.low.y >= s.low.y &&
@@ -105,7 +104,7 @@ std::optional<VertexLabel> find_label(const Surroundings& s, std::size_t vertex,
                               label.high.y <= s.high.y - border;
         if (!is_whole) continue;
         const bool is_on_other =
-            std::any_of(others.begin(), others.end(), [&](const VertexLabel& other) {
+            std::any_of(others.begin(), others.end(), [&](const CanvasLabel& other) {
                 return overlap(label.low, label.high, other);
             });
         if (is_on_other) continue;
@@ -119,15 +118,15 @@ std::optional<VertexLabel> find_label(const Surroundings& s, std::size_t vertex,
 
 /// @param is_full "vertices[0]", or else "v0"
 /// @return none if one of them has no free place
-std::optional<std::vector<VertexLabel>> find_labels(const Surroundings& s, bool is_full) {
-    std::vector<VertexLabel> labels;
+std::optional<std::vector<CanvasLabel>> find_labels(const Surroundings& s, bool is_full) {
+    std::vector<CanvasLabel> labels;
     const std::vector<std::string> names =
         drawn_corner_names(s.m.run.clip, static_cast<int>(s.vertices.size()), is_full);
     for (std::size_t v = 0; v < s.vertices.size(); ++v) {
         const ImVec2 at = s.vertices[v];
         if (at.x < s.low.x || at.x > s.high.x || at.y < s.low.y || at.y > s.high.y) continue;
         const std::string& name = names[v];
-        std::optional<VertexLabel> label = find_label(s, v, name, labels, true);
+        std::optional<CanvasLabel> label = find_label(s, v, name, labels, true);
         if (!label && is_full) return std::nullopt;
         if (!label) label = find_label(s, v, name, labels, false);
         if (label) labels.push_back(*std::move(label));
@@ -137,7 +136,7 @@ std::optional<std::vector<VertexLabel>> find_labels(const Surroundings& s, bool 
 
 } // namespace
 
-std::vector<VertexLabel> vertex_labels(const Marks& m) {
+std::vector<CanvasLabel> vertex_labels(const Marks& m) {
     const std::optional<int>& triangle = m.ui.results.a.triangle;
     if (!triangle || !m.run.frame.is_drawn(*triangle) || !m.is_large()) return {};
     Surroundings s{m, {}, m.run.whole_rows, corner_of_labels(m), m.high, {}};
@@ -150,7 +149,7 @@ std::vector<VertexLabel> vertex_labels(const Marks& m) {
     // With numbers in the cells a long name would cover those of its neighbours.
     const bool is_full =
         m.scale >= full_name_zoom * m.u && m.ui.session.canvas.numbers == CellNumbers::none;
-    std::optional<std::vector<VertexLabel>> labels;
+    std::optional<std::vector<CanvasLabel>> labels;
     if (is_full) labels = find_labels(s, true);
     if (!labels) labels = find_labels(s, false);
     return *labels;

@@ -9,11 +9,10 @@ namespace rasterwalk {
 
 struct Marks;
 
-/// The name of a vertex on the picture, on a dark background.
-struct VertexLabel {
-    int vertex;
+/// The name of a vertex or a vector on the picture.
+struct CanvasLabel {
     std::string name;
-    ImVec2 low, high; ///< of the background
+    ImVec2 low, high; ///< of the dark background or the rim
     ImVec2 text;      ///< upper left corner of the letters
 };
 
@@ -21,6 +20,6 @@ struct VertexLabel {
 /// the pixels of its rows and the lines of its edges, and never cut off. All of them are short if
 /// one has no room, or would cover what is written in the cells; one that still has no room is left
 /// out.
-std::vector<VertexLabel> vertex_labels(const Marks& m);
+std::vector<CanvasLabel> vertex_labels(const Marks& m);
 
 } // namespace rasterwalk

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "outside/label_places.h"
 #include "outside/outside_marks.h"
 #include "ui/inspector/clip_parts.h"
 #include "ui/inspector/clip_table.h"

@@ -73,6 +73,7 @@ void draw_shadow(Ui& ui, const std::string& prefix, const SurfaceLight& light) {
         "not, there is no direct light.");
     draw_texels(ui, light.shadow);
     draw_fragment_section(ui, prefix + "shadow");
+    draw_shadow_faces(ui, light.shadow);
 }
 
 /// Three numbers of the normal map on a line; each leads to its formula.

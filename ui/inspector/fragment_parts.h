@@ -27,6 +27,10 @@ void draw_fragment_values(Ui& ui);
 /// Is the light of the vertices shown, as the lighting in force or as the alternative?
 bool shows_vertex_light(const Ui& ui);
 
+/// If there is a shadow map, its six faces in the order of their passes, with the texels that were
+/// compared.
+void draw_shadow_faces(Ui& ui, const ShadowTerms& shadow);
+
 /// The light term by term, of the lighting in force or the alternative.
 void draw_fragment_light(Ui& ui);
 

@@ -84,6 +84,13 @@ WrongRule wrong_rule_words(Interpolation rule, bool is_mixed) {
     case Interpolation::perspective:
     case Interpolation::affine:
         break;
+    case Interpolation::mixed:
+        return {{"mixed"},
+                is_mixed ? "Carried with the weight (1 − m) + m d/w, and divided by it at the "
+                           "pixel."
+                         : "Carried with the weight (1 − m) + m d/z, and divided by it at the "
+                           "pixel.",
+                "How far the value with mixed weights is from the right one."};
     case Interpolation::zinv_twice:
         return {{is_mixed ? "1/w twice" : "1/z twice", "twice"},
                 is_mixed

@@ -8,6 +8,7 @@
 #include "base/element_names.h"
 #include "base/numbers.h"
 #include "settings/setting_table.h"
+#include "ui/inspector/depth_ruler_part.h"
 #include "ui/inspector/history_parts.h"
 #include "ui/inspector/inspector_parts.h"
 #include "ui/inspector/panels.h"
@@ -273,6 +274,7 @@ void draw_history_panel(Ui& ui) {
     for (const std::string& sentence : sentences)
         wrapped_text(sentence);
     end_card(ui);
+    draw_ruler_of_history(ui, history);
 }
 
 } // namespace rasterwalk

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,9 +12,13 @@
 #include <glm/vec2.hpp>
 
 #include "base/image.h"
+#include "explain/map_reading.h"
+#include "explain/space_chain.h"
 #include "inspect/coverage_comparison.h"
 #include "inspect/microscope.h"
+#include "inspect/model_lines.h"
 #include "inspect/shared_edge.h"
+#include "picture/shadow_faces.h"
 #include "pipeline/cursor.h"
 #include "stages/clip.h"
 #include "ui/app/options_state.h"
@@ -77,14 +82,53 @@ struct CoveragePictures {
     std::uint64_t number = 0; ///< of the images
 };
 
+/// The faces of the shadow map as they are shown.
+struct ShadowFacesView {
+    std::weak_ptr<const ShadowMap> map; ///< that they were made of; does not keep it
+    int side = 0;                       ///< asked for, screen pixels
+    ShadowFacePictures pictures;
+    std::array<PictureTexture, shadow_face_count> textures;
+    std::uint64_t number = 0; ///< of the pictures
+};
+
 /// What is asked about in the Vertices, Inside, Fragment, Texture and Graph tabs.
 struct InspectView {
     std::string vertex_number = "pixel.column";   ///< id of a formula, see vertex_report.h
     std::string fragment_number = "zinv";         ///< id of a formula, see fragment_report.h
     std::string texture_number = "texture.level"; ///< also an id, in the Texture tab
+    SurfaceMap surface_map = SurfaceMap::texture; ///< in the Texture tab, if it acts there
     bool shows_other_light = false;               ///< per vertex where it is per pixel, and back
     std::string graph_quantity = "z";             ///< id of a quantity, see carried_row.h
     std::string test_number; ///< id of a formula, see test_formulas.h; empty: none
+};
+
+/// What the File tab shows of one file.
+struct FileLook {
+    std::weak_ptr<const ModelSource> source; ///< the file; does not keep it
+    /// What the next three were found for: a vertex of the model, and whether the triangle shown
+    /// has it from the file.
+    std::optional<ModelVertex> of;
+    bool was_from_file = false;
+    std::optional<FileCorner> corner;
+    std::string words;           ///< about the corner
+    std::vector<FileLine> named; ///< the line of its face, and those that it names
+    int first = 0, count = 0;    ///< of the next
+    std::vector<FileLine> lines; ///< those in view
+    std::optional<ModelVertex> scrolled_to;
+    int jumps = -1;           ///< Session::jumps when it last scrolled
+    double asked_at = -1e9;   ///< when the state of the file was last read, seconds of ImGui
+    bool has_changed = false; ///< it is not the file that was read
+};
+
+/// The figure of the chain of matrices.
+struct ChainLook {
+    double at = 0.0; ///< from 0, object space, to 5, the window
+    bool is_whole_scene = false;
+    // What the chain was made for:
+    std::uint64_t frame_number = 0;
+    int triangle = -1;
+    bool was_whole_scene = false;
+    SpaceChain chain;
 };
 
 /// What the sheet of settings was opened for, and what was changed by then.
@@ -104,7 +148,10 @@ struct InspectorState {
     bool has_card = true;
     MicroscopeView microscope;
     ClipLook clip;
+    FileLook file;
+    ChainLook chain;
     CoveragePictures coverage;
+    ShadowFacesView shadow_faces;
     InspectView chosen;
     std::string setting_search; ///< what the sheet of settings is filtered by
     SettingsSheet settings_sheet;

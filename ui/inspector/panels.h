@@ -27,6 +27,7 @@ void draw_texture_panel(Ui& ui);
 void draw_graph_panel(Ui& ui);
 void draw_microscope_panel(Ui& ui);
 void draw_hidden_panel(Ui& ui);
+void draw_file_panel(Ui& ui);
 void draw_history_panel(Ui& ui);
 void draw_compare_panel(Ui& ui);
 void draw_lab_panel(Ui& ui);

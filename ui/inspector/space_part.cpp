@@ -1,5 +1,6 @@
 #include "ui/inspector/space_part.h"
 
+#include <algorithm>
 #include <string>
 
 #include "base/element_names.h"
@@ -7,6 +8,9 @@
 #include "explain/vertex_spaces.h"
 #include "settings/setting_table.h"
 #include "settings/value_words.h"
+#include "stages/orthographic.h"
+#include "ui/inspector/chain_figure.h"
+#include "ui/inspector/depth_ruler_part.h"
 #include "ui/ui.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -76,6 +80,20 @@ void draw_place(Ui& ui, const SpacePlace& place, MatrixOrder order) {
     ImGui::PopFont();
 }
 
+/// Where the depth buffer has the vertex, among the depths that it can hold.
+void draw_ruler_of_vertex(Ui& ui, const SpacesOfVertex& spaces) {
+    const Frame& frame = ui.results.a.frame;
+    const auto camera =
+        std::find_if(spaces.places.begin(), spaces.places.end(),
+                     [](const SpacePlace& place) { return place.space == "camera"; });
+    if (camera == spaces.places.end()) return;
+    const DepthRules rules = depth_rules(frame.settings, frame.scene->space);
+    const float depth = depth_at(static_cast<float>(camera->place.z), rules);
+    draw_depth_ruler(ui, "vertices.",
+                     {{camera->place.z, depth_in_buffer(depth, rules), vertex_name(spaces.vertex)}},
+                     0);
+}
+
 void draw_conventions(Ui& ui, const Vertex& vertex) {
     const ConventionReport report =
         convention_report(ui.results.a.frame.settings.camera, vertex.position);
@@ -110,8 +128,11 @@ void draw_spaces(Ui& ui, int vertex) {
                     "The vertex in every space, and the matrix that took it there.");
     wrapped_text(spaces.chain);
     draw_order(ui);
-    for (const SpacePlace& place : spaces.places)
+    draw_chain_figure(ui, vertex);
+    for (const SpacePlace& place : spaces.places) {
         draw_place(ui, place, spaces.order);
+        if (place.space == "ndc") draw_ruler_of_vertex(ui, spaces);
+    }
     draw_conventions(ui, frame.scene->corner(triangle, vertex));
 }
 

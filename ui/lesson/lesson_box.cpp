@@ -1,8 +1,11 @@
 #include "ui/lesson/lesson_box.h"
 
+#include <optional>
 #include <string_view>
 
 #include "ui/actions/lesson_links.h"
+#include "ui/actions/open_lesson.h"
+#include "ui/lesson/lesson_page.h"
 #include "ui/ui.h"
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/style.h"
@@ -10,15 +13,27 @@
 
 namespace rasterwalk {
 
+namespace {
+
+/// Does the step itself show the vectors, so that the letters of its formulas are theirs?
+bool is_about_vectors(Ui& ui) {
+    const Lesson* const lesson = open_lesson_of(ui);
+    if (lesson == nullptr) return false;
+    const std::optional<OverlaySet>& overlays = shown_step(ui, *lesson).state.overlays;
+    return overlays && overlays->has(Overlay::vectors);
+}
+
+} // namespace
+
 void draw_marked(Ui& ui, const std::string& name, std::shared_ptr<MarkdownPage>& page,
                  const MarkdownContent& content, float width) {
-    const MarkdownEvents events =
-        draw_markdown(ui, page, content, width, name + ".link.", ui.session.lesson_folder);
+    const MarkdownEvents events = draw_markdown(ui, page, content, width, name + ".link.",
+                                                ui.session.lesson_folder, is_about_vectors(ui));
     answer_links(ui, document_of(*page), events);
 }
 
 std::string without_label(const std::string& text) {
-    for (const std::string_view label : {"**Task.**", "**Prediction.**"}) {
+    for (const std::string_view label : {"**Task.**", "**Prediction.**", "**Look back.**"}) {
         if (!text.starts_with(label)) continue;
         const std::size_t start = text.find_first_not_of(" \n", label.size());
         return start == text.npos ? std::string() : text.substr(start);

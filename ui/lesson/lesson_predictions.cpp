@@ -332,7 +332,7 @@ void draw_prediction(Ui& ui, const Lesson& lesson, const LessonPrediction& predi
     ImGui::PushID(name.c_str());
     {
         LessonBox box(ui, width, colour);
-        box.heading("PREDICTION", colour);
+        box.heading(prediction.looks_back ? "LOOK BACK" : "PREDICTION", colour);
         register_widget(ui, name, "Answer first; then the program shows its own answer.");
         box.markdown(name + ".text", ui.lesson.pages[name], without_label(prediction.text));
         ImGui::Dummy({0.0f, 2.0f * ui.options.text_scale});

@@ -10,6 +10,7 @@
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/pictures.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/vector_letters.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -215,7 +216,7 @@ void clip_page_to_lines(Ui& ui, const MarkdownPage& page, const Sight& sight) {
 }
 
 void draw_pieces(const Ui& ui, ImDrawList* list, const MarkdownPage& page, const Sight& sight,
-                 int hovered) {
+                 int hovered, bool has_vectors) {
     const Palette& p = palette(ui.options.theme);
     const float u = ui.options.text_scale;
     std::size_t letters = 0;
@@ -228,7 +229,10 @@ void draw_pieces(const Ui& ui, ImDrawList* list, const MarkdownPage& page, const
         if (letters > most_letters) break;
         const ImVec2 at{std::floor(sight.origin.x + piece.at.x),
                         std::floor(sight.origin.y + piece.at.y)};
-        const ImVec4 colour = colour_of_tint(piece.tint, ui.options.theme);
+        const ImVec4 plain = colour_of_tint(piece.tint, ui.options.theme);
+        const ImVec4 colour = has_vectors && piece.link < 0
+                                  ? vector_letter_colour(ui, piece.vector).value_or(plain)
+                                  : plain;
         if (piece.is_code) {
             const ImVec2 low{at.x - 3.0f * u, at.y - 1.0f * u};
             const ImVec2 high{at.x + piece.width + 3.0f * u, at.y + font->FontSize + 2.0f * u};
@@ -249,7 +253,7 @@ void draw_pieces(const Ui& ui, ImDrawList* list, const MarkdownPage& page, const
 
 MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page,
                              const MarkdownContent& content, float width, std::string_view prefix,
-                             const std::string& folder) {
+                             const std::string& folder, bool has_vectors) {
     if (!page) page = std::make_shared<MarkdownPage>();
     prepare(ui, *page, content, width, folder);
     const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -258,7 +262,7 @@ MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page,
     const MarkdownEvents events = press_links(ui, *page, sight, prefix);
     draw_shapes(ui, list, *page, sight);
     draw_pictures(ui, list, *page, sight);
-    draw_pieces(ui, list, *page, sight, events.hovered);
+    draw_pieces(ui, list, *page, sight, events.hovered, has_vectors);
     clip_page_to_lines(ui, *page, sight);
     ImGui::SetCursorScreenPos(origin);
     ImGui::Dummy({width, page->layout.height});

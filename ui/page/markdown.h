@@ -26,10 +26,12 @@ struct MarkdownEvents {
 /// Draws Markdown at ImGui's cursor, wrapped at `width` screen pixels, and moves the cursor below
 /// it. Each link is entered in Ui::widgets as `prefix` and its number.
 /// @param folder of the lesson, whose pictures are shown; empty: the program's own lessons
+/// @param has_vectors letters of vectors in its formulas have the colours of the arrows, while
+///                    these are shown; on other pages the same letters mean something else
 /// @param page keeps what was computed from one frame to the next; null at first
 MarkdownEvents draw_markdown(Ui& ui, std::shared_ptr<MarkdownPage>& page,
                              const MarkdownContent& content, float width, std::string_view prefix,
-                             const std::string& folder = {});
+                             const std::string& folder = {}, bool has_vectors = false);
 
 /// How high Markdown is when it is drawn at this width, screen pixels.
 float markdown_height(Ui& ui, const MarkdownContent& content, float width);

@@ -134,7 +134,8 @@ void PageSetter::put(const WordPart& part, Pen& pen, float x, const TextLook& lo
                             .font = part.font,
                             .tint = is_link ? PageTint::link : look.tint,
                             .is_code = part.run->code,
-                            .link = part.run->link});
+                            .link = part.run->link,
+                            .vector = part.run->vector});
     pen.x += part.width;
 }
 

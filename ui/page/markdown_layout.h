@@ -29,6 +29,7 @@ struct PagePiece {
     PageTint tint = PageTint::text;
     bool is_code = false; ///< on its own ground
     int link = -1;
+    char vector = 0; ///< the letter of a vector, which has its colour while it is shown; 0: none
 };
 
 /// A shape behind the text.

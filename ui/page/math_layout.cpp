@@ -71,7 +71,10 @@ MathBox MathSetter::symbol(const MathNode& node, bool small) {
     const bool has_blanks = node.style == MathNode::Style::relation && !small;
     const PageFont full =
         node.style == MathNode::Style::slanted ? PageFont::italic : PageFont::text;
-    return text(node.text, small ? PageFont::small : full, has_blanks ? 0.28f * em_ : 0.0f);
+    MathBox box = text(node.text, small ? PageFont::small : full, has_blanks ? 0.28f * em_ : 0.0f);
+    // In a script a letter is only a name.
+    if (!small && !box.pieces.empty()) box.pieces.back().vector = vector_letter(node);
+    return box;
 }
 
 MathBox MathSetter::row(const MathNode& node, bool small) {

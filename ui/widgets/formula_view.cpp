@@ -9,6 +9,7 @@
 #include "ui/widgets/line_clip.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/vector_letters.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -104,6 +105,13 @@ void draw_with_card(const char* name, const std::function<void()>& page,
     sizes->SetFloat(card_id, card_height_now);
 }
 
+/// Are its letters those of vectors at a fragment? In other formulas they name other things.
+bool is_about_vectors(const Formula& formula) {
+    const std::string_view part = first_part(formula.id);
+    const bool is_light = part == "pixel_light" || part == "triangle_light" || part == "bump";
+    return is_light && formula.id.find(".shadow.") == std::string::npos;
+}
+
 } // namespace
 
 FormulaLine::FormulaLine(Ui& in, float indented)
@@ -131,7 +139,8 @@ void FormulaLine::make_room(float width) {
     ImGui::SetCursorPosX(begin_ + indent_);
 }
 
-void FormulaLine::text(std::string_view words, const ImVec4& colour) {
+template <class Draw>
+void FormulaLine::each_word(std::string_view words, const Draw& draw) {
     while (!words.empty()) {
         // A word keeps the blank after it.
         const std::size_t blank = words.find(' ');
@@ -143,9 +152,25 @@ void FormulaLine::text(std::string_view words, const ImVec4& colour) {
         make_room(closes || visible.empty()
                       ? 0.0f
                       : ImGui::CalcTextSize(visible.data(), visible.data() + visible.size()).x);
-        text_in(colour, word);
+        draw(word);
         words.remove_prefix(length);
     }
+}
+
+void FormulaLine::text(std::string_view words, const ImVec4& colour) {
+    each_word(words, [&](std::string_view word) { text_in(colour, word); });
+}
+
+void FormulaLine::text_with_vectors(std::string_view words, const ImVec4& colour) {
+    each_word(words, [&](std::string_view word) {
+        std::size_t begin = 0;
+        for (const LetterPart& part : vector_letters_in(word)) {
+            if (begin > 0) ImGui::SameLine(0.0f, 0.0f);
+            text_in(vector_letter_colour(ui_, part.vector).value_or(colour),
+                    word.substr(begin, part.end - begin));
+            begin = part.end;
+        }
+    });
 }
 
 bool FormulaLine::link(std::string_view label, const std::string& name, const std::string& tooltip,
@@ -176,8 +201,13 @@ std::optional<Source> draw_formula(Ui& ui, const Formula& formula, const std::st
     ImGui::BeginGroup();
     {
         FormulaLine line(ui, indent);
-        line.text(formula.name + " ", p.text);
-        line.text("= " + formula.expression, p.dim);
+        if (is_about_vectors(formula)) {
+            line.text_with_vectors(formula.name + " ", p.text);
+            line.text_with_vectors("= " + formula.expression, p.dim);
+        } else {
+            line.text(formula.name + " ", p.text);
+            line.text("= " + formula.expression, p.dim);
+        }
     }
     ImGui::EndGroup();
     register_widget(ui, name + ".expression", with_function_help(formula.help, formula));

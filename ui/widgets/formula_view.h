@@ -25,12 +25,16 @@ class FormulaLine {
     FormulaLine& operator=(const FormulaLine&) = delete;
 
     void text(std::string_view words, const ImVec4& colour);
+    /// The same with the letters of the vectors that are shown in their colours.
+    void text_with_vectors(std::string_view words, const ImVec4& colour);
     /// A number that leads to where it comes from. Returns true if it is clicked.
     bool link(std::string_view label, const std::string& name, const std::string& tooltip,
               const ImVec4& colour);
 
   private:
     void make_room(float width);
+    template <class Draw>
+    void each_word(std::string_view words, const Draw& draw);
 
     Ui& ui_;
     float begin_, indent_, right_;

@@ -71,7 +71,8 @@ int digits_of(const ControlRange& range) {
     for (int digits = 0; digits < most_digits; ++digits) {
         const double factor = std::pow(10.0, digits);
         const auto is_whole = [&](double number) {
-            return std::abs(number * factor - std::round(number * factor)) < 1e-6 * factor;
+            const double off = std::abs(number * factor - std::round(number * factor));
+            return off < 1e-4 * range.step * factor;
         };
         if (is_whole(range.step) && is_whole(range.smallest)) return digits;
     }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "explain/vectors.h"
+
 namespace rasterwalk {
 
 namespace {
@@ -68,6 +70,29 @@ ImVec4 colour_of(Meaning meaning, Theme theme) {
 Meaning edge_meaning(int edge) {
     static_assert(static_cast<int>(Meaning::edge_9) == edge_colour_count - 1);
     return static_cast<Meaning>(std::max(edge, 0) % edge_colour_count);
+}
+
+Meaning vector_meaning(VectorName name) {
+    switch (name) {
+    case VectorName::normal:
+    case VectorName::unbent:
+        return Meaning::edge_3;
+    case VectorName::to_lamp:
+        return Meaning::left_end;
+    case VectorName::to_eye:
+    case VectorName::v:
+        return Meaning::pass;
+    case VectorName::half:
+        return Meaning::fail;
+    case VectorName::tangent:
+    case VectorName::u:
+        return Meaning::edge_1;
+    case VectorName::bitangent:
+        return Meaning::edge_2;
+    case VectorName::from_eye:
+        return Meaning::current;
+    }
+    return Meaning::current;
 }
 
 ImU32 packed(const ImVec4& colour, float opacity) {

@@ -11,6 +11,7 @@
 namespace rasterwalk {
 
 struct Ui;
+enum class VectorName : std::uint8_t;
 
 /// What a colour means; each meaning has one colour everywhere (Okabe and Ito's set, which the
 /// colour-blind tell apart), in a tone that can be read on the theme's background. Only clipping
@@ -61,6 +62,10 @@ inline constexpr int edge_colour_count = 9;
 
 /// The meaning of an edge, from 0. Beyond edge_colour_count they repeat.
 Meaning edge_meaning(int edge);
+
+/// The meaning of a vector's colour, one for each letter. Nothing shows t and u at once, and u is
+/// edge 0 of its triangle; so is l the lamp's.
+Meaning vector_meaning(VectorName name);
 
 /// The colour with a given opacity, as draw lists need it.
 ImU32 packed(const ImVec4& colour, float opacity = 1.0f);

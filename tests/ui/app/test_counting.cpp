@@ -86,6 +86,7 @@ std::vector<std::string_view> some_tabs(int number) {
     const std::size_t step = test::effort() < 0.5 ? 4 : 1;
     std::vector<std::string_view> all(tab_names().begin(), tab_names().end()), tabs;
     std::erase(all, hidden_tab); // not offered with a depth buffer
+    std::erase(all, "file");     // only for models
     for (std::size_t i = static_cast<std::size_t>(number) % step; i < all.size(); i += step)
         tabs.push_back(all[i]);
     return tabs;

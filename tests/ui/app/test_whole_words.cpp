@@ -98,7 +98,9 @@ TEST_CASE("The Fragment tab names its columns and its pixel in whole words") {
                 if (way == Interpolation::undivided)
                     CHECK((wrong.ends_with("undivided") || wrong.ends_with("undiv.")));
                 else
-                    CHECK(wrong.ends_with(is_twice ? "twice" : "affine"));
+                    CHECK(wrong.ends_with(is_twice                      ? "twice"
+                                          : way == Interpolation::mixed ? "mixed"
+                                                                        : "affine"));
                 // At the usual size nothing need be short.
                 if (window.size.x / window.text_scale >= 1600.0f) {
                     CHECK(right.ends_with("perspective"));

@@ -43,6 +43,7 @@ class Tour {
             look(driver);
         }
         settings_and_mistakes();
+        coarse_depths();
         small_triangle();
         interval();
         small_window();
@@ -76,6 +77,15 @@ class Tour {
             driver.ui.inspector.setting_search = std::string(setting.name);
             look(driver);
         }
+    }
+
+    void coarse_depths() {
+        Driver driver;
+        driver.hand.click("stage.depth");
+        follow_link(driver.ui, "set:depth_format=ndc_16");
+        follow_link(driver.ui, "pixel:250,400");
+        follow_link(driver.ui, "tab:history");
+        look(driver);
     }
 
     void small_triangle() {

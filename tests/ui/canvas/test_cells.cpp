@@ -59,7 +59,7 @@ std::vector<glm::ivec2> whole_cells(const Driver& driver) {
     const ShownRun run = run_a(ui);
     const Marks marks{ui, run, nullptr, low, high, ui.options.text_scale, place.scale};
     low = corner_of_cells(marks);
-    const std::vector<VertexLabel> labels = vertex_labels(marks);
+    const std::vector<CanvasLabel> labels = vertex_labels(marks);
     std::vector<glm::ivec2> cells;
     const Viewport size = run.frame.settings.viewport;
     for (int row = 0; row < size.height; ++row) {

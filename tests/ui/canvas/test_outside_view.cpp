@@ -189,7 +189,7 @@ TEST_CASE("The axes of all spaces are named, in a narrow view each space at its 
 TEST_CASE("The step about near and far shows both with their names") {
     for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1366, 768)}) {
         Driver driver("lab-room.toml", window);
-        open_lesson(driver.ui, "16-orthographic", 4);
+        open_lesson(driver.ui, "16-orthographic", 6);
         driver.hand.leave();
         const std::vector<ScreenText> texts = outside_texts(driver);
         for (const std::string plane : {"near", "far"}) {

@@ -11,7 +11,7 @@ namespace rasterwalk {
 TEST_CASE(
     "The Fragment tab shows how a normal map bends the normal, and where each number is from") {
     Driver driver("studs.toml");
-    CHECK_FALSE(is_offered(driver.ui.session, *find_tab("texture")));
+    CHECK(is_offered(driver.ui.session, *find_tab("texture")));
     follow_link(driver.ui, "tab:fragment");
     follow_link(driver.ui, "pixel:42,26");
     driver.hand.rest();

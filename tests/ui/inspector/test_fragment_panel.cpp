@@ -1,7 +1,9 @@
+#include "pipeline/shadow_pass.h"
 #include "settings/setting_table.h"
 #include "tests/support/catch.h"
 #include "tests/ui/screen_text.h"
 #include "tests/ui/shown_number.h"
+#include "ui/actions/lesson_links.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/ui.h"
 #include "ui/widgets/keys.h"
@@ -124,6 +126,26 @@ TEST_CASE("Where there is no fragment the panel says why") {
     driver.hand.click("stage.edges");
     driver.hand.click("fragment.fill");
     CHECK(driver.ui.session.a.settings.stage == Stage::fill);
+}
+
+TEST_CASE("With a shadow map its faces are shown, and a click leads to the end of a pass") {
+    Driver driver;
+    follow_link(driver.ui, "set:stage=pixel_light&shadows=rays");
+    follow_link(driver.ui, "tab:fragment");
+    follow_link(driver.ui, "pixel:410,449");
+    driver.hand.rest();
+    CHECK(driver.ui.widgets.count("fragment.shadow.face.0") == 0);
+    for (int face = 0; face < shadow_face_count; ++face) {
+        follow_link(driver.ui, "set:shadows=map");
+        follow_link(driver.ui, "pixel:410,449");
+        driver.hand.rest();
+        INFO("face " << face);
+        driver.hand.click("fragment.shadow.face." + std::to_string(face));
+        driver.hand.rest();
+        CHECK(driver.ui.session.cursor == in_pass(cursor_end, pass_of_face(face)));
+        driver.ui.session.cursor = cursor_end;
+        driver.hand.rest();
+    }
 }
 
 } // namespace rasterwalk

@@ -38,10 +38,11 @@ int count_of_useful_tabs(const Driver& driver) {
     const Scene& scene = *driver.ui.session.scene;
     int count = 0;
     for (const TabInfo& tab : tab_list()) {
-        const bool lacks_texture = tab.needs_texture && scene.textures.empty();
+        const bool lacks_texture = tab.needs_maps && scene.textures.empty();
         const bool lacks_camera = tab.needs_camera && scene.space == SceneSpace::pixels;
         const bool lacks_order = tab.needs_order; // the scene's order is in force
-        count += lacks_texture || lacks_camera || lacks_order ? 0 : 1;
+        const bool lacks_model = tab.needs_model && !scene.model_report;
+        count += lacks_texture || lacks_camera || lacks_order || lacks_model ? 0 : 1;
     }
     return count;
 }

@@ -3,13 +3,17 @@
 #include <string>
 #include <vector>
 
+#include "base/numbers.h"
 #include "session/results.h"
 #include "session/session.h"
+#include "stages/depth_test.h"
 #include "support/project_root.h"
 #include "support/samples.h"
 #include "tests/support/catch.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/screen_text.h"
+#include "ui/actions/lesson_links.h"
+#include "ui/inspector/depth_ruler_part.h"
 #include "ui/ui.h"
 #include "ui/widgets/keys.h"
 
@@ -205,6 +209,70 @@ TEST_CASE("Every line names its triangle, however many there are and however lit
         for (const char* name : {"t110000", "t110001"})
             CHECK_THAT(words, Catch::Matchers::ContainsSubstring(name));
     }
+}
+
+TEST_CASE("The ruler says how far apart two depths are that the buffer can tell apart") {
+    Driver driver;
+    driver.hand.click("stage.depth");
+    driver.open("history");
+    driver.hand.click_picture(240, 300);
+    driver.hand.rest();
+    const std::vector<std::string> widgets{"history.ruler", "history.ruler.window",
+                                           "history.ruler.gap"};
+    // Floats of 1/z are fine enough here.
+    for (const std::string& name : widgets)
+        CHECK(driver.ui.widgets.count(name) == 0);
+    const auto words = [&] {
+        std::string all;
+        for (const ScreenText& text : screen_text())
+            if (text.window.starts_with("inspector")) all += text.words + " ";
+        return all;
+    };
+    // In 16 bits, 1/z at most 1/near: a step is 1/near / 65535, in z that times z squared.
+    follow_link(driver.ui, "set:depth_format=inv_z_16");
+    driver.hand.rest();
+    for (const std::string& name : widgets)
+        CHECK(driver.ui.widgets.count(name) == 1);
+    REQUIRE(driver.ui.results.history);
+    const PixelHistory& history = *driver.ui.results.history;
+    const double stored =
+        static_cast<double>(history.entries[static_cast<std::size_t>(history.winner)].depth);
+    const double near = static_cast<double>(driver.ui.session.a.settings.near);
+    const double step = 1.0 / near / 65535.0;
+    const auto three = [](double value) { return significant(value, 3); };
+    const std::string nearer = three(1.0 / stored - 1.0 / (stored + step));
+    const std::string farther = three(1.0 / (stored - step) - 1.0 / stored);
+    const std::string sentence = "can hold are " + nearer + " nearer and " + farther + " farther";
+    CHECK_THAT(words(), Catch::Matchers::ContainsSubstring(sentence));
+    // Without a test there is nothing to tell apart.
+    follow_link(driver.ui, "set:depth_test=off");
+    driver.hand.rest();
+    for (const std::string& name : widgets)
+        CHECK(driver.ui.widgets.count(name) == 0);
+}
+
+TEST_CASE("The ruler has a mark for the fragment shown, however many came before it") {
+    PixelHistory history;
+    for (int i = 0; i < 100; ++i) {
+        PixelEntry entry;
+        entry.cursor = {i, Phase::rows, 0, 0};
+        entry.z = 1.0f + static_cast<float>(i);
+        entry.depth = 1.0f / entry.z;
+        history.entries.push_back(entry);
+    }
+    history.winner = 80;
+    const auto check = [&](const Cursor* shown, const std::string& name) {
+        INFO(name);
+        const HistoryMarks found = marks_of_history(history, shown, DepthRules{});
+        CHECK(found.marks.size() == most_depth_marks);
+        REQUIRE(found.chosen < found.marks.size());
+        CHECK(found.marks[found.chosen].name == name);
+    };
+    for (const int shown : {0, 63, 64, 99}) {
+        const Cursor& cursor = history.entries[static_cast<std::size_t>(shown)].cursor;
+        check(&cursor, "t" + std::to_string(shown));
+    }
+    check(nullptr, "t80"); // the one that stays
 }
 
 } // namespace rasterwalk

@@ -57,6 +57,51 @@ TEST_CASE("The Texture tab shows as many texels as were taken, and a click asks 
     }
 }
 
+TEST_CASE("The Texture tab shows whichever map acts, and an arrow for the normal map") {
+    Driver driver("brick-heights.toml");
+    follow_link(driver.ui, "tab:texture");
+    follow_link(driver.ui, "pixel:160,118");
+    driver.hand.rest();
+    const std::optional<FragmentReport>& report = driver.ui.results.a.inspected.fragment;
+    REQUIRE(report);
+    REQUIRE(report->texture);
+    REQUIRE(report->bump);
+    REQUIRE(report->parallax);
+    CHECK_FALSE(driver.hand.is_visible("texture.arrow"));
+    for (const auto& [map, number] : {std::pair{"normal_map", "bump.colour.red"},
+                                      {"height_map", "parallax.stored"},
+                                      {"texture", "texture.texel.0.weight"}}) {
+        INFO(map);
+        driver.hand.click(std::string("texture.show.") + map);
+        driver.hand.rest();
+        CHECK((driver.ui.widgets.count("texture.arrow") == 1) ==
+              (map == std::string("normal_map")));
+        CHECK(driver.ui.widgets.count("texture.texel.0") == 1);
+        driver.hand.click("texture.texel.0");
+        CHECK(driver.ui.inspector.chosen.texture_number == number);
+    }
+}
+
+TEST_CASE("A surface with only a normal map has the Texture tab") {
+    Driver driver("studs.toml");
+    follow_link(driver.ui, "pixel:80,80");
+    follow_link(driver.ui, "tab:texture");
+    driver.hand.rest();
+    const std::optional<FragmentReport>& report = driver.ui.results.a.inspected.fragment;
+    REQUIRE(report);
+    REQUIRE(report->bump);
+    CHECK_FALSE(report->texture);
+    CHECK(is_offered(driver.ui.session, *find_tab("texture")));
+    CHECK(driver.hand.is_visible("texture.map"));
+    CHECK(driver.ui.widgets.count("texture.arrow") == 1);
+    CHECK(driver.ui.widgets.count("texture.show.normal_map") == 0);
+    driver.hand.click("texture.arrow.x");
+    CHECK(driver.ui.inspector.chosen.texture_number == "bump.arrow.x");
+    follow_link(driver.ui, "set:normal_map=off");
+    driver.hand.rest();
+    CHECK(driver.hand.is_visible("texture.none"));
+}
+
 TEST_CASE("In a scene with textures their settings are on the sheet") {
     Driver driver("receding-wall.toml");
     driver.hand.click("tab.settings");

@@ -309,16 +309,16 @@ TEST_CASE("In a small window the names of the vertices stay while their numbers 
     }
 }
 
-TEST_CASE("Lesson 15 shows the whole matrix that a step is about") {
+TEST_CASE("Lesson 15 shows the whole matrix, or the slider, that a step is about") {
     for (const ImVec2 window : {ImVec2(1600, 1000), ImVec2(1366, 768)}) {
         Driver driver("lab-room.toml", window);
-        for (const auto& [step, matrix] : {std::pair{4, "Tm"}, {6, "Tp"}, {8, "Tv"}}) {
+        for (const auto& [step, widget] :
+             {std::pair{5, "vertices.matrix.Tm"}, {8, "chain.slider"}, {9, "vertices.matrix.Tv"}}) {
             open_lesson(driver.ui, "15-matrices", step);
             driver.hand.leave();
             driver.hand.rest();
-            CAPTURE(window.x, step, matrix);
-            const WidgetPlace& place =
-                driver.ui.widgets.at(std::string("vertices.matrix.") + matrix);
+            CAPTURE(window.x, step, widget);
+            const WidgetPlace& place = driver.ui.widgets.at(widget);
             CHECK(place.visible);
             CHECK(place.is_whole);
         }

@@ -60,6 +60,15 @@ recipe = ["set:camera.focal_length=1000"]
 setting = "interpolation"
 words = ["perspective", "affine"]
 -->
+
+## Hardly anything
+
+<!-- control
+setting = "depth_epsilon"
+from = 0
+to = 0.000003
+step = 0.0000001
+-->
 )";
 
 struct SliderRoom {
@@ -163,6 +172,19 @@ TEST_CASE("A slider shows no more digits than its stops need, and not below its 
         REQUIRE(text);
         const float handle = place.top_left.x + width * (f - 250.0f) / 1250.0f;
         CHECK((text->high.x <= handle || text->low.x >= handle));
+    }
+}
+
+TEST_CASE("A slider with tiny steps shows where it stops") {
+    SliderRoom room({1600, 1000});
+    room.open(3);
+    for (const float epsilon : {0.0f, 0.0000011f}) {
+        const std::string wanted = fmt::format("{:.7f}", epsilon);
+        room.ui.session.a.settings.depth_epsilon = epsilon;
+        room.driver.hand.leave();
+        const std::vector<ScreenText> all = screen_text();
+        CHECK(std::any_of(all.begin(), all.end(),
+                          [&](const ScreenText& text) { return text.words == wanted; }));
     }
 }
 

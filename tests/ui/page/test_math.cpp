@@ -247,4 +247,25 @@ TEST_CASE("Whatever is set stays within the box that is returned") {
     }
 }
 
+TEST_CASE("Letters of vectors are marked in line and displayed, but not in scripts") {
+    const auto marked = [](std::string_view tex) {
+        std::string letters;
+        for (const MarkdownRun& run : math_runs(parse_math(tex))) {
+            if (run.vector != 0) letters += run.text + " ";
+        }
+        return letters;
+    };
+    CHECK(marked("\\hat{n} \\cdot l") == "n\xCC\x82 l ");
+    CHECK(marked("u_x v_y - u_y v_x") == "u v u v ");
+    CHECK(marked("p_n + x^t + \\text{n} + \\sin b") == "b ");
+    CHECK(marked("nl") == "n l ");
+    Driver driver;
+    const Set set("\\frac{\\hat{n} \\cdot p}{x_b} + u", driver.ui.fonts);
+    std::string letters;
+    for (const PagePiece& piece : set.box.pieces) {
+        if (piece.vector != 0) letters += piece.vector;
+    }
+    CHECK(letters == "nu");
+}
+
 } // namespace rasterwalk

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "explain/vectors.h"
 #include "stages/clip.h"
 #include "tests/support/catch.h"
 #include "ui/widgets/style.h"
@@ -67,4 +69,28 @@ TEST_CASE("Every edge that clipping can make has a colour of its own, in both th
 TEST_CASE("An edge beyond them begins the colours again") {
     CHECK(edge_meaning(edge_colour_count) == edge_meaning(0));
     CHECK(edge_meaning(edge_colour_count + 2) == edge_meaning(2));
+}
+
+TEST_CASE("The letters of vectors can be read and told apart, in both themes") {
+    constexpr VectorName names[] = {VectorName::normal, VectorName::to_lamp, VectorName::to_eye,
+                                    VectorName::half,   VectorName::tangent, VectorName::bitangent};
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        const auto colour = [&](VectorName name) { return colour_of(vector_meaning(name), theme); };
+        const auto are_different = [&](VectorName a, VectorName b) {
+            CAPTURE(theme == Theme::dark, vector_words(a).title, vector_words(b).title);
+            // Less than edges: each has its letter as well.
+            CHECK(glm::distance(oklab(colour(a)), oklab(colour(b))) > 0.05);
+        };
+        for (std::size_t i = 0; i < std::size(names); ++i) {
+            CAPTURE(theme == Theme::dark, vector_words(names[i]).title);
+            CHECK(contrast(colour(names[i]), palette(theme).ground) >= 4.5);
+            CHECK(contrast(colour(names[i]), palette(theme).card) >= 4.5);
+            for (std::size_t k = 0; k < i; ++k)
+                are_different(names[i], names[k]);
+        }
+        // These are together at a triangle.
+        are_different(VectorName::u, VectorName::v);
+        are_different(VectorName::u, VectorName::normal);
+        CHECK(contrast(colour(VectorName::u), palette(theme).card) >= 4.5);
+    }
 }
