@@ -187,8 +187,18 @@ int code_of(double x, double y) {
 }
 
 PREDICTIONS_TEST("Lesson 14: dot, cross and the side of a plane by hand", "14-arrows",
-                 "perpendicular", "behind", "area", "red-side", "swapped") {
+                 "moved-along", "shadow", "perpendicular", "behind", "area", "red-side",
+                 "swapped") {
     const Questions lesson("14-arrows");
+    // All three corners move by (-3, -2): the differences stay.
+    const glm::dvec2 start(6, 14), tip_u(16, 14), tip_v(10, 6), move(-3, -2);
+    CHECK((tip_u + move) - (start + move) == tip_u - start);
+    CHECK((tip_v + move) - (start + move) == tip_v - start);
+    lesson.require_choice("moved-along", 1);
+    // The foot of the perpendicular from the tip of v is straight below it, in the row of u.
+    const double shadow = tip_v.x - start.x, length = tip_u.x - start.x;
+    lesson.require_number("shadow", shadow * length, 1e-9, 80.0);
+    CHECK(dot2(tip_u - start, tip_v - start) == shadow * length);
     // u was (10, 0), and is twice as long.
     CHECK(dot2({23 - 3, 14 - 14}, {10, 0}) == 2.0 * dot2({10, 0}, {10, 0}));
     CHECK(dot2({23 - 3, 14 - 14}, {3 - 3, 6 - 14}) == 0.0);
@@ -208,7 +218,14 @@ PREDICTIONS_TEST("Lesson 14: dot, cross and the side of a plane by hand", "14-ar
     lesson.require_choice("red-side", away < 0.0 ? 0 : 1);
     CHECK(shows_back(room_triangles()[12], {-0.15, 0.0, -3.001}));
     // A ceiling that faces away from the lamp has only the indirect light.
-    lesson.require_number("swapped", 0.75 * 0.5, 0.001, 0.75 * (0.5 - 14.0 / 3.14159265));
+    const glm::dvec3 lamp(0.0, -0.5, -0.7);
+    const double depth = 500.0 / (250.0 - 40.0); // where the ray of pixel (360, 40) is at y = -1
+    const glm::dvec3 to_lamp =
+        lamp - (lab_camera + depth * glm::dvec3((360.0 - 250.0) / 500.0, -1.0 / depth, 1.0));
+    const double squared = glm::dot(to_lamp, to_lamp);
+    const double direct = 14.0 * to_lamp.y / std::sqrt(squared) / (4.0 * 3.14159265 * squared);
+    CHECK(direct == Approx(1.45).margin(0.02));
+    lesson.require_number("swapped", 0.75 * 0.5, 0.001, 0.75 * (0.5 - direct));
 }
 
 TEST_CASE("Lesson 14: what its tasks ask for") {

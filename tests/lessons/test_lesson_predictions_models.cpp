@@ -73,7 +73,7 @@ Place in_file(const glm::vec3& place) {
 }
 
 PREDICTIONS_TEST("Lesson 30: a cube and its corners, counted in the file", "30-obj", "minus-six",
-                 "vertices-of-cube", "triangles-of-cube", "turned-light", "culled") {
+                 "vertices-of-cube", "triangles-of-cube", "turned-light", "culled", "spout-tip") {
     const Questions lesson("30-obj");
     const PlainFile cube("cube.obj"), turned("turned-face.obj"), teapot("teapot.obj");
     REQUIRE(cube.points.size() == 8);
@@ -112,6 +112,37 @@ PREDICTIONS_TEST("Lesson 30: a cube and its corners, counted in the file", "30-o
     lesson.require_choice("turned-light", 1);
     lesson.require_number("culled", culled, 0.0, 6.0);
     CHECK(culled == 8);
+
+    Place low = teapot.points[0], high = low;
+    for (const Place& point : teapot.points) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], point[axis]);
+            high[axis] = std::max(high[axis], point[axis]);
+        }
+    }
+    const Place said_low{-1.48, -0.01, -0.91}, said_high{1.62, 1.5, 0.91};
+    double longest = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        CHECK(low[axis] == Approx(said_low[axis]).margin(0.005));
+        CHECK(high[axis] == Approx(said_high[axis]).margin(0.005));
+        longest = std::max(longest, high[axis] - low[axis]);
+    }
+    const double tip = (high[0] - (low[0] + high[0]) / 2.0) / (longest / 2.0);
+    for (const double wrong : {1.62, 1.55, 1.62 / 1.55})
+        lesson.require_number("spout-tip", tip, 1e-4, wrong);
+}
+
+TEST_CASE("Lesson 30: point 8 of the cube is a corner of the front, and of two more faces") {
+    const PlainFile cube("cube.obj");
+    CHECK(cube.points[7] == Place{1, 1, 1});
+    CHECK(cube.faces[0] == std::vector<std::string>{"5/1/1", "6/2/1", "8/3/1", "7/4/1"});
+    std::set<std::string> normals;
+    for (const auto& face : cube.faces) {
+        for (const std::string& corner : face) {
+            if (corner.rfind("8/", 0) == 0) normals.insert(corner.substr(corner.rfind('/') + 1));
+        }
+    }
+    CHECK(normals == std::set<std::string>{"1", "2", "5"}); // (0, 0, 1), (1, 0, 0), (0, 1, 0)
 }
 
 } // namespace models_track

@@ -78,7 +78,7 @@ std::string lesson_text() {
     return read_file(lessons_folder() + "/25-z-fighting.md");
 }
 
-constexpr int left_wall = 1, back_wall = 4;                        // of the room
+constexpr int left_wall = 1, ceiling = 3, back_wall = 4;           // of the room
 constexpr int decal = 0, poster = 2;                               // of the paper on the wall
 constexpr int corner = 126, corner_top = 126, corner_bottom = 373; // of the room's picture
 
@@ -99,7 +99,10 @@ PREDICTIONS_TEST("Lesson 25: crumbs with and without an epsilon", "25-z-fighting
         return sum;
     };
     CHECK(crumbs(plain) == 134);
+    CHECK(room.count(plain, ceiling, corner, corner_top, corner_bottom) == 1);
+    CHECK(room.count(plain, left_wall, corner, 0, 499) == 248 - 135);
     CHECK(crumbs(one) == 1);
+    CHECK(room.count(one, left_wall, corner, 0, 499) == 248 - 1);
     CHECK(crumbs(more) == 0);
     CHECK(crumbs(two) == 0);
     CHECK(changed(one, false) == 158);
@@ -118,27 +121,49 @@ PREDICTIONS_TEST("Lesson 25: crumbs with and without an epsilon", "25-z-fighting
 
     const Questions lesson("25-z-fighting");
     lesson.require_number("crumbs-left", crumbs(one), 0.0, 67.0);
-    CHECK_FALSE(lesson.answered("crumbs-left", {134.0}).is_right);
+    CHECK_FALSE(lesson.answered("crumbs-left", {135.0}).is_right);
     lesson.require_choice("others-too", 1);
     const std::string said = lesson_text();
-    for (const char* figure : {"took 134 pixels", "133 crumbs disappear",
-                               "With 0.000002, 325 pixels change", "has 38 crumbs, not 134"}) {
+    for (const char* figure :
+         {"took 134 pixels of it, and the ceiling one", "134 of the 135 crumbs",
+          "With 0.000002, 325 pixels change", "has 38 crumbs, not 135"}) {
         INFO(figure);
         CHECK(said.find(figure) != std::string::npos);
     }
 }
 
 PREDICTIONS_TEST("Lesson 25: the steps of sixteen bits, and reversed z", "25-z-fighting",
-                 "double-near", "reversed") {
+                 "far-away", "step-at-two", "double-near", "reversed") {
+    const Questions lesson("25-z-fighting");
+    // The depth at which 1/z is larger by a millionth, not by the formula.
+    const double hidden = 400.0 - 1.0 / (1.0 / 400.0 + 1e-6);
+    for (const double wrong : {0.0016, 0.000016})
+        lesson.require_number("far-away", hidden, 1e-4, wrong);
+    CHECK(4.0 - 1.0 / (1.0 / 4.0 + 1e-6) == Approx(0.000016).margin(1e-9));
+
     // How far z advances while NDC z grows by one step, from the inverted formula.
-    const auto step_at_four = [](double near) {
-        const double far = 100.0, ndc = far / (far - near) * (1.0 - near / 4.0);
+    const auto step_at = [](double z, double near) {
+        const double far = 100.0, ndc = far / (far - near) * (1.0 - near / z);
         const auto z_of = [&](double depth) { return near / (1.0 - depth * (far - near) / far); };
         return z_of(ndc + 1.0 / 65535.0) - z_of(ndc);
     };
-    CHECK(step_at_four(0.1) == Approx(0.0024).margin(0.00005));
-    const Questions lesson("25-z-fighting");
-    lesson.require_number("double-near", step_at_four(0.2), 2e-6, step_at_four(0.1));
+    CHECK(step_at(4.0, 0.1) == Approx(0.0024).margin(0.00005));
+    for (const double wrong : {0.0012, 0.0024, 0.0048})
+        lesson.require_number("step-at-two", step_at(2.0, 0.1), 2e-6, wrong);
+    lesson.require_number("double-near", step_at(4.0, 0.2), 2e-6, step_at(4.0, 0.1));
+    // Seen from two units nearer, no fragment of the poster loses.
+    const Gathered nearer("z-fighting", {"depth_format=ndc_16", "camera.position=0,0,2"});
+    const std::vector<int> seen = nearer.parts(0.0);
+    int of_poster = 0, lost = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        for (const auto& [triangle, depth] : nearer.pixels[i]) {
+            if (part_of(nearer.scene, triangle) != poster) continue;
+            ++of_poster;
+            lost += seen[i] == poster ? 0 : 1;
+        }
+    }
+    CHECK(of_poster > 1000);
+    CHECK(lost == 0);
 
     const Gathered sixteen("z-fighting", {"depth_format=ndc_16"});
     CHECK(sixteen.count(sixteen.parts(0.0), poster, 60, 0, 149) == 27);

@@ -1,12 +1,15 @@
 // Every lesson is played from its first step to its last, as a student could.
 
 #include <algorithm>
+#include <cctype>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <set>
 
 #include "base/files.h"
 #include "base/numbers.h"
+#include "base/text_parts.h"
 #include "facts/facts.h"
 #include "lessons/lesson.h"
 #include "lessons/lesson_check.h"
@@ -18,7 +21,9 @@
 #include "support/effort.h"
 #include "support/project_root.h"
 #include "tests/support/catch.h"
+#include "tests/support/hostile_lessons.h"
 #include "tests/support/prediction_checks.h"
+#include "text/markdown_text.h"
 #include "view/view_table.h"
 
 using namespace rasterwalk;
@@ -120,6 +125,22 @@ void check_kept(const LessonLink& link, const Student& student) {
         CHECK(std::filesystem::exists(lessons_folder() + "/" + link.argument + ".md"));
     }
     if (link.field != nullptr) promises.at(link.field->key)(link, student);
+}
+
+/// The words of a step: whatever has a letter or a digit between blanks in its paragraphs, lists,
+/// tables, code and formulas. Its heading, tasks, predictions, controls and footnotes do not count.
+std::ptrdiff_t count_words(const LessonStep& step) {
+    std::ptrdiff_t count = 0;
+    for (const LessonPart& part : step.parts) {
+        if (part.kind != LessonPart::Kind::text) continue;
+        const std::string text = plain_text(parse_markdown(part.text).blocks);
+        const std::vector<std::string_view> words = split(text, ' ');
+        count += std::count_if(words.begin(), words.end(), [](std::string_view word) {
+            return std::any_of(word.begin(), word.end(),
+                               [](unsigned char letter) { return std::isalnum(letter) != 0; });
+        });
+    }
+    return count;
 }
 
 } // namespace
@@ -243,6 +264,56 @@ TEST_CASE("Each lesson holds at least two tasks and two predictions") {
         CHECK(lesson.predictions.size() >= 2);
         CHECK(lesson.minutes >= 10);
         CHECK(lesson.minutes <= 20);
+    }
+}
+
+TEST_CASE("The words of a step are counted without its questions, controls and footnotes") {
+    const Lesson lesson = parse_lesson(test::lesson_head() + R"(One two, 3 − *four*[^1].
+
+## Not counted
+
+Five [six seven](tab:rows) `eight`:
+
+| nine | |
+|---|---|
+| 10 | eleven |
+
+```cpp
+int twelve = thirteen;
+```
+
+<!-- task
+id = "not-counted"
+done = "stage == rows"
+recipe = ["set:stage=rows"]
+-->
+> **Task.** Not counted.
+
+<!-- control
+setting = "stage"
+-->
+
+> **Fourteen**
+>
+> - Fifteen.
+
+[^1]: Not counted.
+)",
+                                       "40-words.md");
+    CHECK(lesson.faults.empty());
+    REQUIRE(lesson.steps.size() == 2);
+    CHECK(count_words(lesson.steps[0]) == 4);
+    CHECK(count_words(lesson.steps[1]) == 12); // `int` is one, too
+}
+
+TEST_CASE("No step of a lesson has more than 130 words") {
+    for (const Lesson& lesson : all_lessons()) {
+        for (const LessonStep& step : lesson.steps) {
+            const std::ptrdiff_t words = count_words(step);
+            INFO(lesson.path << ":" << step.line << ", \"" << heading_text(step) << "\": " << words
+                             << " words");
+            CHECK(words <= 130);
+        }
     }
 }
 
