@@ -60,6 +60,7 @@ struct LessonPrediction {
 
     std::string id;
     Kind kind = Kind::number;
+    bool looks_back = false; ///< it is about an earlier lesson; only in the opening
     // A number:
     std::optional<Expression> answer;
     std::optional<Expression> tolerance; ///< how far a right answer may be off; none: 0

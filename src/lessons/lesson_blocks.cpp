@@ -239,6 +239,11 @@ LessonPrediction read_prediction(const toml::table& table, int line, const ViewS
                  : name == "pixel" ? PredictionKind::pixel
                                    : PredictionKind::choice;
     };
+    keys["look_back"] = [&](const toml::node& n) {
+        const std::optional<bool> is_on = n.value_exact<bool>();
+        if (!is_on) block.input().fail(n, "'look_back' must be true or false.");
+        p.looks_back = *is_on;
+    };
     keys["answer"] = [&](const toml::node& n) {
         p.answer_line = line_of(n);
         p.answer = expression(block, n);

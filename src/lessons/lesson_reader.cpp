@@ -15,6 +15,7 @@
 #include "lessons/lesson_control.h"
 #include "lessons/lesson_lines.h"
 #include "lessons/lesson_text.h"
+#include "lessons/look_back.h"
 #include "text/markdown_text.h"
 #include "view/view_table.h"
 
@@ -367,6 +368,7 @@ class Reader {
                         "'picture' names step " + std::to_string(lesson_.picture) +
                             ", but the last step is " + std::to_string(step_number()) + ".");
         }
+        check_looks_back(lesson_, faults_);
         std::set<std::string> used;
         for (const LessonStep& one : lesson_.steps) {
             for (const TextPlace& place : one.footnotes) {
