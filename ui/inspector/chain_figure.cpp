@@ -18,7 +18,7 @@ namespace rasterwalk {
 namespace {
 
 /// The slider rests at a space that is nearer than this.
-constexpr double rest = 0.08;
+constexpr double catch_range = 0.08;
 
 constexpr double last_space = static_cast<double>(chain_space_count - 1);
 
@@ -82,7 +82,7 @@ void draw_slider(Ui& ui) {
         const double share =
             static_cast<double>((ImGui::GetIO().MousePos.x - low.x - inset) / track);
         const double at = std::clamp(share, 0.0, 1.0) * last_space;
-        look.at = std::abs(at - std::round(at)) < rest ? std::round(at) : at;
+        look.at = std::abs(at - std::round(at)) < catch_range ? std::round(at) : at;
     }
     register_widget(ui, "chain.slider",
                     "Drag it from space to space. Between two of them the figure is a mixture of "
