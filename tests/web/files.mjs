@@ -58,6 +58,7 @@ export function testFiles(place) {
         await program.drop(folder);
         await until(async () => await program.setting('stage') === 'rows', 'the lesson opens', 8);
         await comparePicture(place, program, ['--lesson', '05-row-table', '--step', '0']);
+        await program.press('PageDown'); // to the question below the opening's text
         await program.press('PageDown');
         await comparePicture(place, program, ['--lesson', '05-row-table', '--step', '1']);
         equal((await program.hash()).includes('mine'), false, 'the address names the lesson that only this student has');
