@@ -69,8 +69,8 @@ struct DepthRuler {
 inline constexpr double logarithmic_ratio = 20.0;
 
 /// None if the planes are not a view: not finite, or far not behind near.
-/// @param least the shortest distance between two ticks that are told apart, as a share of the
-///              scale, above 0; costs at most 2 / least steps
+/// @param least the smallest distance between neighbouring ticks, as a share of the scale, above 0;
+///              costs at most 2 / least steps
 std::optional<DepthRuler> depth_ruler(const DepthRules& rules, double least);
 
 } // namespace rasterwalk

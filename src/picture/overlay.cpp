@@ -302,13 +302,11 @@ void compose_overlays(const Frame& frame, const Cursor& cursor, const Framebuffe
         picture.totals.wires = static_cast<int>(picture.wires.size());
         if (picture.wires.size() > most_wires) picture.wires.resize(most_wires);
     }
-    OverlaySet tints = overlays;
-    tints.set(Overlay::wireframe, false);
-    tints.set(Overlay::alone, false);
-    tints.set(Overlay::vectors, false);
-    tints.set(Overlay::weights, false);
-    tints.set(Overlay::edge_field, overlays.has(Overlay::edge_field) && picture.field);
-    tints.set(Overlay::cost, has_costs);
+    OverlaySet tints;
+    for (const Overlay layer : layers)
+        tints.set(layer, overlays.has(layer));
+    if (!picture.field) tints.set(Overlay::edge_field, false);
+    if (!has_costs) tints.set(Overlay::cost, false);
     picture.image = tints.empty() ? Image{}
                                   : compose_image(framebuffer, tints,
                                                   {framebuffer, picture.facts, picture.totals,

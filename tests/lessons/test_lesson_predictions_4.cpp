@@ -205,7 +205,7 @@ TEST_CASE("Lesson 15: glm's lookAt, as the lesson has it, becomes the camera's m
 }
 
 PREDICTIONS_TEST("Lesson 16: parallel rays and ndc z by hand", "16-orthographic", "back-wall",
-                 "affine", "box-depth", "half-range", "half-way") {
+                 "affine", "box-depth", "half-range", "halfway") {
     const Questions lesson("16-orthographic");
     const double scale = 500.0 / 3.001;
     CHECK(scale == Approx(166.6).margin(0.05));
@@ -241,7 +241,7 @@ PREDICTIONS_TEST("Lesson 16: parallel rays and ndc z by hand", "16-orthographic"
     // The same by w = (1 - mix) z + mix, and a factor that keeps the size at 3.001.
     CHECK(half_way == Approx(scale * (0.5 * 3.001 + 0.5) / (0.5 * 4.001 + 0.5)));
     CHECK(half_way < 0.5 * (500.0 / 4.001 + scale) - 2.0);
-    lesson.require_choice("half-way", 0);
+    lesson.require_choice("halfway", 0);
 }
 
 TEST_CASE("Lesson 16: what it says in figures") {

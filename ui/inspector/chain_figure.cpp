@@ -132,6 +132,8 @@ void draw_guides(const ChainField& field, std::size_t space, double share) {
         }
         const ImU32 ink = field.meaning(edge_meaning(guide.axis), opacity);
         field.list->AddLine(from, to, ink, 1.8f * u);
+        // Between two spaces, the letters of both would cover each other.
+        if (share <= 0.5) continue;
         field.list->AddText({to.x + 3.0f * u, to.y - 0.5f * ImGui::GetTextLineHeight()}, ink,
                             axis_names[guide.axis]);
     }
