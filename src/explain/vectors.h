@@ -8,6 +8,7 @@
 // Source: the dot product as a shadow and the cross product as an area, P. Shirley, S. Marschner,
 // Fundamentals of Computer Graphics, 4th edition, section 2.4.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -44,6 +45,10 @@ VectorWords vector_words(VectorName name);
 /// The symbol, if it is a single letter, by which text knows the vector; 0: it is longer.
 char letter_of(VectorName name);
 
+/// Is it a direction, for which a view chooses how long 1 is? Any other vector leads from one point
+/// to another.
+bool is_direction(VectorName name);
+
 /// Is it the letter of one of these vectors?
 bool is_vector_letter(char letter);
 
@@ -51,9 +56,6 @@ struct ShownVector {
     VectorName name{};
     glm::dvec3 from{0.0};
     glm::dvec3 along{0.0}; ///< its components
-    /// Only directions and their ratio of lengths count, so a view chooses how long 1 is; otherwise
-    /// it leads from one point to another.
-    bool is_direction = false;
 };
 
 /// What dot and cross product measure of u and v, which both begin at `start`.
@@ -62,6 +64,11 @@ struct SpannedSides {
     glm::dvec3 foot{0.0}; ///< of the perpendicular from the tip of v on the line through u
     double shadow = 0.0;  ///< from the start to the foot; negative if it points against u
     double area = 0.0;    ///< of the parallelogram
+
+    /// Of the parallelogram, in turn: the start, the tip of u, the one across, the tip of v.
+    std::array<glm::dvec3, 4> corners() const {
+        return {start, start + u, start + u + v, start + v};
+    }
 };
 
 /// All that is shown. Places are in the world, or in a scene in pixels columns and rows, whose

@@ -121,9 +121,10 @@ OutsideVectors vectors_outside(const std::optional<VectorReport>& report, const 
         result.arrows.push_back(
             {outside_kind(line.kind), static_cast<int>(line.name), line.from, line.to});
     }
-    if (const std::optional<SpannedSides>& sides = report->sides)
-        result.span = {sides->start, sides->start + sides->u, sides->start + sides->u + sides->v,
-                       sides->start + sides->v};
+    if (report->sides) {
+        const auto corners = report->sides->corners();
+        result.span.assign(corners.begin(), corners.end());
+    }
     return result;
 }
 

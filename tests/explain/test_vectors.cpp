@@ -98,7 +98,7 @@ void check_direction(const VectorReport& report, VectorName name, const Triple& 
     CAPTURE(vector_words(name).title);
     const ShownVector* const vector = find(report, name);
     REQUIRE(vector != nullptr);
-    CHECK(vector->is_direction);
+    CHECK(is_direction(vector->name));
     CHECK(distance(triple(vector->along), wanted) < 3e-4L);
 }
 
@@ -465,7 +465,7 @@ TEST_CASE("From outside a direction is as long as asked where it is seen face on
     eye.position = {0.3, -0.2, -5.0};
     eye.focal_length = 700.0;
     VectorReport report = *vector_report(frame, nullptr, 12, {});
-    REQUIRE(report.vectors.front().is_direction);
+    REQUIRE(is_direction(report.vectors.front().name));
     report.vectors.front().along = {1.0, 0.0, 0.0}; // across the view
     const OutsideVectors vectors = vectors_outside(report, eye, 80.0, 10.0);
     REQUIRE(vectors.span.size() == 4);
@@ -481,13 +481,14 @@ TEST_CASE("From outside a direction is as long as asked where it is seen face on
 }
 
 TEST_CASE("A length is said in the unit that it has") {
-    CHECK(length_words({VectorName::normal, {}, {0.0, 0.6, 0.8}, true}, SceneSpace::world) ==
-          "length 1");
-    CHECK(length_words({VectorName::half, {}, {0.0, 1.2, 1.6}, true}, SceneSpace::world) ==
+    CHECK(length_words({VectorName::normal, {}, {0.0, 0.6, 0.8}}, SceneSpace::world) == "length 1");
+    CHECK(length_words({VectorName::half, {}, {0.0, 1.2, 1.6}}, SceneSpace::world) ==
           "length 2.000");
     CHECK(length_words({VectorName::u, {}, {3.0, 4.0, 0.0}}, SceneSpace::pixels) == "5.00 pixels");
     CHECK(length_words({VectorName::v, {}, {0.0, 0.3, 0.4}}, SceneSpace::world) ==
           "0.500 world units");
+    for (const VectorName name : {VectorName::u, VectorName::v, VectorName::from_eye})
+        CHECK_FALSE(is_direction(name));
     for (const char letter : std::string("nlvhtbu"))
         CHECK(is_vector_letter(letter));
     for (const char letter : std::string("pCrNxya") + '\0')

@@ -113,8 +113,7 @@ void draw_letters(const Marks& m, const std::vector<SeenVectorLine>& lines,
 
 /// The parallelogram, if all of it is in front of the camera.
 void tint_span(const Marks& m, const SpannedSides& sides) {
-    const glm::dvec3 corners[] = {sides.start, sides.start + sides.u,
-                                  sides.start + sides.u + sides.v, sides.start + sides.v};
+    const auto corners = sides.corners();
     std::array<ImVec2, 4> places;
     for (std::size_t i = 0; i < 4; ++i) {
         const auto line = line_in_picture(m.run.frame, corners[i], corners[(i + 1) % 4]);
