@@ -139,7 +139,7 @@ VectorReport side_vectors(const Frame& frame, int triangle, std::optional<int> v
 }
 
 /// The sign at the foot: a square of which the perpendicular and u are the other two sides.
-void add_right_angle(const SpannedSides& sides, double angle, std::vector<VectorLine>& lines) {
+void add_right_angle(const SpannedSides& sides, double angle, std::vector<OutsideArrow>& lines) {
     const glm::dvec3 up = sides.start + sides.v - sides.foot;
     const double height = glm::length(up);
     const double side = std::min({angle, 0.5 * height, 0.5 * std::abs(sides.shadow)});
@@ -148,23 +148,23 @@ void add_right_angle(const SpannedSides& sides, double angle, std::vector<Vector
     const glm::dvec3 along = sides.u * ((sides.shadow > 0.0 ? -side : side) / glm::length(sides.u));
     const glm::dvec3 above = up * (side / height);
     const glm::dvec3 middle = sides.foot + along + above;
-    lines.push_back({VectorLineKind::right_angle, {}, sides.foot + along, middle});
-    lines.push_back({VectorLineKind::right_angle, {}, middle, sides.foot + above});
+    lines.push_back({OutsideLineKind::vector_angle, 0, sides.foot + along, middle});
+    lines.push_back({OutsideLineKind::vector_angle, 0, middle, sides.foot + above});
 }
 
-void add_sides(const SpannedSides& sides, double angle, std::vector<VectorLine>& lines) {
+void add_sides(const SpannedSides& sides, double angle, std::vector<OutsideArrow>& lines) {
     const auto [start, end, across, tip] = sides.corners();
-    const auto add = [&](VectorLineKind kind, const glm::dvec3& from, const glm::dvec3& to) {
-        if (from != to) lines.push_back({kind, {}, from, to});
+    const auto add = [&](OutsideLineKind kind, const glm::dvec3& from, const glm::dvec3& to) {
+        if (from != to) lines.push_back({kind, 0, from, to});
     };
     if (sides.area > 0.0) {
-        add(VectorLineKind::opposite, end, across);
-        add(VectorLineKind::opposite, tip, across);
+        add(OutsideLineKind::vector_opposite, end, across);
+        add(OutsideLineKind::vector_opposite, tip, across);
     }
-    if (sides.shadow > glm::length(sides.u)) add(VectorLineKind::extension, end, sides.foot);
-    add(VectorLineKind::shadow, start, sides.foot);
+    if (sides.shadow > glm::length(sides.u)) add(OutsideLineKind::vector_dropped, end, sides.foot);
+    add(OutsideLineKind::vector_shadow, start, sides.foot);
     if (sides.area > 0.0) {
-        add(VectorLineKind::perpendicular, tip, sides.foot);
+        add(OutsideLineKind::vector_dropped, tip, sides.foot);
         add_right_angle(sides, angle, lines);
     }
 }
@@ -262,13 +262,13 @@ std::string length_words(const ShownVector& vector, SceneSpace space) {
                                        : decimals(length, 3) + " world units";
 }
 
-std::vector<VectorLine> vector_lines(const VectorReport& report, double unit, double angle) {
-    std::vector<VectorLine> lines;
+std::vector<OutsideArrow> vector_lines(const VectorReport& report, double unit, double angle) {
+    std::vector<OutsideArrow> lines;
     if (report.sides) add_sides(*report.sides, angle, lines);
     for (const ShownVector& vector : report.vectors) {
         const double scale = is_direction(vector.name) ? unit : 1.0;
-        lines.push_back(
-            {VectorLineKind::arrow, vector.name, vector.from, vector.from + scale * vector.along});
+        lines.push_back({OutsideLineKind::vector, static_cast<int>(vector.name), vector.from,
+                         vector.from + scale * vector.along});
     }
     return lines;
 }

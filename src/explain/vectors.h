@@ -19,6 +19,7 @@
 #include <glm/vec3.hpp>
 
 #include "explain/fragment_report.h"
+#include "outside/outside_marks.h"
 
 namespace rasterwalk {
 
@@ -91,26 +92,10 @@ std::optional<VectorReport> vector_report(const Frame& frame, const FragmentRepo
 /// "length 1", "2.24 pixels", "0.52 world units".
 std::string length_words(const ShownVector& vector, SceneSpace space);
 
-/// What a line of the drawing is.
-enum class VectorLineKind : std::uint8_t {
-    arrow,         ///< a vector
-    shadow,        ///< of v on u, from the start to the foot
-    extension,     ///< of u, as far as a foot beyond it
-    perpendicular, ///< from the tip of v to the foot
-    right_angle,   ///< the sign at the foot
-    opposite,      ///< a side of the parallelogram across from u or v
-};
-
-struct VectorLine {
-    VectorLineKind kind{};
-    VectorName name{}; ///< of an arrow
-    glm::dvec3 from{0.0}, to{0.0};
-};
-
-/// The lines that show a report, in drawing order.
+/// The lines that show a report, in drawing order; the numbers of arrows are VectorName.
 /// @param unit  how long a direction of length 1 is drawn, world units
 /// @param angle the side of the right-angle sign, at most; in the report's units
-std::vector<VectorLine> vector_lines(const VectorReport& report, double unit, double angle);
+std::vector<OutsideArrow> vector_lines(const VectorReport& report, double unit, double angle);
 
 /// A line in the picture: columns and rows, whose whole numbers are the middles of pixels.
 struct PictureLine {

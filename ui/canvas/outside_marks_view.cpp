@@ -81,8 +81,12 @@ void draw_arrow_with(const Pen& pen, ImVec2 from, ImVec2 to, ImU32 colour) {
     draw_arrow(pen.list, pen.u, from, to, {colour, pen.ground(0.7f)});
 }
 
-VectorPen vector_pen(const Pen& pen) {
-    return {pen.list, pen.u, pen.ui.options.theme, pen.ground(0.7f)};
+/// A line of the overlay of vectors; from outside the right angle looks like the perpendicular.
+void draw_vector_mark(const Pen& pen, const OutsideLine& line) {
+    const bool is_angle = line.kind == OutsideLineKind::vector_angle;
+    draw_vector_line({pen.list, pen.u, pen.ui.options.theme, pen.ground(0.7f)},
+                     is_angle ? OutsideLineKind::vector_dropped : line.kind,
+                     static_cast<VectorName>(line.number), pen.at(line.from), pen.at(line.to));
 }
 
 void draw_line(const Pen& pen, const OutsideLine& line) {
@@ -150,16 +154,11 @@ void draw_line(const Pen& pen, const OutsideLine& line) {
         draw_arrow_with(pen, from, to, pen.meaning(axis_meaning(line.number)));
         break;
     case OutsideLineKind::vector:
-        draw_vector(vector_pen(pen), static_cast<VectorName>(line.number), from, to);
-        break;
     case OutsideLineKind::vector_shadow:
-        draw_shadow(vector_pen(pen), from, to);
-        break;
     case OutsideLineKind::vector_dropped:
-        draw_dropped(vector_pen(pen), from, to);
-        break;
+    case OutsideLineKind::vector_angle:
     case OutsideLineKind::vector_opposite:
-        draw_opposite(vector_pen(pen), from, to);
+        draw_vector_mark(pen, line);
         break;
     }
 }
