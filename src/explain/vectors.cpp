@@ -66,7 +66,7 @@ VectorReport light_vectors(const Frame& frame, const FragmentReport& fragment) {
     report.triangle = fragment.cursor.triangle;
     const LitPlace place = lit_place(frame, fragment);
     const auto add = [&](VectorName name, const glm::dvec3& along) {
-        add_vector(report, {name, place.position, along, true});
+        add_vector(report, {name, place.position, along});
     };
     add(VectorName::normal, glm::dvec3(place.normal));
     if (place.bump != nullptr && place.bump->sign != 0.0f) {
@@ -124,7 +124,7 @@ VectorReport side_vectors(const Frame& frame, int triangle, std::optional<int> v
     const auto chosen = static_cast<std::size_t>(std::clamp(vertex.value_or(0), 0, 2));
     if (has_eye) {
         add_vector(report, {VectorName::normal, corners[chosen],
-                            glm::dvec3(triangle_normal(*frame.scene, triangle)), true});
+                            glm::dvec3(triangle_normal(*frame.scene, triangle))});
     }
     if (has_eye && vertex) {
         const glm::dvec3 eye(frame.settings.camera.position);
@@ -139,7 +139,7 @@ VectorReport side_vectors(const Frame& frame, int triangle, std::optional<int> v
 }
 
 /// The sign at the foot: a square of which the perpendicular and u are the other two sides.
-void add_right_angle(const SpannedSides& sides, double angle, std::vector<VectorLine>& lines) {
+void add_right_angle(const SpannedSides& sides, double angle, std::vector<OutsideArrow>& lines) {
     const glm::dvec3 up = sides.start + sides.v - sides.foot;
     const double height = glm::length(up);
     const double side = std::min({angle, 0.5 * height, 0.5 * std::abs(sides.shadow)});
@@ -148,24 +148,23 @@ void add_right_angle(const SpannedSides& sides, double angle, std::vector<Vector
     const glm::dvec3 along = sides.u * ((sides.shadow > 0.0 ? -side : side) / glm::length(sides.u));
     const glm::dvec3 above = up * (side / height);
     const glm::dvec3 middle = sides.foot + along + above;
-    lines.push_back({VectorLineKind::right_angle, {}, sides.foot + along, middle});
-    lines.push_back({VectorLineKind::right_angle, {}, middle, sides.foot + above});
+    lines.push_back({OutsideLineKind::vector_angle, 0, sides.foot + along, middle});
+    lines.push_back({OutsideLineKind::vector_angle, 0, middle, sides.foot + above});
 }
 
-void add_sides(const SpannedSides& sides, double angle, std::vector<VectorLine>& lines) {
-    const glm::dvec3 across = sides.start + sides.u + sides.v;
-    const glm::dvec3 tip = sides.start + sides.v, end = sides.start + sides.u;
-    const auto add = [&](VectorLineKind kind, const glm::dvec3& from, const glm::dvec3& to) {
-        if (from != to) lines.push_back({kind, {}, from, to});
+void add_sides(const SpannedSides& sides, double angle, std::vector<OutsideArrow>& lines) {
+    const auto [start, end, across, tip] = sides.corners();
+    const auto add = [&](OutsideLineKind kind, const glm::dvec3& from, const glm::dvec3& to) {
+        if (from != to) lines.push_back({kind, 0, from, to});
     };
     if (sides.area > 0.0) {
-        add(VectorLineKind::opposite, end, across);
-        add(VectorLineKind::opposite, tip, across);
+        add(OutsideLineKind::vector_opposite, end, across);
+        add(OutsideLineKind::vector_opposite, tip, across);
     }
-    if (sides.shadow > glm::length(sides.u)) add(VectorLineKind::extension, end, sides.foot);
-    add(VectorLineKind::shadow, sides.start, sides.foot);
+    if (sides.shadow > glm::length(sides.u)) add(OutsideLineKind::vector_dropped, end, sides.foot);
+    add(OutsideLineKind::vector_shadow, start, sides.foot);
     if (sides.area > 0.0) {
-        add(VectorLineKind::perpendicular, tip, sides.foot);
+        add(OutsideLineKind::vector_dropped, tip, sides.foot);
         add_right_angle(sides, angle, lines);
     }
 }
@@ -231,6 +230,10 @@ char letter_of(VectorName name) {
     return symbol.size() == 1 ? symbol.front() : char{0};
 }
 
+bool is_direction(VectorName name) {
+    return name != VectorName::u && name != VectorName::v && name != VectorName::from_eye;
+}
+
 bool is_vector_letter(char letter) {
     for (std::size_t i = 0; letter != 0 && i < enum_words<VectorName>.size(); ++i) {
         if (letter_of(static_cast<VectorName>(i)) == letter) return true;
@@ -249,7 +252,7 @@ std::optional<VectorReport> vector_report(const Frame& frame, const FragmentRepo
 
 std::string length_words(const ShownVector& vector, SceneSpace space) {
     const double length = glm::length(vector.along);
-    if (vector.is_direction) {
+    if (is_direction(vector.name)) {
         // Made unit length in float.
         constexpr double rounding = 1e-5;
         const bool is_unit = std::abs(length - 1.0) < rounding;
@@ -259,13 +262,13 @@ std::string length_words(const ShownVector& vector, SceneSpace space) {
                                        : decimals(length, 3) + " world units";
 }
 
-std::vector<VectorLine> vector_lines(const VectorReport& report, double unit, double angle) {
-    std::vector<VectorLine> lines;
+std::vector<OutsideArrow> vector_lines(const VectorReport& report, double unit, double angle) {
+    std::vector<OutsideArrow> lines;
     if (report.sides) add_sides(*report.sides, angle, lines);
     for (const ShownVector& vector : report.vectors) {
-        const double scale = vector.is_direction ? unit : 1.0;
-        lines.push_back(
-            {VectorLineKind::arrow, vector.name, vector.from, vector.from + scale * vector.along});
+        const double scale = is_direction(vector.name) ? unit : 1.0;
+        lines.push_back({OutsideLineKind::vector, static_cast<int>(vector.name), vector.from,
+                         vector.from + scale * vector.along});
     }
     return lines;
 }

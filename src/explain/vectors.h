@@ -8,6 +8,7 @@
 // Source: the dot product as a shadow and the cross product as an area, P. Shirley, S. Marschner,
 // Fundamentals of Computer Graphics, 4th edition, section 2.4.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@
 #include <glm/vec3.hpp>
 
 #include "explain/fragment_report.h"
+#include "outside/outside_marks.h"
 
 namespace rasterwalk {
 
@@ -44,6 +46,10 @@ VectorWords vector_words(VectorName name);
 /// The symbol, if it is a single letter, by which text knows the vector; 0: it is longer.
 char letter_of(VectorName name);
 
+/// Is it a direction, for which a view chooses how long 1 is? Any other vector leads from one point
+/// to another.
+bool is_direction(VectorName name);
+
 /// Is it the letter of one of these vectors?
 bool is_vector_letter(char letter);
 
@@ -51,9 +57,6 @@ struct ShownVector {
     VectorName name{};
     glm::dvec3 from{0.0};
     glm::dvec3 along{0.0}; ///< its components
-    /// Only directions and their ratio of lengths count, so a view chooses how long 1 is; otherwise
-    /// it leads from one point to another.
-    bool is_direction = false;
 };
 
 /// What dot and cross product measure of u and v, which both begin at `start`.
@@ -62,6 +65,11 @@ struct SpannedSides {
     glm::dvec3 foot{0.0}; ///< of the perpendicular from the tip of v on the line through u
     double shadow = 0.0;  ///< from the start to the foot; negative if it points against u
     double area = 0.0;    ///< of the parallelogram
+
+    /// Of the parallelogram, in turn: the start, the tip of u, the one across, the tip of v.
+    std::array<glm::dvec3, 4> corners() const {
+        return {start, start + u, start + u + v, start + v};
+    }
 };
 
 /// All that is shown. Places are in the world, or in a scene in pixels columns and rows, whose
@@ -84,26 +92,10 @@ std::optional<VectorReport> vector_report(const Frame& frame, const FragmentRepo
 /// "length 1", "2.24 pixels", "0.52 world units".
 std::string length_words(const ShownVector& vector, SceneSpace space);
 
-/// What a line of the drawing is.
-enum class VectorLineKind : std::uint8_t {
-    arrow,         ///< a vector
-    shadow,        ///< of v on u, from the start to the foot
-    extension,     ///< of u, as far as a foot beyond it
-    perpendicular, ///< from the tip of v to the foot
-    right_angle,   ///< the sign at the foot
-    opposite,      ///< a side of the parallelogram across from u or v
-};
-
-struct VectorLine {
-    VectorLineKind kind{};
-    VectorName name{}; ///< of an arrow
-    glm::dvec3 from{0.0}, to{0.0};
-};
-
-/// The lines that show a report, in drawing order.
+/// The lines that show a report, in drawing order; the numbers of arrows are VectorName.
 /// @param unit  how long a direction of length 1 is drawn, world units
 /// @param angle the side of the right-angle sign, at most; in the report's units
-std::vector<VectorLine> vector_lines(const VectorReport& report, double unit, double angle);
+std::vector<OutsideArrow> vector_lines(const VectorReport& report, double unit, double angle);
 
 /// A line in the picture: columns and rows, whose whole numbers are the middles of pixels.
 struct PictureLine {

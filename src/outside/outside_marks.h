@@ -41,7 +41,8 @@ enum class OutsideLineKind : std::uint8_t {
     axis,           ///< an arrow from the origin of a space; number: see axis_number()
     vector,         ///< an arrow of the overlay of vectors; number: which, given by the caller
     vector_shadow,  ///< of one side of a triangle on another
-    vector_dropped, ///< the perpendicular that ends it, the sign at its foot, what leads there
+    vector_dropped, ///< the perpendicular that ends it, and what leads to a foot beyond that side
+    vector_angle,   ///< a side of the right-angle sign at its foot
     vector_opposite, ///< a side of the parallelogram across from a vector
     footprint, ///< around what the picked pixel covers of a surface's plane; number: which side
 };
@@ -123,9 +124,9 @@ struct SightShift {
     glm::dvec3 top{0.0};   ///< the height above that point; with `divided`, the ray meets it
 };
 
-/// A line of the overlay of vectors, in the world.
+/// A line of the overlay of vectors, in the world or in a scene in pixels.
 struct OutsideArrow {
-    OutsideLineKind kind = OutsideLineKind::vector;
+    OutsideLineKind kind = OutsideLineKind::vector; ///< or another kind of the overlay
     int number = 0;
     glm::dvec3 from{0.0}, to{0.0};
 };

@@ -8,10 +8,6 @@ namespace rasterwalk {
 
 namespace {
 
-EdgeFunction function_of(const EdgeField& field) {
-    return {field.from, {field.to.x - field.from.x, field.to.y - field.from.y}};
-}
-
 /// E as a function of a place in the picture, pixels: a + b . place, square pixels.
 struct LinearField {
     double a = 0.0;
@@ -21,7 +17,7 @@ struct LinearField {
 };
 
 LinearField linear_field(const EdgeField& field) {
-    const EdgeFunction e = function_of(field);
+    const EdgeFunction& e = field.edge;
     constexpr double parts = grid_parts;
     return {in_square_pixels(e.at({0, 0})),
             {static_cast<double>(-e.direction.dy) / parts,
@@ -49,28 +45,20 @@ std::vector<glm::dvec2> on_border(const LinearField& field, double e, glm::dvec2
 
 } // namespace
 
-std::int64_t EdgeField::at(int column, int row) const {
-    return function_of(*this).at({pixel_centre(column), pixel_centre(row)});
-}
-
 std::optional<EdgeField> edge_field(const Frame& frame, int triangle, int edge) {
     const PolygonCorners vertices = frame.triangle_vertices(triangle);
     const int last = static_cast<int>(vertices.size()) - 1;
     TestedPolygon polygon;
     set_up_tests(vertices, frame.stages, polygon);
-    EdgeField field;
-    field.triangle = triangle;
-    field.edge = std::clamp(edge, 0, last);
+    const int number = std::clamp(edge, 0, last);
     const EdgeFunction* function = nullptr;
     for (const TestedTriangle& of : polygon.triangles) {
         for (const EdgeFunction& e : of.edges) {
-            if (of.area > 0 && e.number == field.edge) function = &e;
+            if (of.area > 0 && e.number == number) function = &e;
         }
     }
     if (function == nullptr) return std::nullopt;
-    field.from = function->from;
-    field.to = {function->from.x + function->direction.dx,
-                function->from.y + function->direction.dy};
+    EdgeField field{triangle, *function};
     // E changes evenly, so it is largest in a corner.
     const Viewport size = frame.settings.viewport;
     for (const int column : {0, size.width - 1}) {

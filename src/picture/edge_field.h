@@ -21,13 +21,14 @@ namespace rasterwalk {
 /// vertices, whether coverage asks for it or not.
 struct EdgeField {
     int triangle = 0;
-    int edge = 0;       ///< of the polygon that is drawn
-    GridPoint from, to; ///< the inner side is on the right of the way, where E is positive
-    std::int64_t largest =
-        0; ///< |E| at a pixel's centre in the picture: 65536ths of a square pixel
+    EdgeFunction edge; ///< of the polygon that is drawn; positive on the inner side
+    /// |E| at a pixel's centre in the picture, 65536ths of a square pixel.
+    std::int64_t largest = 0;
 
     /// E at the centre of a pixel, 65536ths of a square pixel.
-    std::int64_t at(int column, int row) const;
+    std::int64_t at(int column, int row) const {
+        return edge.at({pixel_centre(column), pixel_centre(row)});
+    }
 
     friend bool operator==(const EdgeField&, const EdgeField&) = default;
 };

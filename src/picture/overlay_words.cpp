@@ -130,7 +130,7 @@ std::string overlay_total(Overlay overlay, const Frame& frame, const OverlayPict
                            totals.most_cost);
     case Overlay::edge_field:
         if (!picture.field) return "no triangle with an area is shown";
-        return fmt::format("{} of {}", edge_name(picture.field->edge),
+        return fmt::format("{} of {}", edge_name(picture.field->edge.number),
                            triangle_name(picture.field->triangle));
     case Overlay::weights:
         if (!picture.weights) return "pick a pixel, and a triangle that has an area";

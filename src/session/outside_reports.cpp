@@ -26,22 +26,6 @@ int shown_plane(const ClipHistory& history, const std::optional<ClipProgress>& p
     return planes.empty() ? -1 : 0;
 }
 
-OutsideLineKind outside_kind(VectorLineKind kind) {
-    switch (kind) {
-    case VectorLineKind::arrow:
-        return OutsideLineKind::vector;
-    case VectorLineKind::shadow:
-        return OutsideLineKind::vector_shadow;
-    case VectorLineKind::extension:
-    case VectorLineKind::perpendicular:
-    case VectorLineKind::right_angle:
-        return OutsideLineKind::vector_dropped;
-    case VectorLineKind::opposite:
-        break;
-    }
-    return OutsideLineKind::vector_opposite;
-}
-
 } // namespace
 
 WorldClipping clipping_outside(const Frame& frame, const ClipHistory& history,
@@ -117,13 +101,11 @@ OutsideVectors vectors_outside(const std::optional<VectorReport>& report, const 
     if (!report || report->vectors.empty()) return result;
     const double depth = eye.in_eye(report->vectors.front().from).z;
     const double pixel = std::max(depth, eye.near_distance) / eye.focal_length; // in the world
-    for (const VectorLine& line : vector_lines(*report, length * pixel, angle * pixel)) {
-        result.arrows.push_back(
-            {outside_kind(line.kind), static_cast<int>(line.name), line.from, line.to});
+    result.arrows = vector_lines(*report, length * pixel, angle * pixel);
+    if (report->sides) {
+        const auto corners = report->sides->corners();
+        result.span.assign(corners.begin(), corners.end());
     }
-    if (const std::optional<SpannedSides>& sides = report->sides)
-        result.span = {sides->start, sides->start + sides->u, sides->start + sides->u + sides->v,
-                       sides->start + sides->v};
     return result;
 }
 

@@ -71,6 +71,8 @@ struct EdgeFunction {
     std::int64_t one_down() const { return direction.dx * grid_parts; }
     /// Does a point with this E lie on the inner side?
     bool contains(std::int64_t e) const { return e > 0 || (e == 0 && owns_points); }
+
+    friend bool operator==(const EdgeFunction&, const EdgeFunction&) = default;
 };
 
 inline constexpr std::size_t edge_function_count = 3;

@@ -24,6 +24,8 @@ namespace rasterwalk {
 /// hand.
 struct EdgeDirection {
     std::int64_t dx = 0, dy = 0;
+
+    friend bool operator==(const EdgeDirection&, const EdgeDirection&) = default;
 };
 
 /// Every edge owns its points.

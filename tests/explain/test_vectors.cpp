@@ -98,7 +98,7 @@ void check_direction(const VectorReport& report, VectorName name, const Triple& 
     CAPTURE(vector_words(name).title);
     const ShownVector* const vector = find(report, name);
     REQUIRE(vector != nullptr);
-    CHECK(vector->is_direction);
+    CHECK(is_direction(vector->name));
     CHECK(distance(triple(vector->along), wanted) < 3e-4L);
 }
 
@@ -331,41 +331,43 @@ TEST_CASE("The lines drawn join the places of the report, and close the parallel
                            {{glm::vec3(3, 3, 1), glm::vec3(6, 3, 1), glm::vec3(10, 9, 1)}}},
                           {24, 20});
     const Frame frame = prepare_frame(scene, default_settings(scene));
-    const auto lines = [&](int t, VectorLineKind kind) {
-        std::vector<VectorLine> found;
-        for (const VectorLine& line : vector_lines(*vector_report(frame, nullptr, t, {}), 80, 1)) {
+    const auto lines = [&](int t, OutsideLineKind kind) {
+        std::vector<OutsideArrow> found;
+        for (const OutsideArrow& line :
+             vector_lines(*vector_report(frame, nullptr, t, {}), 80, 1)) {
             if (line.kind == kind) found.push_back(line);
         }
         return found;
     };
-    const auto joins = [](const VectorLine& line, const glm::dvec2& a, const glm::dvec2& b) {
+    const auto joins = [](const OutsideArrow& line, const glm::dvec2& a, const glm::dvec2& b) {
         return glm::distance(glm::dvec2(line.from), a) < 1e-12 &&
                glm::distance(glm::dvec2(line.to), b) < 1e-12;
     };
     // As lesson 14 has it: 4 long, and then 6 on the other side.
-    REQUIRE(lines(0, VectorLineKind::shadow).size() == 1);
-    CHECK(joins(lines(0, VectorLineKind::shadow).front(), {6, 14}, {10, 14}));
+    REQUIRE(lines(0, OutsideLineKind::vector_shadow).size() == 1);
+    CHECK(joins(lines(0, OutsideLineKind::vector_shadow).front(), {6, 14}, {10, 14}));
     CHECK(vector_report(frame, nullptr, 0, {})->sides->shadow == 4.0);
     CHECK(vector_report(frame, nullptr, 0, {})->sides->area == 80.0);
-    CHECK(joins(lines(0, VectorLineKind::perpendicular).front(), {10, 6}, {10, 14}));
-    CHECK(joins(lines(0, VectorLineKind::opposite)[0], {16, 14}, {20, 6}));
-    CHECK(joins(lines(0, VectorLineKind::opposite)[1], {10, 6}, {20, 6}));
-    CHECK(joins(lines(0, VectorLineKind::arrow)[0], {6, 14}, {16, 14}));
-    CHECK(joins(lines(0, VectorLineKind::arrow)[1], {6, 14}, {10, 6}));
-    CHECK(lines(0, VectorLineKind::extension).empty());
-    CHECK(joins(lines(0, VectorLineKind::right_angle)[0], {9, 14}, {9, 13}));
-    CHECK(joins(lines(0, VectorLineKind::right_angle)[1], {9, 13}, {10, 13}));
-    CHECK(joins(lines(1, VectorLineKind::shadow).front(), {14, 14}, {8, 14}));
+    CHECK(joins(lines(0, OutsideLineKind::vector_dropped).front(), {10, 6}, {10, 14}));
+    CHECK(joins(lines(0, OutsideLineKind::vector_opposite)[0], {16, 14}, {20, 6}));
+    CHECK(joins(lines(0, OutsideLineKind::vector_opposite)[1], {10, 6}, {20, 6}));
+    CHECK(joins(lines(0, OutsideLineKind::vector)[0], {6, 14}, {16, 14}));
+    CHECK(joins(lines(0, OutsideLineKind::vector)[1], {6, 14}, {10, 6}));
+    CHECK(lines(0, OutsideLineKind::vector_dropped).size() == 1); // u needs no extension
+    CHECK(joins(lines(0, OutsideLineKind::vector_angle)[0], {9, 14}, {9, 13}));
+    CHECK(joins(lines(0, OutsideLineKind::vector_angle)[1], {9, 13}, {10, 13}));
+    CHECK(joins(lines(1, OutsideLineKind::vector_shadow).front(), {14, 14}, {8, 14}));
     CHECK(vector_report(frame, nullptr, 1, {})->sides->shadow == -6.0);
     // Without area there is a shadow, but nothing to fall and nothing to span.
-    CHECK(joins(lines(2, VectorLineKind::shadow).front(), {2, 2}, {9, 2}));
-    CHECK(lines(2, VectorLineKind::perpendicular).empty());
-    CHECK(lines(2, VectorLineKind::right_angle).empty());
-    CHECK(lines(2, VectorLineKind::opposite).empty());
+    CHECK(joins(lines(2, OutsideLineKind::vector_shadow).front(), {2, 2}, {9, 2}));
+    REQUIRE(lines(2, OutsideLineKind::vector_dropped).size() == 1); // the extension of u
+    CHECK(joins(lines(2, OutsideLineKind::vector_dropped).front(), {4, 2}, {9, 2}));
+    CHECK(lines(2, OutsideLineKind::vector_angle).empty());
+    CHECK(lines(2, OutsideLineKind::vector_opposite).empty());
     // Without u there is only v.
     CHECK_FALSE(vector_report(frame, nullptr, 3, {})->sides);
-    CHECK(lines(3, VectorLineKind::arrow).size() == 1);
-    CHECK(joins(lines(4, VectorLineKind::extension).front(), {6, 3}, {10, 3}));
+    CHECK(lines(3, OutsideLineKind::vector).size() == 1);
+    CHECK(joins(lines(4, OutsideLineKind::vector_dropped).front(), {6, 3}, {10, 3}));
     CHECK_FALSE(vector_report(frame, nullptr, {}, {}));
     CHECK_FALSE(vector_report(frame, nullptr, 5, {}));
     CHECK_FALSE(vector_report(frame, nullptr, -1, {}));
@@ -382,7 +384,7 @@ TEST_CASE("Places beyond all numbers give no arrows that cannot be drawn") {
         for (const std::optional<int> vertex : {std::optional<int>(), std::optional<int>(0)}) {
             const auto report = vector_report(frame, nullptr, 0, vertex);
             REQUIRE(report);
-            for (const VectorLine& line : vector_lines(*report, 1.0, 1.0)) {
+            for (const OutsideArrow& line : vector_lines(*report, 1.0, 1.0)) {
                 CHECK(std::isfinite(glm::length(line.from)));
                 CHECK(std::isfinite(glm::length(line.to)));
                 CHECK_NOTHROW(line_in_picture(frame, line.from, line.to));
@@ -465,7 +467,7 @@ TEST_CASE("From outside a direction is as long as asked where it is seen face on
     eye.position = {0.3, -0.2, -5.0};
     eye.focal_length = 700.0;
     VectorReport report = *vector_report(frame, nullptr, 12, {});
-    REQUIRE(report.vectors.front().is_direction);
+    REQUIRE(is_direction(report.vectors.front().name));
     report.vectors.front().along = {1.0, 0.0, 0.0}; // across the view
     const OutsideVectors vectors = vectors_outside(report, eye, 80.0, 10.0);
     REQUIRE(vectors.span.size() == 4);
@@ -481,13 +483,14 @@ TEST_CASE("From outside a direction is as long as asked where it is seen face on
 }
 
 TEST_CASE("A length is said in the unit that it has") {
-    CHECK(length_words({VectorName::normal, {}, {0.0, 0.6, 0.8}, true}, SceneSpace::world) ==
-          "length 1");
-    CHECK(length_words({VectorName::half, {}, {0.0, 1.2, 1.6}, true}, SceneSpace::world) ==
+    CHECK(length_words({VectorName::normal, {}, {0.0, 0.6, 0.8}}, SceneSpace::world) == "length 1");
+    CHECK(length_words({VectorName::half, {}, {0.0, 1.2, 1.6}}, SceneSpace::world) ==
           "length 2.000");
     CHECK(length_words({VectorName::u, {}, {3.0, 4.0, 0.0}}, SceneSpace::pixels) == "5.00 pixels");
     CHECK(length_words({VectorName::v, {}, {0.0, 0.3, 0.4}}, SceneSpace::world) ==
           "0.500 world units");
+    for (const VectorName name : {VectorName::u, VectorName::v, VectorName::from_eye})
+        CHECK_FALSE(is_direction(name));
     for (const char letter : std::string("nlvhtbu"))
         CHECK(is_vector_letter(letter));
     for (const char letter : std::string("pCrNxya") + '\0')

@@ -104,14 +104,15 @@ TEST_CASE("The lines of equal E are all multiples of the step, from border to bo
         const int edge = random.integer(0, 2);
         const std::optional<EdgeField> field = edge_field(frame, 0, edge);
         if (!field) continue;
+        const GridPoint from = field->edge.from;
+        const GridPoint to{from.x + field->edge.direction.dx, from.y + field->edge.direction.dy};
         const auto e_at = [&](const glm::dvec2& p) {
-            const long double ax = field->from.x / 256.0L, ay = field->from.y / 256.0L;
-            const long double bx = field->to.x / 256.0L, by = field->to.y / 256.0L;
+            const long double ax = from.x / 256.0L, ay = from.y / 256.0L;
+            const long double bx = to.x / 256.0L, by = to.y / 256.0L;
             return (bx - ax) * (static_cast<long double>(p.y) - ay) -
                    (by - ay) * (static_cast<long double>(p.x) - ax);
         };
-        const long double length = std::hypot((field->to.x - field->from.x) / 256.0L,
-                                              (field->to.y - field->from.y) / 256.0L);
+        const long double length = std::hypot((to.x - from.x) / 256.0L, (to.y - from.y) / 256.0L);
         const double step = field_step(*field, 3.0);
         // At least 3 pixels apart; of 1, 2, 5, 10 ... the next smaller one is not.
         CHECK(static_cast<long double>(step) / length >= 3.0L);
@@ -162,7 +163,7 @@ TEST_CASE("Every pixel of the field has the hue of its sign, and its number at t
         Results results;
         finish(session, results);
         REQUIRE(results.overlay.field);
-        CHECK(results.overlay.field->edge == edge);
+        CHECK(results.overlay.field->edge.number == edge);
         const Frame& frame = results.a.frame;
         float strongest = 0.0f;
         for (int row = 0; row < 16; ++row) {
@@ -204,17 +205,17 @@ TEST_CASE("The field follows the edge at work until one is chosen") {
         session.cursor = Cursor{0, Phase::edges, edge, 3};
         finish(session, results);
         REQUIRE(results.overlay.field);
-        CHECK(results.overlay.field->edge == edge);
+        CHECK(results.overlay.field->edge.number == edge);
     }
     session.canvas.field_edge = 1;
     finish(session, results);
-    CHECK(results.overlay.field->edge == 1);
+    CHECK(results.overlay.field->edge.number == 1);
     CHECK(overlay_total(Overlay::edge_field, results.a.frame, results.overlay) ==
           "edge 1 of triangles[0]");
     // One that it does not have is its last.
     session.canvas.field_edge = 99;
     finish(session, results);
-    CHECK(results.overlay.field->edge == 2);
+    CHECK(results.overlay.field->edge.number == 2);
     session.overlays = {};
     finish(session, results);
     CHECK_FALSE(results.overlay.field);

@@ -205,7 +205,7 @@ float draw_field_choice(Ui& ui, ImVec2 at, float height) {
         std::optional<int>& chosen = ui.session.canvas.field_edge;
         const std::string number = std::to_string(edge);
         if (button(ui, "legend.edge." + number, number,
-                   field->edge == edge ? Look::chosen : Look::quiet,
+                   field->edge.number == edge ? Look::chosen : Look::quiet,
                    "Shows the field of " + edge_name(edge) +
                        (chosen == edge ? ".\nClick again to follow the edge at work." : "."),
                    {1.6f * height, height}))

@@ -9,8 +9,7 @@ namespace rasterwalk {
 
 struct Ui;
 
-/// Draws the marks over the view from outside, and their names. Where there is no room for all
-/// names, those of the camera and of the lamp come first, then the vertices of the triangle.
+/// Draws the marks over the view from outside, and those of their names for which there is room.
 /// @param pane   where it is; marks count from its corner
 /// @param top    height of the text above, screen pixels: no name is drawn there
 /// @param bottom height of the text below

@@ -8,7 +8,6 @@
 
 #include "outside/eye_line.h"
 #include "outside/label_places.h"
-#include "outside/outside_marks.h"
 #include "ui/canvas/marks.h"
 #include "ui/ui.h"
 #include "ui/widgets/arrows.h"
@@ -29,7 +28,7 @@ constexpr double outside_margin = 40.0;
 
 /// A line of the overlay on the screen.
 struct SeenVectorLine {
-    VectorLine line;
+    OutsideArrow line;
     ImVec2 from, to;
     bool has_tip = false; ///< where it ends is seen
 };
@@ -42,7 +41,7 @@ EyeLine between(ImVec2 from, ImVec2 to) {
     return line;
 }
 
-std::optional<SeenVectorLine> on_screen(const Marks& m, const VectorLine& line) {
+std::optional<SeenVectorLine> on_screen(const Marks& m, const OutsideArrow& line) {
     const std::optional<PictureLine> seen = line_in_picture(m.run.frame, line.from, line.to);
     if (!seen) return std::nullopt;
     const auto at = [&](const glm::dvec2& place) {
@@ -82,14 +81,15 @@ void draw_letters(const Marks& m, const std::vector<SeenVectorLine>& lines,
         const glm::vec2 from = glm::vec2(line.from.x, line.from.y) - low,
                         to = glm::vec2(line.to.x, line.to.y) - low;
         obstacles.push_back({OutsideLineKind::vector, 0, from, to});
-        if (line.line.kind != VectorLineKind::arrow) continue;
+        if (line.line.kind != OutsideLineKind::vector) continue;
         const std::optional<glm::vec2> at = place_of_name(m, line, corner);
         if (!at) continue;
-        const std::string symbol(vector_words(line.line.name).symbol);
+        const auto name = static_cast<VectorName>(line.line.number);
+        const std::string symbol(vector_words(name).symbol);
         const glm::vec2 size{text_width(font, symbol), font->FontSize};
         const float halo = halo_width * m.u + 1.0f;
         labels.push_back({*at - low, size + 2.0f * halo, 5.0f * m.u, LabelSide::right, 2.0f * m.u});
-        names.push_back(line.line.name);
+        names.push_back(name);
     }
     std::vector<OutsideBox> taken;
     for (const CanvasLabel& label : taken_names)
@@ -113,8 +113,7 @@ void draw_letters(const Marks& m, const std::vector<SeenVectorLine>& lines,
 
 /// The parallelogram, if all of it is in front of the camera.
 void tint_span(const Marks& m, const SpannedSides& sides) {
-    const glm::dvec3 corners[] = {sides.start, sides.start + sides.u,
-                                  sides.start + sides.u + sides.v, sides.start + sides.v};
+    const auto corners = sides.corners();
     std::array<ImVec2, 4> places;
     for (std::size_t i = 0; i < 4; ++i) {
         const auto line = line_in_picture(m.run.frame, corners[i], corners[(i + 1) % 4]);
@@ -128,30 +127,14 @@ void tint_span(const Marks& m, const SpannedSides& sides) {
 void draw_lines(const Marks& m, const std::vector<SeenVectorLine>& lines) {
     const VectorPen pen{m.list, m.u, Theme::dark, dark_casing};
     for (const SeenVectorLine& line : lines) {
-        switch (line.line.kind) {
-        case VectorLineKind::arrow:
-            if (line.has_tip) {
-                draw_vector(pen, line.line.name, line.from, line.to);
-            } else {
-                const ImU32 colour = packed(vector_colour(line.line.name, Theme::dark));
-                m.list->AddLine(line.from, line.to, dark_casing, 4.6f * m.u);
-                m.list->AddLine(line.from, line.to, colour, 2.2f * m.u);
-            }
-            break;
-        case VectorLineKind::shadow:
-            draw_shadow(pen, line.from, line.to);
-            break;
-        case VectorLineKind::extension:
-        case VectorLineKind::perpendicular:
-            draw_dropped(pen, line.from, line.to);
-            break;
-        case VectorLineKind::right_angle:
-            m.list->AddLine(line.from, line.to, dark_casing, 3.2f * m.u);
-            m.list->AddLine(line.from, line.to, IM_COL32_WHITE, 1.4f * m.u);
-            break;
-        case VectorLineKind::opposite:
-            draw_opposite(pen, line.from, line.to);
-            break;
+        const OutsideLineKind kind = line.line.kind;
+        const auto name = static_cast<VectorName>(line.line.number);
+        if (line.has_tip || kind != OutsideLineKind::vector) {
+            draw_vector_line(pen, kind, name, line.from, line.to);
+        } else {
+            m.list->AddLine(line.from, line.to, dark_casing, 4.6f * m.u);
+            m.list->AddLine(line.from, line.to, packed(vector_colour(name, Theme::dark)),
+                            2.2f * m.u);
         }
     }
 }
@@ -169,31 +152,40 @@ ImVec4 vector_colour(VectorName name, Theme theme) {
     return colour;
 }
 
-void draw_vector(const VectorPen& pen, VectorName name, ImVec2 from, ImVec2 to) {
-    const ImU32 colour = packed(vector_colour(name, pen.theme));
-    draw_arrow(pen.list, pen.u, from, to, {colour, pen.casing}, 1.5f);
-    if (std::hypot(to.x - from.x, to.y - from.y) < shortest_arrow * pen.u) {
-        pen.list->AddCircleFilled(to, 4.4f * pen.u, pen.casing);
-        pen.list->AddCircleFilled(to, 3.0f * pen.u, colour);
+void draw_vector_line(const VectorPen& pen, OutsideLineKind kind, VectorName name, ImVec2 from,
+                      ImVec2 to) {
+    const ImU32 current = packed(colour_of(Meaning::current, pen.theme));
+    const float u = pen.u;
+    switch (kind) {
+    case OutsideLineKind::vector: {
+        const ImU32 colour = packed(vector_colour(name, pen.theme));
+        draw_arrow(pen.list, u, from, to, {colour, pen.casing}, 1.5f);
+        if (std::hypot(to.x - from.x, to.y - from.y) < shortest_arrow * u) {
+            pen.list->AddCircleFilled(to, 4.4f * u, pen.casing);
+            pen.list->AddCircleFilled(to, 3.0f * u, colour);
+        }
+        break;
     }
-}
-
-void draw_shadow(const VectorPen& pen, ImVec2 from, ImVec2 to) {
-    const ImVec4 colour = vector_colour(VectorName::v, pen.theme);
-    pen.list->AddLine(from, to, pen.casing, 10.0f * pen.u);
-    pen.list->AddLine(from, to, packed(colour), 8.0f * pen.u);
-}
-
-void draw_dropped(const VectorPen& pen, ImVec2 from, ImVec2 to) {
-    pen.list->AddLine(from, to, pen.casing, 3.2f * pen.u);
-    draw_dashed(pen.list, pen.u, from, to, packed(colour_of(Meaning::current, pen.theme)),
-                1.6f * pen.u);
-}
-
-void draw_opposite(const VectorPen& pen, ImVec2 from, ImVec2 to) {
-    pen.list->AddLine(from, to, pen.casing, 2.4f * pen.u);
-    draw_dashed(pen.list, pen.u, from, to, packed(colour_of(Meaning::current, pen.theme), 0.75f),
-                1.0f * pen.u);
+    case OutsideLineKind::vector_shadow:
+        pen.list->AddLine(from, to, pen.casing, 10.0f * u);
+        pen.list->AddLine(from, to, packed(vector_colour(VectorName::v, pen.theme)), 8.0f * u);
+        break;
+    case OutsideLineKind::vector_dropped:
+        pen.list->AddLine(from, to, pen.casing, 3.2f * u);
+        draw_dashed(pen.list, u, from, to, current, 1.6f * u);
+        break;
+    case OutsideLineKind::vector_angle:
+        pen.list->AddLine(from, to, pen.casing, 3.2f * u);
+        pen.list->AddLine(from, to, current, 1.4f * u);
+        break;
+    case OutsideLineKind::vector_opposite:
+        pen.list->AddLine(from, to, pen.casing, 2.4f * u);
+        draw_dashed(pen.list, u, from, to, packed(colour_of(Meaning::current, pen.theme), 0.75f),
+                    1.0f * u);
+        break;
+    default:
+        break; // not of the overlay
+    }
 }
 
 void draw_vector_marks(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high,
@@ -208,8 +200,9 @@ void draw_vector_marks(const Ui& ui, ImDrawList* list, ImVec2 low, ImVec2 high,
     const ImVec2 room{high.x - low.x, high.y - low.y};
     if (report->sides) tint_span(m, *report->sides);
     std::vector<SeenVectorLine> lines;
-    for (const VectorLine& line : vector_lines(*report, double{direction_length(room, m.u)} * pixel,
-                                               double{right_angle_side * m.u} * pixel)) {
+    for (const OutsideArrow& line :
+         vector_lines(*report, double{direction_length(room, m.u)} * pixel,
+                      double{right_angle_side * m.u} * pixel)) {
         if (const std::optional<SeenVectorLine> seen = on_screen(m, line)) lines.push_back(*seen);
     }
     draw_lines(m, lines);

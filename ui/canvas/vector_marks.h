@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "explain/vectors.h"
+#include "outside/outside_marks.h"
 #include "ui/canvas/vertex_labels.h"
 #include "ui/widgets/style.h"
 
@@ -36,14 +37,14 @@ struct VectorPen {
     ImU32 casing;
 };
 
-/// An arrow; one that points at the eye, or away from it, is a dot.
-void draw_vector(const VectorPen& pen, VectorName name, ImVec2 from, ImVec2 to);
-/// The shadow of v on u, which is thicker than u.
-void draw_shadow(const VectorPen& pen, ImVec2 from, ImVec2 to);
-/// The perpendicular that ends the shadow, with its sign.
-void draw_dropped(const VectorPen& pen, ImVec2 from, ImVec2 to);
-/// One of the other two sides of the parallelogram.
-void draw_opposite(const VectorPen& pen, ImVec2 from, ImVec2 to);
+/// Draws a line of the overlay: an arrow, which is a dot if it points at the eye or away from it;
+/// the shadow of v on u, which is thicker than u; the perpendicular; a side of the right angle or
+/// of the parallelogram.
+/// @param kind one of the overlay's; any other draws nothing
+/// @param name of an arrow
+/// @param from, to screen pixels
+void draw_vector_line(const VectorPen& pen, OutsideLineKind kind, VectorName name, ImVec2 from,
+                      ImVec2 to);
 
 /// Draws the overlay on the picture of run A, if it is shown.
 /// @param labels names that are there already; those of the vectors are added

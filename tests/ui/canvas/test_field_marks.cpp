@@ -34,11 +34,11 @@ TEST_CASE("The edge whose field is shown is chosen in the legend, and given up b
     driver.hand.click("legend.edge.2");
     CHECK(driver.ui.session.canvas.field_edge == 2);
     REQUIRE(driver.ui.results.overlay.field);
-    CHECK(driver.ui.results.overlay.field->edge == 2);
+    CHECK(driver.ui.results.overlay.field->edge.number == 2);
     driver.hand.click("legend.edge.2");
     CHECK_FALSE(driver.ui.session.canvas.field_edge);
     driver.hand.click("legend.edge.1");
-    CHECK(driver.ui.results.overlay.field->edge == 1);
+    CHECK(driver.ui.results.overlay.field->edge.number == 1);
 }
 
 TEST_CASE("The graph of d lies along the line and covers none of its cells") {
