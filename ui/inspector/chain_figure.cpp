@@ -48,18 +48,11 @@ void bring_chain_up_to_date(Ui& ui) {
     look.chain = space_chain(ui.results.a.frame, triangle, look.is_whole_scene);
 }
 
-/// Puts the next button on the line of the previous one if it fits there.
-void stay_on_line(const std::string& label) {
-    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + button_width(label) <=
-        right_end())
-        ImGui::SameLine();
-}
-
 void draw_space_buttons(Ui& ui) {
     ChainLook& look = look_of_chain(ui);
     for (std::size_t i = 0; i < chain_space_count; ++i) {
         const std::string label(space_names[i]);
-        if (i > 0) stay_on_line(label);
+        if (i > 0) same_line_if_room(label);
         const bool is_chosen = look.at == static_cast<double>(i);
         if (button(ui, "chain.space." + label, label, is_chosen ? Look::chosen : Look::outline,
                    "Shows the figure in this space."))
@@ -240,7 +233,7 @@ void draw_chain_figure(Ui& ui, int vertex) {
     draw_space_buttons(ui);
     ChainLook& look = look_of_chain(ui);
     if (ui.results.a.frame.scene->parts.size() > 1) {
-        stay_on_line("whole scene");
+        same_line_if_room("whole scene");
         if (button(ui, "chain.whole_scene", "whole scene",
                    look.is_whole_scene ? Look::chosen : Look::outline,
                    "Shows the edges of the whole scene, or of the triangle's part alone."))

@@ -59,12 +59,6 @@ void look_at_edge(Ui& ui) {
     view.axis_chosen_for = edge;
 }
 
-/// Continues the line if a button with this label has room on it.
-void same_line_if_room(const std::string& label, float gap) {
-    const float right = right_end();
-    if (ImGui::GetItemRectMax().x + gap + button_width(label) <= right) ImGui::SameLine(0, gap);
-}
-
 /// Chooses which of a sample's two numbers is shown: each button says what its number decides, and
 /// if nothing was lost in one, that is said next to it.
 void draw_axis_choice(Ui& ui, float gap) {

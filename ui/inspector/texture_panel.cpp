@@ -82,10 +82,7 @@ void draw_map_choice(Ui& ui, const std::vector<MapReading>& readings, SurfaceMap
     if (readings.size() < 2) return;
     for (const MapReading& reading : readings) {
         const MapChoice& choice = map_choices[static_cast<std::size_t>(reading.use)];
-        const bool fits = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x +
-                              button_width(choice.words) <=
-                          right_end();
-        if (&reading != &readings.front() && fits) ImGui::SameLine();
+        if (&reading != &readings.front()) same_line_if_room(choice.words);
         if (button(ui, choice.name, choice.words, reading.use == shown ? Look::chosen : Look::plain,
                    choice.help))
             choose_map(ui, choice);
