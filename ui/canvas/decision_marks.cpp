@@ -73,13 +73,6 @@ ImVec2 middle_of_triangle(const Ui& ui) {
     return {sum.x / count, sum.y / count};
 }
 
-bool is_under_label(ImVec2 low, ImVec2 high, const std::vector<CanvasLabel>& labels) {
-    return std::any_of(labels.begin(), labels.end(), [&](const CanvasLabel& label) {
-        return low.x < label.high.x && high.x > label.low.x && low.y < label.high.y &&
-               high.y > label.low.y;
-    });
-}
-
 /// How many samples of an edge are entered at the cursor.
 int entered_samples_of(const RowHistory& history, int edge) {
     if (!history.last || edge > history.last->edge) return 0;
