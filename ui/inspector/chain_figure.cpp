@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -134,13 +135,16 @@ void draw_wires(const ChainField& field) {
     const ChainLook& look = field.look;
     const Palette& p = palette(field.ui.options.theme);
     const float u = field.ui.options.text_scale;
+    std::vector<ImVec2> places;
+    places.reserve(look.chain.points.size());
+    for (const ChainPoint& point : look.chain.points)
+        places.push_back(field.at(chain_place(look.chain, point, look.at)));
     // The triangle's own edges come first, and are drawn last.
     for (auto edge = look.chain.edges.rbegin(); edge != look.chain.edges.rend(); ++edge) {
         const ChainPoint &a = look.chain.points[edge->from], &b = look.chain.points[edge->to];
         if (!is_in_chain(a, look.at) || !is_in_chain(b, look.at)) continue;
         field.list->AddLine(
-            field.at(chain_place(look.chain, a, look.at)),
-            field.at(chain_place(look.chain, b, look.at)),
+            places[edge->from], places[edge->to],
             packed(edge->is_of_triangle ? p.text : p.link, edge->is_of_triangle ? 1.0f : 0.6f),
             (edge->is_of_triangle ? 2.2f : 1.0f) * u);
     }
@@ -177,7 +181,8 @@ void draw_figure(Ui& ui, int vertex) {
     draw_guides(field, space, 1.0 - share);
     if (share > 0.0) draw_guides(field, space + 1, share);
     draw_wires(field);
-    const ChainPoint marked = chain_point(ui.results.a.frame, *ui.results.a.triangle, vertex);
+    const ChainPoint& marked =
+        look.chain.points[look.chain.corners[static_cast<std::size_t>(vertex)]];
     if (is_in_chain(marked, look.at)) {
         const ImVec2 place = field.at(chain_place(look.chain, marked, look.at));
         const ImU32 ink = field.meaning(edge_meaning(vertex));
