@@ -86,6 +86,14 @@ std::string decimals(double value, int digits) {
     return fmt::format("{:.{}f}", value, digits);
 }
 
+std::string decimals_without_zeros(double value, int digits) {
+    std::string text = decimals(value, digits);
+    if (text.find('.') == text.npos) return text;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+    return text;
+}
+
 std::string scientific(double value, int digits) {
     return fmt::format("{:.{}e}", value, digits);
 }

@@ -42,6 +42,9 @@ std::string nine_digits(float value);
 /// This many digits after the point: "0.250".
 std::string decimals(double value, int digits);
 
+/// The same without zeros at the end, nor a point that nothing follows: "0.25", "3", "-0".
+std::string decimals_without_zeros(double value, int digits);
+
 /// A digit, this many after the point, and the power of ten: "4.62e-05".
 std::string scientific(double value, int digits);
 

@@ -48,6 +48,7 @@ class ChainCollector {
         std::array<std::size_t, triangle_corners> corners{};
         for (std::size_t i = 0; i < corners.size(); ++i)
             corners[i] = index_of(object[i]);
+        if (is_of_triangle) chain_.corners = corners;
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const std::size_t a = corners[i], b = corners[(i + 1) % corners.size()];
             if (!edges_.insert(std::minmax(a, b)).second) continue;
@@ -114,11 +115,6 @@ std::vector<ChainGuide> box_guides(const ChainScale& scale, const glm::dvec3& lo
 }
 
 } // namespace
-
-ChainPoint chain_point(const Frame& frame, int triangle, int vertex) {
-    return point_by(space_matrices(frame, triangle),
-                    object_corners(*frame.scene, triangle)[static_cast<std::size_t>(vertex)]);
-}
 
 SpaceChain space_chain(const Frame& frame, int triangle, bool is_whole_scene) {
     const Scene& scene = *frame.scene;

@@ -49,14 +49,12 @@ struct ChainScale {
 
 /// The edges of a part, or of the whole scene, in every space.
 struct SpaceChain {
-    std::vector<ChainPoint> points;
-    std::vector<ChainEdge> edges; ///< each once
-    bool is_complete = true;      ///< no edges were left out because there are too many
+    std::vector<ChainPoint> points;                      ///< the same places as spaces_of_vertex()
+    std::array<std::size_t, triangle_corners> corners{}; ///< the points of the triangle shown
+    std::vector<ChainEdge> edges;                        ///< each once
+    bool is_complete = true; ///< no edges were left out because there are too many
     std::array<ChainScale, chain_space_count> scales;
 };
-
-/// A vertex 0, 1 or 2 of a triangle on its way; the same places as spaces_of_vertex().
-ChainPoint chain_point(const Frame& frame, int triangle, int vertex);
 
 /// The edges of the part that a triangle belongs to, or of the whole scene: those of the triangle
 /// first, then in the order of the mesh. Object, world, camera and clip space are scaled to fit

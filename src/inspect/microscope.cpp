@@ -147,6 +147,14 @@ EdgeMicroscope microscope(const ScreenVertex& a, const ScreenVertex& b, const Ed
     return edge;
 }
 
+void look_at(EdgeMicroscope& shown, const Frame& frame, int triangle, int edge) {
+    const PolygonCorners v = frame.triangle_vertices(triangle);
+    const auto from = static_cast<std::size_t>(edge);
+    const ScreenVertex &a = v[from], &b = v[(from + 1) % v.size()];
+    const EdgeRules rules = edge_rules(frame.settings);
+    if (!shown.shows(a, b, rules, frame.stages)) shown = microscope(a, b, rules, frame.stages);
+}
+
 std::string to_text(const Fraction& fraction) {
     if (fraction.denominator == 1) return fmt::format("{}", fraction.numerator);
     return fmt::format("{}/{}", fraction.numerator, fraction.denominator);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/frame.h"
 #include "stages/stage_table.h"
 
 namespace rasterwalk {
@@ -107,6 +108,10 @@ struct EdgeMicroscope {
 /// polygon of these two vertices, and walks there and back.
 EdgeMicroscope microscope(const ScreenVertex& a, const ScreenVertex& b, const EdgeRules& rules,
                           const Stages& stages);
+
+/// Puts an edge of a drawn triangle under the microscope, unless `shown` is that edge already.
+/// @param edge of the polygon that is drawn, from vertex `edge` to the next
+void look_at(EdgeMicroscope& shown, const Frame& frame, int triangle, int edge);
 
 /// "5189/104"; a whole number without its denominator. With an ASCII minus.
 std::string to_text(const Fraction& fraction);

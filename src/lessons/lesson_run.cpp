@@ -267,11 +267,7 @@ std::string answer_text(double number, int digits) {
     const int before = size >= 1.0 ? static_cast<int>(std::floor(std::log10(size))) + 1
                                    : -static_cast<int>(std::floor(-std::log10(size)));
     if (size >= 1e15 || before < -4) return with_minus_signs(scientific(number, 4));
-    std::string text = decimals(number, std::clamp(5 - before, 0, 12));
-    if (text.find('.') != text.npos) {
-        text.erase(text.find_last_not_of('0') + 1);
-        if (text.ends_with('.')) text.pop_back();
-    }
+    const std::string text = decimals_without_zeros(number, std::clamp(5 - before, 0, 12));
     return text == "-0" ? "0" : with_minus_signs(text);
 }
 

@@ -49,9 +49,7 @@ const WireEdge* nearest_wire(const OverlayPicture& picture, glm::ivec2 pixel, do
 
 /// In square pixels, to four digits after the point.
 std::string number_of_e(std::int64_t e) {
-    std::string text = decimals(in_square_pixels(e), 4);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
+    std::string text = decimals_without_zeros(in_square_pixels(e), 4);
     // Rounded to 0 it would seem to lie on the edge.
     if (e != 0 && (text == "0" || text == "-0")) text = scientific(in_square_pixels(e), 2);
     return with_minus_signs(text);
@@ -64,10 +62,7 @@ std::string words_of_e(std::int64_t e) {
 }
 
 std::string short_level(float level) {
-    std::string text = decimals(static_cast<double>(level), 2);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text;
+    return decimals_without_zeros(static_cast<double>(level), 2);
 }
 
 /// "level 2", "level 1.37"

@@ -155,19 +155,20 @@ class LevelReader {
 class FactsWriter {
   public:
     /// @param lit the frame whose textures are read
-    FactsWriter(const Frame& frame, const Frame& lit, PixelFacts& facts)
-        : frame_(frame), facts_(facts), levels_(lit), width_(frame.settings.viewport.width),
-          marks_twice_(!facts.drawn_twice.empty() && frame.squares == nullptr) {
+    /// @param now the planes to note; of the affine error, the positions
+    FactsWriter(const Frame& frame, const Frame& lit, const FactsWanted& now, PixelFacts& facts)
+        : frame_(frame), facts_(facts), now_(now), levels_(lit),
+          width_(frame.settings.viewport.width),
+          marks_twice_(now.drawn_twice && frame.squares == nullptr) {
         if (marks_twice_) neighbours_ = find_neighbours(frame);
-        if (!facts.affine_error.empty())
-            positions.assign(facts.affine_error.size(), glm::vec3(0.0f));
+        if (now.affine_error) positions.assign(facts.affine_error.size(), glm::vec3(0.0f));
     }
 
     void note(const FragmentEvent& event) {
         const Fragment& f = event.fragment;
         const std::size_t pixel = static_cast<std::size_t>(f.row) * width_ + f.column;
         if (marks_twice_) record_neighbours(event, pixel);
-        if (!facts_.depth.empty()) {
+        if (now_.depth && !facts_.depth.empty()) {
             DepthVerdicts& verdicts = facts_.depth[pixel];
             if (is_depth_tested(event.fate))
                 ++(event.fate == Fate::written ? verdicts.passed : verdicts.failed);
@@ -175,7 +176,7 @@ class FactsWriter {
         if (!positions.empty() && event.fate == Fate::written) {
             positions[pixel] = recover_varyings(f, frame_.stages).position_world;
         }
-        if (!facts_.mip_level.empty() && event.fate == Fate::written)
+        if (now_.mip_level && event.fate == Fate::written)
             facts_.mip_level[pixel] = levels_.read(event.cursor.triangle, f);
     }
 
@@ -216,6 +217,7 @@ class FactsWriter {
 
     const Frame& frame_;
     PixelFacts& facts_;
+    FactsWanted now_;
     LevelReader levels_;
     std::size_t width_;
     bool marks_twice_; ///< not of squares, in each of which one triangle is drawn
@@ -226,12 +228,14 @@ class FactsWriter {
 };
 
 /// Draws the frame under another interpolation, or its own.
+/// @param now the planes to note
+/// @return the positions, if the affine error is among them
 std::vector<glm::vec3> draw_again(const Frame& given, Interpolation interpolation, const Cursor& to,
-                                  PixelFacts& facts) {
+                                  const FactsWanted& now, PixelFacts& facts) {
     const Frame frame = unlit_frame(given, interpolation);
     Framebuffer framebuffer;
     clear(framebuffer, frame);
-    FactsWriter writer(frame, given, facts);
+    FactsWriter writer(frame, given, now, facts);
     const Observer observer{.fragment = [&](const FragmentEvent& event) { writer.note(event); }};
     draw(frame, {.from = cursor_begin, .to = to, .scissor = {}}, framebuffer, &observer);
     return std::move(writer.positions);
@@ -248,24 +252,26 @@ PixelFacts pixel_facts(const Frame& frame, const Cursor& to, const FactsWanted& 
     if (wanted.drawn_twice) facts.drawn_twice.resize(count);
     if (wanted.depth && depth_rule(frame.settings) != DepthTest::off) facts.depth.resize(count);
     if (wanted.affine_error) facts.affine_error.resize(count);
-    PixelFacts levels_only;
-    if (wanted.mip_level) levels_only.mip_level.resize(count, no_mip_level);
-    if (!wanted.any() || !has_fragments(frame.settings.stage)) {
-        facts.mip_level = std::move(levels_only.mip_level);
-        return facts;
-    }
+    if (wanted.mip_level) facts.mip_level.resize(count, no_mip_level);
+    if (!wanted.any() || !has_fragments(frame.settings.stage)) return facts;
 
-    std::vector<glm::vec3> right;
-    if (wanted.drawn_twice || wanted.depth || wanted.affine_error)
-        right = draw_again(frame, Interpolation::perspective, to, facts);
-    // Unlike the rest, the place in a texture depends on how it is interpolated.
-    if (wanted.mip_level) draw_again(frame, frame.settings.interpolation, to, levels_only);
-    facts.mip_level = std::move(levels_only.mip_level);
+    // A texture that cuts holes is read at the place that was interpolated, so which fragments stay
+    // can depend on how: only the levels are read under the frame's own interpolation.
+    const Interpolation own = frame.settings.interpolation;
+    const bool is_own_right = own == Interpolation::perspective;
+    FactsWanted first = wanted;
+    first.mip_level = wanted.mip_level && is_own_right;
+    std::vector<glm::vec3> right, affine;
+    if (first.any()) right = draw_again(frame, Interpolation::perspective, to, first, facts);
+    if (wanted.mip_level && !is_own_right) {
+        const bool is_affine = own == Interpolation::affine;
+        affine = draw_again(frame, own, to,
+                            {.affine_error = wanted.affine_error && is_affine, .mip_level = true},
+                            facts);
+    }
     if (!wanted.affine_error) return facts;
-    // Where fragments fall and which of them stay does not depend on the interpolation.
-    PixelFacts error_only;
-    error_only.affine_error.resize(count);
-    const std::vector<glm::vec3> affine = draw_again(frame, Interpolation::affine, to, error_only);
+    if (affine.empty())
+        affine = draw_again(frame, Interpolation::affine, to, {.affine_error = true}, facts);
     for (std::size_t i = 0; i < count; ++i) {
         const float error = glm::distance(right[i], affine[i]);
         facts.affine_error[i] = std::isfinite(error) ? error : 0.0f;

@@ -13,6 +13,7 @@
 #include "session/second_run.h"
 #include "session/shown_pass.h"
 #include "settings/setting_table.h"
+#include "view/canvas_fields.h"
 #include "view/look_fields.h"
 #include "view/view_form.h"
 #include "view/view_links.h"

@@ -58,6 +58,19 @@ TEST_CASE("Digits are those of the C library, with ties rounded to even") {
     }
 }
 
+TEST_CASE("Zeros at the end are left out only after the point") {
+    CHECK(decimals_without_zeros(0.25, 4) == "0.25");
+    CHECK(decimals_without_zeros(-12.5, 1) == "-12.5");
+    CHECK(decimals_without_zeros(3.0, 2) == "3");
+    CHECK(decimals_without_zeros(2.999, 2) == "3");
+    CHECK(decimals_without_zeros(1.05, 3) == "1.05");
+    CHECK(decimals_without_zeros(100.0, 0) == "100");
+    CHECK(decimals_without_zeros(100.0, 3) == "100");
+    CHECK(decimals_without_zeros(0.0, 2) == "0");
+    CHECK(decimals_without_zeros(-0.001, 2) == "-0");
+    CHECK(decimals_without_zeros(std::numeric_limits<double>::infinity(), 2) == "inf");
+}
+
 TEST_CASE("Numbers are written as people write them") {
     CHECK(number_text(0.1f) == "0.1");
     CHECK(number_text(-3.001f) == "-3.001");

@@ -151,3 +151,22 @@ TEST_CASE("The tint of a mip level is clear at level 0 and grows to the end of t
         before = brightness;
     }
 }
+
+TEST_CASE("Planes that are wanted together are the same as those that are wanted alone") {
+    const Session session = floor_with(TextureFilter::mipmap);
+    for (const Interpolation own :
+         {Interpolation::perspective, Interpolation::affine, Interpolation::mixed}) {
+        INFO(word_of(own));
+        Settings settings = session.a.settings;
+        settings.interpolation = own;
+        const Frame frame = prepare_frame(*session.scene, settings);
+        const PixelFacts all = pixel_facts(frame, cursor_end, {true, true, true, true});
+        CHECK(all.drawn_twice == pixel_facts(frame, cursor_end, {.drawn_twice = true}).drawn_twice);
+        CHECK(all.depth == pixel_facts(frame, cursor_end, {.depth = true}).depth);
+        CHECK(all.affine_error ==
+              pixel_facts(frame, cursor_end, {.affine_error = true}).affine_error);
+        CHECK(all.mip_level == pixel_facts(frame, cursor_end, {.mip_level = true}).mip_level);
+        CHECK(*std::max_element(all.affine_error.begin(), all.affine_error.end()) > 0.0f);
+        CHECK(*std::max_element(all.mip_level.begin(), all.mip_level.end()) > 0.0f);
+    }
+}

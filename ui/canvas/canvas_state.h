@@ -9,7 +9,6 @@
 
 #include <glm/vec2.hpp>
 
-#include "inspect/microscope.h"
 #include "inspect/triangle_fates.h"
 #include "scene/scene.h"
 #include "settings/settings.h"
@@ -65,7 +64,6 @@ struct CanvasState {
     std::optional<int> hovered_row; ///< of the picture, under the pointer in the table next to it
     std::optional<RowTablePlace> row_table; ///< next to the picture in this frame; none: not shown
     FateFinder fates;                       ///< of the triangle shown
-    EdgeMicroscope microscope; ///< the edge whose decisions are shown; computed again for another
     float frame_top = 0.0f,
           frame_bottom = 0.0f; ///< of the picture's part of the canvas, screen pixels
     int dragged_vertex = -1;   ///< of the bench triangle; -1: none

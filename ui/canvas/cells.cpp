@@ -146,12 +146,6 @@ struct Cells {
         return low.x < visible_part.low.x || low.y < visible_part.low.y ||
                high.x > visible_part.high.x || high.y > visible_part.high.y;
     }
-    bool is_under_label(ImVec2 low, ImVec2 high) const {
-        return std::any_of(labels.begin(), labels.end(), [&](const CanvasLabel& label) {
-            return low.x < label.high.x && high.x > label.low.x && low.y < label.high.y &&
-                   high.y > label.low.y;
-        });
-    }
 };
 
 /// The colour of a cell as the canvas shows it, without the marks on single places of it.
@@ -187,7 +181,7 @@ void draw_number(const Cells& cells, glm::ivec2 pixel) {
     const ImVec2 low{std::round(corner.x + 0.5f * (m.scale - width)),
                      std::round(corner.y + m.scale - font->FontSize - m.u)};
     const ImVec2 high{low.x + width, low.y + font->FontSize};
-    if (cells.is_cut(low, high) || cells.is_under_label(low, high)) return;
+    if (cells.is_cut(low, high) || is_under_label(low, high, cells.labels)) return;
     const glm::vec<3, std::uint8_t> ground = shade_of(cells.ui, pixel).bytes();
     const bool is_struck =
         std::any_of(cells.lines.begin(), cells.lines.end(),
@@ -205,7 +199,7 @@ void draw_tests(const Cells& cells, glm::ivec2 pixel) {
     const Marks& m = cells.marks;
     const ImVec2 low = cells.corner(pixel.x, pixel.y);
     const ImVec2 high{low.x + m.scale, low.y + m.scale};
-    if (cells.is_cut(low, high) || cells.is_under_label(low, high)) return;
+    if (cells.is_cut(low, high) || is_under_label(low, high, cells.labels)) return;
     draw_test_numbers(m, pixel, low, cells.lines);
 }
 
@@ -224,7 +218,7 @@ void draw_fate(const Cells& cells, const CellFate& of) {
         std::round(corner.x + 2.0f * m.u + static_cast<float>(of.place) * fate_step(cells.ui)),
         std::round(corner.y + m.u)};
     const ImVec2 high{low.x + width, low.y + 0.85f * size};
-    if (cells.is_cut(low, high) || cells.is_under_label(low, high)) return;
+    if (cells.is_cut(low, high) || is_under_label(low, high, cells.labels)) return;
     m.list->AddRectFilled({low.x - m.u, low.y}, {high.x + m.u, high.y}, IM_COL32(12, 13, 16, 170),
                           2.0f * m.u);
     m.list->AddText(font, size, {low.x, low.y - 0.1f * size}, colour, sign);
@@ -253,7 +247,7 @@ void draw_samples(const Cells& cells, glm::ivec2 pixel,
     const Marks& m = cells.marks;
     const ImVec2 low = cells.corner(pixel.x, pixel.y);
     const ImVec2 high{low.x + m.scale, low.y + m.scale};
-    if (cells.is_cut(low, high) || cells.is_under_label(low, high)) return;
+    if (cells.is_cut(low, high) || is_under_label(low, high, cells.labels)) return;
     const RunResults& a = cells.ui.results.a;
     if (a.framebuffer->overdraw[a.framebuffer->at(pixel.x, pixel.y)] == 0) return; // all are black
     const SampleColours& colours =

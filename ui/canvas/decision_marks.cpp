@@ -73,13 +73,6 @@ ImVec2 middle_of_triangle(const Ui& ui) {
     return {sum.x / count, sum.y / count};
 }
 
-bool is_under_label(ImVec2 low, ImVec2 high, const std::vector<CanvasLabel>& labels) {
-    return std::any_of(labels.begin(), labels.end(), [&](const CanvasLabel& label) {
-        return low.x < label.high.x && high.x > label.low.x && low.y < label.high.y &&
-               high.y > label.low.y;
-    });
-}
-
 /// How many samples of an edge are entered at the cursor.
 int entered_samples_of(const RowHistory& history, int edge) {
     if (!history.last || edge > history.last->edge) return 0;
@@ -117,14 +110,11 @@ std::optional<DecisionGraph> shown_decisions(Ui& ui) {
         return std::nullopt;
     }
     const std::optional<int> edge = edge_in_work(ui);
-    const PolygonCorners v = a.frame.triangle_vertices(*a.triangle);
-    if (!edge || *edge >= static_cast<int>(v.size())) return std::nullopt;
-    const auto from = static_cast<std::size_t>(*edge);
-    const ScreenVertex &first = v[from], &last = v[(from + 1) % v.size()];
-    const EdgeRules rules = edge_rules(a.frame.settings);
-    if (!ui.canvas.microscope.shows(first, last, rules, a.frame.stages))
-        ui.canvas.microscope = microscope(first, last, rules, a.frame.stages);
-    DecisionGraph graph = decision_graph(ui.canvas.microscope, entered_samples_of(a.rows, *edge));
+    const auto edges = static_cast<int>(a.frame.triangle_vertices(*a.triangle).size());
+    if (!edge || *edge >= edges) return std::nullopt;
+    EdgeMicroscope& shown = ui.inspector.microscope.shown;
+    look_at(shown, a.frame, *a.triangle, *edge);
+    DecisionGraph graph = decision_graph(shown, entered_samples_of(a.rows, *edge));
     return graph.marks.empty() ? std::nullopt : std::optional(std::move(graph));
 }
 

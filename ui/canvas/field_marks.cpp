@@ -34,8 +34,8 @@ constexpr float part_tint = 0.45f;
 struct Labels {
     const Ui& ui;
     ImDrawList* list;
-    ImVec2 low, high; ///< of the visible part of the canvas
-    std::vector<std::pair<ImVec2, ImVec2>> taken{};
+    ImVec2 low, high;               ///< of the visible part of the canvas
+    std::vector<CanvasLabel> taken; ///< those of the vertices first
 
     /// Writes a text with its middle there, if there is room.
     void add(ImVec2 middle, const std::string& text, ImU32 colour) {
@@ -45,14 +45,11 @@ struct Labels {
         const ImVec2 from{std::round(middle.x - half.x), std::round(middle.y - half.y)};
         const ImVec2 to{from.x + 2.0f * half.x, from.y + 2.0f * half.y};
         const bool is_cut = from.x < low.x || from.y < low.y || to.x > high.x || to.y > high.y;
-        const bool is_taken = std::any_of(taken.begin(), taken.end(), [&](const auto& box) {
-            return from.x < box.second.x && to.x > box.first.x && from.y < box.second.y &&
-                   to.y > box.first.y;
-        });
-        if (is_cut || is_taken) return;
-        taken.emplace_back(from, to);
+        if (is_cut || is_under_label(from, to, taken)) return;
+        const ImVec2 letters{from.x + 3.0f * u, from.y + u};
+        taken.push_back({text, from, to, letters});
         list->AddRectFilled(from, to, dark_casing, 3.0f * u);
-        list->AddText(font, font->FontSize, {from.x + 3.0f * u, from.y + u}, colour, text.c_str());
+        list->AddText(font, font->FontSize, letters, colour, text.c_str());
     }
 };
 
@@ -173,9 +170,7 @@ void draw_weight_parts(const Ui& ui, ImDrawList* list) {
 void draw_figure_numbers(const Ui& ui, ImDrawList* list, const Pane& visible,
                          const std::vector<CanvasLabel>& vertices) {
     if (ui.results.a.preview.is_shown) return; // as the overlays
-    Labels labels{ui, list, visible.low, visible.high};
-    for (const CanvasLabel& label : vertices)
-        labels.taken.emplace_back(label.low, label.high);
+    Labels labels{ui, list, visible.low, visible.high, vertices};
     add_weights(ui, labels);
     add_field_values(ui, labels);
 }

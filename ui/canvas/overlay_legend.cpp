@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "picture/colour_map.h"
@@ -118,6 +119,9 @@ constexpr float largest_roomy_part = 0.2f, largest_part = 0.4f;
 /// An overlay has at least this width in the legend, design pixels.
 constexpr float least_entry_width = 280.0f;
 
+/// The overlays that share a line.
+using LegendLine = std::vector<OverlayInfo>;
+
 /// What the legend is drawn with.
 struct Legend {
     Ui& ui;
@@ -125,7 +129,8 @@ struct Legend {
     float line;    ///< height of a line of text
     float padding; ///< around all, and between the overlays
     bool compact;  ///< one line an overlay: in small windows
-    float width;   ///< of an overlay, about
+    std::vector<LegendLine> lines;
+    float width; ///< of an overlay, about
     CostTable costs;
     std::vector<VectorEntry> vectors;
 
@@ -150,9 +155,9 @@ struct Legend {
 };
 
 /// The overlays that are shown, in lines of one or two.
-std::vector<std::vector<OverlayInfo>> legend_lines(const Ui& ui, float width) {
+std::vector<LegendLine> legend_lines(const Ui& ui, float width) {
     const std::size_t columns = width >= 2.0f * least_entry_width * ui.options.text_scale ? 2 : 1;
-    std::vector<std::vector<OverlayInfo>> lines;
+    std::vector<LegendLine> lines;
     for (const OverlayInfo& info : overlay_list()) {
         if (!ui.results.overlay.shown.has(info.overlay)) continue;
         if (lines.empty() || lines.back().size() == columns) lines.emplace_back();
@@ -161,16 +166,16 @@ std::vector<std::vector<OverlayInfo>> legend_lines(const Ui& ui, float width) {
     return lines;
 }
 
-float line_height(const Legend& l, const std::vector<OverlayInfo>& entries) {
+float line_height(const Legend& l, const LegendLine& entries) {
     float height = l.line;
     for (const OverlayInfo& info : entries)
         height = std::max(height, l.height(info.overlay));
     return height;
 }
 
-float whole_height(const Legend& l, float width) {
+float whole_height(const Legend& l) {
     float height = l.padding;
-    for (const std::vector<OverlayInfo>& entries : legend_lines(l.ui, width))
+    for (const LegendLine& entries : l.lines)
         height += line_height(l, entries) + l.padding;
     return height;
 }
@@ -178,17 +183,18 @@ float whole_height(const Legend& l, float width) {
 /// @param room of the canvas
 Legend legend_in(Ui& ui, ImVec2 room) {
     const float u = ui.options.text_scale;
-    const std::vector<std::vector<OverlayInfo>> lines = legend_lines(ui, room.x);
+    std::vector<LegendLine> lines = legend_lines(ui, room.x);
     const std::size_t columns = lines.empty() ? 1 : lines.front().size();
     Legend legend{ui,
                   u,
                   std::round(1.3f * ui.fonts.small->FontSize),
                   std::round(4.0f * u),
                   false,
+                  std::move(lines),
                   room.x / static_cast<float>(columns),
                   cost_table(ui),
                   vector_entries(ui)};
-    legend.compact = whole_height(legend, room.x) > largest_roomy_part * room.y;
+    legend.compact = whole_height(legend) > largest_roomy_part * room.y;
     return legend;
 }
 
@@ -318,7 +324,7 @@ float overlay_legend_height(Ui& ui, ImVec2 room) {
     const Legend legend = legend_in(ui, room);
     const float one = legend.line + 2.0f * legend.padding;
     if (!ui.canvas.shows_legend) return one;
-    return std::max(one, std::floor(std::min(whole_height(legend, room.x), largest_part * room.y)));
+    return std::max(one, std::floor(std::min(whole_height(legend), largest_part * room.y)));
 }
 
 void draw_overlay_legend(Ui& ui, ImVec2 room, ImVec2 low, ImVec2 high) {
@@ -334,13 +340,12 @@ void draw_overlay_legend(Ui& ui, ImVec2 room, ImVec2 low, ImVec2 high) {
     if (ui.canvas.shows_legend) {
         const float width = ImGui::GetContentRegionAvail().x;
         const float right = at.x + width - legend.line - 2.0f * legend.padding;
-        const std::vector<std::vector<OverlayInfo>> lines = legend_lines(ui, room.x);
-        const auto columns = static_cast<float>(lines.front().size());
+        const auto columns = static_cast<float>(legend.lines.front().size());
         const float gap = 4.0f * legend.padding;
         const float column =
             (right - at.x - 2.0f * legend.padding - (columns - 1.0f) * gap) / columns;
         float y = at.y + legend.padding;
-        for (const std::vector<OverlayInfo>& entries : lines) {
+        for (const LegendLine& entries : legend.lines) {
             float x = at.x + 2.0f * legend.padding;
             for (const OverlayInfo& info : entries) {
                 draw_entry(legend, info, {x, y}, x + column);

@@ -118,11 +118,7 @@ struct CellTest {
 /// With as many digits as fit; dots if not even the whole part does.
 std::string number_in_room(double value, float room, const ImFont* font) {
     for (int digits = 3; digits >= 0; --digits) {
-        std::string text = decimals(value, digits);
-        if (digits > 0) {
-            text.erase(text.find_last_not_of('0') + 1);
-            if (text.back() == '.') text.pop_back();
-        }
+        std::string text = decimals_without_zeros(value, digits);
         // A value rounded to 0 would say that the centre lies on the edge.
         if (value != 0.0 && (text == "0" || text == "-0")) break;
         text = with_minus_signs(text);

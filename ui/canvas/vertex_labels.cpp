@@ -28,11 +28,6 @@ struct Surroundings {
     ImVec2 middle;                ///< of the triangle
 };
 
-bool overlap(ImVec2 low, ImVec2 high, const CanvasLabel& other) {
-    return low.x < other.high.x && high.x > other.low.x && low.y < other.high.y &&
-           high.y > other.low.y;
-}
-
 /// Does a pixel of one of the triangle's rows lie under the rectangle?
 bool covers_rows(const Surroundings& s, ImVec2 low, ImVec2 high) {
     const PicturePlace& place = s.m.run.place;
@@ -103,11 +98,7 @@ std::optional<CanvasLabel> find_label(const Surroundings& s, std::size_t vertex,
                               label.high.x <= s.high.x - border &&
                               label.high.y <= s.high.y - border;
         if (!is_whole) continue;
-        const bool is_on_other =
-            std::any_of(others.begin(), others.end(), [&](const CanvasLabel& other) {
-                return overlap(label.low, label.high, other);
-            });
-        if (is_on_other) continue;
+        if (is_under_label(label.low, label.high, others)) continue;
         if (is_strict &&
             (covers_rows(s, label.low, label.high) || covers_edge(s, label.low, label.high)))
             continue;
@@ -153,6 +144,13 @@ std::vector<CanvasLabel> vertex_labels(const Marks& m) {
     if (is_full) labels = find_labels(s, true);
     if (!labels) labels = find_labels(s, false);
     return *labels;
+}
+
+bool is_under_label(ImVec2 low, ImVec2 high, const std::vector<CanvasLabel>& labels) {
+    return std::any_of(labels.begin(), labels.end(), [&](const CanvasLabel& label) {
+        return low.x < label.high.x && high.x > label.low.x && low.y < label.high.y &&
+               high.y > label.low.y;
+    });
 }
 
 } // namespace rasterwalk

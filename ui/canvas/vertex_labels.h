@@ -22,4 +22,7 @@ struct CanvasLabel {
 /// out.
 std::vector<CanvasLabel> vertex_labels(const Marks& m);
 
+/// Does a rectangle of the screen overlap one of the labels? Touching it does not count.
+bool is_under_label(ImVec2 low, ImVec2 high, const std::vector<CanvasLabel>& labels);
+
 } // namespace rasterwalk

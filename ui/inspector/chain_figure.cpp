@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -48,18 +49,11 @@ void bring_chain_up_to_date(Ui& ui) {
     look.chain = space_chain(ui.results.a.frame, triangle, look.is_whole_scene);
 }
 
-/// Puts the next button on the line of the previous one if it fits there.
-void stay_on_line(const std::string& label) {
-    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + button_width(label) <=
-        right_end())
-        ImGui::SameLine();
-}
-
 void draw_space_buttons(Ui& ui) {
     ChainLook& look = look_of_chain(ui);
     for (std::size_t i = 0; i < chain_space_count; ++i) {
         const std::string label(space_names[i]);
-        if (i > 0) stay_on_line(label);
+        if (i > 0) same_line_if_room(label);
         const bool is_chosen = look.at == static_cast<double>(i);
         if (button(ui, "chain.space." + label, label, is_chosen ? Look::chosen : Look::outline,
                    "Shows the figure in this space."))
@@ -143,13 +137,16 @@ void draw_wires(const ChainField& field) {
     const ChainLook& look = field.look;
     const Palette& p = palette(field.ui.options.theme);
     const float u = field.ui.options.text_scale;
+    std::vector<ImVec2> places;
+    places.reserve(look.chain.points.size());
+    for (const ChainPoint& point : look.chain.points)
+        places.push_back(field.at(chain_place(look.chain, point, look.at)));
     // The triangle's own edges come first, and are drawn last.
     for (auto edge = look.chain.edges.rbegin(); edge != look.chain.edges.rend(); ++edge) {
         const ChainPoint &a = look.chain.points[edge->from], &b = look.chain.points[edge->to];
         if (!is_in_chain(a, look.at) || !is_in_chain(b, look.at)) continue;
         field.list->AddLine(
-            field.at(chain_place(look.chain, a, look.at)),
-            field.at(chain_place(look.chain, b, look.at)),
+            places[edge->from], places[edge->to],
             packed(edge->is_of_triangle ? p.text : p.link, edge->is_of_triangle ? 1.0f : 0.6f),
             (edge->is_of_triangle ? 2.2f : 1.0f) * u);
     }
@@ -186,7 +183,8 @@ void draw_figure(Ui& ui, int vertex) {
     draw_guides(field, space, 1.0 - share);
     if (share > 0.0) draw_guides(field, space + 1, share);
     draw_wires(field);
-    const ChainPoint marked = chain_point(ui.results.a.frame, *ui.results.a.triangle, vertex);
+    const ChainPoint& marked =
+        look.chain.points[look.chain.corners[static_cast<std::size_t>(vertex)]];
     if (is_in_chain(marked, look.at)) {
         const ImVec2 place = field.at(chain_place(look.chain, marked, look.at));
         const ImU32 ink = field.meaning(edge_meaning(vertex));
@@ -242,7 +240,7 @@ void draw_chain_figure(Ui& ui, int vertex) {
     draw_space_buttons(ui);
     ChainLook& look = look_of_chain(ui);
     if (ui.results.a.frame.scene->parts.size() > 1) {
-        stay_on_line("whole scene");
+        same_line_if_room("whole scene");
         if (button(ui, "chain.whole_scene", "whole scene",
                    look.is_whole_scene ? Look::chosen : Look::outline,
                    "Shows the edges of the whole scene, or of the triangle's part alone."))

@@ -244,14 +244,12 @@ ImVec4 cut_edge_colour(const ClipPage& page, const CutCorner& corner) {
 
 void draw_clip_plane_buttons(const ClipPage& page) {
     const float gap = 6.0f * page.ui.options.text_scale;
-    const float right = right_end();
     draw_clip_title(page, "Plane by plane", "open: the planes that cut");
     ImGui::PushFont(page.ui.fonts.small);
     for (std::size_t p = 0; p < page.history.codes.plane_count; ++p) {
         const auto plane = static_cast<ClipPlane>(p);
         const std::string label(word_of(plane));
-        if (p > 0 && ImGui::GetItemRectMax().x + gap + button_width(label) <= right)
-            ImGui::SameLine(0.0f, gap);
+        if (p > 0) same_line_if_room(label, gap);
         const std::string help = has_work(page, plane)
                                      ? "It cuts. Click to open or close what it does."
                                      : "It has no work to do because every corner is inside. Click "

@@ -33,7 +33,7 @@ struct MicroscopeView {
     bool shows_x = false;            ///< x instead of y
     /// The triangle and edge for which x or y was last chosen; another edge gets a new choice.
     std::pair<int, int> axis_chosen_for{-1, -1};
-    EdgeMicroscope shown; ///< of that edge; computed again when another is shown
+    EdgeMicroscope shown; ///< of the last edge looked at, here or on the canvas
 };
 
 /// What is asked about in the Clip tab, for one triangle.

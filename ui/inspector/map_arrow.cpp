@@ -2,11 +2,9 @@
 #include <array>
 #include <cmath>
 
-#include "ui/inspector/fragment_parts.h"
 #include "ui/inspector/texture_parts.h"
 #include "ui/ui.h"
 #include "ui/widgets/arrows.h"
-#include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -62,28 +60,12 @@ void draw_in_field(const Ui& ui, const ArrowField& field, double right, double u
     draw_arrow(field.list, field.u, field.origin, field.at(right, up), {ink, 0});
 }
 
-void draw_arrow_numbers(Ui& ui, const BumpReport& bump) {
-    const Palette& p = palette(ui.options.theme);
-    FormulaLine line(ui, 0.0f);
-    line.text("arrow  ", p.dim);
-    for (int i = 0; i < 3; ++i) {
-        const std::string axis = axis_names[static_cast<std::size_t>(i)];
-        const std::string id = "bump.arrow." + axis;
-        if (find_formula(report_of(ui).formulas, id) == nullptr)
-            line.text(shown({bump.arrow[i]}), p.text);
-        else if (line.link(shown({bump.arrow[i]}), "texture.arrow." + axis,
-                           axis + " of the arrow that the colour stands for.\nClick to see how it "
-                                  "was calculated.",
-                           p.text))
-            ui.inspector.chosen.texture_number = id;
-        line.text("  ", p.text);
-    }
-}
-
 } // namespace
 
 void draw_map_arrow(Ui& ui, const BumpReport& bump) {
-    draw_arrow_numbers(ui, bump);
+    draw_number_links(ui, {"arrow  ", axis_names, bump.arrow, "bump.arrow.", "texture.arrow.",
+                           " of the arrow that the colour stands for.\nClick to see how it was "
+                           "calculated."});
     const float u = ui.options.text_scale, side = arrow_side * u;
     const float unit = 0.5f * unit_share * side;
     ImGui::PushFont(ui.fonts.small);

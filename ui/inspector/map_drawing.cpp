@@ -29,12 +29,6 @@ ImU32 readable_on(const glm::vec3& colour) {
     return light > 0.4f ? IM_COL32(0, 0, 0, 255) : IM_COL32(255, 255, 255, 255);
 }
 
-/// As the screen shows a texture; the colours of other maps are numbers, which nothing encodes.
-ImU32 colour_in_map(const Ui& ui, SurfaceMap use, const glm::vec3& colour) {
-    if (use == SurfaceMap::texture) return screen_colour(ui, colour);
-    return packed({colour.r, colour.g, colour.b, 1.0f});
-}
-
 /// Does a texel of this map have a formula of its own, that of its weight?
 bool has_weight_formula(SurfaceMap use) {
     return use == SurfaceMap::texture;
@@ -42,15 +36,8 @@ bool has_weight_formula(SurfaceMap use) {
 
 /// The formula that a texel leads to: its weight, or the mean that it is part of.
 std::string number_of_texel(SurfaceMap use, int texel) {
-    switch (use) {
-    case SurfaceMap::texture:
-        break;
-    case SurfaceMap::normal_map:
-        return "bump.colour.red";
-    case SurfaceMap::height_map:
-        return "parallax.stored";
-    }
-    return fmt::format("texture.texel.{}.weight", texel);
+    return has_weight_formula(use) ? fmt::format("texture.texel.{}.weight", texel)
+                                   : first_number(use);
 }
 
 std::string texel_help(SurfaceMap use, const SampledTexel& texel) {
@@ -86,6 +73,11 @@ void draw_shift(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 colour, float u)
 }
 
 } // namespace
+
+ImU32 colour_in_map(const Ui& ui, SurfaceMap use, const glm::vec3& colour) {
+    if (use == SurfaceMap::texture) return screen_colour(ui, colour);
+    return packed({colour.r, colour.g, colour.b, 1.0f});
+}
 
 void draw_map(Ui& ui, const MapReading& reading) {
     const Texture& texture = *reading.map;

@@ -39,16 +39,11 @@ void look_at_edge(Ui& ui) {
         view.edge = done->index;
     }
     const Frame& frame = ui.results.a.frame;
-    const PolygonCorners v = frame.triangle_vertices(*ui.results.a.triangle);
-    view.edge = std::min(view.edge, static_cast<int>(v.size()) - 1);
-    const auto edge_of = static_cast<std::size_t>(view.edge);
-    const ScreenVertex& a = v[edge_of];
-    const ScreenVertex& b = v[(edge_of + 1) % v.size()];
-    const EdgeRules rules = edge_rules(frame.settings);
-    if (!view.shown.shows(a, b, rules, frame.stages)) {
-        view.shown = microscope(a, b, rules, frame.stages);
-    }
-    const std::pair<int, int> edge{*ui.results.a.triangle, view.edge};
+    const int triangle = *ui.results.a.triangle;
+    const auto edges = static_cast<int>(frame.triangle_vertices(triangle).size());
+    view.edge = std::min(view.edge, edges - 1);
+    look_at(view.shown, frame, triangle, view.edge);
+    const std::pair<int, int> edge{triangle, view.edge};
     if (view.axis_chosen_for == edge) return;
     // One of the two moves by whole pixels and never drifts: the other one is interesting. A line
     // walk that decides moves straight along its longer axis: the other coordinate is decided.
@@ -57,12 +52,6 @@ void look_at_edge(Ui& ui) {
                        ? view.shown.frame.is_steep
                        : summary.largest_drift_y == 0.0 && summary.largest_drift_x != 0.0;
     view.axis_chosen_for = edge;
-}
-
-/// Continues the line if a button with this label has room on it.
-void same_line_if_room(const std::string& label, float gap) {
-    const float right = right_end();
-    if (ImGui::GetItemRectMax().x + gap + button_width(label) <= right) ImGui::SameLine(0, gap);
 }
 
 /// Chooses which of a sample's two numbers is shown: each button says what its number decides, and

@@ -25,10 +25,7 @@ void draw_order(Ui& ui) {
         const std::string word(enum_words<MatrixOrder>[i]);
         const auto order = static_cast<MatrixOrder>(i);
         const std::string label = choice_words(setting, word);
-        if (i > 0 &&
-            ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + button_width(label) <=
-                right_end())
-            ImGui::SameLine();
+        if (i > 0) same_line_if_room(label);
         const bool is_chosen = ui.session.a.settings.matrix_order == order;
         if (button(ui, "vertices.matrix_order." + word, label,
                    is_chosen ? Look::chosen : Look::outline,

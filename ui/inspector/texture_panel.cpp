@@ -13,7 +13,6 @@
 #include "ui/ui.h"
 #include "ui/widgets/formula_view.h"
 #include "ui/widgets/style.h"
-#include "ui/widgets/swatch.h"
 #include "ui/widgets/widgets.h"
 
 namespace rasterwalk {
@@ -82,10 +81,7 @@ void draw_map_choice(Ui& ui, const std::vector<MapReading>& readings, SurfaceMap
     if (readings.size() < 2) return;
     for (const MapReading& reading : readings) {
         const MapChoice& choice = map_choices[static_cast<std::size_t>(reading.use)];
-        const bool fits = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x +
-                              button_width(choice.words) <=
-                          right_end();
-        if (&reading != &readings.front() && fits) ImGui::SameLine();
+        if (&reading != &readings.front()) same_line_if_room(choice.words);
         if (button(ui, choice.name, choice.words, reading.use == shown ? Look::chosen : Look::plain,
                    choice.help))
             choose_map(ui, choice);
@@ -94,31 +90,17 @@ void draw_map_choice(Ui& ui, const std::vector<MapReading>& readings, SurfaceMap
 
 /// The colour that the texels make, each number a link to its formula.
 void draw_mixed_colour(Ui& ui, const MapReading& reading) {
-    const Palette& p = palette(ui.options.theme);
     const bool is_texture = reading.use == SurfaceMap::texture;
     const float size = ImGui::GetTextLineHeight();
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddRectFilled(
-        from, {from.x + 2.0f * size, from.y + size},
-        is_texture ? screen_colour(ui, reading.colour)
-                   : packed({reading.colour.r, reading.colour.g, reading.colour.b, 1.0f}));
+    ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + 2.0f * size, from.y + size},
+                                              colour_in_map(ui, reading.use, reading.colour));
     ImGui::Dummy({2.0f * size, size});
     ImGui::SameLine();
-    FormulaLine line(ui, 0.0f);
-    for (int i = 0; i < 3; ++i) {
-        const std::string channel = channel_names[static_cast<std::size_t>(i)];
-        const std::string id = (is_texture ? "texture." : "bump.colour.") + channel;
-        const bool has_formula = find_formula(report_of(ui).formulas, id) != nullptr;
-        if (!has_formula)
-            line.text(shown({reading.colour[i]}), p.text);
-        else if (line.link(shown({reading.colour[i]}),
-                           is_texture ? id : "texture.normal_map." + channel,
-                           channel + " of the " + map_words(reading.use) +
-                               " here.\nClick to see how it was mixed.",
-                           p.text))
-            choose_texture_number(ui, id);
-        line.text("  ", p.text);
-    }
+    draw_number_links(
+        ui, {"", channel_names, reading.colour, is_texture ? "texture." : "bump.colour.",
+             is_texture ? "texture." : "texture.normal_map.",
+             " of the " + map_words(reading.use) + " here.\nClick to see how it was mixed."});
 }
 
 /// What a height map says here, and the height that this stands for.
@@ -193,8 +175,7 @@ void draw_texture_page(Ui& ui, const std::vector<MapReading>& readings) {
 /// The number that is explained if the chosen one is not there: the level first, if the filter
 /// chooses one.
 const Formula* usual_formula(const std::vector<Formula>& formulas, SurfaceMap use) {
-    const Formula* const usual =
-        find_formula(formulas, map_choices[static_cast<std::size_t>(use)].number);
+    const Formula* const usual = find_formula(formulas, first_number(use));
     // A surface without axes has only its normal.
     if (usual == nullptr) return find_formula(formulas, "bump.normal.x");
     return use == SurfaceMap::texture && usual->section.empty()
@@ -242,6 +223,25 @@ void draw_no_texture(Ui& ui) {
 
 std::string map_words(SurfaceMap use) {
     return map_choices[static_cast<std::size_t>(use)].words;
+}
+
+const char* first_number(SurfaceMap use) {
+    return map_choices[static_cast<std::size_t>(use)].number;
+}
+
+void draw_number_links(Ui& ui, const NumberLinks& numbers) {
+    const Palette& p = palette(ui.options.theme);
+    FormulaLine line(ui, 0.0f);
+    if (!numbers.label.empty()) line.text(numbers.label, p.dim);
+    for (int i = 0; i < 3; ++i) {
+        const std::string name = numbers.names[static_cast<std::size_t>(i)];
+        const std::string id = numbers.formula + name, number = shown({numbers.values[i]});
+        if (find_formula(report_of(ui).formulas, id) == nullptr)
+            line.text(number, p.text);
+        else if (line.link(number, numbers.widget + name, name + numbers.help, p.text))
+            choose_texture_number(ui, id);
+        line.text("  ", p.text);
+    }
 }
 
 void draw_texture_panel(Ui& ui) {

@@ -380,4 +380,10 @@ float button_width(std::string_view label) {
            2.0f * ImGui::GetStyle().FramePadding.x;
 }
 
+void same_line_if_room(std::string_view label, float gap) {
+    const float between = gap < 0.0f ? ImGui::GetStyle().ItemSpacing.x : gap;
+    if (ImGui::GetItemRectMax().x + between + button_width(label) <= right_end())
+        ImGui::SameLine(0.0f, between);
+}
+
 } // namespace rasterwalk

@@ -120,4 +120,8 @@ float right_end();
 /// The width that a label takes as a button.
 float button_width(std::string_view label);
 
+/// Continues the line after the last item if a button with this label fits there.
+/// @param gap between them, screen pixels; less than 0: the usual one
+void same_line_if_room(std::string_view label, float gap = -1.0f);
+
 } // namespace rasterwalk
