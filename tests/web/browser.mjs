@@ -103,6 +103,7 @@ export class Visit {
         const program = new Program();
         program.visit = this;
         program.page = await this.context.newPage();
+        program.page.on('filechooser', () => {}); // Chromium may miss a chooser that opens just after listening begins.
         program.protocol = await this.context.newCDPSession(program.page);
         await program.page.goto(this.site.url + fragment);
         await program.begin();
