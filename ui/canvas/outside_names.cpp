@@ -187,8 +187,8 @@ std::vector<Name> names_of(const OutsidePen& pen, const OutsideMarks& marks) {
     return names;
 }
 
-/// The rim of a name. The letters of vectors are told apart by their colours, which need more
-/// contrast.
+/// The colour of the rim around a name. Only their colours distinguish the letters of the vectors,
+/// so theirs contrasts more.
 ImU32 rim_of(const OutsidePen& pen, OutsidePointKind kind) {
     const ImU32 ground = packed(palette(pen.ui.options.theme).ground, 0.9f);
     return kind == OutsidePointKind::vector ? ground : pen.ground(0.8f);
