@@ -1,0 +1,5 @@
+#pragma once
+
+// Another place of SDL.h.
+
+#include "../SDL.h"

@@ -1,0 +1,9 @@
+#pragma once
+
+// Another name of SDLauxiliary.h.
+
+#ifdef RASTERWALK_OWN_HELPER
+#include_next <SDL2Aux.h>
+#else
+#include "inner/helper.h"
+#endif
