@@ -8,7 +8,9 @@ root=${1:?ROOT is missing}
 commands=${2:-}
 cd "$root" || exit 2
 
-mapfile -t files < <(find src ui -type f \( -name '*.h' -o -name '*.cpp' \) 2>/dev/null | LC_ALL=C sort)
+# The kit is compiled with students' programs, not with ours.
+mapfile -t files < <(find src ui -path src/mine/kit -prune -o -type f \( -name '*.h' -o -name '*.cpp' \) -print 2>/dev/null |
+    LC_ALL=C sort)
 if [ ${#files[@]} -eq 0 ]; then
     echo "$root: no sources under src/ and ui/" >&2
     exit 2
@@ -29,6 +31,7 @@ order='
     session
     view
     laboratory
+    mine
     facts
     text
     lessons
