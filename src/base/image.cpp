@@ -176,19 +176,25 @@ Image unpack(std::string_view bytes, const std::string& path, glm::ivec2 size) {
 
 } // namespace
 
-void write_png(const Image& image, const std::string& path) {
-    if (image.width <= 0 || image.height <= 0 || image.rgba.size() != 4 * pixel_count(image)) {
-        throw InputError(path + ": a picture without pixels cannot be written.");
-    }
+std::string png_bytes(const Image& image) {
+    if (image.width <= 0 || image.height <= 0 || image.rgba.size() != 4 * pixel_count(image))
+        throw InputError("a picture without pixels cannot be written.");
     // This packs flat colours quickly, and an interface into fewer bytes.
     stbi_write_force_png_filter = 0;
     stbi_write_png_compression_level = 5;
     std::string bytes;
     if (stbi_write_png_to_func(append_bytes, &bytes, image.width, image.height, 4,
-                               image.rgba.data(), 4 * image.width) == 0) {
-        throw AccessError("cannot write '" + path + "': the picture could not be compressed.");
+                               image.rgba.data(), 4 * image.width) == 0)
+        throw AccessError("the picture could not be compressed.");
+    return bytes;
+}
+
+void write_png(const Image& image, const std::string& path) {
+    try {
+        write_file(path, png_bytes(image));
+    } catch (const InputError& fault) {
+        throw InputError(path + ": " + fault.what());
     }
-    write_file(path, bytes);
 }
 
 bool is_image(std::string_view bytes) {

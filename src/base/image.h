@@ -20,6 +20,9 @@ struct Image {
     friend bool operator==(const Image&, const Image&) = default;
 };
 
+/// A picture as a PNG. Throws InputError if it has no pixels.
+std::string png_bytes(const Image& image);
+
 /// Writes a PNG: to a temporary file next to it, which is then renamed. Throws AccessError.
 void write_png(const Image& image, const std::string& path);
 

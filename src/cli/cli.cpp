@@ -21,6 +21,7 @@
 #include "cli/diagnose_command.h"
 #include "cli/engines_command.h"
 #include "cli/ladder_command.h"
+#include "cli/mine_command.h"
 #include "cli/progress_line.h"
 #include "cli/visible_output.h"
 #include "opening/opened_view.h"
@@ -42,6 +43,7 @@ struct CommandLine {
     PixelOptions pixel;
     CompareOptions compare;
     DiagnoseOptions diagnose;
+    MineOptions mine;
     SettingsOptions settings;
     PresetsOptions presets;
     BugsOptions bugs;
@@ -175,6 +177,28 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
         ->capture_default_str();
     add_json(diagnose, line.diagnose.json);
     add_view_options(diagnose, line.diagnose.view);
+
+    CLI::App& mine =
+        add_command(line, "mine", "Check your own program of the lab, function by function",
+                    [&] { line.exit_code = mine_command(line.mine, out, err, progress); });
+    mine.add_option("PATH", line.mine.paths,
+                    "A .cpp file, the folder of a program, or a folder of hand-ins; with --merge, "
+                    "tables that --json has printed")
+        ->type_name("");
+    mine.add_option("--new", line.mine.new_folder, "Write a program to begin with")
+        ->type_name("FOLDER");
+    mine.add_option("--compiler", line.mine.compiler,
+                    "The C++ compiler; if not given, g++ or clang++")
+        ->type_name("NAME");
+    mine.add_flag("--no-keys", line.mine.skip_keys,
+                  "Skip the run with sanitizers, in which its keys are held down");
+    mine.add_option("--seconds", line.mine.seconds,
+                    "Search at most this long for what may be wrong with a picture")
+        ->type_name("SECONDS")
+        ->capture_default_str();
+    mine.add_option("--html", line.mine.html, "Also write the table as a page")->type_name("FILE");
+    mine.add_flag("--merge", line.mine.merge, "Put tables of several runs together");
+    add_json(mine, line.mine.json);
 
     CLI::App& settings = add_command(line, "settings", "List all settings with their values",
                                      [&] { settings_command(line.settings, out); });

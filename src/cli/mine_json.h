@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/json.h"
+#include "mine/checked_program.h"
+
+namespace rasterwalk {
+
+/// Everything that is known about a program. The page and the merged table are made from it.
+Json to_json(const CheckedProgram& checked, const std::vector<Bug>& bugs);
+
+/// The programs in files that `mine --json` has printed, one after the other, sorted by name.
+/// Throws AccessError, or InputError for a file that holds anything else.
+Json merged_tables(const std::vector<std::string>& paths);
+
+/// Is this member of a table true? Not if it is missing, or anything else.
+bool is_set(const Json& object, const char* key);
+
+/// A page with a table of these programs, which needs no other file.
+std::string html_page(const Json& programs);
+
+} // namespace rasterwalk
