@@ -102,15 +102,6 @@ bool has_wrong_function(const CheckedProgram& checked) {
         });
 }
 
-/// A program whose functions are right may still walk an edge by a rule that no setting has, and so
-/// have the other of two surfaces in some pixels along it.
-void accept_rounding(const CheckedProgram& checked, PictureCheck& picture) {
-    if (picture.is_right || has_wrong_function(checked) ||
-        likely_candidate(picture.diagnosis) != nullptr)
-        return;
-    picture.is_right = differs_along_edges_only(picture.right, picture.theirs);
-}
-
 /// The function in which each of these settings would show.
 constexpr std::array<std::pair<std::string_view, rasterwalk_kit::Part>, 10> settings_seen_in{{
     {"camera_move", rasterwalk_kit::part_vertex_shader},
@@ -133,6 +124,17 @@ bool is_seen_right(const CheckedProgram& checked, std::string_view setting) {
                    std::find(settings_seen_in.begin(), settings_seen_in.end(),
                              std::pair{setting, check.part}) != settings_seen_in.end();
         });
+}
+
+/// A program whose functions are right may still walk an edge by a rule that no setting has, and so
+/// have the other of two surfaces in some pixels along it.
+void accept_rounding(const CheckedProgram& checked, const Scene& room, PictureCheck& picture) {
+    if (picture.is_right || has_wrong_function(checked)) return;
+    if (likely_candidate(picture.diagnosis) == nullptr)
+        picture.is_right = differs_along_edges_only(picture.right, picture.theirs);
+    // If the depth test is known to be right, triangles in another order explain the rest.
+    if (!picture.is_right && is_seen_right(checked, "depth_test"))
+        picture.is_right = differs_along_edges_only(with_their_ties(picture, room), picture.theirs);
 }
 
 /// Do the functions contradict what the picture suggests? Triangles in another order, for example,
@@ -168,7 +170,7 @@ void compare_pictures(CheckedProgram& checked, const Scene& room, const std::vec
     checked.picture =
         check_picture(recording, room, settings, known, bugs, options.search, options.is_stopped);
     PictureCheck& picture = *checked.picture;
-    accept_rounding(checked, picture);
+    accept_rounding(checked, room, picture);
     const Candidate* const likely = likely_candidate(picture.diagnosis);
     picture.is_judged =
         picture.is_right || (likely == nullptr ? is_known_enough(checked, picture.reference)

@@ -156,6 +156,17 @@ bool differs_along_edges_only(const Image& ours, const Image& theirs) {
     return true;
 }
 
+Image with_their_ties(const PictureCheck& check, const Scene& scene) {
+    Settings later = check.reference;
+    later.depth_test = DepthTest::or_equal;
+    const Image other = drawn_image(scene, later);
+    Image ours = check.right;
+    for (std::size_t at = 0; at < ours.rgba.size(); at += 4)
+        if (is_same_pixel(&other.rgba[at], &check.theirs.rgba[at]))
+            std::copy_n(&other.rgba[at], 4, &ours.rgba[at]);
+    return ours;
+}
+
 PictureCheck check_picture(const Recording& recording, const Scene& scene, const Settings& settings,
                            const std::vector<std::string>& known, const std::vector<Bug>& bugs,
                            std::chrono::milliseconds patience,

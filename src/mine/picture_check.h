@@ -51,6 +51,10 @@ Settings with_nearest_rules(const Image& picture, const Scene& scene, const Sett
 /// @param theirs of the same size
 bool differs_along_edges_only(const Image& ours, const Image& theirs);
 
+/// Our picture with the other of two surfaces wherever both are equally near and the program shows
+/// that one: which comes first depends on the order of the triangles.
+Image with_their_ties(const PictureCheck& check, const Scene& scene);
+
 /// Compares the picture with the scene's, and searches for what explains the difference.
 /// @param settings   with the program's rules, its camera and light, and its picture's size
 /// @param known      names of the settings that its functions have shown

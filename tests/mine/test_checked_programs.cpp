@@ -50,12 +50,12 @@ const std::string& cache_of_tests() {
     return path;
 }
 
-CheckedProgram checked(const StudentProgram& program, bool holds_keys) {
+CheckedProgram checked(const HandIn& program, bool holds_keys) {
     static const LabScenes lab = read_lab_scenes();
     static const std::vector<Bug> bugs = read_bugs();
     REQUIRE_FALSE(cache_of_tests().empty());
     const TemporaryFolder folder;
-    for (const StudentSource& source : program.sources)
+    for (const HandInSource& source : program.sources)
         folder.write(source.name, source.text);
     CheckProgramOptions options;
     options.hold_keys = holds_keys;
@@ -73,7 +73,7 @@ std::vector<std::string> named_bugs(const CheckedProgram& program) {
 
 /// A right program may be more than can be judged, but it is never called wrong. A wrong one is
 /// named first, or nothing is named.
-void judge(const StudentProgram& program, const CheckedProgram& found) {
+void judge(const HandIn& program, const CheckedProgram& found) {
     INFO(program.name << ", " << program.bug << ": " << program.note);
     std::string said;
     for (const LikelyMistake& mistake : found.mistakes)
@@ -92,9 +92,9 @@ void judge(const StudentProgram& program, const CheckedProgram& found) {
     CHECK(is_listed(found.mistakes.front().bugs, program.bug));
 }
 
-void judge_all(const std::vector<StudentProgram>& programs) {
+void judge_all(const std::vector<HandIn>& programs) {
     int judged = 0;
-    for (const StudentProgram& program : programs) {
+    for (const HandIn& program : programs) {
         const bool holds_keys = is_listed(always_with_keys, program.name);
         if (!holds_keys && !is_listed(always_checked, program.name) && !is_every_program_checked())
             continue;
@@ -115,8 +115,8 @@ TEST_CASE("a known mistake in a program is named, or nothing is") {
 }
 
 TEST_CASE("what a picture cannot show is found by asking the functions") {
-    const std::vector<StudentProgram> all = student_mistakes();
-    const auto sampled = std::find_if(all.begin(), all.end(), [](const StudentProgram& program) {
+    const std::vector<HandIn> all = student_mistakes();
+    const auto sampled = std::find_if(all.begin(), all.end(), [](const HandIn& program) {
         return program.name == "classic-sampled-by-rows";
     });
     REQUIRE(sampled != all.end());

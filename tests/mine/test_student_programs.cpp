@@ -17,9 +17,9 @@ using namespace rasterwalk::test;
 
 namespace {
 
-std::string whole_text(const StudentProgram& program) {
+std::string whole_text(const HandIn& program) {
     std::string text;
-    for (const StudentSource& source : program.sources)
+    for (const HandInSource& source : program.sources)
         text += source.text;
     return text;
 }
@@ -27,9 +27,9 @@ std::string whole_text(const StudentProgram& program) {
 } // namespace
 
 TEST_CASE("There are nine styles, and each is a program of its own", "[mine]") {
-    const std::vector<StudentProgram> styles = student_styles();
+    const std::vector<HandIn> styles = student_styles();
     CHECK(styles.size() == 9);
-    for (const StudentProgram& style : styles) {
+    for (const HandIn& style : styles) {
         INFO(style.name);
         const std::string text = whole_text(style);
         CHECK(text.find("int main(") != std::string::npos);
@@ -40,12 +40,12 @@ TEST_CASE("There are nine styles, and each is a program of its own", "[mine]") {
 
 TEST_CASE("Each program with a mistake differs from its style and from all others", "[mine]") {
     std::map<std::string, std::string> texts;
-    for (const StudentProgram& style : student_styles()) {
+    for (const HandIn& style : student_styles()) {
         texts[style.name] = whole_text(style);
     }
     std::set<std::string> seen;
     std::set<std::string> names;
-    for (const StudentProgram& program : student_mistakes()) {
+    for (const HandIn& program : student_mistakes()) {
         INFO(program.name);
         const std::string text = whole_text(program);
         CHECK(text != texts.at(program.style));
@@ -61,7 +61,7 @@ TEST_CASE("The mistakes of students are those of the laboratory, or none", "[min
     std::set<std::string> ids;
     int right = 0;
     int wrong = 0;
-    for (const StudentProgram& program : student_mistakes()) {
+    for (const HandIn& program : student_mistakes()) {
         INFO(program.name);
         styles.insert(program.style);
         if (program.right) {
@@ -88,9 +88,9 @@ TEST_CASE("Ten programs are written from the handout alone", "[mine]") {
         "handout/10-everything.cpp"};
     for (const std::string& path : paths) {
         INFO(path);
-        const std::vector<StudentSource> sources = student_sources(path);
+        const std::vector<HandInSource> sources = student_sources(path);
         const bool has_main =
-            std::any_of(sources.begin(), sources.end(), [](const StudentSource& source) {
+            std::any_of(sources.begin(), sources.end(), [](const HandInSource& source) {
                 return source.text.find("int main(") != std::string::npos;
             });
         CHECK(has_main);

@@ -37,16 +37,16 @@ std::vector<std::string> texts_of(const TomlInput& table, std::string_view key) 
 
 /// A change of one place.
 struct Edit {
-    StudentSource* source;
+    HandInSource* source;
     std::size_t at;
     std::size_t size;
     std::string text;
 };
 
 /// The only place where the text is.
-Edit found(std::vector<StudentSource>& sources, const std::string& text, const TomlInput& table) {
+Edit found(std::vector<HandInSource>& sources, const std::string& text, const TomlInput& table) {
     std::vector<Edit> places;
-    for (StudentSource& source : sources) {
+    for (HandInSource& source : sources) {
         std::size_t at = source.text.find(text);
         while (at != std::string::npos) {
             places.push_back({&source, at, text.size(), {}});
@@ -61,7 +61,7 @@ Edit found(std::vector<StudentSource>& sources, const std::string& text, const T
 }
 
 /// All places are found before any of them is changed, so that a change cannot hide another.
-void change(std::vector<StudentSource>& sources, const TomlInput& table) {
+void change(std::vector<HandInSource>& sources, const TomlInput& table) {
     const std::vector<std::string> old_texts = texts_of(table, "find");
     const std::vector<std::string> new_texts = texts_of(table, "replace");
     if (old_texts.size() != new_texts.size()) {
@@ -79,18 +79,18 @@ void change(std::vector<StudentSource>& sources, const TomlInput& table) {
     }
 }
 
-StudentProgram program_of(const TomlInput& table, const std::vector<StudentProgram>& styles) {
+HandIn program_of(const TomlInput& table, const std::vector<HandIn>& styles) {
     table.allow_only({"name", "style", "bug", "right", "find", "replace", "note"});
-    StudentProgram program;
+    HandIn program;
     program.name = table.text("name");
     program.style = table.text("style");
     program.bug = table.text_or_empty("bug");
     program.note = table.text("note");
     const toml::node* right = table.find("right");
     program.right = right != nullptr && right->value_or(false);
-    const auto style =
-        std::find_if(styles.begin(), styles.end(),
-                     [&program](const StudentProgram& each) { return each.name == program.style; });
+    const auto style = std::find_if(styles.begin(), styles.end(), [&program](const HandIn& each) {
+        return each.name == program.style;
+    });
     if (style == styles.end()) table.fail("There is no style " + program.style + ".");
     program.sources = style->sources;
     change(program.sources, table);
@@ -99,7 +99,7 @@ StudentProgram program_of(const TomlInput& table, const std::vector<StudentProgr
 
 } // namespace
 
-std::vector<StudentSource> student_sources(const std::string& path) {
+std::vector<HandInSource> student_sources(const std::string& path) {
     const std::filesystem::path whole = programs_folder() + path;
     std::vector<std::filesystem::path> files;
     if (std::filesystem::is_directory(whole)) {
@@ -110,18 +110,18 @@ std::vector<StudentSource> student_sources(const std::string& path) {
         files.push_back(whole);
     }
     std::sort(files.begin(), files.end());
-    std::vector<StudentSource> sources;
+    std::vector<HandInSource> sources;
     for (const std::filesystem::path& file : files) {
         sources.push_back({file.filename().string(), read_file(file.string())});
     }
     return sources;
 }
 
-std::vector<StudentProgram> student_styles() {
-    std::vector<StudentProgram> styles;
+std::vector<HandIn> student_styles() {
+    std::vector<HandIn> styles;
     for (const auto& entry : std::filesystem::directory_iterator(programs_folder() + "styles")) {
         if (!entry.is_directory() && !is_cpp(entry.path())) continue;
-        StudentProgram style;
+        HandIn style;
         style.name = entry.path().stem().string();
         style.style = style.name;
         style.right = true;
@@ -129,18 +129,17 @@ std::vector<StudentProgram> student_styles() {
         styles.push_back(std::move(style));
     }
     std::sort(styles.begin(), styles.end(),
-              [](const StudentProgram& a, const StudentProgram& b) { return a.name < b.name; });
+              [](const HandIn& a, const HandIn& b) { return a.name < b.name; });
     return styles;
 }
 
-std::vector<StudentProgram> student_mistakes() {
-    const std::vector<StudentProgram> styles = student_styles();
+std::vector<HandIn> student_mistakes() {
+    const std::vector<HandIn> styles = student_styles();
     const std::string path = programs_folder() + file_of_mistakes;
-    return parse_tables<StudentProgram>(
-        read_file(path), path, "program", "the file of mistakes",
-        [&styles](const TomlInput& table, const std::vector<StudentProgram>&) {
-            return program_of(table, styles);
-        });
+    return parse_tables<HandIn>(read_file(path), path, "program", "the file of mistakes",
+                                [&styles](const TomlInput& table, const std::vector<HandIn>&) {
+                                    return program_of(table, styles);
+                                });
 }
 
 } // namespace rasterwalk::test
