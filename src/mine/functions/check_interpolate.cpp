@@ -434,11 +434,11 @@ RightQuestions explain_positions(const AskedLines& asked, FunctionCheck& check) 
         if (asked.is_real) check.rule = "positions keep their fractions";
         return all;
     }
-    const LineRule* closest = nullptr;
-    RightQuestions most;
+    const LineRule* closest = &right_line_rules().front();
+    RightQuestions most = explained_by(*closest, asked);
     for (const LineRule& rule : right_line_rules()) {
         RightQuestions explained = explained_by(rule, asked);
-        if (closest != nullptr && count_right(explained) <= count_right(most)) continue;
+        if (count_right(explained) <= count_right(most)) continue;
         most = std::move(explained);
         closest = &rule;
     }

@@ -156,8 +156,8 @@ bool check_places(const AskedPoints& asked, FunctionCheck& check) {
 /// The rule without mistakes that comes closest.
 void say_first_colour(const std::vector<ShadeRule>& rules, const AskedPoints& asked,
                       FunctionCheck& check) {
-    const ShadeRule* closest = nullptr;
-    double least = 0.0;
+    const ShadeRule* closest = &rules.front();
+    double least = std::numeric_limits<double>::infinity();
     for (const ShadeRule& rule : rules) {
         if (rule.mistakes > 0) break;
         double sum = 0.0;
@@ -168,7 +168,7 @@ void say_first_colour(const std::vector<ShadeRule>& rules, const AskedPoints& as
             for (int c = 0; c < 3; ++c)
                 sum += std::abs(ours[c] - asked.answers[i]->colour[c]);
         }
-        if (closest == nullptr || sum < least) least = sum, closest = &rule;
+        if (sum < least) least = sum, closest = &rule;
     }
     bool is_said = false;
     check.right = 0;

@@ -216,7 +216,7 @@ const RowRule* first_that_explains(const std::vector<RowRule>& rules, const Aske
 }
 
 const RowRule& closest_row_rule(const AskedPolygons& asked, int& most) {
-    const RowRule* closest = nullptr;
+    const RowRule* closest = &right_row_rules().front();
     most = -1;
     for (const RowRule& rule : right_row_rules()) {
         const int same = count_same_polygons(rule, asked);
