@@ -214,9 +214,9 @@ const CarriedPlace* find_carried_place(const Questions& questions,
     return nullptr;
 }
 
-/// How the light that a vertex carries is found; `rule` null: it is not.
+/// How the light that a vertex carries is found.
 struct CarriedLight {
-    const LightRule* rule = nullptr;
+    const LightRule* rule;
     bool has_colour = true, over_z = false;
 };
 
@@ -316,7 +316,7 @@ RightQuestions lit_by(const CarriedLight& carried, const AskedVertices& asked) {
 
 /// The rule without mistakes that explains the light of most vertices.
 CarriedLight closest_right_light(const AskedVertices& asked) {
-    CarriedLight closest;
+    CarriedLight closest{&light_rules().front()};
     int most = -1;
     for (const LightRule& rule : light_rules()) {
         if (rule.mistakes != 0) continue;
