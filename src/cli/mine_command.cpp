@@ -85,7 +85,7 @@ void print_picture(const CheckedProgram& checked, std::ostream& out) {
 void print_mistakes(const CheckedProgram& checked, const std::vector<Bug>& bugs,
                     std::ostream& out) {
     if (checked.mistakes.empty()) return;
-    out << "\nTo be mended first:\n";
+    out << "\nFix first:\n";
     for (const LikelyMistake& mistake : checked.mistakes) {
         out << "  " << place_prefix(checked.files, mistake.place) << mistake.sentence << '\n';
         for (const std::string& id : mistake.bugs)

@@ -206,7 +206,7 @@ std::string html_page(const Json& programs) {
     html +=
         fmt::format("<h1>{} of {} programs are right</h1>\n<table>\n<tr><th>program</th><th></th>"
                     "<th>step</th><th>functions</th><th>picture</th><th>faults</th>"
-                    "<th>mend first</th></tr>\n",
+                    "<th>fix first</th></tr>\n",
                     right, programs.size());
     for (std::size_t i = 0; i < programs.size(); ++i)
         html += row_html(programs[i], i);

@@ -195,7 +195,7 @@ void DiagnosisWork::look_closely(const std::vector<Attempt>& tried) {
     if (trial.is_waiting()) return;
     const Differences differences = differences_of(kept->image, picture_);
     found.different = differences.pixels;
-    if (likely == nullptr && is_rounding(*kept, picture_)) {
+    if (likely == nullptr && is_rounding(kept->image, picture_, is_same_pixel)) {
         found.candidates.clear();
         if (found.different > 0) {
             found.findings = {counted(found.different, "pixel has", "pixels have") +

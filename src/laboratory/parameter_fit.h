@@ -81,6 +81,11 @@ class ParameterFit {
     Sight make_sight(int largest_side) const;
     std::vector<float> values_of(const Image& image) const;
     double cost_of(const std::vector<float>& colours) const;
+    /// A difference of a channel above this, steps of 255, counts by its size and not by its
+    /// square.
+    static constexpr double far_apart = 20.0;
+    /// The cost of a difference. A byte may be cut or rounded, so one step is not a difference.
+    static double huber(double difference);
     void begin_scan();
     void end_scan();
     Numbers moved(Numbers numbers, std::size_t which, double part) const;

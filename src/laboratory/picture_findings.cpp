@@ -135,12 +135,13 @@ std::vector<std::string> findings_of(const KeptPicture& right, const Image& pict
     return findings;
 }
 
-bool is_rounding(const KeptPicture& right, const Image& picture) {
+bool is_rounding(const Image& right, const Image& picture,
+                 bool (*is_same_surface)(const std::uint8_t*, const std::uint8_t*)) {
     const std::size_t count = picture.rgba.size() / 4;
     const auto most = static_cast<std::int64_t>(rounding_part * static_cast<double>(count));
     std::int64_t wrong = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        if (is_same_pixel(pixel_of(right.image, i), pixel_of(picture, i))) continue;
+        if (is_same_pixel(pixel_of(right, i), pixel_of(picture, i))) continue;
         if (++wrong > most) return false;
         const int column = static_cast<int>(i % static_cast<std::size_t>(picture.width));
         const int row = static_cast<int>(i / static_cast<std::size_t>(picture.width));
@@ -151,8 +152,7 @@ bool is_rounding(const KeptPicture& right, const Image& picture) {
                 const auto there =
                     static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
                     static_cast<std::size_t>(x);
-                is_of_neighbour |=
-                    is_same_pixel(pixel_of(right.image, there), pixel_of(picture, i));
+                is_of_neighbour |= is_same_surface(pixel_of(right, there), pixel_of(picture, i));
             }
         }
         if (!is_of_neighbour) return false;

@@ -3,6 +3,7 @@
 // What is known about a wrong picture without the mistake: how far along the pipeline it is right,
 // and which parts of the scene are right or wrong.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ std::vector<std::string> findings_of(const KeptPicture& right, const Image& pict
 /// Are there so few wrong pixels, each in the colour of a neighbour, that rounding alone may have
 /// made them? An edge is then one pixel away from its place in the reference, because the last bit
 /// of a float was rounded the other way.
-bool is_rounding(const KeptPicture& right, const Image& picture);
+/// @param is_same_surface does a pixel show what a pixel of the reference shows? For example
+///                        is_same_pixel()
+bool is_rounding(const Image& right, const Image& picture,
+                 bool (*is_same_surface)(const std::uint8_t*, const std::uint8_t*));
 
 } // namespace rasterwalk

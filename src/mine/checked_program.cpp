@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "laboratory/image_variant.h"
+#include "laboratory/picture_findings.h"
 #include "mine/compile/source_text.h"
 #include "scene/read_scene.h"
 #include "session/content.h"
@@ -126,15 +128,21 @@ bool is_seen_right(const CheckedProgram& checked, std::string_view setting) {
         });
 }
 
+/// Light may change by some steps of 255 from one pixel to the next.
+bool shows_same_surface(const std::uint8_t* a, const std::uint8_t* b) {
+    return is_same_pixel(a, b) || has_same_hue(a, b);
+}
+
 /// A program whose functions are right may still walk an edge by a rule that no setting has, and so
 /// have the other of two surfaces in some pixels along it.
 void accept_rounding(const CheckedProgram& checked, const Scene& room, PictureCheck& picture) {
     if (picture.is_right || has_wrong_function(checked)) return;
     if (likely_candidate(picture.diagnosis) == nullptr)
-        picture.is_right = differs_along_edges_only(picture.right, picture.theirs);
+        picture.is_right = is_rounding(picture.right, picture.theirs, shows_same_surface);
     // If the depth test is known to be right, triangles in another order explain the rest.
     if (!picture.is_right && is_seen_right(checked, "depth_test"))
-        picture.is_right = differs_along_edges_only(with_their_ties(picture, room), picture.theirs);
+        picture.is_right =
+            is_rounding(with_their_ties(picture, room), picture.theirs, shows_same_surface);
 }
 
 /// Do the functions contradict what the picture suggests? Triangles in another order, for example,

@@ -48,7 +48,7 @@ struct CheckedProgram {
     std::vector<CompileMessage> sanitizer_messages; ///< why there was no sanitized run
     std::vector<KeyFault> key_faults;
     bool is_key_tested = false;
-    std::vector<LikelyMistake> mistakes; ///< the first to mend comes first
+    std::vector<LikelyMistake> mistakes; ///< the one to fix first at the front
 
     bool compiles() const { return !compiled.program.empty(); }
     /// Nothing was found that is wrong. What is not written yet is not wrong.
@@ -82,7 +82,8 @@ CheckedProgram check_program(const StudentFiles& files, const LabScenes& lab,
 /// shows that the program has it, under a name that is not known here.
 std::string_view state_words(const CheckedProgram& checked, const FunctionCheck& check);
 
-/// What the evidence points to, the first to mend first. Called at the end of check_program().
+/// What the evidence points to, what should be fixed first at the front. Called at the end of
+/// check_program().
 std::vector<LikelyMistake> likely_mistakes(const CheckedProgram& checked);
 
 } // namespace rasterwalk

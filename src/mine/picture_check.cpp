@@ -70,10 +70,6 @@ const std::uint8_t* pixel_at(const Image& image, int column, int row) {
                             static_cast<std::size_t>(column))];
 }
 
-bool shows_same_surface(const std::uint8_t* a, const std::uint8_t* b) {
-    return is_same_pixel(a, b) || has_same_hue(a, b);
-}
-
 std::optional<glm::ivec2> first_difference(const Image& a, const Image& b) {
     for (int row = 0; row < a.height; ++row)
         for (int column = 0; column < a.width; ++column)
@@ -136,24 +132,6 @@ Settings with_nearest_rules(const Image& picture, const Scene& scene, const Sett
             nearest = tried;
         }
     return nearest;
-}
-
-bool differs_along_edges_only(const Image& ours, const Image& theirs) {
-    constexpr int one_in = 500;
-    int different = 0;
-    for (int row = 0; row < ours.height; ++row)
-        for (int column = 0; column < ours.width; ++column) {
-            const std::uint8_t* const pixel = pixel_at(theirs, column, row);
-            if (is_same_pixel(pixel, pixel_at(ours, column, row))) continue;
-            if (++different > ours.width * ours.height / one_in) return false;
-            bool is_nearby = false;
-            for (int y = std::max(row - 1, 0); y <= std::min(row + 1, ours.height - 1); ++y)
-                for (int x = std::max(column - 1, 0); x <= std::min(column + 1, ours.width - 1);
-                     ++x)
-                    is_nearby |= shows_same_surface(pixel, pixel_at(ours, x, y));
-            if (!is_nearby) return false;
-        }
-    return true;
 }
 
 Image with_their_ties(const PictureCheck& check, const Scene& scene) {

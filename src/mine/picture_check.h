@@ -46,11 +46,6 @@ StripStep nearest_step(const Image& picture, const Scene& scene, const Settings&
 Settings with_nearest_rules(const Image& picture, const Scene& scene, const Settings& settings,
                             const std::vector<std::string>& known);
 
-/// Are there few pixels that differ, at most two in a thousand, and does each show a surface that
-/// is also in one of the nine pixels around it in our picture?
-/// @param theirs of the same size
-bool differs_along_edges_only(const Image& ours, const Image& theirs);
-
 /// Our picture with the other of two surfaces wherever both are equally near and the program shows
 /// that one: which comes first depends on the order of the triangles.
 Image with_their_ties(const PictureCheck& check, const Scene& scene);

@@ -306,12 +306,7 @@ ProgramRun run_program(const StudentFiles& files, const std::string& program,
     for (bool is_first = true;; is_first = false) {
         const GuardedRun run = run_once(files, program, order, task, memory);
         Recording recording = memory.read();
-        // Asked before main(), it ends when there is nothing more to ask.
-        const bool has_answered = task.before_main && run.end == GuardedEnd::exited &&
-                                  run.exit_code == 0 &&
-                                  recording.progress.moment == rasterwalk_kit::moment_main;
-        const std::optional<ProgramFault> fault =
-            has_answered ? std::nullopt : fault_of(files, program, run, recording);
+        const std::optional<ProgramFault> fault = fault_of(files, program, run, recording);
         result.answers.push_back(std::move(recording.answers));
         if (fault) result.faults.push_back(*fault);
         if (is_first) {

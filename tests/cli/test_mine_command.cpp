@@ -56,7 +56,7 @@ TEST_CASE("mine says that a right program is right") {
     CHECK(result.exit_code == 0);
     CHECK_THAT(result.out, ContainsSubstring("classic.cpp\n"));
     CHECK_THAT(result.out, ContainsSubstring("\nNothing is wrong.\n"));
-    CHECK(result.out.find("To be mended first") == std::string::npos);
+    CHECK(result.out.find("Fix first") == std::string::npos);
     for (const char* function :
          {"VertexShader", "Interpolate", "ComputePolygonRows", "DrawPolygonRows", "PixelShader"})
         CHECK_THAT(result.out, ContainsSubstring(std::string("  right           ") + function));
@@ -66,7 +66,7 @@ TEST_CASE("mine names the mistake of a wrong program, and its lesson") {
     const CliRun result = run_mine({student("handout/02-wireframe.cpp")});
     CAPTURE(result.out, result.err);
     CHECK(result.exit_code == 1);
-    CHECK_THAT(result.out, ContainsSubstring("To be mended first:\n"));
+    CHECK_THAT(result.out, ContainsSubstring("Fix first:\n"));
     CHECK_THAT(result.out, ContainsSubstring("    B11: "));
     CHECK_THAT(result.out, ContainsSubstring("Lesson "));
     CHECK(result.out.find("Nothing is wrong") == std::string::npos);

@@ -20,14 +20,14 @@
 
 namespace rasterwalk::test {
 
-/// Who acts.
+/// The user that a test acts as.
 enum class User {
-    ordinary, ///< an ordinary one, if the tests are run by root; otherwise who runs them
-    same,     ///< who runs the tests
+    ordinary, ///< one without rights, if root runs the tests; otherwise the user who runs them
+    same,     ///< the user who runs the tests
 };
 
-/// The ordinary user and group of that kind.
-inline constexpr unsigned nobody = 65534;
+/// The numbers of a user and a group without rights.
+inline constexpr unsigned ordinary_id = 65534;
 
 inline bool is_root() {
     return ::geteuid() == 0;
@@ -36,7 +36,8 @@ inline bool is_root() {
 /// Becomes an ordinary user for good. Ends the process if it cannot.
 inline void become_ordinary_user() {
     if (!is_root()) return;
-    if (::setgroups(0, nullptr) != 0 || ::setgid(nobody) != 0 || ::setuid(nobody) != 0) ::_exit(1);
+    if (::setgroups(0, nullptr) != 0 || ::setgid(ordinary_id) != 0 || ::setuid(ordinary_id) != 0)
+        ::_exit(1);
 #ifdef __linux__
     // A process that changes its user may no longer look at itself in /proc.
     ::prctl(PR_SET_DUMPABLE, 1);
@@ -87,7 +88,7 @@ std::string as_ordinary_user(Action action) {
 inline void give_to(User user, const std::string& folder) {
     if (user == User::same || !is_root()) return;
     const auto give = [](const std::filesystem::path& path) {
-        if (::lchown(path.c_str(), nobody, nobody) != 0) std::abort();
+        if (::lchown(path.c_str(), ordinary_id, ordinary_id) != 0) std::abort();
     };
     give(folder);
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))

@@ -55,7 +55,7 @@ __attribute__((noinline)) int Deep(int depth) {
     volatile char local[4096]; local[depth % 4096] = 1; return Deep(depth + 1) + local[0]; // deeper
 }
 __attribute__((noinline)) void Throw() {
-    throw std::runtime_error("nobody catches it"); // throw
+    throw std::runtime_error("not caught"); // throw
 }
 __attribute__((noinline)) void Jump() {
     void (*volatile function)() = nullptr;

@@ -428,7 +428,8 @@ std::string likely_cause(std::string_view text) {
         if (!cause.empty()) return cause;
     }
     for (const PlainCause& plain : plain_causes) {
-        // A call that fits none of several functions: clang tells of each why, and is not sure.
+        // If a call fits none of several functions, clang gives a reason for each of them, and only
+        // one of these is the student's mistake.
         const bool is_of_candidate =
             text.find(plain.phrase) > text.find('\n') && has_candidates(text);
         if (has(text, plain.phrase) && !is_of_candidate) return std::string(plain.sentence);

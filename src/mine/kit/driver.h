@@ -22,6 +22,17 @@ using namespace rasterwalk_missing; // NOLINT(google-build-using-namespace)
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): a name cannot be a parameter of anything else.
 
+// What there is of a name, if it is one thing and not several functions.
+#define RASTERWALK_LOOK(name)                                                                      \
+    template <class Any>                                                                           \
+    static constexpr auto look(Any any) {                                                          \
+        if constexpr (requires { single<::name>(any); }) {                                         \
+            return single<::name>(any);                                                            \
+        } else {                                                                                   \
+            return NotSingle{};                                                                    \
+        }                                                                                          \
+    }
+
 // A name that can be looked at: a variable or a type.
 #define RASTERWALK_NAME(name)                                                                      \
     namespace rasterwalk_missing {                                                                 \
@@ -29,14 +40,7 @@ using namespace rasterwalk_missing; // NOLINT(google-build-using-namespace)
     }                                                                                              \
     namespace rasterwalk_kit {                                                                     \
     struct Name_##name {                                                                           \
-        template <class Any>                                                                       \
-        static constexpr auto look(Any any) {                                                      \
-            if constexpr (requires { single<::name>(any); }) {                                     \
-                return single<::name>(any);                                                        \
-            } else {                                                                               \
-                return NotSingle{};                                                                \
-            }                                                                                      \
-        }                                                                                          \
+        RASTERWALK_LOOK(name)                                                                      \
     };                                                                                             \
     }
 
@@ -68,14 +72,7 @@ using namespace rasterwalk_missing; // NOLINT(google-build-using-namespace)
     }                                                                                              \
     namespace rasterwalk_kit {                                                                     \
     struct Name_##name {                                                                           \
-        template <class Any>                                                                       \
-        static constexpr auto look(Any any) {                                                      \
-            if constexpr (requires { single<::name>(any); }) {                                     \
-                return single<::name>(any);                                                        \
-            } else {                                                                               \
-                return NotSingle{};                                                                \
-            }                                                                                      \
-        }                                                                                          \
+        RASTERWALK_LOOK(name)                                                                      \
         template <class... Arguments>                                                              \
         static auto call(Arguments&&... arguments)                                                 \
             -> decltype(::name(static_cast<Arguments&&>(arguments)...)) {                          \

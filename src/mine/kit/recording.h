@@ -94,7 +94,6 @@ struct Task {
     std::uint32_t frames;      ///< so many are drawn; then the program ends, exit code 0
     std::int32_t key;          ///< held from the second frame on: an SDL 2 keycode, 'w' or
                                ///< 0x40000052 (up); 0: none
-    std::uint32_t unused;
     std::uint64_t question_end[part_count]; ///< doubles: part i asks from the end of part i - 1
 };
 
@@ -103,7 +102,6 @@ enum Moment : std::uint32_t {
     moment_none,
     moment_started, ///< its static objects are being made
     moment_asked,   ///< a function is being asked: Progress::part and question
-    moment_main,    ///< between other moments
     moment_window,  ///< it has opened its window
     moment_put,     ///< it has put a pixel
     moment_shown,   ///< it has shown a frame
