@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -122,7 +123,11 @@ std::size_t count_processes(const std::string& text) {
     for (const auto& entry : fs::directory_iterator("/proc")) {
         if (entry.path().filename().string().find_first_not_of("0123456789") != std::string::npos)
             continue;
-        if (bytes_of(entry.path() / "cmdline").find(text) != std::string::npos) ++count;
+        // A process may end while it is read; a stream's own functions then just stop.
+        std::ifstream file(entry.path() / "cmdline", std::ios::binary);
+        std::string words;
+        std::getline(file, words);
+        if (words.find(text) != std::string::npos) ++count;
     }
     return count;
 }

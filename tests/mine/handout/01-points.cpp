@@ -52,7 +52,7 @@ int main( int argc, char* argv[] )
 	t = SDL_GetTicks();	// Set start value for timer.
 	ComputeRotation();
 
-	// runs until somebody closes the window
+	// runs until the window is closed
 	while( NoQuitMessageSDL() )
 	{
 		Update();
