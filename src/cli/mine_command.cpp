@@ -167,8 +167,7 @@ std::vector<StudentFiles> programs_of(const std::vector<std::string>& paths, boo
 
 void print_summary(const Json& table, std::ostream& out) {
     for (const Json& program : table) {
-        out << fmt::format("{:<8}{}", is_set(program, "right") ? "right" : "differs",
-                           program["name"].get<std::string>());
+        out << fmt::format("{:<12}{}", verdict_words(program), program["name"].get<std::string>());
         const Json& mistakes = program["mistakes"];
         if (!is_set(program, "compiles")) {
             out << ": it does not compile";

@@ -150,6 +150,7 @@ Json to_json(const CheckedProgram& checked, const std::vector<Bug>& bugs) {
                 {"compile_seconds", seconds_of(checked.compiled.time)},
                 {"folder", checked.files.folder},
                 {"functions", std::move(functions)},
+                {"judged", !checked.is_not_judged()},
                 {"keys", std::move(keys)},
                 {"keys_tested", checked.is_key_tested},
                 {"main", checked.files.main},
@@ -167,6 +168,11 @@ bool is_set(const Json& object, const char* key) {
     if (!object.is_object()) return false;
     const auto found = object.find(key);
     return found != object.end() && found->is_boolean() && found->get<bool>();
+}
+
+std::string_view verdict_words(const Json& program) {
+    if (is_set(program, "right")) return "right";
+    return is_set(program, "judged") ? "differs" : "not judged";
 }
 
 Json merged_tables(const std::vector<std::string>& paths) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/json.h"
@@ -17,6 +18,9 @@ Json merged_tables(const std::vector<std::string>& paths);
 
 /// Is this member of a table true? Not if it is missing, or anything else.
 bool is_set(const Json& object, const char* key);
+
+/// "right", "differs" or "not judged".
+std::string_view verdict_words(const Json& program);
 
 /// A page with a table of these programs, which needs no other file.
 std::string html_page(const Json& programs);

@@ -1,7 +1,7 @@
 // The table of checked programs as a page. It is made from what `mine --json` prints, which may
 // come from anywhere: all of its text is escaped, and numbers are numbers.
 
-#include <array>
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -25,10 +25,10 @@ constexpr std::string_view page_head = R"(<!DOCTYPE html>
 body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 80rem; padding: 0 1rem; }
 table { border-collapse: collapse; width: 100%; }
 th, td { text-align: left; vertical-align: top; padding: .45rem .7rem; border-bottom: 1px solid var(--line); }
-td.number { text-align: right; font-variant-numeric: tabular-nums; }
+td:first-child { white-space: nowrap; } td.number { white-space: nowrap; text-align: right; font-variant-numeric: tabular-nums; }
 .right { color: var(--right); } .wrong { color: var(--wrong); } .quiet { color: var(--quiet); }
 code, pre { font: 13px/1.4 ui-monospace, monospace; } pre { white-space: pre-wrap; }
-img { width: 12rem; height: auto; image-rendering: pixelated; border: 1px solid var(--line); }
+img { width: 24rem; max-width: 100%; height: auto; border: 1px solid var(--line); }
 section { margin-top: 2.5rem; } figure { display: inline-block; margin: 0 1rem 0 0; }
 figcaption { color: var(--quiet); font-size: 13px; }
 </style>
@@ -139,8 +139,21 @@ std::string picture_words(const Json& program) {
     return fmt::format("{} pixels differ", number_of(picture, "different"));
 }
 
+/// The class of a state or a verdict, which gives it its colour.
+std::string_view class_of(std::string_view words) {
+    if (words == "right") return "right";
+    return words == "wrong" || words == "died" || words == "differs" ? "wrong" : "quiet";
+}
+
+/// The step that a program has reached: "vertex light".
+std::string stage_words(const Json& program) {
+    std::string words = text_of(object_of(program, "picture"), "stage");
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
+
 std::string row_html(const Json& program, std::size_t index) {
-    const bool is_right = is_set(program, "right");
+    const std::string_view verdict = verdict_words(program);
     std::string first;
     if (!is_set(program, "compiles")) {
         first = "It does not compile.";
@@ -152,10 +165,9 @@ std::string row_html(const Json& program, std::size_t index) {
     return fmt::format("<tr><td><a href=\"#p{}\">{}</a></td><td class=\"{}\">{}</td><td>{}</td>"
                        "<td class=\"number\">{}</td><td>{}</td><td class=\"number\">{}</td>"
                        "<td>{}</td></tr>\n",
-                       index, text_of(program, "name"), is_right ? "right" : "wrong",
-                       is_right ? "right" : "differs",
-                       text_of(object_of(program, "picture"), "stage"), functions_text(program),
-                       picture_words(program), faults, first);
+                       index, text_of(program, "name"), class_of(verdict), verdict,
+                       stage_words(program), functions_text(program), picture_words(program),
+                       faults, first);
 }
 
 std::string messages_html(const Json& program) {
@@ -172,12 +184,15 @@ std::string functions_html(const Json& program) {
     std::string html;
     for (const Json& function : list_of(program, "functions")) {
         const std::string state = text_of(function, "state");
+        const bool has_counts = !state.starts_with("not ");
+        const std::string counts = has_counts
+                                       ? fmt::format("{} of {}", number_of(function, "right"),
+                                                     number_of(function, "asked"))
+                                       : std::string();
         html += fmt::format("<tr><td><code>{}</code></td><td class=\"{}\">{}</td>"
-                            "<td class=\"number\">{} of {}</td><td>{} <span class=\"quiet\">{}"
+                            "<td class=\"number\">{}</td><td>{} <span class=\"quiet\">{}"
                             "</span></td></tr>\n",
-                            text_of(function, "name"),
-                            state == "right" || state == "wrong" ? state : "quiet", state,
-                            number_of(function, "right"), number_of(function, "asked"),
+                            text_of(function, "name"), class_of(state), state, counts,
                             text_of(function, "first"), text_of(function, "rule"));
     }
     return html.empty() ? html : "<table>\n" + html + "</table>\n";
@@ -200,14 +215,16 @@ std::string section_html(const Json& program, std::size_t index) {
 
 std::string html_page(const Json& programs) {
     std::string html(page_head);
-    std::size_t right = 0;
-    for (const Json& program : programs)
-        if (is_set(program, "right")) ++right;
-    html +=
-        fmt::format("<h1>{} of {} programs are right</h1>\n<table>\n<tr><th>program</th><th></th>"
-                    "<th>step</th><th>functions</th><th>picture</th><th>faults</th>"
-                    "<th>fix first</th></tr>\n",
-                    right, programs.size());
+    const auto count = [&](std::string_view verdict) {
+        return std::count_if(programs.begin(), programs.end(), [&](const Json& program) {
+            return verdict_words(program) == verdict;
+        });
+    };
+    html += fmt::format("<h1>{} of {} programs are right", count("right"), programs.size());
+    if (const auto open = count("not judged"); open > 0)
+        html += fmt::format(", {} could not be judged", open);
+    html += "</h1>\n<table>\n<tr><th>program</th><th></th><th>step</th><th>functions</th>"
+            "<th>picture</th><th>faults</th><th>fix first</th></tr>\n";
     for (std::size_t i = 0; i < programs.size(); ++i)
         html += row_html(programs[i], i);
     html += "</table>\n";

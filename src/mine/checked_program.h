@@ -53,6 +53,9 @@ struct CheckedProgram {
     bool compiles() const { return !compiled.program.empty(); }
     /// Nothing was found that is wrong. What is not written yet is not wrong.
     bool is_right() const;
+    /// Its picture differs, and nothing else is wrong; but too little is known about the program to
+    /// call that wrong.
+    bool is_not_judged() const { return picture && !picture->is_judged && mistakes.empty(); }
 };
 
 /// What programs of the lab draw, and what their functions are asked.

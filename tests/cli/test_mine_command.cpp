@@ -194,7 +194,22 @@ TEST_CASE("mine checks a folder of hand-ins: table, page, and tables put togethe
     CHECK(Json::parse(merged.out) == table);
     const CliRun only_right = run_mine({"--merge", tables.write("right.json", table[0].dump())});
     CHECK(only_right.exit_code == 0);
-    CHECK(only_right.out == "right   a-right\n");
+    CHECK(only_right.out == "right       a-right\n");
+}
+
+TEST_CASE("a program that could not be judged is not said to differ") {
+    const TemporaryFolder folder;
+    const std::string table = folder.write("table.json", R"([
+        {"name": "a", "compiles": true, "judged": false, "right": false, "mistakes": []},
+        {"name": "b", "compiles": true, "judged": true, "right": false,
+         "mistakes": [{"bugs": ["B5"], "sentence": "Rows are missing."}]},
+        {"name": "c", "compiles": true, "judged": true, "right": true, "mistakes": []}])");
+    const std::string page = folder.file("page.html");
+    const CliRun result = run_mine({"--merge", table, "--html", page});
+    CHECK(result.exit_code == 1);
+    CHECK(result.out == "not judged  a\ndiffers     b: Rows are missing.\nright       c\n");
+    CHECK_THAT(test::bytes_of(page),
+               ContainsSubstring("<h1>1 of 3 programs are right, 1 could not be judged</h1>"));
 }
 
 TEST_CASE("mine --merge takes only tables that mine has printed") {
