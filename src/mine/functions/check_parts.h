@@ -30,7 +30,7 @@ FunctionCheck begin_check(std::string_view function, rasterwalk_kit::Part part,
         check.state = CheckState::not_asked;
         break;
     case PartEnd::not_askable:
-        check.notes.push_back("It has parameters of its own, so it cannot be asked.");
+        check.notes.emplace_back("It has parameters of its own, so it cannot be asked.");
         break;
     case PartEnd::not_written:
         check.state = CheckState::not_written;
