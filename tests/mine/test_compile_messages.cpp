@@ -221,17 +221,20 @@ TEST_CASE("An error in a template knows who used it") {
     CHECK(clang[0].through[0].line == 9);
 }
 
-TEST_CASE("The linker tells each name once") {
+TEST_CASE("Each name that the linker misses is listed once") {
     const std::vector<SaidMessage> said = read_compile_messages(
         "/usr/bin/ld: /home/s/a.cpp:7: undefined reference to `Draw(int)'\n"
         "/usr/bin/ld: /home/s/a.cpp:9: undefined reference to `Draw(int)'\n"
+        "/usr/bin/ld: /home/s/c.cpp:4:(.text+0xa): undefined reference to `Show()'\n"
         "/usr/bin/ld: /tmp/b.o:/home/s/b.cpp:2: multiple definition of `size'; "
         "/tmp/a.o:/home/s/a.cpp:3: first defined here\n");
-    REQUIRE(said.size() == 2);
+    REQUIRE(said.size() == 3);
     CHECK(said[0].message.line == 7);
-    CHECK(said[1].message.file == "/home/s/b.cpp");
-    CHECK(said[1].message.line == 2);
-    CHECK_THAT(said[1].message.cause, ContainsSubstring("size is defined in two sources"));
+    CHECK(said[1].message.file == "/home/s/c.cpp");
+    CHECK(said[1].message.line == 4);
+    CHECK(said[2].message.file == "/home/s/b.cpp");
+    CHECK(said[2].message.line == 2);
+    CHECK_THAT(said[2].message.cause, ContainsSubstring("size is defined in two sources"));
 }
 
 TEST_CASE("Any output can be read") {

@@ -296,8 +296,8 @@ TEST_CASE("Without the headers that were forgotten more names are free", "[mine]
 #include "SDL.h"
 #include <glm/glm.hpp>
 using namespace std;
-int left = 1, array[2], map = 4;
-int main() { return left + array[0] + map; }
+int left = 1, map = 4;
+int main() { return left + map; }
 )";
     KitOptions options;
     options.flags = {"-DRASTERWALK_FEW_HEADERS"};

@@ -69,6 +69,9 @@ bool read_linker_line(std::string_view line, std::vector<SaidMessage>& messages)
     if (at == std::string_view::npos) return false;
     std::string_view place = trimmed(line.substr(0, at));
     if (place.ends_with(':')) place.remove_suffix(1);
+    // Newer linkers add where it is in the object: "main.cpp:12:(.text+0xa):".
+    if (const std::size_t section = place.rfind(":("); section != std::string_view::npos)
+        place = place.substr(0, section);
     for (std::size_t linker = place.find("ld: "); linker != std::string_view::npos;
          linker = place.find("ld: ")) {
         place = place.substr(linker + 4);
