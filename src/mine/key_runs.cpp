@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mine/compile/source_text.h"
+#include "mine/compile/two_at_a_time.h"
 
 namespace rasterwalk {
 
@@ -46,6 +47,22 @@ bool is_name_character(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
+std::vector<KeyFault> hold_key(const StudentFiles& files, const std::string& sanitized_program,
+                               const KeyRuns& runs, const ProgramKey& key,
+                               const std::function<bool()>& is_stopped) {
+    ProgramOrder order;
+    order.task.frames = key.code == 0 ? 1 : runs.frames;
+    order.task.key = key.code;
+    order.time = runs.time;
+    order.is_sanitized = true;
+    order.is_stopped = is_stopped;
+    const ProgramRun run = run_program(files, sanitized_program, order);
+    std::vector<KeyFault> faults;
+    for (const ProgramFault& fault : run.faults)
+        faults.push_back({key, static_cast<int>(run.recording.progress.frames), fault});
+    return faults;
+}
+
 bool is_known(const std::vector<KeyFault>& faults, const ProgramFault& fault) {
     return std::any_of(faults.begin(), faults.end(), [&](const KeyFault& known) {
         return known.fault.place == fault.place && known.fault.sentence == fault.sentence;
@@ -83,20 +100,16 @@ std::vector<KeyFault> hold_keys(const StudentFiles& files, const std::string& sa
         for (const ProgramKey& key : keys_in(read_source(source)))
             if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
     keys.resize(std::min(keys.size(), static_cast<std::size_t>(runs.most_keys) + 1));
+    const std::function<bool()> is_stopped = asked_one_at_a_time(runs.is_stopped);
+    std::vector<std::vector<KeyFault>> found(keys.size());
+    do_two_at_a_time(keys.size(), [&](std::size_t i) {
+        if (!is_stopped || !is_stopped())
+            found[i] = hold_key(files, sanitized_program, runs, keys[i], is_stopped);
+    });
     std::vector<KeyFault> faults;
-    for (const ProgramKey& key : keys) {
-        if (runs.is_stopped && runs.is_stopped()) break;
-        ProgramOrder order;
-        order.task.frames = key.code == 0 ? 1 : runs.frames;
-        order.task.key = key.code;
-        order.time = runs.time;
-        order.is_sanitized = true;
-        order.is_stopped = runs.is_stopped;
-        const ProgramRun run = run_program(files, sanitized_program, order);
-        for (const ProgramFault& fault : run.faults)
-            if (!is_known(faults, fault))
-                faults.push_back({key, static_cast<int>(run.recording.progress.frames), fault});
-    }
+    for (const std::vector<KeyFault>& of_key : found)
+        for (const KeyFault& fault : of_key)
+            if (!is_known(faults, fault.fault)) faults.push_back(fault);
     return faults;
 }
 

@@ -39,11 +39,13 @@ struct KeyRuns {
     int frames = 8;                        ///< of each run
     std::chrono::milliseconds time{8'000}; ///< for each run
     int most_keys = 16;
-    std::function<bool()> is_stopped; ///< null: never
+    std::function<bool()> is_stopped; ///< asked by other threads too, but one at a time; null:
+                                      ///< never
 };
 
-/// Runs the sanitized program without a key, and then with each; each place of a fault is reported
-/// once. Throws AccessError as run_program() does.
+/// Runs the sanitized program without a key, and with each, two runs at a time; each place of a
+/// fault is reported once, with the first key that has it. Throws AccessError as run_program()
+/// does.
 std::vector<KeyFault> hold_keys(const StudentFiles& files, const std::string& sanitized_program,
                                 const KeyRuns& runs);
 

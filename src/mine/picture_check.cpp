@@ -126,6 +126,7 @@ Settings with_nearest_rules(const Image& picture, const Scene& scene, const Sett
                 continue;
             const Settings tried = by_equal_rule(rule, nearest);
             if (tried == nearest) continue;
+            if (least == 0.0) return nearest; // nothing is nearer
             const double apart = distance_to(picture, scene, tried).other_surface;
             if (apart >= least) continue;
             least = apart;

@@ -22,6 +22,7 @@
 #include "frame_benchmark.h"
 #include "inspect/measures.h"
 #include "inspect/pixel_history.h"
+#include "mine_benchmark.h"
 #include "model_benchmark.h"
 #include "picture/view_image.h"
 #include "pipeline/draw.h"
@@ -43,7 +44,8 @@ constexpr const char* usage =
     "       rasterwalk-benchmark camera [--steps N] [--against FILE] [NAME...]\n"
     "       rasterwalk-benchmark models [--against FILE] [NAME...]\n"
     "       rasterwalk-benchmark frames [NAME...]\n"
-    "       rasterwalk-benchmark diagnoses [ID...]";
+    "       rasterwalk-benchmark diagnoses [ID...]\n"
+    "       rasterwalk-benchmark mine [--rounds N] [NAME...]";
 
 /// How long one thing took, over all its repetitions.
 struct Measurement {
@@ -244,6 +246,21 @@ ModelBenchmark model_options(const std::vector<std::string>& words) {
     return options;
 }
 
+/// The words behind `mine`. Throws UsageError.
+MineBenchmark mine_options(const std::vector<std::string>& words) {
+    MineBenchmark options;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "--rounds" && i + 1 < words.size()) {
+            options.rounds = std::clamp(std::atoi(words[++i].c_str()), 1, 1000);
+        } else if (!words[i].starts_with("-")) {
+            options.names.push_back(words[i]);
+        } else {
+            throw UsageError(usage);
+        }
+    }
+    return options;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -263,6 +280,10 @@ int main(int argc, char** argv) {
         }
         if (!words.empty() && words.front() == "diagnoses") {
             print_diagnosis_times({words.begin() + 1, words.end()});
+            return 0;
+        }
+        if (!words.empty() && words.front() == "mine") {
+            print_mine_times(mine_options({words.begin() + 1, words.end()}));
             return 0;
         }
         if (words.size() > 1) throw UsageError(usage);

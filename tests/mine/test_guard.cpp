@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -95,6 +96,22 @@ TEST_CASE("A guarded program that never ends is killed when its time is up") {
         CHECK(run.signal == SIGXCPU);
         CHECK(run.time >= 200ms);
     }
+}
+
+TEST_CASE("Watching a guarded program takes next to no time of the processor") {
+    // In a process of its own, whose children are then the supervisor and the program alone.
+    const std::string said = as_ordinary_user([] {
+        GuardedCommand sleeps = endless_command({"sleep"});
+        sleeps.limits.time = 1s;
+        run_guarded(sleeps);
+        rusage use{};
+        ::getrusage(RUSAGE_CHILDREN, &use);
+        const auto milliseconds = [](const timeval& time) {
+            return 1000 * time.tv_sec + time.tv_usec / 1000;
+        };
+        return fmt::format("{}", milliseconds(use.ru_utime) + milliseconds(use.ru_stime));
+    });
+    CHECK(std::stol(said) < 100);
 }
 
 TEST_CASE("A guarded program whose time is up has a moment for last words") {

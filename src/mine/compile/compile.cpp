@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <mutex>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -16,6 +15,7 @@
 #include "mine/compile/program_build.h"
 #include "mine/compile/project_folder.h"
 #include "mine/compile/source_text.h"
+#include "mine/compile/two_at_a_time.h"
 
 namespace rasterwalk {
 
@@ -23,7 +23,9 @@ namespace {
 
 /// Is it a file of the student's?
 bool is_own(const std::string& file, const StudentFiles& files) {
-    return file.starts_with('/') && is_below(file, files.folder);
+    // Its #line may name anything.
+    const bool is_plain = file.starts_with('/') && file.find("/../") == file.npos;
+    return is_plain && is_below(file, files.folder);
 }
 
 /// Puts a message where the student's file led to it; false: none did. A message of the linker that
@@ -189,9 +191,13 @@ void Attempts::report() {
 }
 
 Compiled Attempts::run() {
-    if (is_over({KitUse::with_driver, false})) return compiled_;
-    const bool is_drivers_fault = judged_.has_foreign_error || !judged_.has_own_error;
-    if (is_drivers_fault && is_over({KitUse::kit_only, false})) return compiled_;
+    // A sanitized program is not asked, and the driver takes a third of its compiling.
+    bool needs_no_driver = place_.instrumented == Instrumented::sanitized;
+    if (!needs_no_driver) {
+        if (is_over({KitUse::with_driver, false})) return compiled_;
+        needs_no_driver = judged_.has_foreign_error || !judged_.has_own_error;
+    }
+    if (needs_no_driver && is_over({KitUse::kit_only, false})) return compiled_;
     report();
     const Judged first = judged_;
     const std::vector<std::string> own_files = outcome_.copies.own_files;
@@ -218,13 +224,7 @@ Compiled compile_student_program(const StudentFiles& files, const Compiler& comp
     place.work = work_folder(files, compiler, instrumented);
     place.compiler = compiler;
     place.instrumented = instrumented;
-    std::mutex asking;
-    if (is_stopped) {
-        place.is_stopped = [&is_stopped, &asking] {
-            const std::lock_guard lock(asking);
-            return is_stopped();
-        };
-    }
+    place.is_stopped = asked_one_at_a_time(is_stopped);
     Compiled compiled = Attempts(files, place).run();
     compiled.time = std::chrono::duration_cast<std::chrono::milliseconds>(
         std::chrono::steady_clock::now() - start);

@@ -5,7 +5,8 @@
 // Each source is compiled from a copy whose #line says where it came from, so that messages and
 // debug information name the student's file. Three ways are tried, and the first that compiles is
 // taken: with the kit and the driver that asks functions; with the kit alone; with the student's
-// own helper where the kit's cannot replace it.
+// own helper where the kit's cannot replace it. A sanitized program is not asked, so the first way
+// is left out.
 
 #include <chrono>
 #include <functional>
@@ -18,7 +19,7 @@ namespace rasterwalk {
 
 enum class Instrumented {
     no,
-    sanitized, ///< with address and undefined-behaviour sanitizers, not optimized
+    sanitized, ///< with address and undefined-behaviour sanitizers, optimized as for debugging
 };
 
 /// What the compiler says, in its own words.

@@ -177,7 +177,10 @@ void supervise(const GuardedStart& start) noexcept {
     sigset_t ended;
     ::sigemptyset(&ended);
     ::sigaddset(&ended, SIGCHLD);
-    const int signals = ::signalfd(-1, &ended, SFD_CLOEXEC | SFD_NONBLOCK);
+    const int made = ::signalfd(-1, &ended, SFD_CLOEXEC | SFD_NONBLOCK);
+    // Its number may be a place at which nothing was put, and which is closed below.
+    const int signals = ::fcntl(made, F_DUPFD_CLOEXEC, place_count);
+    ::close(made);
     const pid_t self = ::getpid();
     const pid_t program = signals < 0 ? -1 : ::fork();
     if (program < 0) fail(StartStep::fork);

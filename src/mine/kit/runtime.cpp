@@ -139,6 +139,23 @@ void call_hook() {
     _exit(0);
 }
 
+/// Takes what the program has written into a row of pixels by itself, and puts it back.
+void capture_row(std::vector<Put>& into, int row) {
+    const auto width = static_cast<std::size_t>(runtime.canvas.width);
+    std::uint32_t* const pixels = runtime.canvas.pixels + static_cast<std::size_t>(row) * width;
+    const std::uint32_t* const known = runtime.known + static_cast<std::size_t>(row) * width;
+    // Each question asks all rows, and most of them have not changed.
+    if (std::memcmp(pixels, known, width * sizeof *pixels) == 0) return;
+    for (std::size_t i = 0; i < width; ++i) {
+        const std::uint32_t colour = pixels[i];
+        if (((colour ^ known[i]) & colour_bits) == 0) continue;
+        pixels[i] = known[i];
+        if (into.size() >= most_puts) continue;
+        into.push_back({static_cast<std::int32_t>(i), row, part_of(colour, 16), part_of(colour, 8),
+                        part_of(colour, 0)});
+    }
+}
+
 /// main() has ended, or the program has called exit().
 void end_normally() {
     if (runtime.has_ended || runtime.is_asking) return;
@@ -188,16 +205,8 @@ void capture_puts(std::vector<Put>* into) {
     std::vector<Put>* before = runtime.captured;
     runtime.captured = into;
     if (before == nullptr || into != nullptr) return;
-    for (std::size_t i = 0; i < pixel_count(); ++i) {
-        const std::uint32_t colour = runtime.canvas.pixels[i];
-        if (((colour ^ runtime.known[i]) & colour_bits) == 0) continue;
-        runtime.canvas.pixels[i] = runtime.known[i];
-        if (before->size() >= most_puts) continue;
-        const auto width = static_cast<std::size_t>(runtime.canvas.width);
-        before->push_back({static_cast<std::int32_t>(i % width),
-                           static_cast<std::int32_t>(i / width), part_of(colour, 16),
-                           part_of(colour, 8), part_of(colour, 0)});
-    }
+    for (int row = 0; row < runtime.canvas.height; ++row)
+        capture_row(*before, row);
 }
 
 bool is_capturing() {
