@@ -17,6 +17,7 @@
 #include "compare/picture_reasons.h"
 #include "compare/run_walk.h"
 #include "engines/engine_planes.h"
+#include "engines/program_drawing.h"
 #include "picture/view_image.h"
 #include "pipeline/frame.h"
 #include "pipeline/framebuffer.h"
@@ -100,7 +101,8 @@ struct Comparison {
                                      ///< that only one run has
     DivergenceList divergences;
     /// Why no moments were compared, a sentence; empty: they were. Then rows and divergences say
-    /// nothing, and the reasons say why the pictures differ.
+    /// nothing, and the reasons say why the pictures differ. With a student's program the only
+    /// divergence is where the orders of the pixels part, and there are no reasons.
     std::string only_pictures;
     PictureReasons reasons;
 
@@ -112,13 +114,15 @@ struct Comparison {
 /// Two runs being compared, part by part. Draws both in parallel and compares them moment by
 /// moment, which takes a few times as long as drawing both frames, and the memory of two pictures.
 /// If the runs divide the scene into different triangles, have several samples for each pixel, or
-/// an engine without moments draws one of them, only the pictures are compared: no moment of one is
-/// a moment of the other.
+/// an engine without moments or a student's program draws one of them, only the pictures are
+/// compared: no moment of one is a moment of the other.
 class ComparisonWork {
   public:
     /// Starts over. The frames must be of the same scene, have viewports of the same size, and live
     /// until the work is done or restarted.
-    void begin(const Frame& a, const Frame& b, const Cursor& to = cursor_end);
+    /// @param program that has drawn B; null: none
+    void begin(const Frame& a, const Frame& b, const Cursor& to = cursor_end,
+               std::shared_ptr<const ProgramDrawing> program = nullptr);
 
     /// Goes on as far as the limit allows.
     void advance(const WorkLimit& limit = {});
@@ -145,8 +149,12 @@ class ComparisonWork {
         /// False: something is left.
         bool advance(const Frame& frame, FrameWork& work, const Cursor& to, const WorkLimit& limit);
         const Framebuffer& picture(const Cursor& to) {
+            if (program != nullptr) return put.planes();
             return engine == Engine::steps ? steps.at(to) : planes.planes;
         }
+
+        std::shared_ptr<const ProgramDrawing> program; ///< that has drawn it; null: none
+        ProgramPlanes put;                             ///< its planes
 
         Engine engine = Engine::steps; ///< that draws it
         EnginePlanes planes;           ///< of another engine than the steps

@@ -80,9 +80,31 @@ std::string no_moments_text(const Frame& a, const Frame& b, const Cursor& to) {
                        b.triangles_of_each());
 }
 
+constexpr std::string_view program_text =
+    "Of your program only the pixels that it puts are known, so only the pictures are compared, "
+    "and the order of the pixels.";
+
+/// Where the program first puts another pixel than we do, as the only divergence; none if that is
+/// not before `to`, or if run A does not have the moments of the run that it was compared with.
+void add_parting(const Frame& a, const Frame& b, const Cursor& to, const ProgramDrawing& program,
+                 DivergenceList& list) {
+    const std::optional<Cursor> moment = moment_of_parting(program);
+    if (!moment || (*moment >= to && to != cursor_end) || !have_same_moments(a, b)) return;
+    const SequenceParting& parting = *program.parting;
+    const DivergenceKind kind = !parting.theirs ? DivergenceKind::missing
+                                : !parting.ours ? DivergenceKind::extra
+                                                : DivergenceKind::other;
+    list.count = 1;
+    list.first = Divergence{*moment, kind, false, parting_text(parting)};
+    list.first_beyond_rounding = list.first;
+    if (*moment != cursor_end)
+        list.groups.push_back({moment->triangle, moment->phase, kind, 1, *moment, *moment});
+}
+
 } // namespace
 
-void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to) {
+void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to,
+                           std::shared_ptr<const ProgramDrawing> program) {
     end();
     a_ = &a;
     b_ = &b;
@@ -95,13 +117,15 @@ void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to) {
     done_ = 0;
     triangles_ = std::min(a.triangle_count(), std::max(to.triangle, 0));
     found_ = {};
-    found_.only_pictures = no_moments_text(a, b, to);
+    found_.only_pictures = program == nullptr ? no_moments_text(a, b, to) : program_text;
+    if (program != nullptr) add_parting(a, b, to, *program, found_.divergences);
     if (found_.only_pictures.empty()) {
         begin_clearing(cleared_a_, a);
         begin_clearing(cleared_b_, b);
         return;
     }
     pictures_ = std::make_unique<PicturePair>();
+    pictures_->b.program = std::move(program);
 }
 
 /// Keeps the memory of the pictures for the next comparison, unless it is too much.
@@ -146,12 +170,20 @@ void ComparisonWork::end_triangles() {
 }
 
 void ComparisonWork::PictureWork::begin(const Frame& frame, FrameWork& work, const Cursor& to) {
+    if (program != nullptr) {
+        put.begin(program, frame);
+        return;
+    }
     engine = drawing_engine(*frame.scene, frame.settings, to);
     if (engine == Engine::steps) steps.begin(frame, work);
 }
 
 bool ComparisonWork::PictureWork::advance(const Frame& frame, FrameWork& work, const Cursor& to,
                                           const WorkLimit& limit) {
+    if (program != nullptr) {
+        put.go_to(puts_at(*program, to));
+        return true;
+    }
     if (engine != Engine::steps) {
         // The frame outlives the work, and its scene with it.
         advance_engine_planes({std::shared_ptr<void>(), frame.scene}, frame, limit, planes);
@@ -195,7 +227,8 @@ bool ComparisonWork::count_pixels(const WorkLimit& limit) {
     const Framebuffer& b = walk_ != nullptr ? walk_->b.picture() : pictures_->b.picture(to_);
     const int rows = rows_within(limit, count_pixel_work, a.size, pixels_.rows());
     std::function<void(glm::ivec2)> add_reason;
-    if (pictures_ != nullptr) {
+    // What our stages do there is no reason for what a program does.
+    if (pictures_ != nullptr && pictures_->b.program == nullptr) {
         add_reason = [&](glm::ivec2 place) {
             found_.reasons.add({*a_, a, pictures_->a.engine}, {*b_, b, pictures_->b.engine}, place);
         };

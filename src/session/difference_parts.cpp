@@ -62,6 +62,8 @@ void begin(View view, bool is_little, const WorkLimit& limit, Results& results) 
     progress.is_done = false;
     comparison.here = std::nullopt;
     if (!results.a.is_drawn() || !results.b->is_drawn()) return;
+    // What a student's program does at a moment is not known.
+    if (results.b->is_of_program()) return;
     const Cursor& next = std::min(results.a.cursor, results.b->cursor);
     comparison.here =
         divergence_at(results.a.frame, a, results.b->frame, b, next, comparison.scratch);

@@ -22,6 +22,7 @@ bool may_preview(const Session& session, const Results& results) {
     if (session.view != View::colour || session.cursor != cursor_end) return false;
     if (!may_preview(session, session.a, results.a)) return false;
     if (!session.b) return true;
+    if (session.b->program != nullptr) return false; // no engine of ours draws what it drew
     return session.compare_view != CompareView::difference && results.b &&
            may_preview(session, *session.b, *results.b);
 }

@@ -153,12 +153,41 @@ void update_history(const Session& session, const RunChanges& changes, const Wor
     results.history_work = std::nullopt;
 }
 
+/// Finds what the program that is run B puts on the picked pixel.
+void update_program_writes(const Session& session, Results& results) {
+    const std::optional<glm::ivec2> pixel = picked_pixel(session, results.a.frame);
+    ProgramWrites& writes = results.program_writes;
+    if (!pixel || !results.b || !results.b->is_of_program()) {
+        writes = {};
+    } else if (writes.program != results.b->run->program || writes.pixel != *pixel) {
+        writes.program = results.b->run->program;
+        writes.pixel = *pixel;
+        writes.puts = writes_on(*writes.program, *pixel);
+    }
+}
+
 std::string size_text(Viewport size) {
     return fmt::format("{} x {}", size.width, size.height);
 }
 
+/// Why what a student's program has drawn does not correspond to run A; empty if it does. Other
+/// settings may differ: they are what is compared.
+std::string program_obstacle(const Session& session, const ProgramDrawing& program) {
+    if (session.scene != program.scene)
+        return "Your program has drawn the lab's room, and another scene is open. Undo, or end the "
+               "comparison.";
+    if (!(session.a.settings.camera == program.settings.camera))
+        return "Your program has drawn the room from another place than run A. Undo, or end the "
+               "comparison.";
+    return "";
+}
+
 /// Why the two runs cannot be compared; empty if they can.
 std::string obstacle(const Session& session) {
+    if (session.b->program != nullptr) {
+        std::string why = program_obstacle(session, *session.b->program);
+        if (!why.empty()) return why;
+    }
     if (shown_pass(session, session.a) != shown_pass(session, *session.b))
         return "Run B cannot be compared with run A because it has no shadow map.";
     const Settings a = shown_run(session, session.a).settings;
@@ -209,7 +238,9 @@ void update_second_run(const Session& session, const RunChanges& a, bool are_rea
     const RunChanges b = update_run(session, shown_run(session, *session.b), are_ready, &shared,
                                     limit, results.numbers, *results.b);
     ComparisonResults& comparison = results.comparison;
-    if (a.frame || b.frame) comparison.work.begin(results.a.frame, results.b->frame);
+    if (a.frame || b.frame)
+        comparison.work.begin(results.a.frame, results.b->frame, cursor_end,
+                              results.b->run->program);
     const bool was_done = comparison.work.is_done();
     const bool are_drawn = results.a.is_drawn() && results.b->is_drawn();
     // And not in an update with much other work.
@@ -314,6 +345,7 @@ bool update_within(const Session& session, const WorkLimit& limit, Results& resu
     update_ground(session, results);
     update_history(session, changes, limit, results);
     update_second_run(session, changes, are_ready, limit, results);
+    update_program_writes(session, results);
     update_hints(session, changes, limit, results);
     update_hidden(session, changes, limit, results);
     update_previews(session, results);

@@ -9,6 +9,7 @@
 #include "base/image.h"
 #include "compare/compare.h"
 #include "engines/engine_picture.h"
+#include "engines/program_drawing.h"
 #include "inspect/hidden_ways.h"
 #include "inspect/pixel_history.h"
 #include "inspect/visibility_hints.h"
@@ -68,6 +69,13 @@ struct GeometrySource {
     friend bool operator==(const GeometrySource&, const GeometrySource&) = default;
 };
 
+/// What the student's program that is run B puts on the picked pixel.
+struct ProgramWrites {
+    std::shared_ptr<const ProgramDrawing> program; ///< null: B is none, or no pixel is picked
+    glm::ivec2 pixel{0};
+    std::vector<ProgramWrite> puts; ///< in order
+};
+
 /// Hints about the whole picture of A, and about settings that would show more. Those about the
 /// previous picture stay until those about this one are known.
 struct PictureHints {
@@ -109,6 +117,7 @@ struct Results {
     std::optional<DepthView> depth;          ///< of A, while the depth view is shown
     std::optional<OverdrawCounts> overdraw;  ///< of A, while the overdraw view is shown
     std::optional<PixelHistory> history;     ///< of the picked pixel, over the whole frame of A
+    ProgramWrites program_writes;            ///< what the student's program puts on that pixel
     std::optional<HistoryWork> history_work; ///< computes it once the picture is drawn; none:
                                              ///< nothing to do
     PictureHints hints;

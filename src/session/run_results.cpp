@@ -96,6 +96,8 @@ bool take_next(RunResults& results) {
     std::swap(results.frame, next.frame);
     results.scene = next.scene;
     results.replay.begin(results.frame, next.work);
+    if (next.run->program != nullptr)
+        results.program_planes.begin(next.run->program, results.frame);
     std::swap(results.run, next.run);
     return true;
 }
@@ -114,6 +116,11 @@ bool update_cursor(const Cursor& wanted, bool new_frame, RunResults& results) {
 /// Finds what is wrong in the whole frame. Row tables that have not been drawn are counted, unless
 /// that is too much work or they are still being drawn; then only what has been drawn is counted.
 void update_warnings(const WorkLimit& limit, RunResults& results) {
+    if (results.is_of_program()) { // they would be ours
+        results.warnings.clear();
+        results.has_all_warnings = true;
+        return;
+    }
     DrawTally tally = results.replay.tally();
     const FrameWork& work = results.replay.work();
     const Cursor& to = results.replay.tallied();
@@ -161,9 +168,24 @@ void paint_changes(View view, const WorkLimit& limit, RunResults& results) {
     if (is_empty(results.unpainted)) results.unpainted = {};
 }
 
+/// Shows the pixels that the program has put by the moment; that is little work.
+void put_by_program(RunResults& results) {
+    ProgramPlanes& planes = results.program_planes;
+    const bool is_same = results.framebuffer == &planes.planes();
+    planes.go_to(puts_at(*results.run->program, results.cursor));
+    const Viewport size = planes.planes().size;
+    results.framebuffer = &planes.planes();
+    results.unpainted = around(
+        results.unpainted, is_same ? planes.changed() : Rectangle{0, 0, size.width, size.height});
+}
+
 /// Draws as far as the limit allows, with the engine for the moment. Until the planes of an engine
 /// without moments can be shown, those of the steps are, with nothing drawn.
 void draw_some(const WorkLimit& limit, RunResults& results) {
+    if (results.is_of_program()) {
+        put_by_program(results);
+        return;
+    }
     Replay& replay = results.replay;
     const Framebuffer* const before = results.framebuffer;
     const bool has_moments = results.engine == Engine::steps;
@@ -246,8 +268,8 @@ RunChanges update_run(const Session& session, const Run& run, bool takes_frame,
     results.engine =
         has_failed ? Engine::steps
                    : drawing_engine(*results.frame.scene, results.frame.settings, results.cursor);
-    results.is_deferred =
-        results.engine == Engine::steps && results.replay.is_deferred(results.cursor, limit);
+    results.is_deferred = results.engine == Engine::steps && !results.is_of_program() &&
+                          results.replay.is_deferred(results.cursor, limit);
     const bool draws_on = changes.moment || results.is_drawing();
     const std::optional<DepthInterval> depths =
         shared != nullptr ? shared->depths : session.depth_range;

@@ -8,6 +8,7 @@
 
 #include "base/image.h"
 #include "engines/engine_planes.h"
+#include "engines/program_drawing.h"
 #include "inspect/row_history.h"
 #include "picture/view_image.h"
 #include "pipeline/frame.h"
@@ -79,14 +80,19 @@ struct RunResults {
     std::optional<DepthInterval> depth_range; ///< that it colours
     PictureRules rules;                       ///< that it is coloured by
     Replay replay;
-    EnginePlanes planes; ///< of the frame, unless the steps draw it
+    EnginePlanes planes;          ///< of the frame, unless the steps draw it
+    ProgramPlanes program_planes; ///< if a student's program has drawn it
 
+    /// Has a student's program drawn it? All that is shown of it besides the picture is ours.
+    bool is_of_program() const { return run && run->program != nullptr; }
     /// Is everything before the cursor drawn? Not yet, if it takes more than one update.
     bool is_drawn() const {
+        if (is_of_program()) return framebuffer == &program_planes.planes();
         return engine == Engine::steps ? replay.is_at(cursor) : planes.is_whole;
     }
     /// Is it being drawn, in further updates?
     bool is_drawing() const {
+        if (is_of_program()) return !is_drawn();
         if (engine != Engine::steps) return !planes.is_whole;
         return !replay.is_clear() || (!is_drawn() && !is_deferred);
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engines/program_drawing.h"
+#include "session/quiz_state.h"
 #include "session/session.h"
 #include "settings/preset.h"
 #include "settings/setting_table.h"
@@ -74,6 +76,20 @@ void compare_with(Session& session, const Settings& settings) {
     compare_with(session, Run{settings});
 }
 
+void compare_with_program(Session& session, std::shared_ptr<const ProgramDrawing> drawing) {
+    end_quiz(session);
+    end_comparison(session);
+    const Run before = session.a;
+    const std::shared_ptr<const Scene> before_scene = session.scene;
+    show_scene(session, drawing->scene);
+    session.a = Run{drawing->settings};
+    const bool is_other_scene = before_scene != drawing->scene;
+    compare_with(session, Run{drawing->settings, std::move(drawing)});
+    session.replaced = ReplacedRun{before, session.a, is_other_scene ? before_scene : nullptr, {}};
+    if (session.compare_view == CompareView::run_a || session.compare_view == CompareView::run_b)
+        session.compare_view = CompareView::wipe;
+}
+
 void stop_comparing(Session& session) {
     session.b = std::nullopt;
     session.runs_before = std::nullopt;
@@ -100,6 +116,11 @@ void end_comparison(Session& session) {
 
 void swap_runs(Session& session) {
     if (!session.b) return;
+    if (session.b->program != nullptr) {
+        session.notice = "Your program is always run B: only our own run has the numbers that the "
+                         "panels show.";
+        return;
+    }
     std::swap(session.a, *session.b);
     session.runs_before = RunPair{session.a, *session.b};
 }
@@ -107,6 +128,11 @@ void swap_runs(Session& session) {
 void mirror_changes_to_b(Session& session) {
     if (!session.b) {
         session.runs_before = std::nullopt;
+        return;
+    }
+    if (session.b->program != nullptr) {
+        session.b->settings = session.b->program->settings;
+        session.runs_before = RunPair{session.a, *session.b};
         return;
     }
     if (session.runs_before && *session.runs_before == RunPair{session.a, *session.b}) return;

@@ -18,10 +18,14 @@
 namespace rasterwalk {
 
 struct Session;
+struct ProgramDrawing;
 
 /// One way to draw a scene.
 struct Run {
     Settings settings;
+    /// The student's program that has drawn it, only of run B; null: our stages draw. Its settings
+    /// are then those of the drawing. A view, a link or a lesson never has one.
+    std::shared_ptr<const ProgramDrawing> program = nullptr;
 
     friend bool operator==(const Run&, const Run&) = default;
 };
@@ -71,6 +75,12 @@ struct ReplacedRun {
 void compare_with(Session& session, const Run& b);
 void compare_with(Session& session, const Settings& settings);
 
+/// From now on, compares a student's program as run B with our picture of the same scene, under the
+/// program's rules, as run A: at the end, on both sides of a divider unless a way to show both was
+/// chosen. Ends a quiz and a comparison in progress first; end_comparison() restores scene and run.
+/// @param drawing not null
+void compare_with_program(Session& session, std::shared_ptr<const ProgramDrawing> drawing);
+
 /// Back to one run; run A stays as it is.
 void stop_comparing(Session& session);
 
@@ -78,12 +88,13 @@ void stop_comparing(Session& session);
 /// set in run A, unless they have changed since.
 void end_comparison(Session& session);
 
-/// A becomes B and B becomes A.
+/// A becomes B and B becomes A. A student's program stays run B, which a notice says.
 void swap_runs(Session& session);
 
 /// A setting that has changed in A changes in B too if both had the same value before, so that
 /// turning the camera turns both. Call it once per frame, before update(). If B has changed since
-/// the last call, it is left alone.
+/// the last call, it is left alone. What a student's program has drawn does not change: as B it
+/// keeps the settings of its drawing.
 void mirror_changes_to_b(Session& session);
 
 /// A setting in which two runs differ.

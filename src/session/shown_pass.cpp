@@ -11,7 +11,8 @@ int shown_pass(const Session& session, const Run& run) {
 }
 
 Run shown_run(const Session& session, const Run& run) {
-    return {settings_of_pass(run.settings, shown_pass(session, run))};
+    const int pass = shown_pass(session, run);
+    return {settings_of_pass(run.settings, pass), pass == 0 ? run.program : nullptr};
 }
 
 Viewport shown_size(const Session& session) {

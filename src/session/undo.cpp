@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engines/program_drawing.h"
 #include "session/session.h"
 
 namespace rasterwalk {
@@ -25,19 +26,20 @@ bool move_between(Session& session, std::vector<Choices>& from, std::vector<Choi
     return true;
 }
 
-void count_scenes(const Choices& choices, SceneBytes& bytes) {
+void count_kept(const Choices& choices, KeptBytes& bytes) {
+    if (choices.b) bytes.add(choices.b->program.get());
     bytes.add(choices.scene.get());
     if (choices.replaced) bytes.add(choices.replaced->before_scene.get());
 }
 
-/// Forgets the oldest steps if there are too many or their scenes take too much memory.
+/// Forgets the oldest steps if there are too many or what they keep takes too much memory.
 void forget_oldest(UndoStack& stack) {
-    SceneBytes bytes;
-    count_scenes(stack.now, bytes);
+    KeptBytes bytes;
+    count_kept(stack.now, bytes);
     const std::size_t open = bytes.total();
     const auto newest = stack.past.rbegin();
     const auto is_too_much = [&](const Choices& step) {
-        count_scenes(step, bytes);
+        count_kept(step, bytes);
         return &step != &*newest && bytes.total() - open > stack.most_bytes;
     };
     const auto first = std::find_if(newest, stack.past.rend(), is_too_much);
@@ -75,7 +77,13 @@ bool redo(Session& session) {
     return move_between(session, session.undo.future, session.undo.past);
 }
 
-void SceneBytes::add(const Scene* scene) {
+void KeptBytes::add(const ProgramDrawing* drawing) {
+    if (drawing == nullptr || !counted_.insert(drawing).second) return;
+    total_ += drawing->bytes();
+    add(drawing->scene.get());
+}
+
+void KeptBytes::add(const Scene* scene) {
     if (scene == nullptr || !counted_.insert(scene).second) return;
     total_ += sizeof(Scene) + bytes_of(scene->mesh.vertices()) + bytes_of(scene->mesh.triangles()) +
               bytes_of(scene->parts) + bytes_of(scene->polygons) + bytes_of(scene->examples);

@@ -31,7 +31,8 @@ struct Choices {
     friend bool operator==(const Choices&, const Choices&) = default;
 };
 
-/// Memory of the scenes that undo keeps besides the open one, bytes.
+/// Memory of the scenes and of the programs' pictures that undo keeps besides the present ones,
+/// bytes.
 inline constexpr std::size_t most_undo_bytes = std::size_t{256} << 20;
 
 /// The choices made, one after the other. Changes need not be reported: record_undo_step() notices
@@ -40,7 +41,7 @@ struct UndoStack {
     Choices now;
     std::vector<Choices> past;
     std::vector<Choices> future; ///< the last is the next one to redo
-    /// If the scenes of the past take more, the oldest steps are forgotten, but never the newest.
+    /// If what the past keeps takes more, the oldest steps are forgotten, but never the newest.
     std::size_t most_bytes = most_undo_bytes;
 };
 
@@ -55,16 +56,17 @@ bool redo(Session& session);
 /// The most steps that are remembered; older ones are forgotten.
 inline constexpr std::size_t most_undo_steps = 200;
 
-/// Memory that scenes take, bytes. What several of them share counts once.
-class SceneBytes {
+/// Memory that scenes and programs' drawings take, bytes. What several of them share counts once.
+class KeptBytes {
   public:
-    /// Counts this scene too; null counts nothing.
+    /// Counts this one too; null counts nothing.
     void add(const Scene* scene);
+    void add(const ProgramDrawing* drawing);
 
     std::size_t total() const { return total_; }
 
   private:
-    std::set<const void*> counted_; ///< scenes and textures
+    std::set<const void*> counted_; ///< scenes, textures and drawings
     std::size_t total_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engines/program_drawing.h"
 #include "pipeline/shadow_pass.h"
 
 namespace rasterwalk {
@@ -48,6 +49,19 @@ void move_to(Session& session, const Cursor& cursor) {
         if (!follows_scene_order(session.a.settings)) session.selection.triangle = std::nullopt;
     }
     session.cursor = cursor;
+}
+
+/// Where the student's program that is run B first puts another pixel, if that is after this
+/// moment.
+std::optional<Cursor> parting_ahead(const Session& session, const Timeline& timeline,
+                                    const Cursor& here) {
+    if (!session.b || session.b->program == nullptr || timeline.frame().pass < 0 ||
+        session.scene != session.b->program->scene || !follows_scene_order(session.a.settings))
+        return std::nullopt;
+    const std::optional<Cursor> moment = moment_of_parting(*session.b->program);
+    if (!moment) return std::nullopt;
+    const Cursor there = timeline.at_or_after(*moment);
+    return there > here ? std::optional(there) : std::nullopt;
 }
 
 } // namespace
@@ -160,6 +174,14 @@ void advance_play(Session& session, const Timeline& timeline, const FrameLength&
         return;
     }
     const Instant now = after(timeline, length, play, here, time);
+    const std::optional<Cursor> parting = parting_ahead(session, timeline, here);
+    if (parting && now.cursor >= *parting) {
+        move_to(session, *parting);
+        play.running = false;
+        play.passed = 0.0;
+        show_info(session, parting_text(*session.b->program->parting));
+        return;
+    }
     move_to(session, in_pass(now.cursor, pass));
     play.passed = now.passed;
     if (now.cursor == cursor_end && pass == 0) play.running = false;

@@ -51,7 +51,8 @@ void toggle_play(Session& session, const Timeline& timeline);
 
 /// During playback, advances time by `seconds`: takes as many steps as the speed says, possibly
 /// several, and keeps the remaining part of one. The first call after the start does not move the
-/// cursor. Stops at the end.
+/// cursor. Stops at the end, and where a student's program that is run B first puts another pixel,
+/// which a notice says.
 /// @param length of the timeline's frame
 void advance_play(Session& session, const Timeline& timeline, const FrameLength& length,
                   float seconds);

@@ -24,12 +24,17 @@ namespace {
 
 // The rows about the second run.
 
+/// Is there a run B that settings describe? A student's program is never part of a view.
+bool has_described_b(const Session& session) {
+    return session.b && session.b->program == nullptr;
+}
+
 ViewField compare_field() {
     ViewForm<std::vector<std::string>> form{&ViewState::compare};
     form.read = read_assignments;
     form.toml = toml_list;
     form.read_session = [](const Session& session) -> std::optional<std::vector<std::string>> {
-        if (!session.b) return std::nullopt;
+        if (!has_described_b(session)) return std::nullopt;
         return assignments_between(session.a.settings, session.b->settings);
     };
     form.show = [](const auto& compare, Session& session) {
@@ -50,8 +55,9 @@ ViewField compare_field() {
     field.words = [](const ViewChange& change) -> std::vector<std::string> {
         const Session& to = change.to_session;
         const Session& from = change.from_session;
-        if (!to.b) {
-            return from.b ? std::vector{std::string(no_value)} : std::vector<std::string>();
+        if (!has_described_b(to)) {
+            return has_described_b(from) ? std::vector{std::string(no_value)}
+                                         : std::vector<std::string>();
         }
         if (to.b == from.b && to.a == from.a) return {};
         if (to.a == *to.b) {

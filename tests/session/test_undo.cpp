@@ -24,7 +24,7 @@ SharedTexture texture_of_side(int side) {
 }
 
 std::size_t bytes_of_scenes(const std::vector<const Scene*>& scenes) {
-    SceneBytes bytes;
+    KeptBytes bytes;
     for (const Scene* scene : scenes)
         bytes.add(scene);
     return bytes.total();

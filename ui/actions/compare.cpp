@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/numbers.h"
+#include "engines/program_drawing.h"
 #include "laboratory/quiz.h"
 #include "session/walk.h"
 #include "settings/setting_table.h"
@@ -36,6 +37,26 @@ std::optional<glm::ivec2> pixel_of(const Frame& frame, const Cursor& cursor) {
     if (!timeline.exists(cursor)) return std::nullopt;
     const PolygonRows& rows = timeline.moments(cursor.triangle).rows;
     return glm::ivec2(rows.left[cursor.index].column + cursor.step, rows.first_row + cursor.index);
+}
+
+/// The next divergence after a moment; of a student's program only one is known.
+std::optional<Cursor> divergence_from(const Results& results, const Cursor& from) {
+    if (results.b->is_of_program()) {
+        const std::optional<Divergence>& only = results.comparison.whole().divergences.first;
+        return only && only->cursor >= from ? std::optional(only->cursor) : std::nullopt;
+    }
+    const auto found = next_divergence(results.a.frame, results.b->frame, from);
+    return found ? std::optional(found->cursor) : std::nullopt;
+}
+
+/// The last one before it.
+std::optional<Cursor> divergence_before(const Results& results, const Cursor& to) {
+    if (results.b->is_of_program()) {
+        const std::optional<Divergence>& only = results.comparison.whole().divergences.first;
+        return only && only->cursor < to ? std::optional(only->cursor) : std::nullopt;
+    }
+    const auto found = previous_divergence(results.a.frame, results.b->frame, to);
+    return found ? std::optional(found->cursor) : std::nullopt;
 }
 
 /// Run A alone in a small window would look as if nothing were being compared.
@@ -71,6 +92,7 @@ void toggle_compare(Ui& ui) {
 
 void stand_at(Ui& ui, const Cursor& cursor) {
     go_to(ui.session, Timeline(ui.results.a.frame), cursor);
+    if (cursor == cursor_end) return; // a program goes on where our picture is whole
     Selection& selection = ui.session.selection;
     selection.triangle = cursor.triangle;
     selection.pixel = std::nullopt;
@@ -93,8 +115,8 @@ void go_to_next_divergence(Ui& ui) {
     }
     Cursor from = ui.results.a.cursor;
     if (from != cursor_end) ++from.step;
-    const auto found = next_divergence(ui.results.a.frame, ui.results.b->frame, from);
-    if (found) stand_at(ui, found->cursor);
+    const std::optional<Cursor> found = divergence_from(ui.results, from);
+    if (found) stand_at(ui, *found);
     ui.session.notice = found ? "" : "The runs do not differ again after this moment.";
 }
 
@@ -103,9 +125,8 @@ void go_to_previous_divergence(Ui& ui) {
         ui.session.notice = "There is only one run. Press C to compare.";
         return;
     }
-    const auto found =
-        previous_divergence(ui.results.a.frame, ui.results.b->frame, ui.results.a.cursor);
-    if (found) stand_at(ui, found->cursor);
+    const std::optional<Cursor> found = divergence_before(ui.results, ui.results.a.cursor);
+    if (found) stand_at(ui, *found);
     ui.session.notice = found ? "" : "The runs do not differ before this moment.";
 }
 
@@ -133,8 +154,19 @@ double seconds_to_blink(const Ui& ui) {
     return static_cast<double>(half - std::fmod(ui.compare.blink_seconds, half));
 }
 
+namespace {
+
+/// The run's name where run B is a student's program; empty where it is not.
+std::string program_words(const Session& session, bool of_b) {
+    if (!session.b || session.b->program == nullptr) return {};
+    return of_b ? session.b->program->name : "ours, by its rules";
+}
+
+} // namespace
+
 std::string run_words(const Session& session, bool of_b) {
     if (hides_settings(session)) return of_b ? "the correct run" : "with a mistake";
+    if (const std::string words = program_words(session, of_b); !words.empty()) return words;
     constexpr std::size_t most_named = 2;
     const std::vector<RunDifference> differences = run_differences(session);
     if (differences.empty()) return "the same settings";
@@ -155,7 +187,8 @@ std::string run_words(const Session& session, bool of_b) {
 std::vector<std::string> run_forms(const Session& session, bool of_b) {
     std::vector<std::string> forms{run_words(session, of_b)};
     const std::vector<RunDifference> differences = run_differences(session);
-    if (hides_settings(session) || differences.size() != 1) return forms;
+    if (hides_settings(session) || session.b->program != nullptr || differences.size() != 1)
+        return forms;
     const Setting& setting = *find_setting(differences.front().setting);
     // A number or a mere "on" does not say what it is about.
     const std::string value = value_words(setting, of_b ? session.b->settings : session.a.settings);
@@ -166,7 +199,7 @@ std::vector<std::string> run_forms(const Session& session, bool of_b) {
 
 std::string run_assignments(const Session& session, bool of_b) {
     if (hides_settings(session)) return run_words(session, of_b);
-    std::string lines;
+    std::string lines = program_words(session, of_b);
     for (const RunDifference& difference : run_differences(session)) {
         lines.append(lines.empty() ? "" : "\n").append(difference.setting).append(" = ");
         lines += of_b ? difference.b : difference.a;

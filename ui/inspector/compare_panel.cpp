@@ -367,7 +367,9 @@ void draw_compare_panel(Ui& ui) {
         draw_no_comparison(ui);
         return;
     }
-    if (!hides_settings(ui.session)) {
+    if (ui.session.b->program != nullptr) {
+        draw_program_run(ui);
+    } else if (!hides_settings(ui.session)) {
         draw_pairs(ui);
         ImGui::Spacing();
         ImGui::PushFont(ui.fonts.small);

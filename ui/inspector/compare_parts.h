@@ -20,6 +20,13 @@ void draw_offers(Ui& ui);
 /// The same as a line of buttons.
 void draw_pairs(Ui& ui);
 
+/// With a student's program as run B: what is compared, and what differs in run A from the rules
+/// that its picture was found to have.
+void draw_program_run(Ui& ui);
+
+/// Where the program puts the first pixel that we do not; its name leads there.
+void draw_program_parting(Ui& ui);
+
 /// Where only the pictures are compared: why, how many pixels differ for which reason, and the
 /// first of them.
 void draw_reasons(Ui& ui);

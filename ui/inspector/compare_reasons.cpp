@@ -20,6 +20,10 @@ void draw_reasons(Ui& ui) {
     register_widget(ui, "compare.only_pictures", "Why rows and moments are not compared.");
     register_text(ui, "compare.only_pictures", found.only_pictures);
     if (!ui.results.comparison.work.is_done()) return;
+    if (ui.results.b->is_of_program()) {
+        draw_program_parting(ui);
+        return;
+    }
     if (ImGui::BeginTable("compare.reasons", 2, ImGuiTableFlags_SizingStretchProp)) {
         ImGui::TableSetupColumn("", 0, 2.0f);
         ImGui::TableSetupColumn("", 0, 1.0f);

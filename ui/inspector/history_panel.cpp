@@ -250,6 +250,7 @@ void draw_history_panel(Ui& ui) {
     draw_engine_note(ui);
     if (history.entries.empty()) {
         draw_uncovered(ui, history);
+        draw_program_writes(ui);
         return;
     }
     std::array<std::string, 2> sentences = verdict(ui, history);
@@ -274,6 +275,7 @@ void draw_history_panel(Ui& ui) {
     for (const std::string& sentence : sentences)
         wrapped_text(sentence);
     end_card(ui);
+    draw_program_writes(ui);
     draw_ruler_of_history(ui, history);
 }
 
