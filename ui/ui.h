@@ -20,6 +20,7 @@
 #include "ui/inspector/inspector_state.h"
 #include "ui/inspector/lab_state.h"
 #include "ui/inspector/ladder_state.h"
+#include "ui/inspector/mine_state.h"
 #include "ui/lesson/lesson_state.h"
 #include "ui/sheets/sheets_state.h"
 #include "ui/start/start_state.h"
@@ -57,6 +58,7 @@ struct Ui {
     InspectorState inspector;
     LabLook lab;
     LadderLook ladder;
+    MineLook mine;
     LessonView lesson;
     SheetsState sheets;
     StartPage start;

@@ -24,6 +24,7 @@
 #include "cli/mine_command.h"
 #include "cli/progress_line.h"
 #include "cli/visible_output.h"
+#include "mine/compile/project_folder.h"
 #include "opening/opened_view.h"
 #include "opening/view_options.h"
 #include "session/content.h"
@@ -52,6 +53,7 @@ struct CommandLine {
     EnginesOptions engines;
     LadderOptions ladder;
     LessonsOptions lessons;
+    std::string code; ///< to be checked in the window; empty: none
     /// What to do once everything is understood; empty: open the window.
     std::function<void()> command;
     ExitCode exit_code = ExitCode::done; ///< of a successful command
@@ -77,6 +79,11 @@ void describe(CommandLine& line, const Clock& clock, std::ostream& out, std::ost
                     "Scene (.toml), model (.obj), lesson (.md) or saved view (.walk.toml) to open "
                     "in the window")
         ->type_name("");
+    line.app
+        .add_option("--code", line.code,
+                    "Your own program (.cpp, or its folder): check it in the window, again each "
+                    "time it is saved")
+        ->type_name("FILE");
     add_view_options(line.app, line.view);
     add_look_options(line.app, line.view);
 
@@ -340,13 +347,16 @@ void open_window_on(const ViewOptions& view, CliRequest& request) {
 
 void run(CommandLine& line, CliRequest& request) {
     if (!line.command) {
-        request.is_plain = line.view == ViewOptions{};
+        if (line.code.empty() && is_source_name(line.view.file))
+            std::swap(line.code, line.view.file);
+        request.code = line.code;
+        request.is_plain = line.view == ViewOptions{} && line.code.empty();
         check_file(line);
         open_window_on(line.view, request);
         request.open_window = true;
         return;
     }
-    if (!(line.view == ViewOptions{})) {
+    if (!(line.view == ViewOptions{}) || !line.code.empty()) {
         throw UsageError("the options of a command go after its name.");
     }
     line.command();

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <iosfwd>
 #include <memory>
+#include <string>
 
 #include "inspect/measures.h"
 #include "session/file_reading.h"
@@ -19,6 +20,7 @@ struct CliRequest {
     /// while it shows the usual scene.
     std::chrono::milliseconds patience{500};
     std::unique_ptr<FileReading> reading; ///< null: everything is read
+    std::string code; ///< the student's own program, to be checked in the window; empty: none
 };
 
 /// Carries out the command line of `rasterwalk`: writes the results to `data`, and messages about

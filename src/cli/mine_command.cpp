@@ -31,6 +31,9 @@ std::string place_prefix(const StudentFiles& files, const ProgramPlace& place) {
 
 void print_messages(const StudentFiles& files, const std::vector<CompileMessage>& messages,
                     std::ostream& out) {
+    const bool has_error = std::any_of(messages.begin(), messages.end(),
+                                       [](const CompileMessage& one) { return one.is_error; });
+    if (!has_error) out << "The compiler says more than is kept; the error is not in what is.\n";
     for (const CompileMessage& message : messages) {
         if (!message.is_error) continue;
         out << place_prefix(files, {{}, message.file, message.line}) << message.text << '\n';
@@ -72,10 +75,8 @@ void print_picture(const CheckedProgram& checked, std::ostream& out) {
         out << ".\n";
     } else {
         out << fmt::format("{} of {} pixels differ.\n", picture.different, picture.pixels)
-            << (picture.is_judged
-                    ? picture.diagnosis.verdict
-                    : "That may be right: too little is known about your program, because its "
-                      "functions or its lamp have names that are not known here.")
+            << (picture.is_judged ? std::string_view(picture.diagnosis.verdict)
+                                  : not_judged_words(checked))
             << '\n';
     }
     if (!picture.diagnosis.rules.empty())
@@ -124,7 +125,7 @@ void print_text(const CheckedProgram& checked, const std::vector<Bug>& bugs, std
     if (checked.is_key_tested && checked.key_faults.empty())
         out << "\nWith sanitizers, and with each of its keys held down, nothing was found.\n";
     print_mistakes(checked, bugs, out);
-    if (checked.is_right()) out << "\nNothing is wrong.\n";
+    if (checked.is_right()) out << '\n' << right_words << '\n';
 }
 
 /// Writes the program to begin with. Throws UsageError if one of its files is there already.

@@ -35,6 +35,10 @@ bool is_stopped(const CheckProgramOptions& options) {
     return options.is_stopped && options.is_stopped();
 }
 
+void report(const CheckedProgram& checked, const CheckProgramOptions& options) {
+    if (options.report && !is_stopped(options)) options.report(checked);
+}
+
 /// For each part, the answers of the run that was asked for it.
 Answers read_all(const std::vector<std::vector<double>>& streams, const Questions& questions) {
     Answers all;
@@ -169,10 +173,17 @@ bool is_known_enough(const CheckedProgram& checked, const Settings& reference) {
     return has_vertices && (reference.stage != Stage::shade || checked.known.knows_light);
 }
 
+bool is_all_black(const Image& image) {
+    constexpr std::size_t channels = 4;
+    for (std::size_t i = 0; i + channels <= image.rgba.size(); i += channels)
+        if ((image.rgba[i] | image.rgba[i + 1] | image.rgba[i + 2]) != 0) return false;
+    return true;
+}
+
 void compare_pictures(CheckedProgram& checked, const Scene& room, const std::vector<Bug>& bugs,
                       const CheckProgramOptions& options) {
     const Recording& recording = checked.run->recording;
-    if (!recording.has_picture() || recording.puts.empty()) return;
+    if (!recording.has_picture() || draws_nothing(*checked.run)) return;
     std::vector<std::string> known;
     const Settings settings = settings_of(checked, room, known);
     checked.picture =
@@ -183,6 +194,9 @@ void compare_pictures(CheckedProgram& checked, const Scene& room, const std::vec
     picture.is_judged =
         picture.is_right || (likely == nullptr ? is_known_enough(checked, picture.reference)
                                                : !is_contradicted(checked, *likely, bugs));
+    // Black is what many causes have in common, and what a lamp of no power makes of anything.
+    if (is_all_black(picture.theirs) || is_all_black(picture.right))
+        picture.is_right = picture.is_judged = false;
     if (!checked.picture->is_right) return;
     const std::vector<OurPut> ours = our_puts(room, checked.picture->reference);
     checked.sequence = SequenceCheck{static_cast<std::int64_t>(recording.puts.size()),
@@ -246,13 +260,17 @@ CheckedProgram check_program(const StudentFiles& files, const LabScenes& lab,
     order.is_stopped = options.is_stopped;
     checked.run = run_program(files, checked.compiled.program, order);
     checked.known = known_of(*checked.run, lab.room);
+    report(checked, options);
     if (checked.compiled.kit == KitUse::with_driver && !is_stopped(options)) {
         say(options, "Asking its functions");
         ask_functions(checked, lab, options);
+        report(checked, options);
     }
     if (!is_stopped(options)) {
         say(options, "Comparing its picture");
         compare_pictures(checked, lab.room, bugs, options);
+        checked.mistakes = likely_mistakes(checked);
+        report(checked, options);
     }
     if (options.hold_keys && !is_stopped(options)) run_sanitized(checked, compiler, options);
     checked.mistakes = likely_mistakes(checked);

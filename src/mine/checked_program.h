@@ -28,6 +28,7 @@ struct LikelyMistake {
                                    ///< none of them, or not known to be
     std::string sentence;          ///< what was found, where, and how large it is
     ProgramPlace place;            ///< line 0: not known
+    bool is_not_called = false;    ///< a function that is written, but that no frame calls
 };
 
 /// What the pixels' order tells.
@@ -74,6 +75,8 @@ struct CheckProgramOptions {
     std::chrono::milliseconds search{10'000};  ///< for what explains a wrong picture
     std::function<bool()> is_stopped;          ///< null: never
     std::function<void(std::string_view)> say; ///< what is being done; null: not needed
+    /// What is known so far, each time that it is more; null: not needed.
+    std::function<void(const CheckedProgram&)> report;
 };
 
 /// Compiles, runs and compares. Throws AccessError if there is no compiler, or if this system
@@ -85,8 +88,15 @@ CheckedProgram check_program(const StudentFiles& files, const LabScenes& lab,
 /// shows that the program has it, under a name that is not known here.
 std::string_view state_words(const CheckedProgram& checked, const FunctionCheck& check);
 
-/// What the evidence points to, what should be fixed first at the front. Called at the end of
-/// check_program().
+/// What is said when nothing was found: only pictures of the first frame are compared.
+inline constexpr std::string_view right_words =
+    "Nothing wrong was found in the first frame, with the camera where it begins.";
+
+/// Why a picture that differs is not called wrong, a sentence.
+std::string_view not_judged_words(const CheckedProgram& checked);
+
+/// What the evidence points to, what should be fixed first at the front. Called by check_program()
+/// once the picture is compared, and at its end.
 std::vector<LikelyMistake> likely_mistakes(const CheckedProgram& checked);
 
 } // namespace rasterwalk

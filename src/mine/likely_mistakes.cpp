@@ -73,7 +73,7 @@ void add_wrong_functions(const CheckedProgram& checked, std::vector<LikelyMistak
 
 void add_faults(const CheckedProgram& checked, std::vector<LikelyMistake>& mistakes) {
     for (const ProgramFault& fault : checked.run->faults)
-        mistakes.push_back({{}, fault.sentence, fault.place});
+        mistakes.push_back({{}, fault.sentence, fault.place, false});
 }
 
 /// Functions that are there, are needed for what is drawn, and are not called while it is.
@@ -94,7 +94,8 @@ void add_functions_not_called(const CheckedProgram& checked, std::vector<LikelyM
                  "still be missing, or be a line such as `void {}(...);`, which declares the "
                  "function once more and does not call it.",
                  needed.name, needed.name),
-             {}});
+             {},
+             true});
         return;
     }
 }
@@ -102,7 +103,8 @@ void add_functions_not_called(const CheckedProgram& checked, std::vector<LikelyM
 void add_picture(const CheckedProgram& checked, std::vector<LikelyMistake>& mistakes) {
     if (!checked.run->has_frame()) return;
     if (!checked.picture) {
-        mistakes.push_back({{}, "Your program puts no pixel on the screen.", {}});
+        if (!draws_nothing(*checked.run)) return;
+        mistakes.push_back({{}, "Your program puts no pixel on the screen.", {}, false});
         return;
     }
     const PictureCheck& picture = *checked.picture;
@@ -140,7 +142,7 @@ void add_key_faults(const CheckedProgram& checked, std::vector<LikelyMistake>& m
                 ? "In the first frame"
                 : fmt::format("While the key {} is held, in frame {}", fault.key.name, fault.frame);
         mistakes.push_back(
-            {{}, fmt::format("{}: {}", when, fault.fault.sentence), fault.fault.place});
+            {{}, fmt::format("{}: {}", when, fault.fault.sentence), fault.fault.place, false});
     }
 }
 
@@ -170,6 +172,17 @@ std::string_view state_words(const CheckedProgram& checked, const FunctionCheck&
     return {};
 }
 
+std::string_view not_judged_words(const CheckedProgram& checked) {
+    const bool is_wrong = std::any_of(
+        checked.functions.begin(), checked.functions.end(), [](const FunctionCheck& check) {
+            return check.state == CheckState::wrong || check.state == CheckState::died;
+        });
+    if (is_wrong)
+        return "It is not judged while a function is wrong, because that alone may be the reason.";
+    return "That may be right: too little is known about your program, because its functions or "
+           "its lamp have names that are not known here.";
+}
+
 std::vector<LikelyMistake> likely_mistakes(const CheckedProgram& checked) {
     std::vector<LikelyMistake> mistakes;
     if (!checked.run) return mistakes;
@@ -177,6 +190,10 @@ std::vector<LikelyMistake> likely_mistakes(const CheckedProgram& checked) {
     add_faults(checked, mistakes);
     add_functions_not_called(checked, mistakes);
     add_picture(checked, mistakes);
+    // A difference without a name may follow from one that has a name: DrawPolygonRows draws less
+    // if the depth test in it is wrong.
+    std::stable_partition(mistakes.begin(), mistakes.end(),
+                          [](const LikelyMistake& mistake) { return !mistake.bugs.empty(); });
     add_key_faults(checked, mistakes);
     return mistakes;
 }

@@ -80,6 +80,8 @@ std::vector<std::vector<ProgramPlace>> places_of(const std::string& program,
 bool is_in_folder(std::string_view file, std::string_view folder) {
     while (folder.ends_with('/'))
         folder.remove_suffix(1);
+    // A program's #line may name anything.
+    if (file.find("/../") != file.npos) return false;
     return file.starts_with(folder) && (file.size() == folder.size() || file[folder.size()] == '/');
 }
 

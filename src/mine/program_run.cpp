@@ -245,8 +245,14 @@ std::uint32_t parts_after(std::uint32_t parts, std::uint32_t part) {
 
 } // namespace
 
+bool draws_nothing(const ProgramRun& run) {
+    const rasterwalk_kit::Progress& progress = run.recording.progress;
+    return run.has_frame() && progress.puts == 0 && progress.direct == 0;
+}
+
 std::optional<ProgramFault> fault_of(const StudentFiles& files, const std::string& program,
-                                     const GuardedRun& run, const Recording& recording) {
+                                     const GuardedRun& run, const Recording& recording,
+                                     bool is_sanitized) {
     const rasterwalk_kit::Progress& progress = recording.progress;
     ProgramFault fault;
     if (progress.moment == rasterwalk_kit::moment_asked) {
@@ -254,7 +260,9 @@ std::optional<ProgramFault> fault_of(const StudentFiles& files, const std::strin
             std::min<std::uint32_t>(progress.part, rasterwalk_kit::part_count - 1));
         fault.question = progress.question;
     }
-    if (const auto sanitizer = parse_sanitizer_report(run.output, files.folder)) {
+    const auto sanitizer =
+        is_sanitized ? parse_sanitizer_report(run.output, files.folder) : std::nullopt;
+    if (sanitizer) {
         fault.sentence =
             fmt::format("{} (The sanitizer says: {}.)", sanitizer->sentence, sanitizer->kind);
         fault.place = sanitizer->place;
@@ -306,7 +314,8 @@ ProgramRun run_program(const StudentFiles& files, const std::string& program,
     for (bool is_first = true;; is_first = false) {
         const GuardedRun run = run_once(files, program, order, task, memory);
         Recording recording = memory.read();
-        const std::optional<ProgramFault> fault = fault_of(files, program, run, recording);
+        const std::optional<ProgramFault> fault =
+            fault_of(files, program, run, recording, order.is_sanitized);
         result.answers.push_back(std::move(recording.answers));
         if (fault) result.faults.push_back(*fault);
         if (is_first) {

@@ -54,6 +54,9 @@ struct ProgramRun {
     bool has_frame() const { return recording.progress.frames > 0; }
 };
 
+/// Did it draw a frame without a single pixel, by PutPixelSDL or by itself?
+bool draws_nothing(const ProgramRun& run);
+
 /// What is asked of a program, and how long it may take.
 struct ProgramOrder {
     ProgramTask task;
@@ -69,7 +72,9 @@ ProgramRun run_program(const StudentFiles& files, const std::string& program,
                        const ProgramOrder& order);
 
 /// What went wrong in a run, or none. `recording` says where it was.
+/// @param is_sanitized what sanitizers print counts; otherwise it is the program's own output
 std::optional<ProgramFault> fault_of(const StudentFiles& files, const std::string& program,
-                                     const GuardedRun& run, const Recording& recording);
+                                     const GuardedRun& run, const Recording& recording,
+                                     bool is_sanitized);
 
 } // namespace rasterwalk

@@ -55,7 +55,7 @@ TEST_CASE("mine says that a right program is right") {
     CAPTURE(result.out, result.err);
     CHECK(result.exit_code == 0);
     CHECK_THAT(result.out, ContainsSubstring("classic.cpp\n"));
-    CHECK_THAT(result.out, ContainsSubstring("\nNothing is wrong.\n"));
+    CHECK_THAT(result.out, ContainsSubstring("\nNothing wrong was found in the first frame"));
     CHECK(result.out.find("Fix first") == std::string::npos);
     for (const char* function :
          {"VertexShader", "Interpolate", "ComputePolygonRows", "DrawPolygonRows", "PixelShader"})
@@ -69,7 +69,7 @@ TEST_CASE("mine names the mistake of a wrong program, and its lesson") {
     CHECK_THAT(result.out, ContainsSubstring("Fix first:\n"));
     CHECK_THAT(result.out, ContainsSubstring("    B11: "));
     CHECK_THAT(result.out, ContainsSubstring("Lesson "));
-    CHECK(result.out.find("Nothing is wrong") == std::string::npos);
+    CHECK(result.out.find("Nothing wrong was found") == std::string::npos);
 }
 
 TEST_CASE("mine prints why a program does not compile, with file and line") {

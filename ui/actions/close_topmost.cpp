@@ -5,6 +5,7 @@
 #include "ui/actions/lab.h"
 #include "ui/actions/lecture.h"
 #include "ui/actions/measure.h"
+#include "ui/actions/mine.h"
 #include "ui/actions/open_tab.h"
 #include "ui/ui.h"
 
@@ -33,6 +34,8 @@ void close_topmost(Ui& ui) {
         ui.sheets.show(*sheet, false);
     } else if (is_diagnosing(ui)) {
         give_up_diagnosis(ui);
+    } else if (is_checking_program(ui)) {
+        stop_program_check(ui);
     } else if (is_measuring(ui)) {
         stop_measuring(ui);
     } else if (is_settings_open(ui)) {

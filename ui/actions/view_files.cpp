@@ -16,6 +16,7 @@
 #include "base/letter_case.h"
 #include "laboratory/printed_rows.h"
 #include "lessons/lesson_list.h"
+#include "mine/compile/project_folder.h"
 #include "opening/command_line_text.h"
 #include "opening/opened_view.h"
 #include "opening/view_link.h"
@@ -26,6 +27,7 @@
 #include "session/scene_file.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/lab.h"
+#include "ui/actions/mine.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/reading.h"
 #include "ui/ui.h"
@@ -55,17 +57,23 @@ bool is_result(const std::string& path) {
     return is_image_file(path) || has_image_ending(path) || has_text_ending(path);
 }
 
+/// A source of the student's own program, or the folder of one.
+bool is_program(const std::string& path) {
+    std::error_code ignored;
+    return is_source_name(path) || fs::is_directory(path, ignored);
+}
+
 /// What the sheet lists; anything can be opened by its name.
 bool is_listed(FileSheet::Kind kind, const std::string& name) {
     if (kind == FileSheet::Kind::save) return is_view_file(name);
-    if (kind == FileSheet::Kind::result) return has_result_ending(name);
+    if (kind == FileSheet::Kind::result) return has_result_ending(name) || is_source_name(name);
     if (kind == FileSheet::Kind::texture) return has_image_ending(name);
     constexpr std::string_view other_data[] = {"presets.toml", "bugs.toml", "glossary.toml"};
     if (std::find(std::begin(other_data), std::end(other_data), name) != std::end(other_data)) {
         return false;
     }
     return name.ends_with(".toml") || is_model_file(name) || is_lesson_file(name) ||
-           has_result_ending(name);
+           has_result_ending(name) || is_source_name(name);
 }
 
 bool comes_before(const FileEntry& a, const FileEntry& b) {
@@ -152,7 +160,9 @@ void show_view(Ui& ui, Session&& opened) {
 
 void open_file(Ui& ui, const std::string& path) {
     refuse_endless_file(path);
-    if (is_result(path)) {
+    if (is_program(path)) {
+        check_my_program(ui, path);
+    } else if (is_result(path)) {
         diagnose_file(ui, path);
     } else {
         read_and_open(ui, path);
@@ -161,10 +171,15 @@ void open_file(Ui& ui, const std::string& path) {
 
 void check_result(Ui& ui, const std::string& path) {
     refuse_endless_file(path);
+    if (is_program(path)) {
+        check_my_program(ui, path);
+        return;
+    }
     // A file that cannot be read is reported on the sheet, next to the other files.
     if (!is_result(path)) {
-        throw InputError(fmt::format("{}: a result is a picture ({}) or printed rows (.txt).", path,
-                                     exact_image_formats));
+        throw InputError(fmt::format("{}: what can be checked is a program (.cpp), a picture ({}) "
+                                     "or printed rows (.txt).",
+                                     path, exact_image_formats));
     }
     if (!is_image_file(path)) parse_printed_rows(read_file(path), path);
     diagnose_file(ui, path);

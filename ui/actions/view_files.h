@@ -18,11 +18,12 @@ struct Ui;
 void show_view(Ui& ui, Session&& opened);
 
 /// Opens a file by its ending: a saved view (.walk.toml), a lesson (.md), a picture or a text of
-/// printed rows to be diagnosed, otherwise a scene. Throws Error; everything is then unchanged.
+/// printed rows to be diagnosed, a program (.cpp or its folder) to be checked, otherwise a scene.
+/// Throws Error; everything is then unchanged.
 void open_file(Ui& ui, const std::string& path);
 
-/// Compares a picture or printed rows of the student's own program with the correct result. Throws
-/// Error if the file is neither.
+/// Checks the student's own program, or compares a picture or printed rows of it with the correct
+/// result. Throws Error if the file is none of these.
 void check_result(Ui& ui, const std::string& path);
 
 /// Lays an image on the scene, see with_texture(); undo takes it away again. Throws Error;

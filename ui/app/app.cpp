@@ -12,6 +12,7 @@
 #include "ui/actions/lab.h"
 #include "ui/actions/lesson_links.h"
 #include "ui/actions/measure.h"
+#include "ui/actions/mine.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/actions/reading.h"
@@ -281,6 +282,7 @@ void build_ui(Ui& ui) {
     io.DeltaTime = std::max(io.DeltaTime, shortest_frame);
     guarded(ui, [&] { renew_style(ui); });
     guarded(ui, [&] { poll_diagnosis(ui); });
+    guarded(ui, [&] { poll_program_check(ui); });
     guarded(ui, [&] { poll_background_load(ui); });
     guarded(ui, [&] { poll_ladder(ui); });
     if (!build_pass(ui, io.DeltaTime)) return;

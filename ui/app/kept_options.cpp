@@ -37,6 +37,7 @@ UiOptions merged(const UiOptions& before, const UiOptions& after, UiOptions thei
     take(&UiOptions::lesson_width);
     take(&UiOptions::inspector_width);
     take(&UiOptions::start_choice);
+    take(&UiOptions::program);
     theirs.score = merged(before.score, after.score, theirs.score);
     return theirs;
 }
@@ -60,6 +61,7 @@ std::string options_text(const UiOptions& options) {
         table.insert("quiz_rounds", options.score.rounds);
     }
     if (options.start_choice) table.insert("way", word_of(*options.start_choice));
+    if (!options.program.empty()) table.insert("program", options.program);
     std::ostringstream out;
     out << table << '\n';
     return out.str();
@@ -69,7 +71,7 @@ UiOptions parse_options(std::string_view text, const std::string& path, UiOption
     const toml::table root = parse_toml(text, path);
     const TomlInput input(root, path, "the look of the window");
     input.allow_only({"theme", "text_scale", "lesson_width", "inspector_width", "quiz_points",
-                      "quiz_rounds", "way"});
+                      "quiz_rounds", "way", "program"});
     if (input.find("theme") != nullptr) {
         const std::string theme = input.text("theme");
         if (theme != "dark" && theme != "light") {
@@ -86,6 +88,7 @@ UiOptions parse_options(std::string_view text, const std::string& path, UiOption
             input.fail(*input.find("way"), "'way' is \"lessons\", \"stages\" or \"picture\".");
         }
     }
+    if (input.find("program") != nullptr) options.program = input.text("program");
     options.score.is_kept = input.find("quiz_rounds") != nullptr;
     input.read("quiz_points", options.score.points, 0, largest_score);
     input.read("quiz_rounds", options.score.rounds, 0, largest_score);

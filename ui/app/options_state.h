@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "base/enum_words.h"
 
@@ -37,6 +38,7 @@ struct UiOptions {
     float inspector_width = 0.0f;
     QuizScore score;
     std::optional<StartChoice> start_choice; ///< chosen by the student at the start; none: not yet
+    std::string program; ///< path of the student's own program that was last checked; may be empty
 };
 
 } // namespace rasterwalk

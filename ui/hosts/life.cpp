@@ -12,6 +12,7 @@
 #include "session/walk.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/measure.h"
+#include "ui/actions/mine.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/app/app.h"
 #include "ui/app/kept_options.h"
@@ -26,6 +27,10 @@ namespace {
 
 /// Between two blinks of the text cursor, seconds.
 constexpr double cursor_blink = 0.2;
+/// How often the window looks how far the check of a program is, seconds.
+constexpr double check_step = 0.1;
+/// How often it looks for a file that the program may miss, seconds.
+constexpr double missing_file_step = 1.0;
 constexpr float shortest_step = 1e-4f;
 
 /// True while a mouse button or key is held: its effect continues without further events.
@@ -69,7 +74,11 @@ double seconds_to_next_frame(const Ui& ui, int frames_due) {
     if (frames_due > 0 || is_animating(ui) || is_held() || is_input_waiting()) return 0.0;
     const double typing =
         ImGui::GetIO().WantTextInput ? cursor_blink : std::numeric_limits<double>::infinity();
-    return std::min({seconds_to_blink(ui), seconds_to_progress(ui), typing});
+    // What takes long on another thread needs its processor more than many frames.
+    const double checking = is_checking_program(ui) ? check_step
+                            : may_miss_file(ui)     ? missing_file_step
+                                                    : std::numeric_limits<double>::infinity();
+    return std::min({seconds_to_blink(ui), seconds_to_progress(ui), typing, checking});
 }
 
 float frame_step(float passed, float meant_sleep) {

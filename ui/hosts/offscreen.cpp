@@ -15,6 +15,7 @@
 #include "base/quoted.h"
 #include "ui/actions/lab.h"
 #include "ui/actions/measure.h"
+#include "ui/actions/mine.h"
 #include "ui/actions/open_tab.h"
 #include "ui/app/app.h"
 #include "ui/canvas/outside_view.h"
@@ -145,6 +146,12 @@ Image draw_offscreen(Session session, const OffscreenOptions& options) {
                 poll_diagnosis(screen.ui, {});
             hand.rest();
         }
+        if (is_checking_program(screen.ui)) {
+            finish_program_check(screen.ui);
+            // The hour and the machine's speed would make each picture another one.
+            screen.ui.mine.checked_at.clear();
+            hand.rest();
+        }
         if (is_measuring(screen.ui) || is_racing(screen.ui)) {
             // Frames would take time from what is measured.
             while (is_measuring(screen.ui) || is_racing(screen.ui)) {
@@ -162,6 +169,10 @@ Image draw_offscreen(Session session, const OffscreenOptions& options) {
     };
     hand.rest();
     settle();
+    if (!options.code.empty()) {
+        check_my_program(screen.ui, options.code);
+        settle();
+    }
     for (const HandAction& action : options.actions) {
         carry_out(action, hand);
         settle();

@@ -30,7 +30,9 @@ struct OffscreenOptions {
     std::string tab; ///< of the inspector, brought to the front; empty: the session's own
     std::vector<HandAction> actions;
     std::string ladder_times; ///< file of times for the Speed tab, see made_times.h; empty: none
-    std::string report_path;  ///< file that takes report_of(); "-" for standard output; empty: none
+    /// The student's own program, checked before the actions; its times are left out. Empty: none.
+    std::string code;
+    std::string report_path; ///< file that takes report_of(); "-" for standard output; empty: none
 };
 
 /// Limits of the window that can be drawn, pixels.

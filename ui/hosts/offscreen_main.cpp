@@ -54,6 +54,7 @@ ActionOptions describe(CLI::App& app, Arguments& a) {
     text("--theme", a.theme, "dark or light", "NAME");
     text("--ladder-times", a.options.ladder_times,
          "Show the times in this file in the Speed tab, instead of times of this machine", "FILE");
+    text("--code", a.options.code, "Check this program (.cpp, or its folder) first", "FILE");
     text("--report-widgets", a.options.report_path,
          "Write the names and positions of all widgets to this file; - for standard output",
          "FILE");

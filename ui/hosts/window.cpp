@@ -15,6 +15,7 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/compare.h"
 #include "ui/actions/lab.h"
+#include "ui/actions/mine.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/reading.h"
 #include "ui/actions/view_files.h"
@@ -34,6 +35,8 @@ namespace {
 
 /// Longest sleep while nothing happens, seconds.
 constexpr double idle_wait = 0.5;
+/// The same while the student's own program is watched: what is saved shows soon.
+constexpr double watching_wait = 0.15;
 /// If the display does not pace the frames, this does, seconds.
 constexpr double shortest_frame = 1.0 / 250.0;
 
@@ -216,7 +219,8 @@ void run(Window& window) {
         const double still = seconds_to_blink(window.ui);
         window.meant_sleep = std::isfinite(still) ? static_cast<float>(still) : 0.0f;
         if (rest > 0.0) {
-            glfwWaitEventsTimeout(std::clamp(due - glfwGetTime(), shortest_frame, idle_wait));
+            const double longest = window.ui.mine.watched.empty() ? idle_wait : watching_wait;
+            glfwWaitEventsTimeout(std::clamp(due - glfwGetTime(), shortest_frame, longest));
         } else if (const double early = last_frame + shortest_frame - glfwGetTime(); early > 0.0) {
             glfwWaitEventsTimeout(early);
         } else {
@@ -224,7 +228,8 @@ void run(Window& window) {
         }
         const bool is_due = glfwGetTime() >= due;
         guarded(window.ui, [&] {
-            if (lesson_was_edited(window.ui) || result_was_edited(window.ui))
+            if (lesson_was_edited(window.ui) || result_was_edited(window.ui) ||
+                program_was_edited(window.ui))
                 window.frames_due = frames_after_event;
         });
         if (window.frames_due <= 0 && !is_due) continue;
@@ -303,12 +308,14 @@ struct OpenWindow {
 
 } // namespace
 
-void show_window(Session session, bool is_plain, std::unique_ptr<FileReading> reading) {
+void show_window(Session session, bool is_plain, std::unique_ptr<FileReading> reading,
+                 const std::string& code) {
     const Glfw glfw;
     HostOpenGl opengl;
     const UsedOpenGl used(opengl);
     OpenWindow open(std::move(session), is_plain);
     if (reading) begin_reading(open.window.ui, std::move(reading));
+    if (!code.empty()) check_my_program(open.window.ui, code);
     run(open.window);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "session/file_reading.h"
 #include "session/session.h"
@@ -14,6 +15,8 @@ namespace rasterwalk {
 /// whenever it changes: a program that watches from outside then knows where to click.
 /// @param is_plain the command line names nothing: the start page, or what the student left
 /// @param reading  what to show once it is read; null: nothing
-void show_window(Session session, bool is_plain, std::unique_ptr<FileReading> reading);
+/// @param code     the student's own program, to be checked; empty: none
+void show_window(Session session, bool is_plain, std::unique_ptr<FileReading> reading,
+                 const std::string& code);
 
 } // namespace rasterwalk

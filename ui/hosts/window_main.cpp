@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
                                 is_watched ? &std::cerr : nullptr);
         if (request.open_window) {
             rasterwalk::show_window(std::move(request.session), request.is_plain,
-                                    std::move(request.reading));
+                                    std::move(request.reading), request.code);
         }
         return exit_code;
     } catch (const rasterwalk::Error& fault) {

@@ -49,10 +49,11 @@ void draw_headline(Ui& ui, const LabAnswer& answer) {
 void draw_pictures(Ui& ui, const LabAnswer& answer) {
     if (!answer.subject.is_picture) return;
     const Diagnosis& diagnosis = answer.diagnosis;
-    draw_lab_pictures(ui, {"Where it is wrong", !diagnosis.is_same() ? "Orange: wrong."
-                                                : diagnosis.findings.empty()
-                                                    ? "Exactly the same."
-                                                    : "Orange: only rounding."});
+    draw_lab_pictures(ui, ui.lab.pictures, "lab",
+                      {"Where it is wrong", !diagnosis.is_same() ? "Orange: wrong."
+                                            : diagnosis.findings.empty()
+                                                ? "Exactly the same."
+                                                : "Orange: only rounding."});
 }
 
 /// How much differs and where, and what else can be said about it.

@@ -10,6 +10,7 @@ struct Bug;
 struct Candidate;
 struct Diagnosis;
 struct LabAnswer;
+struct LabPictures;
 
 // The parts of the bug laboratory; see lab_panel.cpp.
 
@@ -33,9 +34,11 @@ struct PictureCaption {
     std::string words; ///< may be empty
 };
 
-/// The picture that was diagnosed, and the program's own with its caption: side by side, or one
+/// The student's picture, and the one it is compared with, with its caption: side by side, or one
 /// below the other if there is little room.
-void draw_lab_pictures(Ui& ui, const PictureCaption& beside);
+/// @param owner before the names of the widgets: "lab"
+void draw_lab_pictures(Ui& ui, LabPictures& pictures, const std::string& owner,
+                       const PictureCaption& beside);
 
 /// The beginning of the card of a diagnosis.
 struct LabHeadline {

@@ -54,9 +54,9 @@ PairLayout pair_layout(const Ui& ui, const Image& image, float width) {
     return layout;
 }
 
-void draw_captioned(Ui& ui, bool is_own, const PairLayout& layout, const PictureCaption& caption) {
+void draw_captioned(Ui& ui, LabPictures& pictures, const std::string& owner, bool is_own,
+                    const PairLayout& layout, const PictureCaption& caption) {
     const Palette& p = palette(ui.options.theme);
-    LabPictures& pictures = ui.lab.pictures;
     PictureTexture& texture = pictures.small[is_own ? 0 : 1];
     if (texture.number != pictures.number || texture.scale != layout.scale) {
         const Image small =
@@ -71,9 +71,9 @@ void draw_captioned(Ui& ui, bool is_own, const PairLayout& layout, const Picture
     const ImVec2 high{low.x + texture.size.x, low.y + texture.size.y};
     ImGui::BeginGroup();
     ImGui::Dummy(texture.size);
-    const std::string name = is_own ? "lab.picture.own" : "lab.picture.beside";
+    const std::string name = owner + (is_own ? ".picture.own" : ".picture.beside");
     register_widget(ui, name,
-                    is_own ? "The picture that you chose."
+                    is_own ? "The picture of your program."
                            : "What a correct program draws, in grey; orange where yours differs.",
                     caption.title + (caption.words.empty() ? "" : ": " + caption.words));
     ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -92,19 +92,20 @@ void draw_captioned(Ui& ui, bool is_own, const PairLayout& layout, const Picture
 
 } // namespace
 
-void draw_lab_pictures(Ui& ui, const PictureCaption& beside) {
-    const Image& image = ui.lab.pictures.own;
+void draw_lab_pictures(Ui& ui, LabPictures& pictures, const std::string& owner,
+                       const PictureCaption& beside) {
+    const Image& image = pictures.own;
     const float width = ImGui::CalcItemWidth();
     ImGui::Spacing();
     const PairLayout layout = pair_layout(ui, image, width);
     const float left = ImGui::GetCursorScreenPos().x;
-    draw_captioned(ui, true, layout, {"Your picture", ""});
+    draw_captioned(ui, pictures, owner, true, layout, {"Your picture", ""});
     if (!layout.is_stacked) {
         ImGui::SameLine();
         const float next = left + layout.column + std::round(pair_gap * ui.options.text_scale);
         ImGui::SetCursorScreenPos({next, ImGui::GetCursorScreenPos().y});
     }
-    draw_captioned(ui, false, layout, beside);
+    draw_captioned(ui, pictures, owner, false, layout, beside);
     ImGui::Spacing();
 }
 

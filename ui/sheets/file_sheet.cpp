@@ -39,11 +39,11 @@ SheetWords words_of(FileSheet::Kind kind) {
                 "else.",
                 "No views are saved here.", "Save", "Writes the file. Key: Enter"};
     case FileSheet::Kind::result:
-        return {"Check my picture",
-                fmt::format("A picture that your program saved ({}), or the rows that it printed "
-                            "(.txt).",
+        return {"Check my program",
+                fmt::format("The source of your program (.cpp), a picture that it saved ({}), or "
+                            "the rows that it printed (.txt).",
                             exact_image_formats),
-                "No pictures or text files here.", "Check",
+                "No sources, pictures or text files here.", "Check",
                 "Looks for what may be wrong with it. Key: Enter"};
     case FileSheet::Kind::texture:
         return {"Apply an image to the model",
@@ -55,7 +55,7 @@ SheetWords words_of(FileSheet::Kind kind) {
         return {
             "Open",
             "A saved view (.walk.toml), a scene (.toml), a model (.obj) or a lesson (.md). Your "
-            "own picture or printed rows are diagnosed.",
+            "own program, its picture or its printed rows are checked.",
             "No views, scenes or lessons here.", "Open", "Opens the file. Key: Enter"};
     }
 }

@@ -40,13 +40,29 @@ constexpr std::array<Card, start_choice_count> cards{{
       "Click a pixel or a triangle to see where each number comes from."},
      "Begins at the first stage; the pictures above lead to each one."},
     {StartChoice::picture,
-     "Check my own picture",
+     "Check my own program",
      "What is wrong with it, where first, and why?",
-     {"A picture your program saved, or the rows it printed.",
-      "Rasterwalk tries the known mistakes to see which one explains yours."},
+     {"Your .cpp as it is, and again each time you save it; or a picture or rows it made.",
+      "Each function is asked separately, so one mistake fails one line."},
      "Shows the files that can be checked."},
 }};
 static_assert(is_indexed_by(cards, &Card::choice));
+
+/// In a browser, which has no compiler.
+constexpr Card picture_card{
+    StartChoice::picture,
+    "Check my own picture",
+    "What is wrong with it, where first, and why?",
+    {"A picture your program saved, or the rows it printed.",
+     "Rasterwalk tries the known mistakes to see which one explains yours."},
+    "Shows the files that can be checked."};
+
+/// The cards of this place.
+std::array<Card, start_choice_count> cards_of(const Ui& ui) {
+    std::array<Card, start_choice_count> shown = cards;
+    if (ui.host.is_browser) shown[static_cast<std::size_t>(StartChoice::picture)] = picture_card;
+    return shown;
+}
 
 /// What a card holds besides its pictures, with all its words and with fewer; design pixels. A
 /// lower card has fewer words.
@@ -245,13 +261,14 @@ void choose_focused_card(Ui& ui) {
 
 void draw_cards(Ui& ui, const StartLayout& page, float bottom) {
     const float u = ui.options.text_scale;
+    const std::array<Card, start_choice_count> shown = cards_of(ui);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     if (page.is_small) {
         const float gap = 6.0f * u;
         const float height = std::clamp((bottom - start.y) / start_choice_count - gap, 52.0f * u,
                                         largest_low_card * u);
-        for (std::size_t i = 0; i < cards.size(); ++i) {
-            draw_low_card(ui, cards[i], {start.x, start.y + static_cast<float>(i) * (height + gap)},
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            draw_low_card(ui, shown[i], {start.x, start.y + static_cast<float>(i) * (height + gap)},
                           {page.width, height});
         }
         ImGui::SetCursorScreenPos({start.x, start.y + start_choice_count * (height + gap) - gap});
@@ -260,8 +277,8 @@ void draw_cards(Ui& ui, const StartLayout& page, float bottom) {
     }
     const float width = (page.width - page.gap * (start_choice_count - 1)) / start_choice_count;
     const float height = std::clamp(bottom - start.y, 300.0f * u, 440.0f * u);
-    for (std::size_t i = 0; i < cards.size(); ++i) {
-        draw_tall_card(ui, cards[i],
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        draw_tall_card(ui, shown[i],
                        {start.x + static_cast<float>(i) * (width + page.gap), start.y},
                        {width, height});
     }

@@ -1,6 +1,7 @@
 #include "ui/start/start_choice.h"
 
 #include "ui/actions/lab.h"
+#include "ui/actions/mine.h"
 #include "ui/actions/open_lesson.h"
 #include "ui/actions/open_tab.h"
 #include "ui/start/start_pictures.h"
@@ -37,9 +38,10 @@ void take_start_choice(Ui& ui, StartChoice choice) {
         }
         break;
     case StartChoice::picture:
+        // A browser cannot compile a program, but it can check what one has made.
         ui.lab.mode = LabMode::result;
-        open_tab(ui, "lab");
-        give_focus(ui, "lab.choose");
+        open_tab(ui, ui.host.is_browser ? "lab" : "mine");
+        give_focus(ui, ui.host.is_browser ? "lab.choose" : "mine.choose");
         break;
     }
 }
@@ -56,7 +58,7 @@ void follow_start_page(Ui& ui) {
         ui.focus.before.clear(); // every choice leads away from here
     }
     const bool is_same = start.behind == ui.session && start.lesson == ui.session.lesson;
-    if (!is_same || is_diagnosing(ui)) start.is_open = false;
+    if (!is_same || is_diagnosing(ui) || is_checking_program(ui)) start.is_open = false;
     if (!start.is_open) start.behind.reset();
 }
 

@@ -188,8 +188,8 @@ TEST_CASE("Leaving the file sheet that the start page opened puts the frame on c
         driver.hand.press(key::escape);
         CHECK(driver.ui.sheets.files.kind == FileSheet::Kind::closed);
         CHECK(driver.ui.focus.is_shown);
-        CHECK(driver.ui.focus.name == "lab.choose");
-        CHECK(driver.hand.is_visible("lab.choose"));
+        CHECK(driver.ui.focus.name == "mine.choose");
+        CHECK(driver.hand.is_visible("mine.choose"));
     }
 }
 

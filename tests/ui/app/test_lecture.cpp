@@ -59,7 +59,10 @@ TEST_CASE("In a lecture Page down walks a lesson to its end, and Page up back") 
     CHECK(walked.size() > lesson.steps.size());
     for (std::size_t i = walked.size() - 1; i > 0; --i) {
         driver.hand.press(key::page_up);
-        CHECK(place() == walked[i - 1]);
+        const auto here = place();
+        INFO("card " << walked[i - 1].second << " of step " << walked[i - 1].first);
+        CHECK(here.first == walked[i - 1].first);
+        CHECK(here.second == walked[i - 1].second);
     }
 }
 

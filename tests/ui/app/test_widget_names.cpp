@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <regex>
 #include <set>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "base/files.h"
 #include "facts/facts.h"
@@ -15,6 +18,7 @@
 #include "session/tabs.h"
 #include "settings/setting_table.h"
 #include "support/hinted_models.h"
+#include "support/program_drawings.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/driver.h"
@@ -52,6 +56,7 @@ class Tour {
         hinted_model();
         diagnosed();
         ladder_measured();
+        program_compared();
     }
 
   private:
@@ -202,6 +207,21 @@ class Tour {
         look(driver);
     }
 
+    /// A student's program that lacks the last pixel.
+    void program_compared() {
+        const ProgramDrawing right = test::right_room_drawing(StripStep{Stage::fill});
+        std::vector<ProgramPut> puts = right.puts;
+        puts.pop_back();
+        Driver driver;
+        compare_with_program(driver.ui.session, std::make_shared<const ProgramDrawing>(
+                                                    test::with_puts(right, std::move(puts))));
+        follow_link(driver.ui, "tab:compare");
+        look(driver);
+        driver.ui.session.selection.pixel = right.puts.front().pixel;
+        follow_link(driver.ui, "tab:history");
+        look(driver);
+    }
+
     /// A tab chosen by the student or by a lesson, and what a lesson hides.
     void groups() {
         Driver driver;
@@ -210,6 +230,8 @@ class Tour {
             driver.hand.click("group." + group);
             look(driver);
         }
+        driver.open("mine"); // before a program is chosen
+        look(driver);
         open_lesson(driver.ui, "01-pinhole-camera", 0);
         look(driver);
         open_lesson(driver.ui, "01-pinhole-camera", 3); // with a control of its own

@@ -125,8 +125,8 @@ TEST_CASE("If you choose no file yet, you read what can be checked") {
     begin(driver);
     driver.hand.click("start.picture");
     driver.hand.press(key::escape);
-    CHECK(driver.hand.is_visible("lab.choose"));
-    CHECK(driver.hand.is_visible("lab.path"));
+    CHECK(driver.hand.is_visible("mine.choose"));
+    CHECK(driver.hand.is_visible("mine.path"));
 }
 
 TEST_CASE("A click on a stage shows the scene at that stage") {
@@ -273,11 +273,11 @@ TEST_CASE("A later start goes on where the student stopped") {
         CHECK_FALSE(is_open(driver));
         CHECK(driver.ui.session.lesson.empty());
     }
-    SECTION("with a picture of one's own") {
+    SECTION("with a program of one's own") {
         Driver driver;
         driver.ui.options.start_choice = StartChoice::picture;
         begin(driver);
-        CHECK(driver.hand.is_visible("lab.path"));
+        CHECK(driver.hand.is_visible("mine.path"));
     }
     SECTION("with a lesson that was opened from the list") {
         Driver driver;
