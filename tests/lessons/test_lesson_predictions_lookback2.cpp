@@ -1,4 +1,4 @@
-// The look back of lessons 20 to 35 without 28, each answered a second time: by arithmetic from the
+// The look back of lessons 20 to 36 without 28, each answered a second time: by arithmetic from the
 // scenes' numbers, by definitions, or by trying out every case there is.
 
 #include <algorithm>
@@ -235,4 +235,12 @@ PREDICTIONS_TEST("Look back on lesson 33: colours after a pre-pass", "35-rays", 
     // Everything is covered but for row 0 and column 0: each of those pixels has one nearest depth.
     const int colours = 499 * 499, fragments = 328789, pixels = 500 * 500;
     require_look_back("35-rays", {colours == fragments, colours == pixels - 999, colours > pixels});
+}
+
+PREDICTIONS_TEST("Look back on lesson 34: what depth first spares", "36-your-own-program",
+                 "look-back") {
+    // Of the room's fragments these fail, counted in lesson 10: their light is not needed.
+    const double failing = 35432.0, fragments = 328789.0, share = failing / fragments;
+    require_look_back("36-your-own-program",
+                      {share == 0.0, std::abs(share - 1.0 / 9.0) < 0.01, share > 0.4});
 }

@@ -220,7 +220,7 @@ TEST_CASE("Each prediction is computed, refuses a wrong answer and takes the rig
         case LessonPrediction::Kind::number: {
             const double right = judged({0.0}).number;
             CHECK(judged({right}).is_right);
-            const double far = 2.0 * std::abs(right) + 1000.0;
+            const double far = 2.0 * std::abs(right) + 1e6; // beyond any tolerance
             CHECK_FALSE(judged({right + far}).is_right);
             // What is shown would be accepted.
             CHECK(judged({*read_answer(answer_text(right))}).is_right);
