@@ -15,6 +15,7 @@
 #include "cli/mine_json.h"
 #include "mine/checked_program.h"
 #include "mine/compile/kit_files.h"
+#include "mine/source_lines.h"
 #include "stages/stages.h"
 
 namespace rasterwalk {
@@ -24,9 +25,7 @@ namespace {
 /// "skeleton.cpp:142: ", relative to the program's folder; empty if the place is not known.
 std::string place_prefix(const StudentFiles& files, const ProgramPlace& place) {
     if (place.line == 0) return {};
-    std::string file = place.file;
-    if (file.starts_with(files.folder + '/')) file.erase(0, files.folder.size() + 1);
-    return fmt::format("{}:{}: ", file, place.line);
+    return fmt::format("{}:{}: ", shown_path(files, place.file), place.line);
 }
 
 void print_messages(const StudentFiles& files, const std::vector<CompileMessage>& messages,

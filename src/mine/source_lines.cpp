@@ -16,10 +16,6 @@ constexpr std::size_t most_letters = 400;  ///< of a line: what is shown ends th
 constexpr std::size_t most_of_head = 2000; ///< letters from a function's bracket to its body
 constexpr std::string_view tab_blanks = "    ";
 
-bool is_of_a_name(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 /// A line as it can be shown.
 std::string shown_line(std::string_view line) {
     std::string shown;
@@ -51,7 +47,7 @@ bool has_body(std::string_view code, std::size_t open) {
         if (depth > 0 || c == ')') continue;
         if (c == '{') return true;
         // `const`, `noexcept` or `-> Pixel` may come before the body.
-        const bool is_between = is_of_a_name(c) || c == '-' || c == '>' || c == ':' ||
+        const bool is_between = is_name_letter(c) || c == '-' || c == '>' || c == ':' ||
                                 std::isspace(static_cast<unsigned char>(c)) != 0;
         if (!is_between) return false;
     }
@@ -65,7 +61,7 @@ int line_of_definition(const std::string& source, std::string_view name) {
     const std::string wanted = in_small_letters(std::string(name));
     for (std::size_t at = small.find(wanted); at != small.npos; at = small.find(wanted, at + 1)) {
         std::size_t open = at + wanted.size();
-        if (at > 0 && is_of_a_name(code[at - 1])) continue;
+        if (at > 0 && is_name_letter(code[at - 1])) continue;
         while (open < code.size() && std::isspace(static_cast<unsigned char>(code[open])) != 0)
             ++open;
         if (open < code.size() && code[open] == '(' && has_body(code, open))

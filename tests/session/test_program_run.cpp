@@ -21,19 +21,7 @@ using namespace rasterwalk;
 
 namespace {
 
-/// A program that puts one pixel where it does not belong, in the middle of the picture's time.
-struct WrongPixel {
-    ProgramDrawing right = test::right_room_drawing(StripStep{Stage::fill});
-    std::size_t index = right.puts.size() / 2;
-    glm::ivec2 meant = right.puts[index].pixel;
-    glm::ivec2 hit{meant.x, (meant.y + 7) % 48};
-
-    std::shared_ptr<const ProgramDrawing> drawing() const {
-        std::vector<ProgramPut> puts = right.puts;
-        puts[index] = {hit, glm::vec3(0.125f, 0.25f, 0.5f)};
-        return std::make_shared<const ProgramDrawing>(test::with_puts(right, puts));
-    }
-};
+using WrongPixel = test::ProgramWithWrongPixel;
 
 std::shared_ptr<const ProgramDrawing> right_drawing() {
     return std::make_shared<const ProgramDrawing>(test::right_room_drawing(StripStep{Stage::fill}));

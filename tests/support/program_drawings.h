@@ -64,4 +64,19 @@ inline ProgramDrawing right_room_drawing(const StripStep& step = StripStep::pixe
     return drawing_like_ours(room, small_room_settings(*room, step));
 }
 
+/// The room, drawn by a program that puts one pixel seven rows too low and in a colour of its own,
+/// in the middle of the picture's time.
+struct ProgramWithWrongPixel {
+    ProgramDrawing right = right_room_drawing(StripStep{Stage::fill});
+    std::size_t index = right.puts.size() / 2;
+    glm::ivec2 meant = right.puts[index].pixel;
+    glm::ivec2 hit{meant.x, (meant.y + 7) % 48};
+
+    std::shared_ptr<const ProgramDrawing> drawing() const {
+        std::vector<ProgramPut> puts = right.puts;
+        puts[index] = {hit, glm::vec3(0.125f, 0.25f, 0.5f)};
+        return std::make_shared<const ProgramDrawing>(with_puts(right, puts));
+    }
+};
+
 } // namespace rasterwalk::test

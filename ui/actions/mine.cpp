@@ -43,6 +43,12 @@ void watch(std::vector<WatchedFile>& files, const std::string& path) {
         files.push_back({path, file_state(path)});
 }
 
+void watch_sources(std::vector<WatchedFile>& files, const StudentFiles& program) {
+    watch(files, program.main);
+    for (const std::string& source : program.sources)
+        watch(files, source);
+}
+
 /// The files whose change means that the program has changed: its sources, and those next to them.
 /// Their states are those before the check reads them, so no change is missed.
 std::vector<WatchedFile> files_to_watch(const MineLook& mine) {
@@ -50,11 +56,7 @@ std::vector<WatchedFile> files_to_watch(const MineLook& mine) {
     std::error_code fault;
     const bool is_folder = fs::is_directory(mine.path, fault);
     if (!is_folder) watch(files, mine.path);
-    if (mine.last) {
-        watch(files, mine.last->files.main);
-        for (const std::string& source : mine.last->files.sources)
-            watch(files, source);
-    }
+    if (mine.last) watch_sources(files, mine.last->files);
     const fs::path folder = is_folder ? fs::path(mine.path) : fs::path(mine.path).parent_path();
     try {
         for (const FoundFile& file : files_in(folder.string(), depth_watched))
@@ -127,13 +129,6 @@ void renew_compared(Ui& ui) {
     session.undo.now = static_cast<const Choices&>(session);
 }
 
-/// What the check has found to belong to the program is watched too.
-void watch_found(MineLook& mine) {
-    watch(mine.watched, mine.last->files.main);
-    for (const std::string& source : mine.last->files.sources)
-        watch(mine.watched, source);
-}
-
 bool does_not_compile(const MineLook& mine) {
     return mine.last && !mine.last->compiles();
 }
@@ -153,7 +148,7 @@ bool was_file_added(MineLook& mine) {
 void take_over(Ui& ui, const std::shared_ptr<const CheckedProgram>& known, bool is_whole) {
     MineLook& mine = ui.mine;
     mine.last = known;
-    watch_found(mine);
+    watch_sources(mine.watched, known->files); // the check has found which they are
     ++mine.number;
     mine.is_whole = is_whole;
     mine.lines = check_lines(*known, is_whole);

@@ -123,11 +123,14 @@ Columns measure_columns(const Ui& ui, const PixelHistory& history, float room) {
     return columns;
 }
 
-/// A margin with four digits; one that would read 0 as its power of ten.
+/// A margin with four digits after the point, or fewer where it would not fit into its column; one
+/// that would read 0, or is larger than that, as its power of ten.
 std::string margin_text(float value) {
-    const bool is_tiny = value != 0.0f && std::abs(value) < 0.00005f;
-    if (is_tiny) return with_minus_signs(fmt::format("{:+.0e}", value));
-    return (value > 0.0f ? "+" : "") + fixed(static_cast<double>(value), 4);
+    const float size = std::abs(value);
+    const bool is_tiny = value != 0.0f && size < 0.00005f;
+    if (is_tiny || size >= 9999.5f) return with_minus_signs(fmt::format("{:+.0e}", value));
+    const int digits = size < 9.99995f ? 4 : size < 99.9995f ? 3 : size < 999.995f ? 2 : 1;
+    return (value > 0.0f ? "+" : "") + fixed(static_cast<double>(value), digits);
 }
 
 bool is_linear_z(const Ui& ui) {

@@ -131,10 +131,11 @@ const ProgramPlace& definition_in(Ui& ui, const CheckedProgram& checked,
     return mine.defined_at;
 }
 
-/// What the picture alone suggests; empty: nothing.
+/// What the picture alone suggests, if no function contradicts it; empty: nothing.
 std::vector<std::string> mistakes_of_picture(const CheckedProgram& checked) {
-    if (!checked.picture || checked.picture->is_right) return {};
-    const Candidate* const likely = likely_candidate(checked.picture->diagnosis);
+    const auto& picture = checked.picture;
+    if (!picture || picture->is_right || !picture->is_judged) return {};
+    const Candidate* const likely = likely_candidate(picture->diagnosis);
     return likely == nullptr ? std::vector<std::string>() : likely->ids();
 }
 
@@ -182,7 +183,7 @@ void draw_pictures(Ui& ui, const CheckedProgram& checked) {
                        picture.is_right ? "The same but for rounding." : "Orange: different."});
 }
 
-/// Both as two runs: the whole picture, and the walk to the first difference.
+/// Both as two runs: the whole picture, and the walk to where the orders of pixels part.
 void draw_ways_to_compare(Ui& ui, const PictureCheck& picture) {
     if (button(ui, "mine.compare", "Compare with ours", picture.is_right ? Look::plain : Look::main,
                "Shows your picture as run B and ours as run A, with a divider between them.")) {
@@ -223,8 +224,7 @@ void draw_picture(Ui& ui, const CheckedProgram& checked) {
         return;
     }
     const PictureCheck& picture = *checked.picture;
-    const std::vector<std::string> bugs =
-        picture.is_judged ? mistakes_of_picture(checked) : std::vector<std::string>();
+    const std::vector<std::string> bugs = mistakes_of_picture(checked);
     name_mistakes(ui, bugs);
     if (!picture.is_right)
         say(ui, "mine.picture",

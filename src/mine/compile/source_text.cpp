@@ -13,10 +13,6 @@ namespace rasterwalk {
 
 namespace {
 
-bool is_name_letter(char letter) {
-    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
-}
-
 /// Writes blanks over a range, but not over line breaks.
 void blank_out(std::string& text, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < std::min(end, text.size()); ++i) {
@@ -193,6 +189,10 @@ void sort_once(std::vector<std::string>& names) {
 }
 
 } // namespace
+
+bool is_name_letter(char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
+}
 
 std::string read_source(const std::string& path) {
     refuse_endless_file(path);

@@ -17,6 +17,9 @@ inline constexpr std::size_t largest_source = std::size_t{4} << 20;
 /// text at all.
 std::string read_source(const std::string& path);
 
+/// Can a name in a source have it? ASCII only.
+bool is_name_letter(char letter);
+
 /// The text with blanks for its comments, and for what `#if 0` leaves out; line breaks stay, so all
 /// else keeps its place.
 std::string without_comments(std::string_view source);

@@ -22,10 +22,6 @@ namespace fs = std::filesystem;
 constexpr int deepest_main = 2;
 constexpr std::size_t most_sources = 200;
 
-bool is_word_letter(char letter) {
-    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
-}
-
 std::size_t skip_blanks(std::string_view code, std::size_t at) {
     while (at < code.size() && std::isspace(static_cast<unsigned char>(code[at])) != 0)
         ++at;
@@ -47,7 +43,7 @@ std::string_view word_before(std::string_view code, std::size_t at) {
     while (at > 0 && std::isspace(static_cast<unsigned char>(code[at - 1])) != 0)
         --at;
     std::size_t begin = at;
-    while (begin > 0 && is_word_letter(code[begin - 1]))
+    while (begin > 0 && is_name_letter(code[begin - 1]))
         --begin;
     return code.substr(begin, at - begin);
 }
@@ -226,7 +222,7 @@ bool defines_main(std::string_view source) {
         for (std::size_t at = text.find(name); at != std::string_view::npos;
              at = text.find(name, at + 1)) {
             const std::size_t end = at + name.size();
-            if ((at > 0 && is_word_letter(text[at - 1])) || end >= text.size()) continue;
+            if ((at > 0 && is_name_letter(text[at - 1])) || end >= text.size()) continue;
             const std::string_view type = word_before(text, at);
             if (type != "int" && type != "void" && type != "auto" && type != "signed") continue;
             const std::size_t open = skip_blanks(text, end);

@@ -13,19 +13,7 @@ using namespace rasterwalk;
 
 namespace {
 
-/// The room drawn by a program that puts one pixel seven rows too low.
-struct WrongProgram {
-    ProgramDrawing right = test::right_room_drawing(StripStep{Stage::fill});
-    std::size_t index = right.puts.size() / 2;
-    glm::ivec2 meant = right.puts[index].pixel;
-    glm::ivec2 hit{meant.x, (meant.y + 7) % 48};
-
-    std::shared_ptr<const ProgramDrawing> drawing() const {
-        std::vector<ProgramPut> puts = right.puts;
-        puts[index].pixel = hit;
-        return std::make_shared<const ProgramDrawing>(test::with_puts(right, puts));
-    }
-};
+using WrongProgram = test::ProgramWithWrongPixel;
 
 void rest_until_compared(Driver& driver) {
     for (int i = 0; i < 100 && is_working(driver.ui.results); ++i)
