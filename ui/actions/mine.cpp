@@ -87,7 +87,9 @@ bool is_running(const MineLook& mine) {
 void begin_check(MineLook& mine) {
     mine.is_wanted = false;
     try {
-        mine.check = begin_program_check(mine.path);
+        CheckProgramOptions options;
+        options.search = mine.search;
+        mine.check = begin_program_check(mine.path, options);
     } catch (const std::system_error&) {
         mine.fault = "There is no thread to check the program on.";
     }
@@ -170,6 +172,7 @@ void check_my_program(Ui& ui, std::string path) {
         fresh.stopped = std::move(mine.stopped);
         fresh.checks = mine.checks;
         fresh.number = mine.number;
+        fresh.search = mine.search;
         fresh.pictures = std::move(mine.pictures); // its textures are used again
         fresh.path = path;
         mine = std::move(fresh);

@@ -64,6 +64,8 @@ class Screen {
         : context_(options.width, options.height), width_(options.width), height_(options.height) {
         ui.session = std::move(session);
         ui.reading.patience = std::chrono::hours(1); // the picture shows what was opened
+        ui.mine.search =
+            std::chrono::hours(1); // the picture must not depend on the machine's speed
         ui.options = options.ui;
         open_ui(ui, textures_);
         if (!options.tab.empty()) open_tab(ui, options.tab);

@@ -33,9 +33,10 @@ struct MineSource {
 
 /// What the tab of the student's own program keeps from one frame to the next.
 struct MineLook {
-    std::string typed;                   ///< a path, in the field
-    std::string path;                    ///< of the program last asked for; empty: none was
-    std::shared_ptr<ProgramCheck> check; ///< null: none is running
+    std::string typed;                        ///< a path, in the field
+    std::string path;                         ///< of the program last asked for; empty: none was
+    std::chrono::milliseconds search{10'000}; ///< for what explains a wrong picture
+    std::shared_ptr<ProgramCheck> check;      ///< null: none is running
     std::vector<std::shared_ptr<ProgramCheck>> stopped; ///< until their threads have noticed
     std::chrono::steady_clock::time_point next_look;    ///< for files that were missing
     std::vector<WatchedFile> watched; ///< empty: nothing has been checked, so nothing is watched
