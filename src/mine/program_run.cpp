@@ -68,7 +68,7 @@ std::string doing(const rasterwalk_kit::Progress& progress) {
     case rasterwalk_kit::moment_none:
         return "before it began";
     case rasterwalk_kit::moment_started:
-        return "while its global variables were being made";
+        return "before it opened its window";
     case rasterwalk_kit::moment_asked:
         return fmt::format("while {}", asked_words(progress.part));
     case rasterwalk_kit::moment_window:
