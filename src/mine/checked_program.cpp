@@ -173,13 +173,6 @@ bool is_known_enough(const CheckedProgram& checked, const Settings& reference) {
     return has_vertices && (reference.stage != Stage::shade || checked.known.knows_light);
 }
 
-bool is_all_black(const Image& image) {
-    constexpr std::size_t channels = 4;
-    for (std::size_t i = 0; i + channels <= image.rgba.size(); i += channels)
-        if ((image.rgba[i] | image.rgba[i + 1] | image.rgba[i + 2]) != 0) return false;
-    return true;
-}
-
 void compare_pictures(CheckedProgram& checked, const Scene& room, const std::vector<Bug>& bugs,
                       const CheckProgramOptions& options) {
     const Recording& recording = checked.run->recording;
@@ -195,9 +188,8 @@ void compare_pictures(CheckedProgram& checked, const Scene& room, const std::vec
         picture.is_right || (likely == nullptr ? is_known_enough(checked, picture.reference)
                                                : !is_contradicted(checked, *likely, bugs));
     // Black is what many causes have in common, and what a lamp of no power makes of anything.
-    if (is_all_black(picture.theirs) || is_all_black(picture.right))
-        picture.is_right = picture.is_judged = false;
-    if (!checked.picture->is_right) return;
+    if (picture.has_black_picture()) picture.is_right = picture.is_judged = false;
+    if (!picture.is_right || !has_known_order(*checked.run)) return;
     const std::vector<OurPut> ours = our_puts(room, checked.picture->reference);
     checked.sequence = SequenceCheck{static_cast<std::int64_t>(recording.puts.size()),
                                      sequence_parting(recording.puts, ours, settings.viewport)};

@@ -179,6 +179,9 @@ std::string_view not_judged_words(const CheckedProgram& checked) {
         });
     if (is_wrong)
         return "It is not judged while a function is wrong, because that alone may be the reason.";
+    if (checked.picture && checked.picture->has_black_picture())
+        return "A black picture is not judged, because many causes make it, and a lamp without "
+               "power makes black of anything.";
     return "That may be right: too little is known about your program, because its functions or "
            "its lamp have names that are not known here.";
 }

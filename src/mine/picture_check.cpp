@@ -41,12 +41,21 @@ ImageDistance distance_to(const Image& picture, const Scene& scene, const Settin
     return measure.distance();
 }
 
-/// Less than a third of it is drawn on: points or edges.
-bool is_mostly_black(const Image& picture) {
+/// How many pixels are black.
+std::size_t black_pixels(const Image& picture) {
     std::size_t black = 0;
     for (std::size_t at = 0; at < picture.rgba.size(); at += 4)
         black += is_black(&picture.rgba[at]) ? 1 : 0;
-    return 3 * black > 2 * (picture.rgba.size() / 4);
+    return black;
+}
+
+bool is_all_black(const Image& picture) {
+    return !picture.rgba.empty() && black_pixels(picture) == picture.rgba.size() / 4;
+}
+
+/// Less than a third of it is drawn on: points or edges.
+bool is_mostly_black(const Image& picture) {
+    return 3 * black_pixels(picture) > 2 * (picture.rgba.size() / 4);
 }
 
 /// The number of different colours, but no more than one above most_flat_colours.
@@ -144,6 +153,10 @@ Image with_their_ties(const PictureCheck& check, const Scene& scene) {
         if (is_same_pixel(&other.rgba[at], &check.theirs.rgba[at]))
             std::copy_n(&other.rgba[at], 4, &ours.rgba[at]);
     return ours;
+}
+
+bool PictureCheck::has_black_picture() const {
+    return is_all_black(theirs) || is_all_black(right);
 }
 
 PictureCheck check_picture(const Recording& recording, const Scene& scene, const Settings& settings,

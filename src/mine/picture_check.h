@@ -30,6 +30,9 @@ struct PictureCheck {
     std::optional<glm::ivec2> first; ///< the first that differs, row by row from the top
     Diagnosis diagnosis;             ///< of a picture that is not right
     Image theirs, right;             ///< both pictures, of the same size
+
+    /// Is one of the two black everywhere?
+    bool has_black_picture() const;
 };
 
 /// A picture that was put as floats, as the lab's PutPixelSDL shows it.

@@ -29,7 +29,7 @@ glm::vec3 colour_of_put(const rasterwalk_kit::Put& put, bool is_outline) {
 
 std::shared_ptr<const ProgramDrawing> drawing_of(const CheckedProgram& checked,
                                                  const std::shared_ptr<const Scene>& room) {
-    if (!checked.picture || !checked.run || checked.run->recording.puts.empty()) return nullptr;
+    if (!checked.picture || !checked.run || !has_known_order(*checked.run)) return nullptr;
     const std::vector<rasterwalk_kit::Put>& puts = checked.run->recording.puts;
     const auto drawing = std::make_shared<ProgramDrawing>();
     drawing->name = checked.files.name;

@@ -15,8 +15,8 @@ namespace rasterwalk {
 inline constexpr float largest_put_channel = 1e6f;
 
 /// What the program has drawn, next to our picture under its rules. Of points and edges, which may
-/// have any colour, everything but black is white, as our own are. Null: it drew nothing that a
-/// picture could be compared with.
+/// have any colour, everything but black is white, as our own are. Null: there is no
+/// picture, or which pixels make it is not known.
 /// @param room the scene that it was checked against
 std::shared_ptr<const ProgramDrawing> drawing_of(const CheckedProgram& checked,
                                                  const std::shared_ptr<const Scene>& room);

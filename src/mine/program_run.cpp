@@ -250,6 +250,11 @@ bool draws_nothing(const ProgramRun& run) {
     return run.has_frame() && progress.puts == 0 && progress.direct == 0;
 }
 
+bool has_known_order(const ProgramRun& run) {
+    const rasterwalk_kit::Progress& progress = run.recording.progress;
+    return progress.puts > 0 && progress.direct == 0 && progress.puts == run.recording.puts.size();
+}
+
 std::optional<ProgramFault> fault_of(const StudentFiles& files, const std::string& program,
                                      const GuardedRun& run, const Recording& recording,
                                      bool is_sanitized) {

@@ -57,6 +57,10 @@ struct ProgramRun {
 /// Did it draw a frame without a single pixel, by PutPixelSDL or by itself?
 bool draws_nothing(const ProgramRun& run);
 
+/// Is each pixel of the first frame known, and in which order they were put? Not if the program
+/// writes some by itself, or more than are kept.
+bool has_known_order(const ProgramRun& run);
+
 /// What is asked of a program, and how long it may take.
 struct ProgramOrder {
     ProgramTask task;

@@ -231,3 +231,16 @@ TEST_CASE("A fault while a key is held says which key, and comes last") {
     CHECK(mistakes[2].place == held.fault.place);
     CHECK_FALSE(checked.is_right());
 }
+
+TEST_CASE("Why a picture is not judged is said as it is") {
+    CheckedProgram checked = sound_program();
+    make_picture_wrong(checked, {});
+    Image& theirs = checked.picture->theirs;
+    theirs = Image{2, 1, {0, 0, 0, 255, 9, 0, 0, 255}};
+    checked.picture->right = theirs;
+    CHECK_THAT(std::string(not_judged_words(checked)), ContainsSubstring("too little is known"));
+    theirs.rgba[4] = 0;
+    CHECK_THAT(std::string(not_judged_words(checked)), ContainsSubstring("A black picture"));
+    make_wrong(checked.functions[0], {});
+    CHECK_THAT(std::string(not_judged_words(checked)), ContainsSubstring("a function is wrong"));
+}

@@ -51,6 +51,7 @@ CheckedProgram checked_with(const Settings& reference, std::vector<rasterwalk_ki
     CheckedProgram checked;
     checked.files.name = "mine.cpp";
     checked.run.emplace();
+    checked.run->recording.progress.puts = puts.size();
     checked.run->recording.puts = std::move(puts);
     checked.picture.emplace();
     checked.picture->reference = reference;
@@ -199,6 +200,13 @@ TEST_CASE("What a checked program has drawn is its puts, next to ours") {
     }
     CHECK(drawing_of(CheckedProgram(), right.scene) == nullptr);
     CHECK(drawing_of(checked_with(right.settings, {}), right.scene) == nullptr);
+    // Pixels written without PutPixelSDL have no place in the order; nor have those not kept.
+    CheckedProgram direct = checked_with(right.settings, kit_puts(right));
+    direct.run->recording.progress.direct = 1;
+    CHECK(drawing_of(direct, right.scene) == nullptr);
+    CheckedProgram cut = checked_with(right.settings, kit_puts(right));
+    cut.run->recording.puts.pop_back();
+    CHECK(drawing_of(cut, right.scene) == nullptr);
 }
 
 TEST_CASE("Edges may have any colour but black, and are compared in white") {

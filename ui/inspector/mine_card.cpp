@@ -230,7 +230,7 @@ void draw_picture(Ui& ui, const CheckedProgram& checked) {
         say(ui, "mine.picture",
             picture.is_judged ? picture.diagnosis.verdict : std::string(not_judged_words(checked)));
     draw_pictures(ui, checked);
-    draw_ways_to_compare(ui, picture);
+    if (has_known_order(*checked.run)) draw_ways_to_compare(ui, picture);
     say(ui, "mine.picture.place", picture.diagnosis.place);
     for (std::size_t i = 0; i < picture.diagnosis.findings.size(); ++i)
         say(ui, fmt::format("mine.finding.{}", i), picture.diagnosis.findings[i],
@@ -243,7 +243,11 @@ void draw_picture(Ui& ui, const CheckedProgram& checked) {
 
 void draw_sequence(Ui& ui, const CheckedProgram& checked) {
     if (!checked.sequence) {
-        say(ui, "mine.sequence", "The order is compared once the picture is right.");
+        say(ui, "mine.sequence",
+            checked.picture && checked.picture->is_right
+                ? "Your program writes pixels by itself, without PutPixelSDL, so their order is "
+                  "not known."
+                : "The order is compared once the picture is right.");
         return;
     }
     const auto& parting = checked.sequence->parting;
