@@ -12,6 +12,7 @@
 
 #include "laboratory/bug.h"
 #include "mine/checked_program.h"
+#include "mine/compile/kit_files.h"
 #include "mine/compile/student_files.h"
 #include "support/catch.h"
 #include "support/quoted_text.h"
@@ -24,21 +25,38 @@ namespace {
 
 constexpr const char* quoting_lesson = "36-your-own-program.md";
 
-CheckedProgram check_of_hand_in(std::string_view name) {
+CheckedProgram check_of_sources(const std::vector<HandInSource>& sources) {
     static const TemporaryFolder cache; // not the user's
     ::setenv("RASTERWALK_CACHE", cache.file("cache").c_str(), 1);
-    const std::vector<HandIn> programs = student_mistakes();
-    const auto program = std::find_if(programs.begin(), programs.end(),
-                                      [&](const HandIn& one) { return one.name == name; });
-    REQUIRE(program != programs.end());
     const TemporaryFolder folder;
-    for (const HandInSource& source : program->sources)
+    for (const HandInSource& source : sources)
         folder.write(source.name, source.text);
     CheckProgramOptions options;
     options.hold_keys = false;
     options.search = std::chrono::minutes(1);
     return check_program(find_student_files(folder.file("")), read_lab_scenes(), read_bugs(),
                          options);
+}
+
+CheckedProgram check_of_hand_in(std::string_view name) {
+    const std::vector<HandIn> programs = student_mistakes();
+    const auto program = std::find_if(programs.begin(), programs.end(),
+                                      [&](const HandIn& one) { return one.name == name; });
+    REQUIRE(program != programs.end());
+    return check_of_sources(program->sources);
+}
+
+/// The program that `mine --new` writes, with other words in place of these.
+CheckedProgram check_of_new(const std::string& from, const std::string& to) {
+    const std::vector<KitFile>& files = kit_files();
+    const auto skeleton = std::find_if(files.begin(), files.end(), [](const KitFile& file) {
+        return file.name == "new/skeleton.cpp";
+    });
+    REQUIRE(skeleton != files.end());
+    std::string text(skeleton->text);
+    const std::size_t at = text.find(from);
+    REQUIRE(at != text.npos);
+    return check_of_sources({{"skeleton.cpp", text.replace(at, from.size(), to)}});
 }
 
 /// The check of a function of such a program.
@@ -74,6 +92,20 @@ TEST_CASE("Lesson 36 quotes the report on edges sampled by rows", "[mine]") {
     const FunctionCheck& drawing = check_of_part(program, rasterwalk_kit::part_draw_rows);
     CHECK(drawing.state == CheckState::right);
     require_text(quoting_lesson, fmt::format("for all {} of its own", drawing.asked));
+}
+
+TEST_CASE("Lesson 36 quotes the first message on two programs that do not compile", "[mine]") {
+    for (const CheckedProgram& program :
+         {check_of_new("float focalLength = 500;", "float focalLength = 500"),
+          check_of_new("        Update();", "        Interpolate();")}) {
+        REQUIRE_FALSE(program.compiles());
+        REQUIRE_FALSE(program.compiled.messages.empty());
+        const CompileMessage& first = program.compiled.messages.front();
+        INFO(program.compiled.compiler << ": " << first.text);
+        if (!program.compiled.compiler.starts_with("g++")) continue; // clang++ has its own words
+        require_text(quoting_lesson, fmt::format("> skeleton.cpp:{}: {}", first.line, first.text));
+        require_text(quoting_lesson, "> " + first.cause);
+    }
 }
 
 TEST_CASE("Lesson 36 quotes the reports on its three cases", "[mine]") {
