@@ -81,15 +81,12 @@ std::string no_moments_text(const Frame& a, const Frame& b, const Cursor& to) {
 }
 
 constexpr std::string_view program_text =
-    "Of your program only the pixels that it puts are known, so only the pictures are compared, "
-    "and the order of the pixels.";
+    "Of your program only the pixels that it puts are known, so only the pictures are compared";
 
-/// Where the program first puts another pixel than we do, as the only divergence; none if that is
-/// not before `to`, or if run A does not have the moments of the run that it was compared with.
-void add_parting(const Frame& a, const Frame& b, const Cursor& to, const ProgramDrawing& program,
-                 DivergenceList& list) {
+/// Where the program first puts another pixel than we do, as the only divergence.
+void add_parting(const ProgramDrawing& program, DivergenceList& list) {
     const std::optional<Cursor> moment = moment_of_parting(program);
-    if (!moment || (*moment >= to && to != cursor_end) || !have_same_moments(a, b)) return;
+    if (!moment) return;
     const SequenceParting& parting = *program.parting;
     const DivergenceKind kind = !parting.theirs ? DivergenceKind::missing
                                 : !parting.ours ? DivergenceKind::extra
@@ -117,8 +114,15 @@ void ComparisonWork::begin(const Frame& a, const Frame& b, const Cursor& to,
     done_ = 0;
     triangles_ = std::min(a.triangle_count(), std::max(to.triangle, 0));
     found_ = {};
-    found_.only_pictures = program == nullptr ? no_moments_text(a, b, to) : program_text;
-    if (program != nullptr) add_parting(a, b, to, *program, found_.divergences);
+    if (program == nullptr) {
+        found_.only_pictures = no_moments_text(a, b, to);
+    } else {
+        // With other settings run A need not put the pixels that the program's were compared with.
+        const bool has_order = a.settings == b.settings;
+        found_.only_pictures =
+            std::string(program_text) + (has_order ? ", and the order of the pixels." : ".");
+        if (has_order) add_parting(*program, found_.divergences);
+    }
     if (found_.only_pictures.empty()) {
         begin_clearing(cleared_a_, a);
         begin_clearing(cleared_b_, b);

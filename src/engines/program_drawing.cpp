@@ -36,7 +36,6 @@ std::string parting_text(const SequenceParting& parting) {
     if (parting.theirs && !parting.ours)
         return fmt::format("We end after {}, and your program goes on with {}.", count,
                            pixel_words(*parting.theirs));
-    if (!parting.theirs) return fmt::format("Both end after {}.", count);
     const std::string before = parting.index == 0
                                    ? "They part at the first pixel"
                                    : fmt::format("They part after {} in the same order", count);

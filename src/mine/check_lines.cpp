@@ -152,12 +152,15 @@ std::string subject_of(const CheckLine& line) {
 }
 
 void add_changes(const std::vector<CheckLine>& before, const std::vector<CheckLine>& now,
-                 CheckLineState from, CheckLineState to, std::string_view was, std::string_view is,
-                 std::vector<std::string>& sentences) {
+                 CheckLineState from, CheckLineState to, std::vector<LineChange>& changes) {
+    const bool is_better = to == CheckLineState::right;
     for (const CheckLine& line : now) {
         const CheckLine* const earlier = line_of(before, line);
         if (earlier == nullptr || earlier->state != from || line.state != to) continue;
-        sentences.push_back(fmt::format("{} was {} and {}", subject_of(line), was, is));
+        changes.push_back(
+            {fmt::format("{} was {} and is {} now.", subject_of(line),
+                         is_better ? "wrong" : "right", is_better ? "right" : "wrong"),
+             is_better});
     }
 }
 
@@ -186,14 +189,12 @@ std::size_t first_wrong(const std::vector<CheckLine>& lines) {
     return found == lines.end() ? 0 : static_cast<std::size_t>(found - lines.begin());
 }
 
-std::vector<std::string> changed_lines(const std::vector<CheckLine>& before,
-                                       const std::vector<CheckLine>& now) {
-    std::vector<std::string> sentences;
-    add_changes(before, now, CheckLineState::right, CheckLineState::wrong, "right", "is wrong now.",
-                sentences);
-    add_changes(before, now, CheckLineState::wrong, CheckLineState::right, "wrong", better_now,
-                sentences);
-    return sentences;
+std::vector<LineChange> changed_lines(const std::vector<CheckLine>& before,
+                                      const std::vector<CheckLine>& now) {
+    std::vector<LineChange> changes;
+    add_changes(before, now, CheckLineState::right, CheckLineState::wrong, changes);
+    add_changes(before, now, CheckLineState::wrong, CheckLineState::right, changes);
+    return changes;
 }
 
 } // namespace rasterwalk

@@ -39,13 +39,17 @@ std::vector<CheckLine> check_lines(const CheckedProgram& checked, bool is_whole)
 /// The first line that is wrong; or else that of the picture, or 0 if it has none.
 std::size_t first_wrong(const std::vector<CheckLine>& lines);
 
-/// How a sentence ends about something that has got better.
-inline constexpr std::string_view better_now = "is right now.";
+/// What has changed from an earlier check to a later one.
+struct LineChange {
+    std::string text; ///< a sentence
+    bool is_better = false;
 
-/// What has changed from an earlier check to this one, a sentence each: first what was right and is
-/// wrong now, then what was wrong and is right now, which ends with
-/// better_now. Lines that wait count as unchanged.
-std::vector<std::string> changed_lines(const std::vector<CheckLine>& before,
-                                       const std::vector<CheckLine>& now);
+    friend bool operator==(const LineChange&, const LineChange&) = default;
+};
+
+/// First what was right and is wrong now, then what was wrong and is right now. Lines that wait
+/// count as unchanged.
+std::vector<LineChange> changed_lines(const std::vector<CheckLine>& before,
+                                      const std::vector<CheckLine>& now);
 
 } // namespace rasterwalk

@@ -43,10 +43,6 @@ int key_code(std::string_view name) {
     return 0;
 }
 
-bool is_name_character(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 std::vector<KeyFault> hold_key(const StudentFiles& files, const std::string& sanitized_program,
                                const KeyRuns& runs, const ProgramKey& key,
                                const std::function<bool()>& is_stopped) {
@@ -79,9 +75,9 @@ std::vector<ProgramKey> keys_in(std::string_view source) {
         std::size_t begin = at;
         for (const std::string_view prefix : {"SDLK_", "SDL_SCANCODE_"})
             if (code.compare(at, prefix.size(), prefix) == 0) begin = at + prefix.size();
-        if (begin == at || (at > 0 && is_name_character(code[at - 1]))) continue;
+        if (begin == at || (at > 0 && is_name_letter(code[at - 1]))) continue;
         const auto end = std::find_if_not(code.begin() + static_cast<std::ptrdiff_t>(begin),
-                                          code.end(), is_name_character);
+                                          code.end(), is_name_letter);
         const std::string name(code.begin() + static_cast<std::ptrdiff_t>(begin), end);
         const ProgramKey key{name, key_code(name)};
         const bool is_new = std::none_of(

@@ -73,7 +73,7 @@ int line_of_definition(const std::string& source, std::string_view name) {
 } // namespace
 
 SourceLines source_lines(const ProgramPlace& place, int before, int after) {
-    SourceLines found{place.file, 1, place.line, {}};
+    SourceLines found;
     if (place.line <= 0 || place.file.empty()) return found;
     std::string text;
     try {

@@ -11,11 +11,9 @@
 
 namespace rasterwalk {
 
-/// Some lines of a source, one of which is meant.
+/// Some lines of a source.
 struct SourceLines {
-    std::string file;               ///< as the place names it
     int first = 1;                  ///< number of the first of them, from 1
-    int marked = 0;                 ///< number of the line that is meant
     std::vector<std::string> lines; ///< without line breaks; blanks for tabs
 };
 

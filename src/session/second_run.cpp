@@ -81,9 +81,9 @@ void compare_with_program(Session& session, std::shared_ptr<const ProgramDrawing
     end_comparison(session);
     const Run before = session.a;
     const std::shared_ptr<const Scene> before_scene = session.scene;
-    show_scene(session, drawing->scene);
-    session.a = Run{drawing->settings};
     const bool is_other_scene = before_scene != drawing->scene;
+    if (is_other_scene) show_scene(session, drawing->scene);
+    session.a = Run{drawing->settings};
     compare_with(session, Run{drawing->settings, std::move(drawing)});
     session.replaced = ReplacedRun{before, session.a, is_other_scene ? before_scene : nullptr, {}};
     if (session.compare_view == CompareView::run_a || session.compare_view == CompareView::run_b)

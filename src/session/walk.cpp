@@ -52,11 +52,11 @@ void move_to(Session& session, const Cursor& cursor) {
 }
 
 /// Where the student's program that is run B first puts another pixel, if that is after this
-/// moment.
+/// moment, and if run A still has the settings that the program was compared with.
 std::optional<Cursor> parting_ahead(const Session& session, const Timeline& timeline,
                                     const Cursor& here) {
     if (!session.b || session.b->program == nullptr || timeline.frame().pass < 0 ||
-        session.scene != session.b->program->scene || !follows_scene_order(session.a.settings))
+        session.scene != session.b->program->scene || !(session.a.settings == session.b->settings))
         return std::nullopt;
     const std::optional<Cursor> moment = moment_of_parting(*session.b->program);
     if (!moment) return std::nullopt;

@@ -89,12 +89,12 @@ TEST_CASE("What got worse is said before what got better") {
     now.functions[0].state = CheckState::wrong;
     const std::vector<CheckLine> old_lines = check_lines(before, true);
     CHECK(changed_lines(old_lines, check_lines(now, false)) ==
-          std::vector<std::string>{"VertexShader was right and is wrong now.",
-                                   "ComputePolygonRows was wrong and is right now."});
+          std::vector<LineChange>{{"VertexShader was right and is wrong now.", false},
+                                  {"ComputePolygonRows was wrong and is right now.", true}});
     CHECK(changed_lines(old_lines, old_lines).empty());
     // A line that is not checked yet has not changed.
     CHECK(changed_lines(check_lines(now, true), check_lines(CheckedProgram{}, true)) ==
-          std::vector<std::string>{"The code was right and is wrong now."});
+          std::vector<LineChange>{{"The code was right and is wrong now.", false}});
 }
 
 TEST_CASE("The lines around a place are read from the source") {
@@ -104,7 +104,6 @@ TEST_CASE("The lines around a place are read from the source") {
                               "{\n}\n");
     const SourceLines lines = source_lines({"", path, 2}, 1, 1);
     CHECK(lines.first == 1);
-    CHECK(lines.marked == 2);
     CHECK(lines.lines == std::vector<std::string>{"one", "    two", "three\\u001b[31m"});
     CHECK(source_lines({"", path, 7}, 2, 2).lines.size() == 3);
     CHECK(source_lines({"", path, 99}, 2, 2).lines.empty());

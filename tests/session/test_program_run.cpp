@@ -41,6 +41,14 @@ std::int64_t different_pixels(const Results& results) {
     return different;
 }
 
+/// Plays as fast as can be, until something stops it.
+void play_on(Session& session, const Timeline& timeline, const Results& results) {
+    session.play.speed = {SpeedUnit::unlimited, 1.0};
+    toggle_play(session, timeline);
+    for (int tick = 0; tick < 10 && session.play.running; ++tick)
+        advance_play(session, timeline, results.length, 0.1f);
+}
+
 } // namespace
 
 TEST_CASE("A program is compared with our picture of its scene, and the end restores all") {
@@ -147,19 +155,44 @@ TEST_CASE("Play stops where the two part, and then goes on to the end") {
     Results results;
     finish(session, results);
     const Timeline timeline(results.a.frame);
-    session.play.speed = {SpeedUnit::unlimited, 1.0};
     session.cursor = cursor_begin;
-    const auto play = [&] {
-        toggle_play(session, timeline);
-        for (int tick = 0; tick < 10 && session.play.running; ++tick)
-            advance_play(session, timeline, results.length, 0.1f);
-    };
-    play();
+    play_on(session, timeline, results);
     CHECK_FALSE(session.play.running);
     CHECK(session.cursor == wrong.right.ours[wrong.index]);
     CHECK(session.notice.find("your program puts pixel") != std::string::npos);
-    play();
+    play_on(session, timeline, results);
     CHECK(session.cursor == cursor_end);
+}
+
+TEST_CASE("Where the two part is not known once A has other settings") {
+    const WrongPixel wrong;
+    Session session = other_scene();
+    compare_with_program(session, wrong.drawing());
+    set_from_text(session.a.settings, "line_walk=exact");
+    Results results;
+    finish(session, results);
+    CHECK_FALSE(results.comparison.whole().divergences.first);
+    CHECK(results.comparison.whole().only_pictures.ends_with("only the pictures are compared."));
+    const Timeline timeline(results.a.frame);
+    session.cursor = cursor_begin;
+    play_on(session, timeline, results);
+    CHECK(session.cursor == cursor_end);
+    CHECK(session.notice.empty());
+}
+
+TEST_CASE("In the room itself a comparison changes the settings alone, and gives them back") {
+    const auto drawing = right_drawing();
+    Session session = other_scene();
+    show_scene(session, drawing->scene);
+    session.a.settings = default_settings(*drawing->scene);
+    const Settings before = session.a.settings;
+    session.selection.triangle = 3;
+    compare_with_program(session, drawing);
+    CHECK(session.selection.triangle == 3);
+    CHECK(session.a.settings == drawing->settings);
+    end_comparison(session);
+    CHECK(session.selection.triangle == 3);
+    CHECK(session.a.settings == before);
 }
 
 TEST_CASE("What a program has drawn does not follow the settings of A") {

@@ -43,7 +43,9 @@ std::optional<glm::ivec2> pixel_of(const Frame& frame, const Cursor& cursor) {
 std::optional<Cursor> divergence_from(const Results& results, const Cursor& from) {
     if (results.b->is_of_program()) {
         const std::optional<Divergence>& only = results.comparison.whole().divergences.first;
-        return only && only->cursor >= from ? std::optional(only->cursor) : std::nullopt;
+        // Nothing comes after the end, where the program may go on.
+        const bool is_ahead = only && only->cursor >= from && from != cursor_end;
+        return is_ahead ? std::optional(only->cursor) : std::nullopt;
     }
     const auto found = next_divergence(results.a.frame, results.b->frame, from);
     return found ? std::optional(found->cursor) : std::nullopt;
@@ -187,7 +189,7 @@ std::string run_words(const Session& session, bool of_b) {
 std::vector<std::string> run_forms(const Session& session, bool of_b) {
     std::vector<std::string> forms{run_words(session, of_b)};
     const std::vector<RunDifference> differences = run_differences(session);
-    if (hides_settings(session) || session.b->program != nullptr || differences.size() != 1)
+    if (hides_settings(session) || differences.size() != 1 || session.b->program != nullptr)
         return forms;
     const Setting& setting = *find_setting(differences.front().setting);
     // A number or a mere "on" does not say what it is about.

@@ -47,13 +47,20 @@ void keep_pictures(LabLook& lab, const DiagnosisWork& work) {
     ++pictures.number;
 }
 
+} // namespace
+
+std::shared_ptr<const Scene> usual_room(const Session& session) {
+    Scene room = read_scene_file(lessons_folder() + "/" + std::string(usual_scene));
+    return *session.scene == room ? session.scene : std::make_shared<const Scene>(std::move(room));
+}
+
+namespace {
+
 /// What a result is compared with now.
 LabReference chosen_reference(const Session& session, bool what_is_set) {
     LabReference reference{what_is_set, session.scene, with_handout_rules(session.a.settings)};
     if (what_is_set) return reference;
-    // Nothing left behind by a lesson counts.
-    Scene room = read_scene_file(lessons_folder() + "/" + std::string(usual_scene));
-    if (!(*session.scene == room)) reference.scene = std::make_shared<const Scene>(std::move(room));
+    reference.scene = usual_room(session); // nothing left behind by a lesson counts
     reference.settings = default_settings(*reference.scene);
     return reference;
 }

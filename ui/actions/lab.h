@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,12 +9,17 @@
 
 namespace rasterwalk {
 
+struct Scene;
+struct Session;
 struct Ui;
 struct Candidate;
 
 /// The mistakes in the laboratory, read when first asked for; empty if they cannot be read, see
 /// LabLook::fault.
 const std::vector<Bug>& lab_bugs(Ui& ui);
+
+/// The lab's room: the session's own scene if that is it. Throws Error.
+std::shared_ptr<const Scene> usual_room(const Session& session);
 
 /// Makes the mistake in run A and compares it with the correct run; a mistake that was on is turned
 /// off. Refused during a quiz.

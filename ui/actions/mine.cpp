@@ -16,6 +16,7 @@
 #include "mine/program_drawing.h"
 #include "session/second_run.h"
 #include "ui/actions/compare.h"
+#include "ui/actions/lab.h"
 #include "ui/actions/open_tab.h"
 #include "ui/ui.h"
 
@@ -51,7 +52,8 @@ void watch_sources(std::vector<WatchedFile>& files, const StudentFiles& program)
 
 /// The files whose change means that the program has changed: its sources, and those next to them.
 /// Their states are those before the check reads them, so no change is missed.
-std::vector<WatchedFile> files_to_watch(const MineLook& mine) {
+/// @param depth folders below the program's that are looked into
+std::vector<WatchedFile> files_to_watch(const MineLook& mine, int depth) {
     std::vector<WatchedFile> files;
     std::error_code fault;
     const bool is_folder = fs::is_directory(mine.path, fault);
@@ -59,7 +61,7 @@ std::vector<WatchedFile> files_to_watch(const MineLook& mine) {
     if (mine.last) watch_sources(files, mine.last->files);
     const fs::path folder = is_folder ? fs::path(mine.path) : fs::path(mine.path).parent_path();
     try {
-        for (const FoundFile& file : files_in(folder.string(), depth_watched))
+        for (const FoundFile& file : files_in(folder.string(), depth))
             if (is_source_name(file.path) || is_header_name(file.path)) watch(files, file.path);
     } catch (const Error&) {
         return files; // the check itself says why the folder cannot be read
@@ -75,8 +77,10 @@ void want_check(Ui& ui) {
     mine.is_wanted = true;
     mine.fault.clear();
     mine.message = 0;
+    mine.changes.clear();
     ++mine.checks;
-    mine.watched = files_to_watch(mine);
+    mine.was_edited = false;
+    mine.watched = files_to_watch(mine, depth_watched);
     mine.checked_at = time_of_day();
 }
 
@@ -121,14 +125,20 @@ void renew_compared(Ui& ui) {
     MineLook& mine = ui.mine;
     const bool is_compared =
         session.b && session.b->program != nullptr && session.b->program->scene == session.scene;
-    if (!is_compared || mine.compared == mine.checks) return;
+    if (!is_compared || mine.compared == mine.last_of) return;
     const auto drawing = drawing_in(mine, session.scene);
     if (drawing == nullptr) return;
-    mine.compared = mine.checks;
-    if (session.a.settings == session.b->settings) session.a.settings = drawing->settings;
+    mine.compared = mine.last_of;
+    const bool follows = session.a.settings == session.b->settings;
     session.b = Run{drawing->settings, drawing};
     // It is no choice of the student's that could be undone.
-    session.undo.now = static_cast<const Choices&>(session);
+    session.undo.now.b = session.b;
+    if (!follows) return;
+    session.a.settings = drawing->settings;
+    session.undo.now.a = session.a;
+    if (!session.replaced) return;
+    session.replaced->after = session.a;
+    session.undo.now.replaced = session.replaced;
 }
 
 bool does_not_compile(const MineLook& mine) {
@@ -138,9 +148,10 @@ bool does_not_compile(const MineLook& mine) {
 /// Is there another source or header, where one may be missing? Looks once a second.
 bool was_file_added(MineLook& mine) {
     const auto now = std::chrono::steady_clock::now();
-    if (!does_not_compile(mine) || is_running(mine) || now < mine.next_look) return false;
-    mine.next_look = now + std::chrono::seconds(1);
-    const std::vector<WatchedFile> files = files_to_watch(mine);
+    if (!does_not_compile(mine) || is_running(mine) || now < mine.next_listing) return false;
+    mine.next_listing = now + std::chrono::seconds(1);
+    // In the program's own folder: more would take too long for a frame.
+    const std::vector<WatchedFile> files = files_to_watch(mine, 1);
     return std::any_of(files.begin(), files.end(), [&](const WatchedFile& file) {
         return std::none_of(mine.watched.begin(), mine.watched.end(),
                             [&](const WatchedFile& known) { return known.path == file.path; });
@@ -150,6 +161,7 @@ bool was_file_added(MineLook& mine) {
 void take_over(Ui& ui, const std::shared_ptr<const CheckedProgram>& known, bool is_whole) {
     MineLook& mine = ui.mine;
     mine.last = known;
+    mine.last_of = mine.checks;                // the check before has been stopped
     watch_sources(mine.watched, known->files); // the check has found which they are
     ++mine.number;
     mine.is_whole = is_whole;
@@ -173,6 +185,7 @@ void check_my_program(Ui& ui, std::string path) {
         fresh.checks = mine.checks;
         fresh.number = mine.number;
         fresh.search = mine.search;
+        fresh.look_pause = mine.look_pause;
         fresh.pictures = std::move(mine.pictures); // its textures are used again
         fresh.path = path;
         mine = std::move(fresh);
@@ -221,14 +234,13 @@ void compare_my_program(Ui& ui, bool to_parting) {
     Session& session = ui.session;
     if (refuses_settings(session)) return;
     try {
-        const auto room = std::make_shared<const Scene>(read_lab_scenes().room);
-        const auto drawing = drawing_in(mine, room);
+        const auto drawing = drawing_in(mine, usual_room(session));
         if (drawing == nullptr) {
             session.notice = "Which pixels your program puts, and in which order, is not known.";
             return;
         }
         compare_with_program(session, drawing);
-        mine.compared = mine.checks;
+        mine.compared = mine.last_of;
         session.notice.clear();
         if (!to_parting) return;
         const std::optional<Cursor> parting = moment_of_parting(*drawing);
@@ -248,10 +260,15 @@ bool may_miss_file(const Ui& ui) {
     return does_not_compile(ui.mine);
 }
 
-bool program_was_edited(const Ui& ui) {
-    const std::vector<WatchedFile>& watched = ui.mine.watched;
-    return std::any_of(watched.begin(), watched.end(),
-                       [](const WatchedFile& file) { return file_state(file.path) != file.state; });
+bool program_was_edited(Ui& ui) {
+    MineLook& mine = ui.mine;
+    const auto now = std::chrono::steady_clock::now();
+    if (mine.was_edited || now < mine.next_look) return mine.was_edited;
+    mine.next_look = now + mine.look_pause;
+    mine.was_edited =
+        std::any_of(mine.watched.begin(), mine.watched.end(),
+                    [](const WatchedFile& file) { return file_state(file.path) != file.state; });
+    return mine.was_edited;
 }
 
 void finish_program_check(Ui& ui) {

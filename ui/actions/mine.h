@@ -36,7 +36,7 @@ bool is_checking_program(const Ui& ui);
 bool may_miss_file(const Ui& ui);
 
 /// Has a file of the program changed since it was last checked?
-bool program_was_edited(const Ui& ui);
+bool program_was_edited(Ui& ui);
 
 /// Waits until the check is done and takes over its result: for pictures without a window, and
 /// tests.

@@ -9,6 +9,7 @@
 
 #include "base/numbers.h"
 #include "base/quoted.h"
+#include "mine/compile/project_folder.h"
 #include "mine/program_check.h"
 #include "ui/actions/mine.h"
 #include "ui/actions/view_files.h"
@@ -43,9 +44,8 @@ void introduce_check(Ui& ui) {
 void offer_last(Ui& ui) {
     const std::string path = visible_line(ui.options.program);
     if (path.empty()) return;
-    const std::string name = path.substr(path.find_last_of('/') + 1);
     const std::string label =
-        shortened("Check " + name + " again", ImGui::GetContentRegionAvail().x);
+        shortened("Check " + file_name(path) + " again", ImGui::GetContentRegionAvail().x);
     if (button(ui, "mine.last", label, Look::main, "Checks " + path + "."))
         check_my_program(ui, std::string(ui.options.program));
 }
@@ -95,9 +95,7 @@ std::string doing_words(const MineLook& mine) {
 void draw_program_name(Ui& ui) {
     const MineLook& mine = ui.mine;
     const Palette& p = palette(ui.options.theme);
-    const std::size_t slash = mine.path.find_last_of('/');
-    const std::string name =
-        visible_line(mine.path.substr(slash == mine.path.npos ? 0 : slash + 1));
+    const std::string name = visible_line(file_name(mine.path));
     put_text(shortened(name, ImGui::GetContentRegionAvail().x), ui.fonts.bold);
     register_widget(ui, "mine.name", mine.path, name);
     ImGui::PushFont(ui.fonts.small);
@@ -135,12 +133,12 @@ void draw_changes(Ui& ui) {
     const MineLook& mine = ui.mine;
     if (mine.changes.empty()) return;
     for (std::size_t i = 0; i < mine.changes.size(); ++i) {
-        const std::string& change = mine.changes[i];
-        const bool is_good = change.ends_with(better_now);
-        wrapped_text_in(colour_of(is_good ? Meaning::pass : Meaning::fail, ui.options.theme),
-                        (is_good ? passed_sign : failed_sign) + (" " + change));
+        const LineChange& change = mine.changes[i];
+        wrapped_text_in(
+            colour_of(change.is_better ? Meaning::pass : Meaning::fail, ui.options.theme),
+            (change.is_better ? passed_sign : failed_sign) + (" " + change.text));
         register_widget(ui, fmt::format("mine.change.{}", i),
-                        "What has changed since the check before this one.", change);
+                        "What has changed since the check before this one.", change.text);
     }
     ImGui::Spacing();
 }

@@ -51,7 +51,7 @@ void draw_source(Ui& ui, const CheckedProgram& checked, const ProgramPlace& plac
     ImDrawList* const list = ImGui::GetWindowDrawList();
     for (std::size_t i = 0; i < source.lines.size(); ++i) {
         const int number = source.first + static_cast<int>(i);
-        const bool is_meant = number == source.marked && kind == PlaceKind::fault;
+        const bool is_meant = number == place.line && kind == PlaceKind::fault;
         const ImVec2 low = ImGui::GetCursorScreenPos();
         const float right = low.x + ImGui::GetContentRegionAvail().x;
         const float bottom = low.y + height, top = low.y + 2.0f * u;

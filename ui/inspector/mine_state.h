@@ -38,20 +38,24 @@ struct MineLook {
     std::chrono::milliseconds search{10'000}; ///< for what explains a wrong picture
     std::shared_ptr<ProgramCheck> check;      ///< null: none is running
     std::vector<std::shared_ptr<ProgramCheck>> stopped; ///< until their threads have noticed
-    std::chrono::steady_clock::time_point next_look;    ///< for files that were missing
     std::vector<WatchedFile> watched; ///< empty: nothing has been checked, so nothing is watched
-    std::uint64_t number = 0;         ///< grows whenever `last` becomes another
+    std::chrono::milliseconds look_pause{100};          ///< from one look at them to the next
+    std::chrono::steady_clock::time_point next_look;    ///< at the watched files
+    std::chrono::steady_clock::time_point next_listing; ///< for files that were missing
+    bool was_edited = false;                            ///< a watched file, since the check began
+    std::uint64_t number = 0;                           ///< grows whenever `last` becomes another
     std::shared_ptr<const CheckedProgram> last; ///< what is known of the program as it is now
     bool is_whole = false;                      ///< the check of `last` is done
     bool is_given_up = false;                   ///< or was stopped
     int checks = 0;                             ///< begun so far
-    int compared = 0;                           ///< of these, the one whose picture is run B
-    bool is_wanted = false;           ///< a check begins as soon as the stopped ones have noticed
-    std::string checked_at;           ///< time of day when it began, "14:02:07"; empty: not said
-    std::vector<CheckLine> lines;     ///< of `last`
-    std::vector<CheckLine> before;    ///< as each line was after the last whole check
-    std::vector<std::string> changes; ///< since then
-    std::string fault;                ///< why the program could not be checked; empty: it could
+    int last_of = 0;                            ///< of these, the one that `last` is of
+    int compared = 0;                           ///< and the one whose picture is run B
+    bool is_wanted = false;          ///< a check begins as soon as the stopped ones have noticed
+    std::string checked_at;          ///< time of day when it began, "14:02:07"; empty: not said
+    std::vector<CheckLine> lines;    ///< of `last`
+    std::vector<CheckLine> before;   ///< as each line was after the last whole check
+    std::vector<LineChange> changes; ///< since then
+    std::string fault;               ///< why the program could not be checked; empty: it could
     std::string chosen;     ///< name of the line that the student chose; empty: the first wrong one
     std::string brought_up; ///< the line that the page was last scrolled to, see mine_panel.cpp
     std::size_t message = 0; ///< of the compiler, whose source is shown

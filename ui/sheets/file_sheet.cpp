@@ -31,7 +31,7 @@ struct SheetWords {
     const char *nothing, *action, *action_help;
 };
 
-SheetWords words_of(FileSheet::Kind kind) {
+SheetWords words_of(FileSheet::Kind kind, bool is_browser) {
     switch (kind) {
     case FileSheet::Kind::save:
         return {"Save the view",
@@ -40,11 +40,12 @@ SheetWords words_of(FileSheet::Kind kind) {
                 "No views are saved here.", "Save", "Writes the file. Key: Enter"};
     case FileSheet::Kind::result:
         return {"Check my program",
-                fmt::format("The source of your program (.cpp), a picture that it saved ({}), or "
-                            "the rows that it printed (.txt).",
-                            exact_image_formats),
-                "No sources, pictures or text files here.", "Check",
-                "Looks for what may be wrong with it. Key: Enter"};
+                fmt::format("{} picture that {} saved ({}), or the rows that it printed (.txt).",
+                            is_browser ? "A" : "The source of your program (.cpp), a",
+                            is_browser ? "your program" : "it", exact_image_formats),
+                is_browser ? "No pictures or text files here."
+                           : "No sources, pictures or text files here.",
+                "Check", "Looks for what may be wrong with it. Key: Enter"};
     case FileSheet::Kind::texture:
         return {"Apply an image to the model",
                 fmt::format("An image ({}) for every part that has texture coordinates and no "
@@ -54,8 +55,11 @@ SheetWords words_of(FileSheet::Kind kind) {
     default:
         return {
             "Open",
-            "A saved view (.walk.toml), a scene (.toml), a model (.obj) or a lesson (.md). Your "
-            "own program, its picture or its printed rows are checked.",
+            is_browser
+                ? "A saved view (.walk.toml), a scene (.toml), a model (.obj) or a lesson (.md). "
+                  "Your program's picture or its printed rows are checked."
+                : "A saved view (.walk.toml), a scene (.toml), a model (.obj) or a lesson (.md). "
+                  "Your own program, its picture or its printed rows are checked.",
             "No views, scenes or lessons here.", "Open", "Opens the file. Key: Enter"};
     }
 }
@@ -87,7 +91,7 @@ std::string shortened_front(const std::string& path, float width) {
 }
 
 void draw_head(Ui& ui) {
-    const SheetWords words = words_of(ui.sheets.files.kind);
+    const SheetWords words = words_of(ui.sheets.files.kind, ui.host.is_browser);
     put_text(words.title, ui.fonts.title);
     wrapped_text_in(palette(ui.options.theme).dim, words.about);
     ImGui::Spacing();
@@ -209,7 +213,7 @@ void draw_list(Ui& ui, float height) {
                                            : "Chooses this file; a double click opens it.");
     }
     if (sheet.entries.empty()) {
-        text_in(p.dim, words_of(sheet.kind).nothing);
+        text_in(p.dim, words_of(sheet.kind, ui.host.is_browser).nothing);
     }
     if (sheet.left_out > 0) {
         text_in(p.dim, "and " + std::to_string(sheet.left_out) + " more; type the name");
@@ -251,7 +255,7 @@ float message_height(const std::string& message) {
 bool draw_buttons(Ui& ui) {
     FileSheet& sheet = ui.sheets.files;
     const bool replaces = !sheet.to_replace.empty();
-    const SheetWords words = words_of(sheet.kind);
+    const SheetWords words = words_of(sheet.kind, ui.host.is_browser);
     const char* const action = replaces ? "Replace" : words.action;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = button_width("Cancel") + button_width(action) + gap;

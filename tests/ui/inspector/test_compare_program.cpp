@@ -7,6 +7,7 @@
 #include "support/program_drawings.h"
 #include "tests/support/catch.h"
 #include "tests/ui/driver.h"
+#include "ui/actions/compare.h"
 #include "ui/ui.h"
 
 using namespace rasterwalk;
@@ -60,6 +61,8 @@ TEST_CASE("A program that goes on after our last pixel leads to the end") {
     driver.hand.click("compare.parting");
     CHECK(driver.ui.session.cursor == cursor_end);
     CHECK_FALSE(driver.ui.session.selection.triangle);
+    go_to_next_divergence(driver.ui); // nothing comes after the end
+    CHECK(driver.ui.session.notice == "The runs do not differ again after this moment.");
     CHECK(driver.ui.widgets.count("walk.difference.0") == 0);
 }
 

@@ -53,6 +53,7 @@ struct SavedProgram {
         cache_before =
             std::getenv("RASTERWALK_CACHE") == nullptr ? "" : std::getenv("RASTERWALK_CACHE");
         ::setenv("RASTERWALK_CACHE", folder.file("cache").c_str(), 1);
+        driver->ui.mine.look_pause = {}; // a frame sees what was saved before it
     }
     ~SavedProgram() {
         driver.reset(); // its threads read the environment
@@ -153,7 +154,7 @@ TEST_CASE("A header that is missing is noticed once it is made") {
     CHECK_THAT(mine_text(driver, "mine.message.0.text"),
                Catch::Matchers::ContainsSubstring("mine.h"));
     program.folder.write("mine.h", "");
-    driver.ui.mine.next_look = {}; // it looks once a second
+    driver.ui.mine.next_listing = {}; // it looks once a second
     driver.hand.frames(1);
     REQUIRE(is_checking_program(driver.ui));
     finish_mine(driver);
@@ -198,6 +199,16 @@ TEST_CASE("Both programs are walked to where they part, and a mended one replace
     CHECK(session.b->program != before);
     CHECK_FALSE(session.b->program->parting);
     CHECK(driver.ui.results.comparison.pixels.shown == 0);
+    // Compared while the next check runs, it is the picture known so far, and then the next one.
+    program.text = replaced(program.text, right_count, wrong_count);
+    save_source(program.path, program.text);
+    driver.hand.frames(1);
+    REQUIRE(is_checking_program(driver.ui));
+    compare_my_program(driver.ui, false);
+    REQUIRE(session.b->program);
+    CHECK_FALSE(session.b->program->parting);
+    finish_mine(driver);
+    CHECK(session.b->program->parting);
 }
 
 TEST_CASE("A check is stopped, and what is not a program is said") {
