@@ -163,6 +163,10 @@ bool is_contradicted(const CheckedProgram& checked, const Candidate& candidate,
     });
 }
 
+/// How long a mistake is searched for before the sanitizers: theirs is the surer answer, and a
+/// picture's may take much longer.
+constexpr std::chrono::milliseconds first_search{500};
+
 /// Is there enough to call a picture wrong that differs? Its vertices must be known to be where
 /// they belong, and if it is lit, its lamp must be known.
 bool is_known_enough(const CheckedProgram& checked, const Settings& reference) {
@@ -173,14 +177,15 @@ bool is_known_enough(const CheckedProgram& checked, const Settings& reference) {
     return has_vertices && (reference.stage != Stage::shade || checked.known.knows_light);
 }
 
+/// @param search for what explains a wrong picture
 void compare_pictures(CheckedProgram& checked, const Scene& room, const std::vector<Bug>& bugs,
-                      const CheckProgramOptions& options) {
+                      std::chrono::milliseconds search, const CheckProgramOptions& options) {
     const Recording& recording = checked.run->recording;
     if (!recording.has_picture() || draws_nothing(*checked.run)) return;
     std::vector<std::string> known;
     const Settings settings = settings_of(checked, room, known);
     checked.picture =
-        check_picture(recording, room, settings, known, bugs, options.search, options.is_stopped);
+        check_picture(recording, room, settings, known, bugs, search, options.is_stopped);
     PictureCheck& picture = *checked.picture;
     accept_rounding(checked, room, picture);
     const Candidate* const likely = likely_candidate(picture.diagnosis);
@@ -260,11 +265,19 @@ CheckedProgram check_program(const StudentFiles& files, const LabScenes& lab,
     }
     if (!is_stopped(options)) {
         say(options, "Comparing its picture");
-        compare_pictures(checked, lab.room, bugs, options);
+        compare_pictures(checked, lab.room, bugs, std::min(options.search, first_search), options);
         checked.mistakes = likely_mistakes(checked);
         report(checked, options);
     }
-    if (options.hold_keys && !is_stopped(options)) run_sanitized(checked, compiler, options);
+    if (options.hold_keys && !is_stopped(options)) {
+        run_sanitized(checked, compiler, options);
+        report(checked, options);
+    }
+    if (checked.picture && !checked.picture->diagnosis.is_complete &&
+        options.search > first_search && !is_stopped(options)) {
+        say(options, "Searching for its mistake");
+        compare_pictures(checked, lab.room, bugs, options.search, options);
+    }
     checked.mistakes = likely_mistakes(checked);
     return checked;
 }
