@@ -20,13 +20,14 @@ fi
 # `ui` is ui/ui.h, the state of the whole interface; `state` is the states of its parts, ui/*/*_state.h.
 order='
     base
+    code
     scene
     stages
     mistakes
     settings
     pipeline
     engines
-    picture inspect outside
+    picture inspect outside lab_code
     explain compare
     session
     view
@@ -34,6 +35,7 @@ order='
     mine
     facts
     text
+    figures
     lessons
     opening
     state
